@@ -1,0 +1,99 @@
+// Exact evaluation of the polynomials of the evaluators (GL 2.1 section 5.1): for a map of order n + 1,
+//
+//   p(u) = SUM i=0..n of B(n,i,t) * R_i,   B(n,i,t) = C(n,i) * t^i * (1-t)^(n-i),   t = (u - u1) / (u2 - u1),
+//
+// with 0^0 = 1, for any finite u, inside the domain or not (EV-MAP1-BEZIER, EV-MAP1-ZEROPOW, EV-MAP1-DOMAIN,
+// EV-MAP1-EXTRAPOLATE), and the tensor product of two of them for surfaces (EV-MAP2-BEZIER).
+//
+// Every function here throws std::invalid_argument if an order is outside 1..kMaxOrder, and std::domain_error
+// if a domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite; is_finite()
+// tells beforehand.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "reference/rational.h"
+
+namespace evalcts::reference {
+
+inline constexpr int kMaxOrder = 64;
+
+// One component of a one-dimensional map: R_i is points[i * stride]. Float data is held in doubles, which is
+// exact.
+struct Curve {
+  const double* points;
+  std::ptrdiff_t stride;  // values between the beginnings of two control points
+  int order;              // 1..kMaxOrder
+  double u1, u2;          // the domain; u1 > u2 is legal, u1 = u2 is not
+};
+
+// One component of a two-dimensional map: R_ij is points[i * ustride + j * vstride].
+struct Surface {
+  const double* points;
+  std::ptrdiff_t ustride, vstride;
+  int uorder, vorder;
+  double u1, u2, v1, v2;
+};
+
+// The value at which a map is evaluated: a coordinate as EvalCoord gives it, or a point of a grid (MapGrid
+// with EvalPoint or EvalMesh), which need not be a floating-point number.
+class Argument {
+ public:
+  // The real number u. Any double; see is_finite().
+  static Argument coordinate(double u);
+  // The real number i * (g2 - g1) / n + g1, which is exactly g1 at i = 0 and exactly g2 at i = n
+  // (EV-POINT-EXACT-0, EV-POINT-EXACT-N). g1 = g2 and any i are legal. Throws std::invalid_argument if n <=
+  // 0.
+  static Argument grid(std::int64_t i, std::int64_t n, double g1, double g2);
+
+  bool is_finite() const;
+  // Throws std::domain_error if not finite.
+  Rational value() const;
+
+  bool is_grid() const { return segments_ != 0; }
+  // As given to coordinate().
+  double coordinate() const { return first_; }
+  // As given to grid().
+  std::int64_t index() const { return index_; }
+  std::int64_t segments() const { return segments_; }
+  double first() const { return first_; }
+  double last() const { return last_; }
+
+ private:
+  Argument(std::int64_t i, std::int64_t n, double g1, double g2)
+      : index_(i), segments_(n), first_(g1), last_(g2) {}
+
+  std::int64_t index_;
+  std::int64_t segments_;  // 0 for a coordinate
+  double first_, last_;    // both the coordinate itself for a coordinate
+};
+
+// Whether all control values and domain ends are finite.
+bool is_finite(const Curve& curve);
+bool is_finite(const Surface& surface);
+
+// The value and S0 = SUM |B_i(t)| * |R_i|, the sum of the magnitudes of its terms (2-D: over all i, j).
+struct Evaluation {
+  Rational value;
+  Rational magnitude;
+};
+
+// Both in one pass, for little more than the price of one.
+Evaluation evaluate_with_magnitude(const Curve& curve, const Argument& u);
+Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v);
+
+Rational evaluate(const Curve& curve, const Argument& u);
+Rational evaluate(const Surface& surface, const Argument& u, const Argument& v);
+
+Rational magnitude(const Curve& curve, const Argument& u);
+Rational magnitude(const Surface& surface, const Argument& u, const Argument& v);
+
+// Derivatives with respect to the normalised coordinates t = (u - u1)/(u2 - u1) and (v - v1)/(v2 - v1) (the
+// literal reading of the AUTO_NORMAL rule, see U-AUTON-REVSIGN); divide by u2 - u1 for the derivative in u.
+// Order 1 gives zero.
+Rational derivative(const Curve& curve, const Argument& u);
+Rational derivative_u(const Surface& surface, const Argument& u, const Argument& v);
+Rational derivative_v(const Surface& surface, const Argument& u, const Argument& v);
+
+}  // namespace evalcts::reference

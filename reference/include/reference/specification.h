@@ -1,0 +1,220 @@
+// The executable specification: the evaluator state machine of the GL, to be read beside the specification.
+// One object is one context in RGBA mode; a copy of it is a second context in the same state.
+//
+// The methods are the GL commands without their prefix. No argument value makes one throw or misbehave, but
+// pointers must point to the storage that the command is entitled to; where the GL defines nothing for a null
+// pointer (U-NULL) the command does nothing. Commands that the GL does not allow between Begin and End raise
+// INVALID_OPERATION there (GL 2.1 section 2.6.3). A command that raises an error has no other effect (GL 2.1
+// section 2.5).
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "reference/component.h"
+
+namespace evalcts::reference {
+
+class Specification {
+ public:
+  struct Options {
+    int max_eval_order =
+        kMaxOrder;  // 8..kMaxOrder (EV-INIT-MAXORDER); values outside are brought to the nearer end
+  };
+
+  // A new context, in the initial state of the GL (EV-INIT-*).
+  Specification();
+  explicit Specification(const Options& options);
+
+  // Maps (section 5.1). Either form copies the points during the call (EV-MAP1-COPY).
+  void Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
+  void Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
+  void GetMapfv(GLenum target, GLenum query, GLfloat* v);
+  void GetMapdv(GLenum target, GLenum query, GLdouble* v);
+  void GetMapiv(GLenum target, GLenum query, GLint* v);
+
+  // Enables: the 18 maps and AUTO_NORMAL.
+  void Enable(GLenum cap);
+  void Disable(GLenum cap);
+  GLboolean IsEnabled(GLenum cap);
+
+  // Queries of single values (section 6.1): the enables, MAX_EVAL_ORDER, the grids, the current values,
+  // ACTIVE_TEXTURE, EDGE_FLAG, RGBA_MODE, INDEX_MODE, MAX_TEXTURE_UNITS, MAX_TEXTURE_COORDS. Other names are
+  // INVALID_ENUM.
+  void GetBooleanv(GLenum pname, GLboolean* params);
+  void GetIntegerv(GLenum pname, GLint* params);
+  void GetFloatv(GLenum pname, GLfloat* params);
+  void GetDoublev(GLenum pname, GLdouble* params);
+  const GLubyte* GetString(GLenum name);
+  GLenum GetError();
+
+  // Evaluation (section 5.1). Outside Begin/End nothing comes of it, as with Vertex (U-OUTSIDE-VERTEX).
+  void EvalCoord1f(GLfloat u);
+  void EvalCoord1d(GLdouble u);
+  void EvalCoord1fv(const GLfloat* u);
+  void EvalCoord1dv(const GLdouble* u);
+
+  // Begin/End and the commands that give vertices and current values (sections 2.6, 2.7).
+  void Begin(GLenum mode);
+  void End();
+
+  void Vertex2f(GLfloat x, GLfloat y);
+  void Vertex3f(GLfloat x, GLfloat y, GLfloat z);
+  void Vertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w);
+  void Vertex2d(GLdouble x, GLdouble y);
+  void Vertex3d(GLdouble x, GLdouble y, GLdouble z);
+  void Vertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w);
+  void Vertex2fv(const GLfloat* v);
+  void Vertex3fv(const GLfloat* v);
+  void Vertex4fv(const GLfloat* v);
+  void Vertex2dv(const GLdouble* v);
+  void Vertex3dv(const GLdouble* v);
+  void Vertex4dv(const GLdouble* v);
+
+  void Color3f(GLfloat red, GLfloat green, GLfloat blue);
+  void Color4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
+  void Color3d(GLdouble red, GLdouble green, GLdouble blue);
+  void Color4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha);
+  void Color3fv(const GLfloat* v);
+  void Color4fv(const GLfloat* v);
+  void Color3dv(const GLdouble* v);
+  void Color4dv(const GLdouble* v);
+
+  void Normal3f(GLfloat x, GLfloat y, GLfloat z);
+  void Normal3d(GLdouble x, GLdouble y, GLdouble z);
+  void Normal3fv(const GLfloat* v);
+  void Normal3dv(const GLdouble* v);
+
+  void TexCoord1f(GLfloat s);
+  void TexCoord2f(GLfloat s, GLfloat t);
+  void TexCoord3f(GLfloat s, GLfloat t, GLfloat r);
+  void TexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q);
+  void TexCoord1d(GLdouble s);
+  void TexCoord2d(GLdouble s, GLdouble t);
+  void TexCoord3d(GLdouble s, GLdouble t, GLdouble r);
+  void TexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q);
+  void TexCoord1fv(const GLfloat* v);
+  void TexCoord2fv(const GLfloat* v);
+  void TexCoord3fv(const GLfloat* v);
+  void TexCoord4fv(const GLfloat* v);
+  void TexCoord1dv(const GLdouble* v);
+  void TexCoord2dv(const GLdouble* v);
+  void TexCoord3dv(const GLdouble* v);
+  void TexCoord4dv(const GLdouble* v);
+
+  void MultiTexCoord1f(GLenum texture, GLfloat s);
+  void MultiTexCoord2f(GLenum texture, GLfloat s, GLfloat t);
+  void MultiTexCoord3f(GLenum texture, GLfloat s, GLfloat t, GLfloat r);
+  void MultiTexCoord4f(GLenum texture, GLfloat s, GLfloat t, GLfloat r, GLfloat q);
+  void MultiTexCoord1d(GLenum texture, GLdouble s);
+  void MultiTexCoord2d(GLenum texture, GLdouble s, GLdouble t);
+  void MultiTexCoord3d(GLenum texture, GLdouble s, GLdouble t, GLdouble r);
+  void MultiTexCoord4d(GLenum texture, GLdouble s, GLdouble t, GLdouble r, GLdouble q);
+  void MultiTexCoord1fv(GLenum texture, const GLfloat* v);
+  void MultiTexCoord2fv(GLenum texture, const GLfloat* v);
+  void MultiTexCoord3fv(GLenum texture, const GLfloat* v);
+  void MultiTexCoord4fv(GLenum texture, const GLfloat* v);
+  void MultiTexCoord1dv(GLenum texture, const GLdouble* v);
+  void MultiTexCoord2dv(GLenum texture, const GLdouble* v);
+  void MultiTexCoord3dv(GLenum texture, const GLdouble* v);
+  void MultiTexCoord4dv(GLenum texture, const GLdouble* v);
+
+  void Indexf(GLfloat c);
+  void Indexd(GLdouble c);
+  void Indexfv(const GLfloat* c);
+  void Indexdv(const GLdouble* c);
+  void EdgeFlag(GLboolean flag);
+  void EdgeFlagv(const GLboolean* flag);
+  void ActiveTexture(GLenum texture);
+
+  // What is not the GL's:
+
+  // The primitives completed since the last call, one for each Begin/End pair, empty ones included. A
+  // primitive that is still open stays and is delivered after its End.
+  std::vector<Primitive> take_primitives();
+
+  // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
+  // did raise first; empty if it raised none. GetError reports the first error since the last GetError.
+  const std::vector<GLenum>& permitted_errors() const { return permitted_errors_; }
+
+ private:
+  struct CurrentValues {
+    std::array<GLfloat, 4> color{1, 1, 1, 1};
+    std::array<GLfloat, 3> normal{0, 0, 1};
+    std::array<std::array<GLfloat, 4>, kTextureUnits> texture_coordinate;
+    GLfloat index = 1;
+    bool edge_flag = true;
+    CurrentValues() { texture_coordinate.fill({0, 0, 0, 1}); }
+  };
+  struct GridDirection {
+    GLint segments = 1;
+    GLdouble first = 0, last = 1;
+  };
+  // What PushAttrib(EVAL_BIT) saves (EV-ATTRIB-EVALBIT); map contents are not part of it (EV-ATTRIB-NOMAPS).
+  struct EvaluatorState {
+    std::array<bool, 2 * kMapKinds> map_enabled{};  // MAP1 targets, then MAP2 targets
+    bool auto_normal = false;
+    GridDirection map1_grid_u, map2_grid_u, map2_grid_v;
+  };
+  // One reason to refuse a command.
+  struct Objection {
+    bool applies;
+    GLenum error;
+  };
+  // The answer to a query, before conversion to the type that was asked for (GL 2.1 section 6.1.2).
+  struct Answer {
+    enum class Kind {
+      kBoolean,
+      kInteger,
+      kFloatingPoint,
+      kNormalized
+    } kind;  // kNormalized: colours and normals
+    std::vector<double> values;
+  };
+
+  bool inside() const { return open_.has_value(); }
+  // Raises the error of the first objection that applies; false if none does. Begins every command.
+  bool refused(std::initializer_list<Objection> objections);
+
+  template <typename T>
+  void map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points);
+  template <typename T>
+  void get_map(GLenum target, GLenum query, T* v);
+  template <typename T>
+  void get(GLenum pname, T* params);
+  std::optional<Answer> answer(GLenum pname) const;
+  bool* flag(GLenum cap);
+  void set_enabled(GLenum cap, bool enabled);
+
+  // The map that generates one kind of data in one dimension: the first enabled one of those named, in order
+  // of precedence (EV-PREC-*); null if none is.
+  std::shared_ptr<const Map> effective_map(std::initializer_list<GLenum> targets) const;
+  void eval_coord1(const Argument& u);
+
+  void vertex(double x, double y, double z, double w);
+  void color(double red, double green, double blue, double alpha);
+  void normal(double x, double y, double z);
+  void texture_coordinate(GLenum texture, double s, double t, double r, double q);
+  void index(double c);
+  // A vertex at the origin with all current values.
+  Vertex current_vertex() const;
+
+  int max_eval_order_;
+  std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
+  EvaluatorState evaluators_;
+  CurrentValues current_;
+  int active_texture_ = 0;
+  std::optional<Primitive> open_;  // between Begin and End
+  std::vector<Primitive> completed_;
+  GLenum error_ = GL_NO_ERROR;
+  std::vector<GLenum> permitted_errors_;
+};
+
+}  // namespace evalcts::reference

@@ -1,0 +1,1 @@
+#include <reference/component.h>
