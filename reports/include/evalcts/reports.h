@@ -1,0 +1,52 @@
+// Pages from result records: the content of `results-NAME.json` in, text out. Nothing else is read, no file
+// is written, no clock is asked, so the same input always gives the same bytes.
+//
+// A record is a JSON object of the format "evalcts-results-1" (reports/schema/results-1.schema.json describes
+// it field by field). A field that is missing or null is tolerated and shown as unknown; a field of the wrong
+// type, an unknown format, verdict, level or status, or the same test twice in one record is refused with
+// FormatError. Strings may hold anything: bytes that are not UTF-8 and U+0080..U+009F, U+FFFE and U+FFFF
+// become U+FFFD, other control characters become their pictures (U+2400...), and what remains is escaped for
+// the output at hand.
+//
+// Counts are counted from "tests"; "summary" is believed only in a record that has no "tests" at all.
+// Distances are in ULP of binary32 (Harrison's definition) and, beside them, in units of 2^-24 * sum |B_i|
+// |R_i|.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace evalcts::reports {
+
+// A record (or the catalogue) does not follow its format. what() names the place and what was expected there,
+// as in "tests[3].ulp: expected a number, found a string".
+class FormatError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// One self-contained HTML page that compares any number of records (none gives a page that says so). It opens
+// from disk, loads nothing, and reads without JavaScript.
+// requirements: {"requirements": [{"id", "section", "text", "source", ...}]} for the texts beside the IDs, or
+// null. Throws FormatError.
+std::string html(const std::vector<nlohmann::json>& results, const nlohmann::json& requirements);
+
+// One JUnit XML document as Jenkins and GitLab read it: a testsuite named after the implementation, each test
+// a testcase "IMPLEMENTATION.Theme" / "Test/parameters".
+//   fail -> failure; crash, timeout, internal-error -> error; not-supported, not-observable, skipped ->
+//   skipped; a fail, crash or timeout that the baseline expects -> skipped, with the baseline's reason; pass
+//   and quality-warning -> passed, the warning in system-out.
+// A run that stopped early (status other than complete and not-started) adds a testcase with an error, so
+// that it never looks whole; a run that never started is one skipped testcase. Throws FormatError.
+std::string junit(const nlohmann::json& result);
+
+// What to read first after a run, worst first: counts, then the unexpected failures grouped by requirement,
+// each with its most telling failing case. Without verbose it stays within 24 lines of 100 columns; with
+// verbose all failing tests (also those the baseline expects), all their recorded cases, and what was not
+// judged and why. colour: ANSI colour sequences; the words stand there with and without. Ends with a newline.
+// Throws FormatError.
+std::string terminal_summary(const nlohmann::json& result, bool colour, bool verbose);
+
+}  // namespace evalcts::reports

@@ -1,0 +1,172 @@
+// The schema common to CI readers: one <failure>, <error> or <skipped> at most in a <testcase>, all text in
+// it (Jenkins keeps only the first), counts that agree with the elements.
+#include <fmt/format.h>
+
+#include <kainjow/mustache.hpp>
+
+#include "evalcts/reports.h"
+#include "reports/record.h"
+#include "reports/text.h"
+#include "reports_templates.h"
+
+namespace evalcts::reports {
+namespace {
+
+namespace mustache = kainjow::mustache;
+
+// The XML element of a testcase, its attributes and text; no element for a plain pass.
+struct Outcome {
+  std::string element, type, message, body;
+};
+
+struct Totals {
+  std::uint64_t tests = 0, failures = 0, errors = 0, skipped = 0;
+
+  void add(const Outcome& outcome) {
+    ++tests;
+    failures += outcome.element == "failure";
+    errors += outcome.element == "error";
+    skipped += outcome.element == "skipped";
+  }
+};
+
+std::string seconds(double value) { return fmt::format("{:.6f}", value); }
+
+// Everything recorded about the failures, for reading where no other page is at hand.
+std::string details(const Test& test) {
+  std::string out;
+  const auto line = [&out](std::string_view label, const std::string& value) {
+    if (!value.empty()) out += fmt::format("{}: {}\n", label, value);
+  };
+  line("message", test.message);
+  line("requirements", join(test.requirements, ", "));
+  line("level", test.level);
+  line("baseline", test.baseline_reason);
+  if (test.failed_cases && test.cases)
+    line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
+  if (test.seed) line("seed", fmt::format("{}", *test.seed));
+  line("reproducer", test.reproducer);
+  for (const Failure& failure : test.failures) {
+    out += "\n";
+    line("case", failure.case_name);
+    line("message", failure.message);
+    line("what", failure.what);
+    line("expected", failure.expected);
+    line("captured", failure.captured);
+    line("exact", failure.exact);
+    line("distance", distance(failure.ulp, failure.condition_aware));
+    line("capture", failure.capture);
+    if (!failure.calls.empty()) out += "calls:\n  " + join(failure.calls, "\n  ") + "\n";
+  }
+  return out;
+}
+
+Outcome outcome_of(const Test& test) {
+  const std::string word(text_of(test.verdict).word);
+  const std::string message = one_line(test.message.empty() ? word : test.message);
+  if (test.expected_bad()) {
+    const std::string reason =
+        test.baseline_reason.empty() ? "no reason given" : one_line(test.baseline_reason);
+    return {"skipped", word, fmt::format("{} expected by the baseline: {}", word, reason), ""};
+  }
+  switch (test.verdict) {
+    case Verdict::kFail:
+      return {"failure", word, message, details(test)};
+    case Verdict::kCrash:
+    case Verdict::kTimeout:
+    case Verdict::kInternalError:
+      return {"error", word, message, details(test)};
+    case Verdict::kNotObservable:
+    case Verdict::kNotSupported:
+    case Verdict::kSkipped:
+      return {"skipped", word, test.message.empty() ? word : word + ": " + message, ""};
+    case Verdict::kPass:
+    case Verdict::kQualityWarning:
+      break;
+  }
+  return {};
+}
+
+// What a reader should not miss although the testcase is not red.
+std::string output_of(const Test& test) {
+  if (test.expected_bad()) return details(test);
+  if (test.verdict == Verdict::kQualityWarning) return "quality-warning\n" + details(test);
+  if (test.unexpected_pass()) return "unexpected pass; the baseline says: " + test.baseline_reason + "\n";
+  return {};
+}
+
+mustache::data testcase(const std::string& classname, const std::string& name, double time,
+                        const Outcome& outcome, const std::string& output) {
+  mustache::data out;
+  out.set("classname", one_line(classname));
+  out.set("case_name", one_line(name));
+  out.set("case_time", seconds(time));
+  mustache::data element;
+  element.set("element", outcome.element);
+  element.set("type", outcome.type);
+  element.set("message", outcome.message);
+  element.set("body", outcome.body);
+  out.set("outcome", outcome.element.empty() ? mustache::data(false) : element);
+  out.set("output", output.empty() ? mustache::data(false) : mustache::data(output));
+  return out;
+}
+
+}  // namespace
+
+std::string junit(const nlohmann::json& result) {
+  const Record record = read_record(result);
+  const Implementation& implementation = record.implementation;
+  const std::string suite = implementation.name.empty() ? "unnamed" : one_line(implementation.name);
+
+  mustache::data page, properties(mustache::data::type::list), testcases(mustache::data::type::list);
+  const auto property = [&](const char* name, const std::string& value) {
+    if (value.empty()) return;
+    mustache::data item;
+    item.set("name", name);
+    item.set("value", one_line(value));
+    properties << item;
+  };
+  property("evalcts.version", record.evalcts_version);
+  property("evalcts.command", record.command);
+  property("evalcts.depth", record.depth);
+  property("evalcts.status", record.status);
+  property("evalcts.reason", record.reason);
+  property("gl.library", implementation.library);
+  property("gl.vendor", implementation.vendor);
+  property("gl.renderer", implementation.renderer);
+  property("gl.version", implementation.version);
+  property("machine", implementation.machine);
+
+  Totals totals;
+  double time = 0;
+  if (!record.complete()) {
+    const bool not_started = record.status == "not-started";
+    const std::string status = record.status.empty() ? "unknown" : record.status;
+    const Outcome outcome{not_started ? "skipped" : "error", status,
+                          one_line(record.reason.empty() ? "the run is not complete" : record.reason), ""};
+    totals.add(outcome);
+    testcases << testcase(suite + ".evalcts", "the run", 0, outcome, "");
+  }
+  for (const Test& test : record.tests) {
+    const Outcome outcome = outcome_of(test);
+    totals.add(outcome);
+    time += test.seconds.value_or(0);
+    // "Theme.Rule/parameters"; a name without a theme is its own theme.
+    const std::size_t dot = test.name.find('.');
+    const std::string theme = test.name.substr(0, dot);
+    const std::string name = dot == std::string::npos ? test.name : test.name.substr(dot + 1);
+    testcases << testcase(suite + "." + theme, name, test.seconds.value_or(0), outcome, output_of(test));
+  }
+
+  page.set("suite", suite);
+  page.set("tests", fmt::format("{}", totals.tests));
+  page.set("failures", fmt::format("{}", totals.failures));
+  page.set("errors", fmt::format("{}", totals.errors));
+  page.set("skipped", fmt::format("{}", totals.skipped));
+  page.set("time", seconds(time));
+  page.set("properties", properties);
+  page.set("testcases", testcases);
+  return mustache::mustache(kJunitTemplate).render(page);
+}
+
+}  // namespace evalcts::reports

@@ -1,0 +1,278 @@
+#include "reports/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "evalcts/reports.h"
+#include "reports/text.h"
+
+namespace evalcts::reports {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
+    {"internal-error", "!", "evalcts itself went wrong; says nothing about the implementation"},
+    {"crash", "‼", "the process died while this test ran"},
+    {"timeout", "◷", "no end within the time limit"},
+    {"fail", "✗", "something observed contradicts the requirement"},
+    {"quality-warning", "△", "conforms, but falls short of what good implementations do"},
+    {"not-observable", "◌", "this implementation gives no trustworthy way to see the effect"},
+    {"not-supported", "∅", "the implementation does not offer what the test needs"},
+    {"skipped", "–", "not run, because something asked for that"},
+    {"pass", "✓", "everything observed agrees with the requirement"},
+}};
+
+Verdict parse_verdict(const std::string& word, const std::string& path) {
+  for (std::size_t i = 0; i < kVerdicts; ++i) {
+    if (kVerdictTexts[i].word == word) return static_cast<Verdict>(i);
+  }
+  throw FormatError(fmt::format("{}: unknown verdict \"{}\"", path, word));
+}
+
+// A JSON object and where it stands. A field that is missing or null is empty; null is also how a JSON writer
+// spells an infinite distance.
+class Object {
+ public:
+  Object(const json& value, std::string path) : value_(value), path_(std::move(path)) {
+    if (!value.is_object()) fail(path_.empty() ? "the record" : path_, "an object", value);
+  }
+
+  std::string path(const std::string& key) const {
+    return path_.empty() ? key : fmt::format("{}.{}", path_, key);
+  }
+
+  const json* find(const std::string& key) const {
+    const auto it = value_.find(key);
+    return it == value_.end() || it->is_null() ? nullptr : &*it;
+  }
+
+  std::string text(const std::string& key) const {
+    const json* value = find(key);
+    return value ? text(*value, path(key)) : std::string();
+  }
+
+  // One of `words`, or empty.
+  std::string word(const std::string& key, std::initializer_list<std::string_view> words) const {
+    const std::string found = text(key);
+    for (const std::string_view candidate : words) {
+      if (found == candidate) return found;
+    }
+    if (!found.empty()) throw FormatError(fmt::format("{}: unknown word \"{}\"", path(key), found));
+    return found;
+  }
+
+  bool boolean(const std::string& key) const {
+    const json* value = find(key);
+    if (value && !value->is_boolean()) fail(path(key), "a boolean", *value);
+    return value && value->get<bool>();
+  }
+
+  std::optional<double> real(const std::string& key) const {
+    const json* value = find(key);
+    if (!value) return std::nullopt;
+    if (!value->is_number()) fail(path(key), "a number", *value);
+    return value->get<double>();
+  }
+
+  std::optional<std::uint64_t> natural(const std::string& key) const {
+    const json* value = find(key);
+    if (!value) return std::nullopt;
+    if (!value->is_number_integer() || (!value->is_number_unsigned() && value->get<std::int64_t>() < 0)) {
+      fail(path(key), "a non-negative integer", *value);
+    }
+    return value->get<std::uint64_t>();
+  }
+
+  std::vector<std::string> texts(const std::string& key) const {
+    std::vector<std::string> out;
+    each(key, [&](const json& item, const std::string& where) { out.push_back(text(item, where)); });
+    return out;
+  }
+
+  // use(element, its path) for each element of an array.
+  template <typename Use>
+  void each(const std::string& key, Use use) const {
+    const json* value = find(key);
+    if (!value) return;
+    if (!value->is_array()) fail(path(key), "an array", *value);
+    for (std::size_t i = 0; i < value->size(); ++i) use((*value)[i], fmt::format("{}[{}]", path(key), i));
+  }
+
+ private:
+  [[noreturn]] static void fail(const std::string& where, const char* expected, const json& found) {
+    throw FormatError(fmt::format("{}: expected {}, found {} {}", where, expected,
+                                  found.is_array() || found.is_object() ? "an" : "a", found.type_name()));
+  }
+
+  static std::string text(const json& value, const std::string& where) {
+    if (!value.is_string()) fail(where, "a string", value);
+    return clean(value.get_ref<const std::string&>());
+  }
+
+  const json& value_;
+  std::string path_;
+};
+
+Failure read_failure(const Object& in) {
+  Failure out;
+  out.case_name = in.text("case");
+  out.message = in.text("message");
+  out.what = in.text("what");
+  out.expected = in.text("expected");
+  out.captured = in.text("captured");
+  out.exact = in.text("exact");
+  out.capture = in.text("capture");
+  out.ulp = in.real("ulp");
+  out.condition_aware = in.real("condition_aware");
+  out.calls = in.texts("calls");
+  return out;
+}
+
+Accuracy read_accuracy(const Object& in) {
+  Accuracy out;
+  out.values = in.natural("values");
+  out.incorrectly_rounded = in.natural("incorrectly_rounded");
+  out.max_ulp = in.real("max_ulp");
+  out.max_condition_aware = in.real("max_condition_aware");
+  out.worst = in.text("worst");
+  return out;
+}
+
+Test read_test(const Object& in) {
+  Test out;
+  out.name = in.text("name");
+  out.requirements = in.texts("requirements");
+  out.level = in.word("level", {"must", "interpretation", "quality"});
+  out.expected_by_baseline = in.boolean("expected_by_baseline");
+  out.baseline_reason = in.text("baseline_reason");
+  out.message = in.text("message");
+  out.cases = in.natural("cases");
+  out.failed_cases = in.natural("failed_cases");
+  out.seed = in.natural("seed");
+  out.reproducer = in.text("reproducer");
+  out.seconds = in.real("seconds");
+  if (in.find("verdict")) {
+    out.verdict = parse_verdict(in.text("verdict"), in.path("verdict"));
+  } else {
+    out.verdict = Verdict::kInternalError;  // never a silent pass
+    out.message =
+        "the record holds no verdict for this test" + (out.message.empty() ? "" : ": " + out.message);
+  }
+  in.each("failures", [&](const json& item, const std::string& where) {
+    out.failures.push_back(read_failure(Object(item, where)));
+  });
+  Failure of_test = read_failure(in);  // the same words stand at the level of the test
+  of_test.message.clear();
+  const bool says_something =
+      !of_test.expected.empty() || !of_test.captured.empty() || !of_test.calls.empty();
+  if (out.failures.empty() && out.verdict != Verdict::kPass && says_something)
+    out.failures.push_back(of_test);
+  if (const json* accuracy = in.find("accuracy")) {
+    out.accuracy = read_accuracy(Object(*accuracy, in.path("accuracy")));
+  }
+  return out;
+}
+
+Implementation read_implementation(const Object& in) {
+  Implementation out;
+  out.name = in.text("name");
+  out.library = in.text("library");
+  out.vendor = in.text("vendor");
+  out.renderer = in.text("renderer");
+  out.version = in.text("version");
+  out.machine = in.text("machine");
+  out.max_eval_order = in.natural("max_eval_order");
+  in.each("captures", [&](const json& item, const std::string& where) {
+    const Object capture(item, where);
+    out.captures.push_back({capture.text("name"), capture.boolean("available"), capture.text("reason")});
+  });
+  return out;
+}
+
+}  // namespace
+
+const VerdictText& text_of(Verdict verdict) { return kVerdictTexts[static_cast<std::size_t>(verdict)]; }
+
+int Test::severity() const {
+  const int rank = static_cast<int>(verdict);
+  if (bad()) return expected_bad() ? rank + static_cast<int>(Verdict::kFail) + 1 : rank;
+  return rank + static_cast<int>(Verdict::kFail) + 1;
+}
+
+const Failure* Test::most_telling() const {
+  const auto weight = [](const Failure& f) {
+    return std::tuple(!f.expected.empty() && !f.captured.empty(), f.condition_aware.value_or(-1),
+                      f.ulp.value_or(-1));
+  };
+  const Failure* best = nullptr;
+  for (const Failure& failure : failures) {
+    if (!best || weight(*best) < weight(failure)) best = &failure;
+  }
+  return best;
+}
+
+std::uint64_t Record::total() const {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+std::uint64_t Record::unexpected_count() const {
+  if (tests.empty()) return std::accumulate(counts.begin(), counts.begin() + kBadVerdicts, std::uint64_t{0});
+  return std::count_if(tests.begin(), tests.end(), [](const Test& test) { return test.unexpected(); });
+}
+
+std::uint64_t Record::expected_bad_count() const {
+  return std::count_if(tests.begin(), tests.end(), [](const Test& test) { return test.expected_bad(); });
+}
+
+Record read_record(const json& value) {
+  const Object in(value, "");
+  in.word("format", {"evalcts-results-1"});
+  Record out;
+  out.evalcts_version = in.text("evalcts_version");
+  out.status = in.word("status", {"complete", "interrupted", "not-started"});
+  out.reason = in.text("reason");
+  out.command = in.text("command");
+  out.depth = in.text("depth");
+  if (const json* implementation = in.find("implementation")) {
+    out.implementation = read_implementation(Object(*implementation, "implementation"));
+  }
+  std::set<std::string> names;
+  in.each("tests", [&](const json& item, const std::string& where) {
+    Test test = read_test(Object(item, where));
+    if (test.name.empty()) test.name = "(unnamed " + where + ")";
+    if (!names.insert(test.name).second) {
+      throw FormatError(fmt::format("{}.name: \"{}\" stands in this record twice", where, test.name));
+    }
+    ++out.counts[static_cast<std::size_t>(test.verdict)];
+    out.tests.push_back(std::move(test));
+  });
+  if (const json* summary = in.find("summary")) {
+    const Object counts(*summary, "summary");
+    for (const auto& item : summary->items()) {
+      const Verdict verdict = parse_verdict(clean(item.key()), "summary");
+      const std::uint64_t n = counts.natural(item.key()).value_or(0);
+      if (!in.find("tests")) out.counts[static_cast<std::size_t>(verdict)] = n;
+    }
+  }
+  return out;
+}
+
+Requirements read_requirements(const json& value) {
+  Requirements out;
+  if (value.is_null()) return out;
+  Object(value, "the requirements").each("requirements", [&](const json& item, const std::string& where) {
+    const Object in(item, where);
+    Requirement requirement{in.text("id"),    in.text("section"),     in.text("text"),     in.text("source"),
+                            in.text("since"), in.text("observation"), in.text("severity"), in.text("level")};
+    if (requirement.id.empty()) throw FormatError(where + ".id is missing");
+    out.emplace(requirement.id, requirement);
+  });
+  return out;
+}
+
+}  // namespace evalcts::reports

@@ -1,0 +1,113 @@
+// A result record as values of C++ types: the one place that knows the JSON format. All text in it is clean
+// (see text.h), so the writers only have to escape for their own syntax.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace evalcts::reports {
+
+// Worst first; an internal error is worst because it casts doubt on the other verdicts.
+enum class Verdict {
+  kInternalError,
+  kCrash,
+  kTimeout,
+  kFail,
+  kQualityWarning,
+  kNotObservable,
+  kNotSupported,
+  kSkipped,
+  kPass
+};
+inline constexpr std::size_t kVerdicts = 9;
+inline constexpr std::size_t kBadVerdicts = 4;  // the first ones, up to kFail
+
+// The word of the format ("not-observable"), a symbol beside it for the eye, and what it means in a sentence.
+struct VerdictText {
+  std::string_view word, symbol, meaning;
+};
+const VerdictText& text_of(Verdict verdict);
+
+using Counts = std::array<std::uint64_t, kVerdicts>;
+
+struct Capture {
+  std::string name;
+  bool available = false;
+  std::string reason;
+};
+
+struct Implementation {
+  std::string name, library, vendor, renderer, version, machine;
+  std::optional<std::uint64_t> max_eval_order;
+  std::vector<Capture> captures;
+};
+
+// One case that went wrong: where, what should have come, what came, how far off.
+struct Failure {
+  std::string case_name, message, what, expected, captured, exact, capture;
+  std::optional<double> ulp, condition_aware;
+  std::vector<std::string> calls;
+};
+
+struct Accuracy {
+  std::optional<std::uint64_t> values, incorrectly_rounded;
+  std::optional<double> max_ulp, max_condition_aware;
+  std::string worst;
+};
+
+struct Test {
+  std::string name;
+  std::vector<std::string> requirements;
+  std::string level;  // "must", "interpretation", "quality", or empty if not recorded
+  Verdict verdict = Verdict::kInternalError;
+  bool expected_by_baseline = false;
+  std::string baseline_reason, message;
+  std::optional<std::uint64_t> cases, failed_cases, seed;
+  std::vector<Failure>
+      failures;  // where the record lists none: what it says at the level of the test, if anything
+  std::optional<Accuracy> accuracy;
+  std::string reproducer;
+  std::optional<double> seconds;
+
+  bool bad() const { return verdict <= Verdict::kFail; }
+  // An internal error is a defect of evalcts: no baseline can expect it.
+  bool expected_bad() const { return bad() && expected_by_baseline && verdict != Verdict::kInternalError; }
+  bool unexpected() const { return (bad() && !expected_bad()) || unexpected_pass(); }
+  // Only a baseline entry has a reason, so a pass with a reason that was not expected contradicts its entry.
+  bool unexpected_pass() const {
+    return verdict == Verdict::kPass && !expected_by_baseline && !baseline_reason.empty();
+  }
+  // Order of telling, smallest first: unexpected failures, expected failures, the rest; each by verdict.
+  int severity() const;
+  // The failure that shows most in the least space, or null: both values recorded, then the largest distance.
+  const Failure* most_telling() const;
+};
+
+struct Record {
+  std::string evalcts_version, status, reason, command, depth;
+  Implementation implementation;
+  Counts counts{};
+  std::vector<Test> tests;
+
+  std::uint64_t total() const;
+  std::uint64_t unexpected_count() const;  // with counts only, nothing is known to be expected
+  std::uint64_t expected_bad_count() const;
+  bool complete() const { return status == "complete"; }
+};
+
+struct Requirement {
+  std::string id, section, text, source, since, observation, severity, level;
+};
+using Requirements = std::map<std::string, Requirement>;
+
+// Both throw FormatError; a null catalogue is an empty one.
+Record read_record(const nlohmann::json& json);
+Requirements read_requirements(const nlohmann::json& json);
+
+}  // namespace evalcts::reports
