@@ -1,0 +1,443 @@
+/* glevaluator: the evaluators of OpenGL as a library that needs no GL.
+ *
+ * Two ways to use it:
+ *
+ *   1. The GL commands. A glev_context holds evaluator state and current values; the calls are the GL's
+ *      with the prefix glev and the context as first argument, and behave as GL 4.6 (compatibility
+ *      profile) says, errors included. Vertices come out through a sink: three callbacks.
+ *   2. Batches. A glev_plan is an immutable snapshot of what the enabled maps of a context evaluate to;
+ *      glevEvaluate1 runs an array of arguments through it into memory of the caller.
+ *
+ * Today: one-dimensional maps. The state of the two-dimensional ones exists (enables, specifications, grids)
+ * and can be queried; it cannot be changed yet, except for the enables.
+ *
+ * Conventions
+ *   - C99 and C++. No globals: everything hangs on a context or a plan.
+ *   - A context belongs to one thread at a time. A plan may be used by any number of threads at once.
+ *   - Handles must not be null unless a function says so. All other pointers may be null only where stated,
+ *     but null never crashes: GL-named calls record INVALID_VALUE (the GL leaves null undefined), the others
+ *     return GLEV_ERROR_INVALID_ARGUMENT.
+ *   - Structures begin with `size`; set it to sizeof of the structure. That is how later versions can add
+ *     members. A structure larger than the library knows is accepted if the unknown rest is zero.
+ *   - Counts and byte strides are size_t; what GL types as GLint or GLenum keeps GL's type.
+ *   - Clauses are cited from the OpenGL 4.6 compatibility profile as "GL §"; earlier versions have the same
+ *     rules for evaluators in §5.1.
+ */
+#ifndef GLEVALUATOR_H_
+#define GLEVALUATOR_H_
+
+#include <stddef.h>
+
+#if defined(GLEV_STATIC)
+#define GLEV_API
+#elif defined(_WIN32)
+#if defined(GLEV_BUILDING_LIBRARY)
+#define GLEV_API __declspec(dllexport)
+#else
+#define GLEV_API __declspec(dllimport)
+#endif
+#elif defined(__GNUC__)
+#define GLEV_API __attribute__((visibility("default")))
+#else
+#define GLEV_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Types: the same representation as GLenum, GLboolean, GLubyte, GLint, GLfloat and GLdouble ---- */
+
+typedef unsigned int glev_enum;
+typedef unsigned char glev_boolean;
+typedef unsigned char glev_ubyte;
+typedef int glev_int;
+typedef float glev_float;
+typedef double glev_double;
+
+typedef struct glev_context glev_context;
+typedef struct glev_plan glev_plan;
+
+/* ---- Tokens ----
+ * The values are the GL's own, so GL_MAP1_VERTEX_3 and GLEV_MAP1_VERTEX_3 are interchangeable. They are
+ * here for programs that have no GL header. */
+
+#define GLEV_FALSE 0
+#define GLEV_TRUE 1
+
+#define GLEV_NO_ERROR 0
+#define GLEV_INVALID_ENUM 0x0500
+#define GLEV_INVALID_VALUE 0x0501
+#define GLEV_INVALID_OPERATION 0x0502
+#define GLEV_OUT_OF_MEMORY 0x0505
+
+#define GLEV_FLOAT 0x1406
+#define GLEV_DOUBLE 0x140A
+
+/* One-dimensional targets: number of values of a control point in brackets (GL table 21.1). */
+#define GLEV_MAP1_COLOR_4 0x0D90         /* [4] R, G, B, A */
+#define GLEV_MAP1_INDEX 0x0D91           /* [1] colour index */
+#define GLEV_MAP1_NORMAL 0x0D92          /* [3] x, y, z */
+#define GLEV_MAP1_TEXTURE_COORD_1 0x0D93 /* [1] s */
+#define GLEV_MAP1_TEXTURE_COORD_2 0x0D94 /* [2] s, t */
+#define GLEV_MAP1_TEXTURE_COORD_3 0x0D95 /* [3] s, t, r */
+#define GLEV_MAP1_TEXTURE_COORD_4 0x0D96 /* [4] s, t, r, q */
+#define GLEV_MAP1_VERTEX_3 0x0D97        /* [3] x, y, z */
+#define GLEV_MAP1_VERTEX_4 0x0D98        /* [4] x, y, z, w */
+
+#define GLEV_MAP2_COLOR_4 0x0DB0
+#define GLEV_MAP2_INDEX 0x0DB1
+#define GLEV_MAP2_NORMAL 0x0DB2
+#define GLEV_MAP2_TEXTURE_COORD_1 0x0DB3
+#define GLEV_MAP2_TEXTURE_COORD_2 0x0DB4
+#define GLEV_MAP2_TEXTURE_COORD_3 0x0DB5
+#define GLEV_MAP2_TEXTURE_COORD_4 0x0DB6
+#define GLEV_MAP2_VERTEX_3 0x0DB7
+#define GLEV_MAP2_VERTEX_4 0x0DB8
+
+#define GLEV_AUTO_NORMAL 0x0D80
+
+#define GLEV_COEFF 0x0A00
+#define GLEV_ORDER 0x0A01
+#define GLEV_DOMAIN 0x0A02
+
+#define GLEV_MAX_EVAL_ORDER 0x0D30
+#define GLEV_MAP1_GRID_DOMAIN 0x0DD0
+#define GLEV_MAP1_GRID_SEGMENTS 0x0DD1
+#define GLEV_MAP2_GRID_DOMAIN 0x0DD2
+#define GLEV_MAP2_GRID_SEGMENTS 0x0DD3
+
+#define GLEV_CURRENT_COLOR 0x0B00
+#define GLEV_CURRENT_INDEX 0x0B01
+#define GLEV_CURRENT_NORMAL 0x0B02
+#define GLEV_CURRENT_TEXTURE_COORDS 0x0B03
+#define GLEV_EDGE_FLAG 0x0B43
+#define GLEV_ACTIVE_TEXTURE 0x84E0
+#define GLEV_MAX_TEXTURE_UNITS 0x84E2
+#define GLEV_MAX_TEXTURE_COORDS 0x8871
+#define GLEV_TEXTURE0 0x84C0 /* unit i is GLEV_TEXTURE0 + i */
+
+#define GLEV_VENDOR 0x1F00
+#define GLEV_RENDERER 0x1F01
+#define GLEV_VERSION 0x1F02
+
+#define GLEV_POINTS 0x0000
+#define GLEV_LINES 0x0001
+#define GLEV_LINE_LOOP 0x0002
+#define GLEV_LINE_STRIP 0x0003
+#define GLEV_TRIANGLES 0x0004
+#define GLEV_TRIANGLE_STRIP 0x0005
+#define GLEV_TRIANGLE_FAN 0x0006
+#define GLEV_QUADS 0x0007
+#define GLEV_QUAD_STRIP 0x0008
+#define GLEV_POLYGON 0x0009
+
+/* Texture units with a current texture coordinate: what MAX_TEXTURE_COORDS answers. */
+#define GLEV_TEXTURE_UNITS 8
+
+/* ---- Results of the calls that are not the GL's ---- */
+
+typedef enum glev_result {
+  GLEV_SUCCESS = 0,
+  GLEV_ERROR_INVALID_ARGUMENT = 1, /* null where that is not allowed, bad size, token, stride or count */
+  GLEV_ERROR_UNSUPPORTED = 2,      /* well formed, but not in this version of the library */
+  GLEV_ERROR_OUT_OF_MEMORY = 3,
+  GLEV_ERROR_IN_PRIMITIVE = 4,     /* not between Begin and End */
+  GLEV_ERROR_NO_MAP = 5,           /* the plan has no map for an attribute that was asked for */
+  GLEV_ERROR_BUFFER_TOO_SMALL = 6, /* count elements do not fit into the bytes given */
+  GLEV_ERROR_OVERLAP = 7           /* two outputs, or an output and the input, share bytes */
+} glev_result;
+
+/* ---- Memory ---- */
+
+/* Where a context and its plans get memory. allocate returns null when there is none; the alignment is a
+ * power of two. release gets the bytes and alignment that allocate got. Both may be called by any thread that
+ * releases a plan, so they must be safe for that; user must outlive every plan. */
+typedef struct glev_allocator {
+  size_t size;
+  void* user;
+  void* (*allocate)(void* user, size_t bytes, size_t alignment);
+  void (*release)(void* user, void* memory, size_t bytes, size_t alignment);
+} glev_allocator;
+
+/* ---- Contexts ---- */
+
+/* Makes a context in the GL's initial state (GL §21.1 last paragraph, tables 23.4, 23.40): every map
+ * disabled, of order 1 over (0,1) with GL's initial control point, AUTO_NORMAL off, grids of one segment over
+ * (0,1), current colour (1,1,1,1), index 1, normal (0,0,1), texture coordinates (0,0,0,1), edge flag TRUE.
+ * allocator: null for the heap; copied. *context is null on failure.
+ * Returns SUCCESS, INVALID_ARGUMENT or OUT_OF_MEMORY. */
+GLEV_API glev_result glevCreateContext(const glev_allocator* allocator, glev_context** context);
+
+/* Frees the context; null is ignored. Its plans live on. Not from within a callback of its sink. */
+GLEV_API void glevDestroyContext(glev_context* context);
+
+/* ---- Sink: where vertices go ---- */
+
+/* One vertex with everything current at it. Not transformed, not lit, not clamped. */
+typedef struct glev_vertex {
+  size_t size;
+  glev_float position[4]; /* x, y, z, w */
+  glev_float color[4];    /* R, G, B, A */
+  glev_float normal[3];
+  glev_float texcoord[GLEV_TEXTURE_UNITS][4]; /* s, t, r, q of each unit; maps feed unit 0 */
+  glev_float index; /* colour index: always the current one, since RGBA mode ignores INDEX maps */
+  glev_boolean edge_flag;
+} glev_vertex;
+
+/* A callback that is null is not called. The vertex is valid during the call only. A callback may call the
+ * context's commands that are legal between Begin and End, with care for recursion: EvalCoord calls vertex.
+ */
+typedef struct glev_sink {
+  size_t size;
+  void* user;
+  void (*begin)(void* user, glev_enum mode);
+  void (*vertex)(void* user, const glev_vertex* vertex);
+  void (*end)(void* user);
+} glev_sink;
+
+/* Sets the sink, by copy; null for none (the initial state), vertices are then lost.
+ * Returns SUCCESS, INVALID_ARGUMENT, or IN_PRIMITIVE between Begin and End. */
+GLEV_API glev_result glevSetSink(glev_context* context, const glev_sink* sink);
+
+/* ---- Errors ---- */
+
+/* The first error since the last call, which it clears, or NO_ERROR (GL §2.3.1). Between Begin and End it
+ * returns 0 and records INVALID_OPERATION. A command that records an error has no other effect. Errors that
+ * depend on arguments alone come before those that depend on state. */
+GLEV_API glev_enum glevGetError(glev_context* context);
+
+/* ---- Maps (GL §21.1) ---- */
+
+/* Defines the one-dimensional map `target` over [u1,u2] by `order` control points; control point i begins
+ * i*stride values (not bytes) after `points`. Everything is copied before the call returns and kept as
+ * double, values of the f form exactly as given. u1 > u2 is legal. INVALID_ENUM: target is not one of the
+ * nine MAP1 names. INVALID_VALUE: order < 1, order > MAX_EVAL_ORDER (64), stride < number of values of a
+ * control point, u1 = u2, points null. INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not
+ * TEXTURE0. OUT_OF_MEMORY: nothing changed. */
+GLEV_API void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2,
+                        glev_int stride, glev_int order, const glev_float* points);
+GLEV_API void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2,
+                        glev_int stride, glev_int order, const glev_double* points);
+
+/* query ORDER: one value (MAP2: uorder, vorder). DOMAIN: u1, u2 (MAP2: u1, u2, v1, v2). COEFF: the control
+ * points without padding, order * values of each (MAP2: v fastest). Converted as GL §2.2.2 says: integers are
+ * rounded to nearest (halves away from zero), too large values become the nearest representable, NaN becomes
+ * 0; colours and normals are rounded as well. Nothing else is written. INVALID_ENUM: target not one of the 18
+ * names, query not one of the three. INVALID_VALUE: v null. INVALID_OPERATION: between Begin and End. */
+GLEV_API void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v);
+GLEV_API void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v);
+GLEV_API void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v);
+
+/* The 18 map enables and AUTO_NORMAL. INVALID_ENUM: any other name (this library has evaluator state only).
+ * INVALID_OPERATION: between Begin and End; IsEnabled returns FALSE on error. */
+GLEV_API void glevEnable(glev_context* context, glev_enum cap);
+GLEV_API void glevDisable(glev_context* context, glev_enum cap);
+GLEV_API glev_boolean glevIsEnabled(glev_context* context, glev_enum cap);
+
+/* Evaluates the enabled MAP1 maps at u and emits a vertex, as if Color4, Normal3, TexCoord and then Vertex
+ * had been issued, but the current values stay as they were. VERTEX_4 wins over VERTEX_3, and the
+ * TEXTURE_COORD map with most values over the others; missing values are (0,0,0,1)'s. What has no enabled
+ * map comes from the current values. With no MAP1 vertex map enabled nothing at all happens.
+ * Each result is computed in double and rounded once to float; at u = u1 and u = u2 it is the first and last
+ * control point exactly. Any u is legal. Ignored between End and Begin (undefined in the GL).
+ * INVALID_VALUE: u null (v forms). OUT_OF_MEMORY: no vertex emitted; only in the first call after a change of
+ * maps or enables. */
+GLEV_API void glevEvalCoord1f(glev_context* context, glev_float u);
+GLEV_API void glevEvalCoord1d(glev_context* context, glev_double u);
+GLEV_API void glevEvalCoord1fv(glev_context* context, const glev_float* u);
+GLEV_API void glevEvalCoord1dv(glev_context* context, const glev_double* u);
+
+/* ---- Primitives (GL §10.7) ---- */
+
+/* Begin calls the sink's begin, End its end. mode: POINTS to POLYGON, or one of the four with adjacency
+ * (0x000A to 0x000D).
+ * INVALID_ENUM: mode is something else. INVALID_OPERATION: Begin after Begin; End without Begin; mode PATCHES
+ * (0x000E), as there is no tessellation. */
+GLEV_API void glevBegin(glev_context* context, glev_enum mode);
+GLEV_API void glevEnd(glev_context* context);
+
+/* Emits a vertex with the current values. z = 0 and w = 1 unless given. The d forms round to float. Ignored
+ * between End and Begin (undefined in the GL). No errors, but INVALID_VALUE: v null. */
+GLEV_API void glevVertex2f(glev_context* context, glev_float x, glev_float y);
+GLEV_API void glevVertex2d(glev_context* context, glev_double x, glev_double y);
+GLEV_API void glevVertex2fv(glev_context* context, const glev_float* v);
+GLEV_API void glevVertex2dv(glev_context* context, const glev_double* v);
+GLEV_API void glevVertex3f(glev_context* context, glev_float x, glev_float y, glev_float z);
+GLEV_API void glevVertex3d(glev_context* context, glev_double x, glev_double y, glev_double z);
+GLEV_API void glevVertex3fv(glev_context* context, const glev_float* v);
+GLEV_API void glevVertex3dv(glev_context* context, const glev_double* v);
+GLEV_API void glevVertex4f(glev_context* context, glev_float x, glev_float y, glev_float z, glev_float w);
+GLEV_API void glevVertex4d(glev_context* context, glev_double x, glev_double y, glev_double z, glev_double w);
+GLEV_API void glevVertex4fv(glev_context* context, const glev_float* v);
+GLEV_API void glevVertex4dv(glev_context* context, const glev_double* v);
+
+/* ---- Current values (GL §10.7.2) ---- */
+
+/* Legal anywhere. The d forms round to float, nothing is clamped. No errors, but INVALID_VALUE: v null. */
+
+/* alpha is 1 unless given. */
+GLEV_API void glevColor3f(glev_context* context, glev_float red, glev_float green, glev_float blue);
+GLEV_API void glevColor3d(glev_context* context, glev_double red, glev_double green, glev_double blue);
+GLEV_API void glevColor3fv(glev_context* context, const glev_float* v);
+GLEV_API void glevColor3dv(glev_context* context, const glev_double* v);
+GLEV_API void glevColor4f(glev_context* context, glev_float red, glev_float green, glev_float blue,
+                          glev_float alpha);
+GLEV_API void glevColor4d(glev_context* context, glev_double red, glev_double green, glev_double blue,
+                          glev_double alpha);
+GLEV_API void glevColor4fv(glev_context* context, const glev_float* v);
+GLEV_API void glevColor4dv(glev_context* context, const glev_double* v);
+
+GLEV_API void glevNormal3f(glev_context* context, glev_float x, glev_float y, glev_float z);
+GLEV_API void glevNormal3d(glev_context* context, glev_double x, glev_double y, glev_double z);
+GLEV_API void glevNormal3fv(glev_context* context, const glev_float* v);
+GLEV_API void glevNormal3dv(glev_context* context, const glev_double* v);
+
+GLEV_API void glevIndexf(glev_context* context, glev_float index);
+GLEV_API void glevIndexd(glev_context* context, glev_double index);
+GLEV_API void glevIndexfv(glev_context* context, const glev_float* v);
+GLEV_API void glevIndexdv(glev_context* context, const glev_double* v);
+
+GLEV_API void glevEdgeFlag(glev_context* context, glev_boolean flag);
+GLEV_API void glevEdgeFlagv(glev_context* context, const glev_boolean* v);
+
+/* Texture unit 0, whatever unit is active. (t, r, q) = (0, 0, 1) unless given. */
+GLEV_API void glevTexCoord1f(glev_context* context, glev_float s);
+GLEV_API void glevTexCoord1d(glev_context* context, glev_double s);
+GLEV_API void glevTexCoord1fv(glev_context* context, const glev_float* v);
+GLEV_API void glevTexCoord1dv(glev_context* context, const glev_double* v);
+GLEV_API void glevTexCoord2f(glev_context* context, glev_float s, glev_float t);
+GLEV_API void glevTexCoord2d(glev_context* context, glev_double s, glev_double t);
+GLEV_API void glevTexCoord2fv(glev_context* context, const glev_float* v);
+GLEV_API void glevTexCoord2dv(glev_context* context, const glev_double* v);
+GLEV_API void glevTexCoord3f(glev_context* context, glev_float s, glev_float t, glev_float r);
+GLEV_API void glevTexCoord3d(glev_context* context, glev_double s, glev_double t, glev_double r);
+GLEV_API void glevTexCoord3fv(glev_context* context, const glev_float* v);
+GLEV_API void glevTexCoord3dv(glev_context* context, const glev_double* v);
+GLEV_API void glevTexCoord4f(glev_context* context, glev_float s, glev_float t, glev_float r, glev_float q);
+GLEV_API void glevTexCoord4d(glev_context* context, glev_double s, glev_double t, glev_double r,
+                             glev_double q);
+GLEV_API void glevTexCoord4fv(glev_context* context, const glev_float* v);
+GLEV_API void glevTexCoord4dv(glev_context* context, const glev_double* v);
+
+/* texture: TEXTURE0 to TEXTURE0 + 7. INVALID_ENUM: anything else. */
+GLEV_API void glevMultiTexCoord1f(glev_context* context, glev_enum texture, glev_float s);
+GLEV_API void glevMultiTexCoord1d(glev_context* context, glev_enum texture, glev_double s);
+GLEV_API void glevMultiTexCoord1fv(glev_context* context, glev_enum texture, const glev_float* v);
+GLEV_API void glevMultiTexCoord1dv(glev_context* context, glev_enum texture, const glev_double* v);
+GLEV_API void glevMultiTexCoord2f(glev_context* context, glev_enum texture, glev_float s, glev_float t);
+GLEV_API void glevMultiTexCoord2d(glev_context* context, glev_enum texture, glev_double s, glev_double t);
+GLEV_API void glevMultiTexCoord2fv(glev_context* context, glev_enum texture, const glev_float* v);
+GLEV_API void glevMultiTexCoord2dv(glev_context* context, glev_enum texture, const glev_double* v);
+GLEV_API void glevMultiTexCoord3f(glev_context* context, glev_enum texture, glev_float s, glev_float t,
+                                  glev_float r);
+GLEV_API void glevMultiTexCoord3d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
+                                  glev_double r);
+GLEV_API void glevMultiTexCoord3fv(glev_context* context, glev_enum texture, const glev_float* v);
+GLEV_API void glevMultiTexCoord3dv(glev_context* context, glev_enum texture, const glev_double* v);
+GLEV_API void glevMultiTexCoord4f(glev_context* context, glev_enum texture, glev_float s, glev_float t,
+                                  glev_float r, glev_float q);
+GLEV_API void glevMultiTexCoord4d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
+                                  glev_double r, glev_double q);
+GLEV_API void glevMultiTexCoord4fv(glev_context* context, glev_enum texture, const glev_float* v);
+GLEV_API void glevMultiTexCoord4dv(glev_context* context, glev_enum texture, const glev_double* v);
+
+/* Selects the unit that CURRENT_TEXTURE_COORDS answers for; Map1 wants TEXTURE0.
+ * INVALID_ENUM: not TEXTURE0 to TEXTURE0 + 7. INVALID_OPERATION: between Begin and End. */
+GLEV_API void glevActiveTexture(glev_context* context, glev_enum texture);
+
+/* ---- Queries (GL §2.2.2, §22)
+ * ------------------------------------------------------------------------------ */
+
+/* pname, with the number of values: the 18 map enables and AUTO_NORMAL [1], MAX_EVAL_ORDER [1],
+ * MAP1_GRID_DOMAIN [2], MAP1_GRID_SEGMENTS [1], MAP2_GRID_DOMAIN [4], MAP2_GRID_SEGMENTS [2], CURRENT_COLOR
+ * [4], CURRENT_INDEX [1], CURRENT_NORMAL [3], CURRENT_TEXTURE_COORDS [4] of the active unit, EDGE_FLAG [1],
+ * ACTIVE_TEXTURE [1], MAX_TEXTURE_COORDS [1], MAX_TEXTURE_UNITS [1]. Conversions: booleans are 0 or 1; as a
+ * boolean a number is TRUE unless zero; reals become the nearest integer (halves away from zero, saturated,
+ * NaN gives 0); colours and normals become integers by round(clamp(c, -1, 1) * (2^31 - 1)). INVALID_ENUM: any
+ * other pname. INVALID_VALUE: v null. INVALID_OPERATION: between Begin and End. Nothing is written on error.
+ */
+GLEV_API void glevGetBooleanv(glev_context* context, glev_enum pname, glev_boolean* v);
+GLEV_API void glevGetIntegerv(glev_context* context, glev_enum pname, glev_int* v);
+GLEV_API void glevGetFloatv(glev_context* context, glev_enum pname, glev_float* v);
+GLEV_API void glevGetDoublev(glev_context* context, glev_enum pname, glev_double* v);
+
+/* VENDOR, RENDERER, VERSION: a string that lives as long as the program. VERSION begins with "4.6 ": the
+ * evaluator semantics are those of OpenGL 4.6, compatibility profile. INVALID_ENUM: any other name.
+ * INVALID_OPERATION: between Begin and End. Null on error. */
+GLEV_API const glev_ubyte* glevGetString(glev_context* context, glev_enum name);
+
+/* ---- Plans
+ * ------------------------------------------------------------------------------------------------- */
+
+/* An immutable snapshot of what evaluation needs: the maps that are enabled and not outranked, and the grid.
+ * It is reference-counted: who creates or retains it releases it. Later changes of the context do not reach
+ * it, and it may outlive the context. Evaluation never allocates. All calls on plans are safe from any
+ * thread. */
+
+typedef struct glev_plan_info {
+  size_t size;
+  size_t dimension; /* 1: the MAP1 maps */
+} glev_plan_info;
+
+/* Takes a snapshot of the context; legal between Begin and End, too. *plan is null on failure. Two calls
+ * without a change of state between them return the same plan with one more reference. Returns SUCCESS,
+ * INVALID_ARGUMENT, UNSUPPORTED (dimension not 1), OUT_OF_MEMORY. */
+GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info* info, glev_plan** plan);
+
+GLEV_API void glevRetainPlan(glev_plan* plan);
+GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
+
+typedef enum glev_attribute {
+  GLEV_ATTRIBUTE_VERTEX = 0,
+  GLEV_ATTRIBUTE_COLOR = 1,
+  GLEV_ATTRIBUTE_NORMAL = 2,
+  GLEV_ATTRIBUTE_TEXCOORD = 3
+} glev_attribute;
+
+/* Number of values (1 to 4) the map for an attribute gives, 0 if the plan has no map for it or there is no
+ * such attribute. */
+GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attribute);
+
+/* Where one attribute goes: element i is `components` floats at data + i*stride bytes.
+ * components: at least what glevGetPlanComponents says, at most 4 (3 for normals); the missing ones are
+ *   (0,0,0,1)'s. stride: at least components * 4. data_size: bytes at data that may be written. No alignment
+ * is required. Bytes between elements are not touched, so attributes may be interleaved. */
+typedef struct glev_output {
+  size_t size;
+  void* data;
+  size_t data_size;
+  size_t stride;
+  size_t components;
+} glev_output;
+
+/* count arguments of type u_type (GLEV_FLOAT or GLEV_DOUBLE); argument i lies at u + i*u_stride bytes, which
+ * may be 0; u_size: bytes at u that may be read. An output that is null is not computed. */
+typedef struct glev_batch1 {
+  size_t size;
+  size_t count;
+  const void* u;
+  size_t u_size;
+  size_t u_stride;
+  glev_enum u_type;
+  const glev_output* vertex;
+  const glev_output* color;
+  const glev_output* normal;
+  const glev_output* texcoord;
+} glev_batch1;
+
+/* Evaluates the maps of a one-dimensional plan at each argument. The values are those of EvalCoord1, bit for
+ * bit. Unlike there, no vertex map is needed for the others to be evaluated. Everything is checked before
+ * anything is written. With count 0 nothing is read or written and u and data may be null. Returns SUCCESS or
+ * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride or number of components.
+ * NO_MAP: an output for an attribute without a map.
+ * BUFFER_TOO_SMALL: u_size or a data_size.
+ * OVERLAP: bytes of an output belong to another output or to the input as well. Interleaving in one block is
+ *   recognised if the strides are equal. */
+GLEV_API glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* batch);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* GLEVALUATOR_H_ */

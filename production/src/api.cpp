@@ -1,0 +1,346 @@
+// The GL-named entry points: they strip the form (count, type, v) off a command and hand it to the context.
+#include <array>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include "production/src/context.h"
+
+namespace {
+
+// The first kCount values of `values` are those at v, as floats.
+template <std::size_t kCount, std::size_t kSize, class Real>
+std::array<float, kSize> Load(std::array<float, kSize> values, const Real* v) {
+  for (std::size_t k = 0; k < kCount; ++k) values[k] = static_cast<float>(v[k]);
+  return values;
+}
+
+bool Refused(glev_context* context, const void* v) {
+  if (v == nullptr) context->RecordError(GLEV_INVALID_VALUE);
+  return v == nullptr;
+}
+
+template <std::size_t kCount, class Real>
+void Vertex(glev_context* context, const Real* v) {
+  if (!Refused(context, v)) context->Vertex(Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+}
+
+template <std::size_t kCount, class Real>
+void Color(glev_context* context, const Real* v) {
+  if (!Refused(context, v)) context->Color(Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+}
+
+template <class Real>
+void Normal(glev_context* context, const Real* v) {
+  if (!Refused(context, v)) context->Normal(Load<3>(std::array<float, 3>{}, v));
+}
+
+template <std::size_t kCount, class Real>
+void TexCoord(glev_context* context, glev_enum texture, const Real* v) {
+  if (!Refused(context, v))
+    context->MultiTexCoord(texture, Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+}
+
+}  // namespace
+
+// ---- Contexts, sink, errors
+
+glev_result glevCreateContext(const glev_allocator* given, glev_context** context) {
+  if (context == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  *context = nullptr;
+  glev::Allocator allocator;
+  if (given != nullptr) {
+    glev_allocator copy;
+    if (!glev::ReadStruct(given, &copy) || copy.allocate == nullptr || copy.release == nullptr) {
+      return GLEV_ERROR_INVALID_ARGUMENT;
+    }
+    allocator = glev::Allocator(copy);
+  }
+  void* memory = allocator.Allocate(sizeof(glev_context), alignof(glev_context));
+  if (memory == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;
+  *context = new (memory) glev_context(allocator);
+  return GLEV_SUCCESS;
+}
+
+void glevDestroyContext(glev_context* context) {
+  if (context == nullptr) return;
+  const glev::Allocator allocator = context->allocator();
+  context->~glev_context();
+  allocator.Release(context, sizeof(glev_context), alignof(glev_context));
+}
+
+glev_result glevSetSink(glev_context* context, const glev_sink* sink) { return context->SetSink(sink); }
+
+glev_enum glevGetError(glev_context* context) { return context->GetError(); }
+
+// ---- Maps and enables
+
+void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int stride,
+               glev_int order, const glev_float* points) {
+  context->Map1(target, u1, u2, stride, order, points);
+}
+void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int stride,
+               glev_int order, const glev_double* points) {
+  context->Map1(target, u1, u2, stride, order, points);
+}
+
+void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v) {
+  context->GetMap(target, query, v);
+}
+void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v) {
+  context->GetMap(target, query, v);
+}
+void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v) {
+  context->GetMap(target, query, v);
+}
+
+void glevEnable(glev_context* context, glev_enum cap) { context->SetEnabled(cap, true); }
+void glevDisable(glev_context* context, glev_enum cap) { context->SetEnabled(cap, false); }
+glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
+  return context->IsEnabled(cap) ? GLEV_TRUE : GLEV_FALSE;
+}
+
+// ---- Evaluation
+
+void glevEvalCoord1f(glev_context* context, glev_float u) { context->EvalCoord1(u); }
+void glevEvalCoord1d(glev_context* context, glev_double u) { context->EvalCoord1(u); }
+void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
+  if (!Refused(context, u)) context->EvalCoord1(*u);
+}
+void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
+  if (!Refused(context, u)) context->EvalCoord1(*u);
+}
+
+// ---- Primitives
+
+void glevBegin(glev_context* context, glev_enum mode) { context->Begin(mode); }
+void glevEnd(glev_context* context) { context->End(); }
+
+void glevVertex2fv(glev_context* context, const glev_float* v) { Vertex<2>(context, v); }
+void glevVertex2f(glev_context* context, glev_float x, glev_float y) {
+  const glev_float v[] = {x, y};
+  glevVertex2fv(context, v);
+}
+void glevVertex2dv(glev_context* context, const glev_double* v) { Vertex<2>(context, v); }
+void glevVertex2d(glev_context* context, glev_double x, glev_double y) {
+  const glev_double v[] = {x, y};
+  glevVertex2dv(context, v);
+}
+
+void glevVertex3fv(glev_context* context, const glev_float* v) { Vertex<3>(context, v); }
+void glevVertex3f(glev_context* context, glev_float x, glev_float y, glev_float z) {
+  const glev_float v[] = {x, y, z};
+  glevVertex3fv(context, v);
+}
+void glevVertex3dv(glev_context* context, const glev_double* v) { Vertex<3>(context, v); }
+void glevVertex3d(glev_context* context, glev_double x, glev_double y, glev_double z) {
+  const glev_double v[] = {x, y, z};
+  glevVertex3dv(context, v);
+}
+
+void glevVertex4fv(glev_context* context, const glev_float* v) { Vertex<4>(context, v); }
+void glevVertex4f(glev_context* context, glev_float x, glev_float y, glev_float z, glev_float w) {
+  const glev_float v[] = {x, y, z, w};
+  glevVertex4fv(context, v);
+}
+void glevVertex4dv(glev_context* context, const glev_double* v) { Vertex<4>(context, v); }
+void glevVertex4d(glev_context* context, glev_double x, glev_double y, glev_double z, glev_double w) {
+  const glev_double v[] = {x, y, z, w};
+  glevVertex4dv(context, v);
+}
+
+// ---- Current values
+
+void glevColor3fv(glev_context* context, const glev_float* v) { Color<3>(context, v); }
+void glevColor3f(glev_context* context, glev_float red, glev_float green, glev_float blue) {
+  const glev_float v[] = {red, green, blue};
+  glevColor3fv(context, v);
+}
+void glevColor3dv(glev_context* context, const glev_double* v) { Color<3>(context, v); }
+void glevColor3d(glev_context* context, glev_double red, glev_double green, glev_double blue) {
+  const glev_double v[] = {red, green, blue};
+  glevColor3dv(context, v);
+}
+
+void glevColor4fv(glev_context* context, const glev_float* v) { Color<4>(context, v); }
+void glevColor4f(glev_context* context, glev_float red, glev_float green, glev_float blue, glev_float alpha) {
+  const glev_float v[] = {red, green, blue, alpha};
+  glevColor4fv(context, v);
+}
+void glevColor4dv(glev_context* context, const glev_double* v) { Color<4>(context, v); }
+void glevColor4d(glev_context* context, glev_double red, glev_double green, glev_double blue,
+                 glev_double alpha) {
+  const glev_double v[] = {red, green, blue, alpha};
+  glevColor4dv(context, v);
+}
+
+void glevNormal3fv(glev_context* context, const glev_float* v) { Normal(context, v); }
+void glevNormal3f(glev_context* context, glev_float x, glev_float y, glev_float z) {
+  const glev_float v[] = {x, y, z};
+  glevNormal3fv(context, v);
+}
+void glevNormal3dv(glev_context* context, const glev_double* v) { Normal(context, v); }
+void glevNormal3d(glev_context* context, glev_double x, glev_double y, glev_double z) {
+  const glev_double v[] = {x, y, z};
+  glevNormal3dv(context, v);
+}
+
+void glevIndexf(glev_context* context, glev_float index) { context->Index(index); }
+void glevIndexd(glev_context* context, glev_double index) { context->Index(static_cast<float>(index)); }
+void glevIndexfv(glev_context* context, const glev_float* v) {
+  if (!Refused(context, v)) context->Index(*v);
+}
+void glevIndexdv(glev_context* context, const glev_double* v) {
+  if (!Refused(context, v)) context->Index(static_cast<float>(*v));
+}
+
+void glevEdgeFlag(glev_context* context, glev_boolean flag) { context->EdgeFlag(flag != GLEV_FALSE); }
+void glevEdgeFlagv(glev_context* context, const glev_boolean* v) {
+  if (!Refused(context, v)) context->EdgeFlag(*v != GLEV_FALSE);
+}
+
+void glevTexCoord1fv(glev_context* context, const glev_float* v) { TexCoord<1>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord1f(glev_context* context, glev_float s) {
+  const glev_float v[] = {s};
+  glevTexCoord1fv(context, v);
+}
+void glevTexCoord1dv(glev_context* context, const glev_double* v) { TexCoord<1>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord1d(glev_context* context, glev_double s) {
+  const glev_double v[] = {s};
+  glevTexCoord1dv(context, v);
+}
+
+void glevTexCoord2fv(glev_context* context, const glev_float* v) { TexCoord<2>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord2f(glev_context* context, glev_float s, glev_float t) {
+  const glev_float v[] = {s, t};
+  glevTexCoord2fv(context, v);
+}
+void glevTexCoord2dv(glev_context* context, const glev_double* v) { TexCoord<2>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord2d(glev_context* context, glev_double s, glev_double t) {
+  const glev_double v[] = {s, t};
+  glevTexCoord2dv(context, v);
+}
+
+void glevTexCoord3fv(glev_context* context, const glev_float* v) { TexCoord<3>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord3f(glev_context* context, glev_float s, glev_float t, glev_float r) {
+  const glev_float v[] = {s, t, r};
+  glevTexCoord3fv(context, v);
+}
+void glevTexCoord3dv(glev_context* context, const glev_double* v) { TexCoord<3>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord3d(glev_context* context, glev_double s, glev_double t, glev_double r) {
+  const glev_double v[] = {s, t, r};
+  glevTexCoord3dv(context, v);
+}
+
+void glevTexCoord4fv(glev_context* context, const glev_float* v) { TexCoord<4>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord4f(glev_context* context, glev_float s, glev_float t, glev_float r, glev_float q) {
+  const glev_float v[] = {s, t, r, q};
+  glevTexCoord4fv(context, v);
+}
+void glevTexCoord4dv(glev_context* context, const glev_double* v) { TexCoord<4>(context, GLEV_TEXTURE0, v); }
+void glevTexCoord4d(glev_context* context, glev_double s, glev_double t, glev_double r, glev_double q) {
+  const glev_double v[] = {s, t, r, q};
+  glevTexCoord4dv(context, v);
+}
+
+void glevMultiTexCoord1fv(glev_context* context, glev_enum texture, const glev_float* v) {
+  TexCoord<1>(context, texture, v);
+}
+void glevMultiTexCoord1f(glev_context* context, glev_enum texture, glev_float s) {
+  const glev_float v[] = {s};
+  glevMultiTexCoord1fv(context, texture, v);
+}
+void glevMultiTexCoord1dv(glev_context* context, glev_enum texture, const glev_double* v) {
+  TexCoord<1>(context, texture, v);
+}
+void glevMultiTexCoord1d(glev_context* context, glev_enum texture, glev_double s) {
+  const glev_double v[] = {s};
+  glevMultiTexCoord1dv(context, texture, v);
+}
+
+void glevMultiTexCoord2fv(glev_context* context, glev_enum texture, const glev_float* v) {
+  TexCoord<2>(context, texture, v);
+}
+void glevMultiTexCoord2f(glev_context* context, glev_enum texture, glev_float s, glev_float t) {
+  const glev_float v[] = {s, t};
+  glevMultiTexCoord2fv(context, texture, v);
+}
+void glevMultiTexCoord2dv(glev_context* context, glev_enum texture, const glev_double* v) {
+  TexCoord<2>(context, texture, v);
+}
+void glevMultiTexCoord2d(glev_context* context, glev_enum texture, glev_double s, glev_double t) {
+  const glev_double v[] = {s, t};
+  glevMultiTexCoord2dv(context, texture, v);
+}
+
+void glevMultiTexCoord3fv(glev_context* context, glev_enum texture, const glev_float* v) {
+  TexCoord<3>(context, texture, v);
+}
+void glevMultiTexCoord3f(glev_context* context, glev_enum texture, glev_float s, glev_float t, glev_float r) {
+  const glev_float v[] = {s, t, r};
+  glevMultiTexCoord3fv(context, texture, v);
+}
+void glevMultiTexCoord3dv(glev_context* context, glev_enum texture, const glev_double* v) {
+  TexCoord<3>(context, texture, v);
+}
+void glevMultiTexCoord3d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
+                         glev_double r) {
+  const glev_double v[] = {s, t, r};
+  glevMultiTexCoord3dv(context, texture, v);
+}
+
+void glevMultiTexCoord4fv(glev_context* context, glev_enum texture, const glev_float* v) {
+  TexCoord<4>(context, texture, v);
+}
+void glevMultiTexCoord4f(glev_context* context, glev_enum texture, glev_float s, glev_float t, glev_float r,
+                         glev_float q) {
+  const glev_float v[] = {s, t, r, q};
+  glevMultiTexCoord4fv(context, texture, v);
+}
+void glevMultiTexCoord4dv(glev_context* context, glev_enum texture, const glev_double* v) {
+  TexCoord<4>(context, texture, v);
+}
+void glevMultiTexCoord4d(glev_context* context, glev_enum texture, glev_double s, glev_double t,
+                         glev_double r, glev_double q) {
+  const glev_double v[] = {s, t, r, q};
+  glevMultiTexCoord4dv(context, texture, v);
+}
+
+void glevActiveTexture(glev_context* context, glev_enum texture) { context->ActiveTexture(texture); }
+
+// ---- Queries
+
+void glevGetBooleanv(glev_context* context, glev_enum pname, glev_boolean* v) { context->Get(pname, v); }
+void glevGetIntegerv(glev_context* context, glev_enum pname, glev_int* v) { context->Get(pname, v); }
+void glevGetFloatv(glev_context* context, glev_enum pname, glev_float* v) { context->Get(pname, v); }
+void glevGetDoublev(glev_context* context, glev_enum pname, glev_double* v) { context->Get(pname, v); }
+
+const glev_ubyte* glevGetString(glev_context* context, glev_enum name) {
+  return reinterpret_cast<const glev_ubyte*>(context->GetString(name));
+}
+
+// ---- Plans
+
+glev_result glevCreatePlan(glev_context* context, const glev_plan_info* given, glev_plan** plan) {
+  if (plan == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
+  *plan = nullptr;
+  glev_plan_info info;
+  if (!glev::ReadStruct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (info.dimension != 1) return GLEV_ERROR_UNSUPPORTED;
+  glev_plan* current = context->CurrentPlan1();
+  if (current == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;
+  current->Retain();
+  *plan = current;
+  return GLEV_SUCCESS;
+}
+
+void glevRetainPlan(glev_plan* plan) { plan->Retain(); }
+
+void glevReleasePlan(glev_plan* plan) {
+  if (plan != nullptr) plan->Release();
+}
+
+size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attribute) {
+  const auto index = static_cast<unsigned>(attribute);
+  return index < glev::kAttributes ? plan->components(static_cast<glev::Attribute>(index)) : 0;
+}

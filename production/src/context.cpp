@@ -1,0 +1,287 @@
+#include "production/src/context.h"
+
+#include <cstddef>
+#include <cstdint>
+
+#include "production/src/convert.h"
+
+using glev::Attribute;
+using glev::FindTarget;
+using glev::Target;
+
+namespace {
+
+constexpr glev_enum kLinesAdjacency = 0x000A, kTriangleStripAdjacency = 0x000D, kPatches = 0x000E;
+
+bool IsTextureUnit(glev_enum texture) { return texture - GLEV_TEXTURE0 < GLEV_TEXTURE_UNITS; }
+
+template <std::size_t kCount>
+void CopyTo(float (&to)[kCount], const std::array<float, kCount>& from) {
+  for (std::size_t k = 0; k < kCount; ++k) to[k] = from[k];
+}
+
+template <std::size_t kCount>
+glev::StateValues FromFloats(const float (&from)[kCount], bool normalized) {
+  glev::StateValues state{static_cast<int>(kCount), {}, normalized};
+  for (std::size_t k = 0; k < kCount; ++k) state.values[k] = from[k];
+  return state;
+}
+
+}  // namespace
+
+glev_context::glev_context(const glev::Allocator& allocator) : allocator_(allocator) {
+  current_.size = sizeof current_;
+  Color({1, 1, 1, 1});
+  Normal({0, 0, 1});
+  for (auto& texcoord : current_.texcoord) CopyTo(texcoord, {0, 0, 0, 1});
+  Index(1);
+  EdgeFlag(true);
+}
+
+glev_context::~glev_context() {
+  DropPlan1();
+  for (auto& map : maps1_) map.Free(allocator_);
+  for (auto& map : maps2_) map.Free(allocator_);
+}
+
+// ---- Errors
+
+glev_enum glev_context::GetError() {
+  if (RefusedInPrimitive()) return 0;
+  const glev_enum error = error_;
+  error_ = GLEV_NO_ERROR;
+  return error;
+}
+
+bool glev_context::RefusedInPrimitive() {
+  if (in_primitive_) RecordError(GLEV_INVALID_OPERATION);
+  return in_primitive_;
+}
+
+// ---- Maps
+
+template <class Real>
+void glev_context::Map1(glev_enum name, Real u1, Real u2, glev_int stride, glev_int order,
+                        const Real* points) {
+  const Target target = FindTarget(name);
+  if (target.dimension != 1) return RecordError(GLEV_INVALID_ENUM);
+  const int components = glev::kSlotTable[target.slot].components;
+  if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2 || points == nullptr) {
+    return RecordError(GLEV_INVALID_VALUE);
+  }
+  if (RefusedInPrimitive()) return;
+  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
+  if (!maps1_[target.slot].Define(allocator_, components, {u1, u2}, stride, order, points)) {
+    return RecordError(GLEV_OUT_OF_MEMORY);
+  }
+  if (eval_.map1_enabled[target.slot]) DropPlan1();
+}
+
+template void glev_context::Map1(glev_enum, float, float, glev_int, glev_int, const float*);
+template void glev_context::Map1(glev_enum, double, double, glev_int, glev_int, const double*);
+
+template <class Number>
+void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
+  const Target target = FindTarget(name);
+  if (!target || (query != GLEV_COEFF && query != GLEV_ORDER && query != GLEV_DOMAIN)) {
+    return RecordError(GLEV_INVALID_ENUM);
+  }
+  if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);
+  if (RefusedInPrimitive()) return;
+
+  const glev::Map& map = (target.dimension == 1 ? maps1_ : maps2_)[target.slot];
+  const auto put = [&v](double value) { glev::Convert(value, glev::StateKind::kNumber, v++); };
+  if (query == GLEV_COEFF) {
+    const double* points = map.points(target.slot);
+    const int count = map.order(0) * map.order(1) * glev::kSlotTable[target.slot].components;
+    for (int i = 0; i < count; ++i) put(points[i]);
+    return;
+  }
+  for (int direction = 0; direction < target.dimension; ++direction) {
+    if (query == GLEV_ORDER) {
+      put(map.order(direction));
+    } else {
+      put(map.domain(direction).u1);
+      put(map.domain(direction).u2);
+    }
+  }
+}
+
+template void glev_context::GetMap(glev_enum, glev_enum, glev_double*);
+template void glev_context::GetMap(glev_enum, glev_enum, glev_float*);
+template void glev_context::GetMap(glev_enum, glev_enum, glev_int*);
+
+// ---- Enables
+
+bool* glev_context::FindFlag(glev_enum cap) {
+  if (cap == GLEV_AUTO_NORMAL) return &eval_.auto_normal;
+  const Target target = FindTarget(cap);
+  if (!target) return nullptr;
+  return &(target.dimension == 1 ? eval_.map1_enabled : eval_.map2_enabled)[target.slot];
+}
+
+void glev_context::SetEnabled(glev_enum cap, bool enabled) {
+  bool* flag = FindFlag(cap);
+  if (flag == nullptr) return RecordError(GLEV_INVALID_ENUM);
+  if (RefusedInPrimitive()) return;
+  if (*flag == enabled) return;
+  *flag = enabled;
+  if (FindTarget(cap).dimension == 1) DropPlan1();
+}
+
+bool glev_context::IsEnabled(glev_enum cap) {
+  const bool* flag = FindFlag(cap);
+  if (flag == nullptr) {
+    RecordError(GLEV_INVALID_ENUM);
+    return false;
+  }
+  return !RefusedInPrimitive() && *flag;
+}
+
+// ---- Evaluation
+
+glev_plan* glev_context::CurrentPlan1() {
+  if (plan1_ == nullptr) plan1_ = glev_plan::Create1(allocator_, maps1_, eval_.map1_enabled, eval_.grid1);
+  return plan1_;
+}
+
+void glev_context::DropPlan1() {
+  if (plan1_ != nullptr) plan1_->Release();
+  plan1_ = nullptr;
+}
+
+void glev_context::EvalCoord1(double u) {
+  if (!in_primitive_) return;
+  const glev_plan* plan = CurrentPlan1();
+  if (plan == nullptr) return RecordError(GLEV_OUT_OF_MEMORY);
+  if (plan->components(Attribute::kVertex) == 0) return;
+
+  glev_vertex vertex = current_;
+  plan->Evaluate(Attribute::kVertex, u, vertex.position);
+  if (plan->components(Attribute::kColor) != 0) plan->Evaluate(Attribute::kColor, u, vertex.color);
+  if (plan->components(Attribute::kTexcoord) != 0)
+    plan->Evaluate(Attribute::kTexcoord, u, vertex.texcoord[0]);
+  if (plan->components(Attribute::kNormal) != 0) {
+    std::array<float, 4> normal;
+    plan->Evaluate(Attribute::kNormal, u, normal.data());
+    for (std::size_t k = 0; k < 3; ++k) vertex.normal[k] = normal[k];
+  }
+  Emit(vertex);
+}
+
+// ---- Primitives
+
+void glev_context::Begin(glev_enum mode) {
+  const bool known = mode <= GLEV_POLYGON || (mode >= kLinesAdjacency && mode <= kTriangleStripAdjacency);
+  if (!known && mode != kPatches) return RecordError(GLEV_INVALID_ENUM);
+  if (RefusedInPrimitive()) return;
+  if (mode == kPatches) return RecordError(GLEV_INVALID_OPERATION);
+  in_primitive_ = true;
+  if (sink_.begin != nullptr) sink_.begin(sink_.user, mode);
+}
+
+void glev_context::End() {
+  if (!in_primitive_) return RecordError(GLEV_INVALID_OPERATION);
+  if (sink_.end != nullptr) sink_.end(sink_.user);
+  in_primitive_ = false;
+}
+
+void glev_context::Emit(const glev_vertex& vertex) const {
+  if (sink_.vertex != nullptr) sink_.vertex(sink_.user, &vertex);
+}
+
+void glev_context::Vertex(const std::array<float, 4>& position) {
+  if (!in_primitive_) return;
+  glev_vertex vertex = current_;
+  CopyTo(vertex.position, position);
+  Emit(vertex);
+}
+
+glev_result glev_context::SetSink(const glev_sink* sink) {
+  glev_sink copy{};
+  if (sink != nullptr && !glev::ReadStruct(sink, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (in_primitive_) return GLEV_ERROR_IN_PRIMITIVE;
+  sink_ = copy;
+  return GLEV_SUCCESS;
+}
+
+// ---- Current values
+
+void glev_context::Color(const std::array<float, 4>& color) { CopyTo(current_.color, color); }
+
+void glev_context::Normal(const std::array<float, 3>& normal) { CopyTo(current_.normal, normal); }
+
+void glev_context::MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord) {
+  if (!IsTextureUnit(texture)) return RecordError(GLEV_INVALID_ENUM);
+  CopyTo(current_.texcoord[texture - GLEV_TEXTURE0], texcoord);
+}
+
+void glev_context::ActiveTexture(glev_enum texture) {
+  if (!IsTextureUnit(texture)) return RecordError(GLEV_INVALID_ENUM);
+  if (RefusedInPrimitive()) return;
+  active_unit_ = texture - GLEV_TEXTURE0;
+}
+
+// ---- Queries
+
+glev::StateValues glev_context::FindState(glev_enum pname) {
+  const auto& [u, v] = eval_.grid2;
+  switch (pname) {
+    case GLEV_MAX_EVAL_ORDER:
+      return {1, {glev::kMaxOrder}};
+    case GLEV_MAP1_GRID_DOMAIN:
+      return {2, {eval_.grid1.u1, eval_.grid1.u2}};
+    case GLEV_MAP1_GRID_SEGMENTS:
+      return {1, {static_cast<double>(eval_.grid1.segments)}};
+    case GLEV_MAP2_GRID_DOMAIN:
+      return {4, {u.u1, u.u2, v.u1, v.u2}};
+    case GLEV_MAP2_GRID_SEGMENTS:
+      return {2, {static_cast<double>(u.segments), static_cast<double>(v.segments)}};
+    case GLEV_CURRENT_COLOR:
+      return FromFloats(current_.color, true);
+    case GLEV_CURRENT_INDEX:
+      return {1, {current_.index}};
+    case GLEV_CURRENT_NORMAL:
+      return FromFloats(current_.normal, true);
+    case GLEV_CURRENT_TEXTURE_COORDS:
+      return FromFloats(current_.texcoord[active_unit_], false);
+    case GLEV_EDGE_FLAG:
+      return {1, {static_cast<double>(current_.edge_flag)}};
+    case GLEV_ACTIVE_TEXTURE:
+      return {1, {static_cast<double>(GLEV_TEXTURE0 + active_unit_)}};
+    case GLEV_MAX_TEXTURE_COORDS:
+    case GLEV_MAX_TEXTURE_UNITS:
+      return {1, {GLEV_TEXTURE_UNITS}};
+    default:
+      break;
+  }
+  if (const bool* flag = FindFlag(pname)) return {1, {*flag ? 1.0 : 0.0}};
+  return {0, {}};
+}
+
+template <class Number>
+void glev_context::Get(glev_enum pname, Number* v) {
+  const glev::StateValues state = FindState(pname);
+  if (state.count == 0) return RecordError(GLEV_INVALID_ENUM);
+  if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);
+  if (RefusedInPrimitive()) return;
+  const auto kind = state.normalized ? glev::StateKind::kNormalized : glev::StateKind::kNumber;
+  for (int i = 0; i < state.count; ++i) glev::Convert(state.values[i], kind, v + i);
+}
+
+template void glev_context::Get(glev_enum, glev_boolean*);
+template void glev_context::Get(glev_enum, glev_int*);
+template void glev_context::Get(glev_enum, glev_float*);
+template void glev_context::Get(glev_enum, glev_double*);
+
+const char* glev_context::GetString(glev_enum name) {
+  const char* answer = name == GLEV_VENDOR     ? "evalcts"
+                       : name == GLEV_RENDERER ? "glevaluator, scalar double"
+                       : name == GLEV_VERSION  ? "4.6 glevaluator " GLEV_VERSION_STRING
+                                               : nullptr;
+  if (answer == nullptr) {
+    RecordError(GLEV_INVALID_ENUM);
+    return nullptr;
+  }
+  return RefusedInPrimitive() ? nullptr : answer;
+}
