@@ -1,1 +1,87 @@
 #include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/exact/binary.h"
+
+namespace evalcts::reference {
+namespace {
+
+// |x| * 2^-exponent to the nearest integer, ties to even.
+Integer round_scaled(const Rational& x, std::int64_t exponent) {
+  const std::int64_t shift = x.exponent() - exponent;
+  Integer numerator = abs(x.numerator());
+  if (shift >= 0) numerator <<= shift;
+  if (x.denominator() == 1) {
+    if (shift >= 0) return numerator;
+    // The numerator is odd, so this is a tie only if a single bit is cut off.
+    const unsigned cut = static_cast<unsigned>(-shift);
+    const bool half = bit_test(numerator, cut - 1);
+    numerator >>= cut;
+    if (half && (cut > 1 || bit_test(numerator, 0))) ++numerator;
+    return numerator;
+  }
+  Integer denominator = x.denominator();
+  if (shift < 0) denominator <<= -shift;
+  Integer quotient, remainder;
+  divide_qr(numerator, denominator, quotient, remainder);
+  const int half = Integer(remainder << 1).compare(denominator);
+  if (half > 0 || (half == 0 && bit_test(quotient, 0))) ++quotient;
+  return quotient;
+}
+
+template <typename Float>
+Float round_to(const Rational& x) {
+  using Limits = std::numeric_limits<Float>;
+  constexpr std::int64_t kLowest = Limits::min_exponent - Limits::digits;  // of a unit in the last place
+  if (x.is_zero()) return 0;
+  const Float sign = x.sign() < 0 ? Float{-1} : Float{1};
+  const std::int64_t magnitude = floor_log2(x);
+  if (magnitude >= Limits::max_exponent) return std::copysign(Limits::infinity(), sign);
+  const std::int64_t unit = std::max(magnitude - (Limits::digits - 1), kLowest);
+  if (magnitude < unit - 1) return std::copysign(Float{0}, sign);
+  const auto significand = static_cast<Float>(static_cast<std::uint64_t>(round_scaled(x, unit)));
+  // Exact, except that a significand that was rounded up to 2^digits may overflow.
+  return std::copysign(std::ldexp(significand, static_cast<int>(unit)), sign);
+}
+
+// Infinity counts as 2^128. `got` must not be NaN.
+Rational extended(float got) {
+  return std::isinf(got) ? Rational(got > 0 ? 1 : -1) * Rational::power_of_two(128) : Rational(got);
+}
+
+}  // namespace
+
+float round_to_float(const Rational& x) { return round_to<float>(x); }
+double round_to_double(const Rational& x) { return round_to<double>(x); }
+
+Integer round_to_integer(const Rational& x) {
+  Integer magnitude = round_scaled(x, 0);
+  return x.sign() < 0 ? Integer(-magnitude) : magnitude;
+}
+
+Rational ulp(const Rational& x) {
+  constexpr int kSmallest = -149, kLargest = 104;
+  if (x.is_zero()) return Rational::power_of_two(kSmallest);
+  const std::int64_t magnitude = floor_log2(x);
+  const bool power_of_two = abs(x) == Rational::power_of_two(magnitude);
+  return Rational::power_of_two(
+      std::clamp<std::int64_t>(magnitude - 23 - (power_of_two ? 1 : 0), kSmallest, kLargest));
+}
+
+double ulp_distance(float got, const Rational& exact) {
+  if (std::isnan(got)) return std::numeric_limits<double>::infinity();
+  return (abs(extended(got) - exact) / ulp(exact)).to_double();
+}
+
+double condition_distance(float got, const Rational& exact, const Rational& magnitude) {
+  if (std::isnan(got)) return std::numeric_limits<double>::infinity();
+  const Rational error = abs(extended(got) - exact);
+  if (error.is_zero()) return 0;
+  if (magnitude.is_zero()) return std::numeric_limits<double>::infinity();
+  return (error / (Rational::power_of_two(-24) * magnitude)).to_double();
+}
+
+}  // namespace evalcts::reference

@@ -1,1 +1,78 @@
 #include <reference/component.h>
+#include <reference/rounding.h>
+
+#include <cmath>
+#include <limits>
+
+namespace evalcts::reference {
+namespace {
+
+// Calls f(curve, u) or f(surface, u, v), as the map of the sample has one dimension or two.
+template <typename F>
+auto with_polynomial(const Sample& sample, F&& f) {
+  const Map& map = *sample.map;
+  if (map.is_two_dimensional()) return f(map.surface(sample.component), sample.u, sample.v.value());
+  return f(map.curve(sample.component), sample.u);
+}
+
+// What holds for a value given as it is.
+Acceptance plain(float value) { return {value, abs(Rational(value)), 0, 0, true}; }
+
+int degree(const Sample& sample) { return sample.map->u.order - 1 + sample.map->v.order - 1; }
+
+}  // namespace
+
+bool is_finite(const Component& component) {
+  if (const float* value = std::get_if<float>(&component)) return std::isfinite(*value);
+  const Sample& sample = std::get<Sample>(component);
+  return with_polynomial(sample, [](const auto& polynomial, const auto&... arguments) {
+    return is_finite(polynomial) && (arguments.is_finite() && ...);
+  });
+}
+
+Rational exact(const Component& component) { return exact_with_magnitude(component).value; }
+
+Evaluation exact_with_magnitude(const Component& component) {
+  if (const float* value = std::get_if<float>(&component)) {
+    return {plain(*value).exact, plain(*value).magnitude};
+  }
+  return with_polynomial(std::get<Sample>(component), [](const auto& polynomial, const auto&... arguments) {
+    return evaluate_with_magnitude(polynomial, arguments...);
+  });
+}
+
+float rounded(const Component& component) {
+  if (const float* value = std::get_if<float>(&component)) return *value;
+  if (!is_finite(component)) return std::numeric_limits<float>::quiet_NaN();
+  return round_to_float(exact(component));
+}
+
+Rational acceptance_bound(const Component& component) {
+  if (const float* value = std::get_if<float>(&component)) return plain(*value).bound;
+  return with_polynomial(std::get<Sample>(component), [](const auto& polynomial, const auto&... arguments) {
+    return acceptance_bound(polynomial, arguments...);
+  });
+}
+
+bool must_applies(const Component& component, int range) {
+  if (const float* value = std::get_if<float>(&component)) return plain(*value).must_applies;
+  return with_polynomial(std::get<Sample>(component),
+                         [range](const auto& polynomial, const auto&... arguments) {
+                           return must_applies(polynomial, arguments..., range);
+                         });
+}
+
+Rational quality_bound(const Component& component) {
+  if (const float* value = std::get_if<float>(&component)) return plain(*value).quality_bound;
+  return quality_bound(degree(std::get<Sample>(component)), exact_with_magnitude(component).magnitude);
+}
+
+Acceptance acceptance(const Component& component, int range) {
+  if (const float* value = std::get_if<float>(&component)) return plain(*value);
+  return with_polynomial(std::get<Sample>(component),
+                         [range](const auto& polynomial, const auto&... arguments) {
+                           return acceptance(polynomial, arguments..., range);
+                         });
+}
+
+}  // namespace evalcts::reference

@@ -1,1 +1,78 @@
+#include <reference/acceptance.h>
 #include <reference/map.h>
+
+#include <array>
+
+namespace evalcts::reference {
+namespace {
+
+// One row of GL 2.1 table 5.1 with the initial control point of section 5.1.
+struct Kind {
+  int components;
+  std::array<double, 4> initial_point;
+};
+
+// In the order of the tokens (EV-INIT-COEFF-*).
+constexpr std::array<Kind, kMapKinds> kKinds{{
+    {4, {1, 1, 1, 1}},  // COLOR_4
+    {1, {1}},           // INDEX
+    {3, {0, 0, 1}},     // NORMAL
+    {1, {0}},           // TEXTURE_COORD_1: the first of (0,0,0,1)
+    {2, {0, 0}},        // TEXTURE_COORD_2
+    {3, {0, 0, 0}},     // TEXTURE_COORD_3
+    {4, {0, 0, 0, 1}},  // TEXTURE_COORD_4
+    {3, {0, 0, 0}},     // VERTEX_3
+    {4, {0, 0, 0, 1}},  // VERTEX_4
+}};
+
+// The row of a target of either dimension; null for anything else.
+const Kind* kind(GLenum target) {
+  if (is_map1_target(target)) return &kKinds[target - GL_MAP1_COLOR_4];
+  if (is_map2_target(target)) return &kKinds[target - GL_MAP2_COLOR_4];
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_map1_target(GLenum target) { return target >= GL_MAP1_COLOR_4 && target <= GL_MAP1_VERTEX_4; }
+bool is_map2_target(GLenum target) { return target >= GL_MAP2_COLOR_4 && target <= GL_MAP2_VERTEX_4; }
+
+int values_per_point(GLenum target) {
+  const Kind* row = kind(target);
+  return row == nullptr ? 0 : row->components;
+}
+
+int guaranteed_range(GLenum target, int version) {
+  switch (target) {
+    case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
+      return kReducedRange;
+    case GL_MAP1_TEXTURE_COORD_1:
+    case GL_MAP1_TEXTURE_COORD_2:
+    case GL_MAP1_TEXTURE_COORD_3:
+    case GL_MAP1_TEXTURE_COORD_4:
+    case GL_MAP2_TEXTURE_COORD_1:
+    case GL_MAP2_TEXTURE_COORD_2:
+    case GL_MAP2_TEXTURE_COORD_3:
+    case GL_MAP2_TEXTURE_COORD_4:
+      return version < 20 ? kReducedRange : kFullRange;
+    default:
+      return kFullRange;
+  }
+}
+
+Curve Map::curve(int component) const {
+  return {points.data() + component, components(), u.order, u.first, u.last};
+}
+
+Surface Map::surface(int component) const {
+  const std::ptrdiff_t k = components();
+  return {points.data() + component, k * v.order, k, u.order, v.order, u.first, u.last, v.first, v.last};
+}
+
+Map initial_map(GLenum target) {
+  const Kind& row = *kind(target);
+  return {target, {}, {}, {row.initial_point.begin(), row.initial_point.begin() + row.components}};
+}
+
+}  // namespace evalcts::reference

@@ -1,1 +1,355 @@
+// Section numbers are those of the GL 2.1 specification; EV-, C- and U- names are rows of the requirements.
+
 #include <reference/specification.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "reference/specification/conversion.h"
+
+namespace evalcts::reference {
+namespace {
+
+// The place of a map target among the MAP1 targets followed by the MAP2 targets.
+std::size_t slot(GLenum target) {
+  return is_map1_target(target) ? target - GL_MAP1_COLOR_4 : kMapKinds + target - GL_MAP2_COLOR_4;
+}
+
+bool is_map_target(GLenum target) { return is_map1_target(target) || is_map2_target(target); }
+
+bool is_texture_unit(GLenum texture) {
+  return texture >= GL_TEXTURE0 && texture < GL_TEXTURE0 + kTextureUnits;
+}
+
+// Puts the components of the evaluated map over the first components of the attribute.
+template <std::size_t size>
+void evaluate_into(std::array<Component, size>& attribute, const std::shared_ptr<const Map>& map,
+                   const Argument& u, const std::optional<Argument>& v) {
+  for (int c = 0; c < map->components(); ++c) attribute[c] = Sample{map, c, u, v};
+}
+
+// A value of the state as the answer to a query of type T.
+template <typename T>
+T convert(double value);
+template <>
+GLboolean convert<GLboolean>(double value) {
+  return to_boolean(value);
+}
+template <>
+GLint convert<GLint>(double value) {
+  return to_integer(value);
+}
+template <>
+GLfloat convert<GLfloat>(double value) {
+  return to_float(value);
+}
+template <>
+GLdouble convert<GLdouble>(double value) {
+  return value;
+}
+
+}  // namespace
+
+Specification::Specification() : Specification(Options{}) {}
+
+Specification::Specification(const Options& options)
+    : max_eval_order_(std::clamp(options.max_eval_order, 8, kMaxOrder)) {
+  for (GLenum i = 0; i < kMapKinds; ++i) {
+    maps_[slot(GL_MAP1_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP1_COLOR_4 + i));
+    maps_[slot(GL_MAP2_COLOR_4 + i)] = std::make_shared<const Map>(initial_map(GL_MAP2_COLOR_4 + i));
+  }
+}
+
+// ---- Errors (section 2.5) ----
+
+bool Specification::refused(std::initializer_list<Objection> objections) {
+  permitted_errors_.clear();
+  for (const Objection& objection : objections) {
+    if (objection.applies && std::ranges::count(permitted_errors_, objection.error) == 0) {
+      permitted_errors_.push_back(objection.error);
+    }
+  }
+  if (permitted_errors_.empty()) return false;
+  if (error_ == GL_NO_ERROR) error_ = permitted_errors_.front();  // a recorded error stays until it is read
+  return true;
+}
+
+GLenum Specification::GetError() {
+  if (refused({{inside(), GL_INVALID_OPERATION}})) return GL_NO_ERROR;
+  return std::exchange(error_, GL_NO_ERROR);
+}
+
+// ---- Maps (section 5.1) ----
+
+template <typename T>
+void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
+  const int k = is_map1_target(target) ? values_per_point(target) : 0;
+  if (refused({{inside(), GL_INVALID_OPERATION},                          // EV-MAP1-ERR-BEGINEND
+               {!is_map1_target(target), GL_INVALID_ENUM},                // EV-MAP1-ERR-TARGET
+               {order < 1 || order > max_eval_order_, GL_INVALID_VALUE},  // EV-MAP1-ERR-ORDER-*
+               {stride < k, GL_INVALID_VALUE},                            // EV-MAP1-ERR-STRIDE
+               {u1 == u2, GL_INVALID_VALUE},                              // EV-MAP1-ERR-DOMAIN
+               {active_texture_ != 0, GL_INVALID_OPERATION}})) {          // EV-MAP1-ERR-ACTIVETEX
+    return;
+  }
+  if (points == nullptr) return;
+  Map map{target, {order, u1, u2}, {}, {}};
+  for (std::ptrdiff_t i = 0; i < order; ++i) {
+    map.points.insert(map.points.end(), points + i * stride, points + i * stride + k);
+  }
+  maps_[slot(target)] = std::make_shared<const Map>(std::move(map));
+}
+
+void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
+                          const GLfloat* points) {
+  map1(target, u1, u2, stride, order, points);
+}
+
+void Specification::Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                          const GLdouble* points) {
+  map1(target, u1, u2, stride, order, points);
+}
+
+// ---- Evaluation (section 5.1) ----
+
+std::shared_ptr<const Map> Specification::effective_map(int dimension,
+                                                        std::initializer_list<GLenum> targets) const {
+  for (const GLenum target : targets) {
+    const std::size_t place = slot(target) + (dimension == 2 ? kMapKinds : 0);
+    if (evaluators_.map_enabled[place]) return maps_[place];
+  }
+  return nullptr;
+}
+
+void Specification::eval_coord(const Argument& u, const std::optional<Argument>& v) {
+  refused({});  // no argument is an error (EV-COORD-NOERR)
+  const int dimension = v ? 2 : 1;
+  // Without a vertex map nothing happens (EV-COORD-NOVERTEX). VERTEX_4 goes before VERTEX_3 (EV-PREC-VERTEX).
+  const auto position = effective_map(dimension, {GL_MAP1_VERTEX_4, GL_MAP1_VERTEX_3});
+  if (!position || !inside()) return;
+
+  // As if the command that matches each map were issued, the vertex last, but in a copy of the current values
+  // that only this vertex sees (EV-COORD-ASIF, EV-CUR-*). The position is (0,0,0,1) so far: VERTEX_3 leaves w
+  // at 1.
+  Vertex vertex = current_vertex();
+  if (const auto color = effective_map(dimension, {GL_MAP1_COLOR_4})) {
+    evaluate_into(vertex.color, color, u, v);
+  }
+  if (const auto index = effective_map(dimension, {GL_MAP1_INDEX})) vertex.index = Sample{index, 0, u, v};
+  if (const auto normal = effective_map(dimension, {GL_MAP1_NORMAL})) {
+    evaluate_into(vertex.normal, normal, u, v);
+  }
+  // The most coordinates win (EV-PREC-TEX); unit 0 only (EV-ATTR-UNIT0); the others as TexCoord sets them.
+  if (const auto texture = effective_map(dimension, {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3,
+                                                     GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_1})) {
+    vertex.texture_coordinate[0] = {0.0f, 0.0f, 0.0f, 1.0f};
+    evaluate_into(vertex.texture_coordinate[0], texture, u, v);
+  }
+  evaluate_into(vertex.position, position, u, v);
+  open_->vertices.push_back(std::move(vertex));
+}
+
+void Specification::EvalCoord1f(GLfloat u) { eval_coord(Argument::coordinate(u), std::nullopt); }
+void Specification::EvalCoord1d(GLdouble u) { eval_coord(Argument::coordinate(u), std::nullopt); }
+void Specification::EvalCoord1fv(const GLfloat* u) {
+  if (u != nullptr) EvalCoord1f(u[0]);
+}
+void Specification::EvalCoord1dv(const GLdouble* u) {
+  if (u != nullptr) EvalCoord1d(u[0]);
+}
+
+// ---- Begin and End (section 2.6) ----
+
+void Specification::Begin(GLenum mode) {
+  if (refused({{inside(), GL_INVALID_OPERATION}, {mode > GL_POLYGON, GL_INVALID_ENUM}})) return;
+  open_ = Primitive{mode, {}};
+}
+
+void Specification::End() {
+  if (refused({{!inside(), GL_INVALID_OPERATION}})) return;
+  completed_.push_back(*std::exchange(open_, std::nullopt));
+}
+
+std::vector<Primitive> Specification::take_primitives() { return std::exchange(completed_, {}); }
+
+// ---- Vertices and current values (section 2.7) ----
+
+Vertex Specification::current_vertex() const {
+  Vertex vertex;
+  vertex.position = {0.0f, 0.0f, 0.0f, 1.0f};
+  std::ranges::copy(current_.color, vertex.color.begin());
+  std::ranges::copy(current_.normal, vertex.normal.begin());
+  for (int unit = 0; unit < kTextureUnits; ++unit) {
+    std::ranges::copy(current_.texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
+  }
+  vertex.index = current_.index;
+  vertex.edge_flag = current_.edge_flag;
+  return vertex;
+}
+
+void Specification::vertex(double x, double y, double z, double w) {
+  refused({});
+  if (!inside()) return;
+  Vertex vertex = current_vertex();
+  vertex.position = {to_single(x), to_single(y), to_single(z), to_single(w)};
+  open_->vertices.push_back(std::move(vertex));
+}
+
+void Specification::color(double red, double green, double blue, double alpha) {
+  refused({});
+  current_.color = {to_single(red), to_single(green), to_single(blue), to_single(alpha)};
+}
+
+void Specification::normal(double x, double y, double z) {
+  refused({});
+  current_.normal = {to_single(x), to_single(y), to_single(z)};
+}
+
+void Specification::texture_coordinate(GLenum texture, double s, double t, double r, double q) {
+  if (refused({{!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  current_.texture_coordinate[texture - GL_TEXTURE0] = {to_single(s), to_single(t), to_single(r),
+                                                        to_single(q)};
+}
+
+void Specification::index(double c) {
+  refused({});
+  current_.index = to_single(c);
+}
+
+void Specification::EdgeFlag(GLboolean flag) {
+  refused({});
+  current_.edge_flag = flag != GL_FALSE;
+}
+
+void Specification::ActiveTexture(GLenum texture) {
+  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
+  active_texture_ = static_cast<int>(texture - GL_TEXTURE0);
+}
+
+// ---- Enables (section 5.1) ----
+
+std::optional<bool> Specification::enabled(GLenum cap) const {
+  if (cap == GL_AUTO_NORMAL) return evaluators_.auto_normal;
+  if (is_map_target(cap)) return evaluators_.map_enabled[slot(cap)];
+  return std::nullopt;
+}
+
+void Specification::set_enabled(GLenum cap, bool value) {
+  if (refused({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return;
+  (cap == GL_AUTO_NORMAL ? evaluators_.auto_normal : evaluators_.map_enabled[slot(cap)]) = value;
+}
+
+void Specification::Enable(GLenum cap) { set_enabled(cap, true); }
+void Specification::Disable(GLenum cap) { set_enabled(cap, false); }
+
+GLboolean Specification::IsEnabled(GLenum cap) {
+  if (refused({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return GL_FALSE;
+  return *enabled(cap) ? GL_TRUE : GL_FALSE;
+}
+
+// ---- Queries (section 6.1) ----
+
+template <typename T>
+void Specification::get_map(GLenum target, GLenum query, T* v) {
+  const bool is_query = query == GL_COEFF || query == GL_ORDER || query == GL_DOMAIN;
+  if (refused({{inside(), GL_INVALID_OPERATION},
+               {!is_map_target(target), GL_INVALID_ENUM},
+               {!is_query, GL_INVALID_ENUM}})) {
+    return;
+  }
+  const Map& map = *maps_[slot(target)];
+  const bool two = map.is_two_dimensional();
+  std::vector<double> values;
+  if (query == GL_COEFF) {
+    values = map.points;
+  } else if (query == GL_ORDER) {
+    values = {double(map.u.order)};
+    if (two) values.push_back(map.v.order);
+  } else {
+    values = {map.u.first, map.u.last};
+    if (two) values.insert(values.end(), {map.v.first, map.v.last});
+  }
+  if (v == nullptr) return;
+  // GetMapiv rounds colours and normals like everything else (C-GETMAPIV-NORM).
+  std::ranges::transform(values, v, convert<T>);
+}
+
+void Specification::GetMapfv(GLenum target, GLenum query, GLfloat* v) { get_map(target, query, v); }
+void Specification::GetMapdv(GLenum target, GLenum query, GLdouble* v) { get_map(target, query, v); }
+void Specification::GetMapiv(GLenum target, GLenum query, GLint* v) { get_map(target, query, v); }
+
+std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
+  using Kind = Answer::Kind;
+  if (const auto flag = enabled(pname)) return Answer{Kind::kBoolean, {double(*flag)}};
+  const GridDirection &grid1 = evaluators_.map1_grid_u, &grid2u = evaluators_.map2_grid_u,
+                      &grid2v = evaluators_.map2_grid_v;
+  const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
+  switch (pname) {
+    case GL_MAX_EVAL_ORDER:
+      return Answer{Kind::kInteger, {double(max_eval_order_)}};
+    case GL_MAP1_GRID_DOMAIN:
+      return Answer{Kind::kFloatingPoint, {grid1.first, grid1.last}};
+    case GL_MAP1_GRID_SEGMENTS:
+      return Answer{Kind::kInteger, {double(grid1.segments)}};
+    case GL_MAP2_GRID_DOMAIN:
+      return Answer{Kind::kFloatingPoint, {grid2u.first, grid2u.last, grid2v.first, grid2v.last}};
+    case GL_MAP2_GRID_SEGMENTS:
+      return Answer{Kind::kInteger, {double(grid2u.segments), double(grid2v.segments)}};
+    case GL_CURRENT_COLOR:
+      return Answer{Kind::kNormalized, list(current_.color)};
+    case GL_CURRENT_NORMAL:
+      return Answer{Kind::kNormalized, list(current_.normal)};
+    case GL_CURRENT_TEXTURE_COORDS:  // of the active unit
+      return Answer{Kind::kFloatingPoint, list(current_.texture_coordinate[active_texture_])};
+    case GL_CURRENT_INDEX:
+      return Answer{Kind::kFloatingPoint, {current_.index}};
+    case GL_EDGE_FLAG:
+      return Answer{Kind::kBoolean, {double(current_.edge_flag)}};
+    case GL_ACTIVE_TEXTURE:
+      return Answer{Kind::kInteger, {double(GL_TEXTURE0 + active_texture_)}};
+    case GL_MAX_TEXTURE_UNITS:
+    case GL_MAX_TEXTURE_COORDS:
+      return Answer{Kind::kInteger, {double(kTextureUnits)}};
+    case GL_RGBA_MODE:
+      return Answer{Kind::kBoolean, {1}};
+    case GL_INDEX_MODE:
+      return Answer{Kind::kBoolean, {0}};
+    default:
+      return std::nullopt;
+  }
+}
+
+template <typename T>
+void Specification::get(GLenum pname, T* params) {
+  const std::optional<Answer> found = answer(pname);
+  if (refused({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
+  const bool scaled = std::is_same_v<T, GLint> && found->kind == Answer::Kind::kNormalized;
+  std::ranges::transform(found->values, params, [scaled](double value) {
+    return scaled ? static_cast<T>(normalized_to_integer(value)) : convert<T>(value);
+  });
+}
+
+void Specification::GetBooleanv(GLenum pname, GLboolean* params) { get(pname, params); }
+void Specification::GetIntegerv(GLenum pname, GLint* params) { get(pname, params); }
+void Specification::GetFloatv(GLenum pname, GLfloat* params) { get(pname, params); }
+void Specification::GetDoublev(GLenum pname, GLdouble* params) { get(pname, params); }
+
+const GLubyte* Specification::GetString(GLenum name) {
+  const auto text = [](const char* characters) { return reinterpret_cast<const GLubyte*>(characters); };
+  const bool is_name =
+      name == GL_VENDOR || name == GL_RENDERER || name == GL_VERSION || name == GL_EXTENSIONS;
+  if (refused({{inside(), GL_INVALID_OPERATION}, {!is_name, GL_INVALID_ENUM}})) return nullptr;
+  switch (name) {
+    case GL_VENDOR:
+      return text("evalcts");
+    case GL_RENDERER:
+      return text("executable specification");
+    case GL_VERSION:
+      return text("2.1 evalcts");
+    default:
+      return text("");
+  }
+}
+
+}  // namespace evalcts::reference

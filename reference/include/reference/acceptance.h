@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "reference/bernstein.h"
+#include <reference/bernstein.h>
 
 namespace evalcts::reference {
 

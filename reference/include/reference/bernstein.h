@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "reference/rational.h"
+#include <reference/rational.h>
 
 namespace evalcts::reference {
 

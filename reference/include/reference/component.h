@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "reference/acceptance.h"
-#include "reference/map.h"
+#include <reference/acceptance.h>
+#include <reference/map.h>
 
 namespace evalcts::reference {
 

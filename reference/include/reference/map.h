@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "reference/bernstein.h"
+#include <reference/bernstein.h>
 
 namespace evalcts::reference {
 

@@ -1,7 +1,7 @@
 // From exact values to floating-point numbers and back: correct rounding, and the two measures of error.
 #pragma once
 
-#include "reference/rational.h"
+#include <reference/rational.h>
 
 namespace evalcts::reference {
 

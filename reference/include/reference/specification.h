@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/component.h"
+#include <reference/component.h>
 
 namespace evalcts::reference {
 
@@ -190,13 +190,15 @@ class Specification {
   template <typename T>
   void get(GLenum pname, T* params);
   std::optional<Answer> answer(GLenum pname) const;
-  bool* flag(GLenum cap);
+  // The state of an enable; none if `cap` is not the name of one.
+  std::optional<bool> enabled(GLenum cap) const;
   void set_enabled(GLenum cap, bool enabled);
 
-  // The map that generates one kind of data in one dimension: the first enabled one of those named, in order
-  // of precedence (EV-PREC-*); null if none is.
-  std::shared_ptr<const Map> effective_map(std::initializer_list<GLenum> targets) const;
-  void eval_coord1(const Argument& u);
+  // The map that generates one kind of data in one dimension (1 or 2): the first enabled one of those named,
+  // which are in order of precedence (EV-PREC-*) and named by their MAP1 targets; null if none is.
+  std::shared_ptr<const Map> effective_map(int dimension, std::initializer_list<GLenum> targets) const;
+  // EvalCoord1 (without v) or EvalCoord2.
+  void eval_coord(const Argument& u, const std::optional<Argument>& v);
 
   void vertex(double x, double y, double z, double w);
   void color(double red, double green, double blue, double alpha);

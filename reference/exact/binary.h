@@ -1,0 +1,22 @@
+// Integers seen as strings of binary digits.
+#pragma once
+
+#include <reference/rational.h>
+
+#include <cstdint>
+
+namespace evalcts::reference {
+
+// significand * 2^exponent with an odd significand, or 0 * 2^0.
+struct Binary {
+  std::int64_t significand;
+  int exponent;
+};
+
+// Throws std::domain_error if x is not finite.
+Binary decompose(double x);
+
+// The number of zero bits below the lowest one of |x|; 0 for zero.
+unsigned trailing_zeros(const Integer& x);
+
+}  // namespace evalcts::reference

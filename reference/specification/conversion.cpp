@@ -1,0 +1,49 @@
+#include "reference/specification/conversion.h"
+
+#include <reference/rational.h>
+#include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace evalcts::reference {
+namespace {
+
+GLint saturate(const Integer& value) {
+  using Limits = std::numeric_limits<GLint>;
+  return static_cast<GLint>(std::clamp<Integer>(value, Limits::min(), Limits::max()));
+}
+
+}  // namespace
+
+GLfloat to_single(GLdouble value) {
+  if (std::isnan(value)) return std::numeric_limits<GLfloat>::quiet_NaN();
+  if (std::isinf(value) || value == 0) return static_cast<GLfloat>(value);  // keeps the sign of zero
+  return round_to_float(value);
+}
+
+GLboolean to_boolean(GLdouble value) { return value == 0 ? GL_FALSE : GL_TRUE; }
+
+GLfloat to_float(GLdouble value) {
+  const GLfloat single = to_single(value);
+  if (std::isinf(single) && !std::isinf(value)) {
+    return std::copysign(std::numeric_limits<GLfloat>::max(), single);
+  }
+  return single;
+}
+
+GLint to_integer(GLdouble value) {
+  if (std::isnan(value)) return 0;
+  if (std::isinf(value))
+    return value < 0 ? std::numeric_limits<GLint>::min() : std::numeric_limits<GLint>::max();
+  return saturate(round_to_integer(value));
+}
+
+GLint normalized_to_integer(GLdouble value) {
+  if (!std::isfinite(value)) return to_integer(value);
+  const Rational scale = Rational::power_of_two(32) - 1;
+  return saturate(round_to_integer((scale * value - 1) / 2));
+}
+
+}  // namespace evalcts::reference

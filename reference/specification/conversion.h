@@ -1,0 +1,18 @@
+// Conversions between the types of commands, state and queries (GL 2.1 sections 2.1.1 and 6.1.2).
+#pragma once
+
+#include <GL/gl.h>
+
+namespace evalcts::reference {
+
+// A value given to a d command, as single-precision state keeps it: correctly rounded, infinite beyond the
+// range.
+GLfloat to_single(GLdouble value);
+
+// Answers of queries. A value too large for the type becomes the nearest that the type can represent.
+GLboolean to_boolean(GLdouble value);  // zero is FALSE, all else TRUE
+GLfloat to_float(GLdouble value);
+GLint to_integer(GLdouble value);             // rounded to nearest, ties to even; NaN gives 0
+GLint normalized_to_integer(GLdouble value);  // colours and normals: [-1,1] to the whole range (table 2.9)
+
+}  // namespace evalcts::reference
