@@ -143,8 +143,8 @@ Accuracy read_accuracy(const Object& in) {
   return out;
 }
 
-Test read_test(const Object& in) {
-  Test out;
+TestResult read_test(const Object& in) {
+  TestResult out;
   out.name = in.text("name");
   out.requirements = in.texts("requirements");
   out.level = in.word("level", {"must", "interpretation", "quality"});
@@ -198,13 +198,13 @@ Implementation read_implementation(const Object& in) {
 
 const VerdictText& text_of(Verdict verdict) { return kVerdictTexts[static_cast<std::size_t>(verdict)]; }
 
-int Test::severity() const {
+int TestResult::severity() const {
   const int rank = static_cast<int>(verdict);
   if (bad()) return expected_bad() ? rank + static_cast<int>(Verdict::kFail) + 1 : rank;
   return rank + static_cast<int>(Verdict::kFail) + 1;
 }
 
-const Failure* Test::most_telling() const {
+const Failure* TestResult::most_telling() const {
   const auto weight = [](const Failure& f) {
     return std::tuple(!f.expected.empty() && !f.captured.empty(), f.condition_aware.value_or(-1),
                       f.ulp.value_or(-1));
@@ -222,11 +222,12 @@ std::uint64_t Record::total() const {
 
 std::uint64_t Record::unexpected_count() const {
   if (tests.empty()) return std::accumulate(counts.begin(), counts.begin() + kBadVerdicts, std::uint64_t{0});
-  return std::count_if(tests.begin(), tests.end(), [](const Test& test) { return test.unexpected(); });
+  return std::count_if(tests.begin(), tests.end(), [](const TestResult& test) { return test.unexpected(); });
 }
 
 std::uint64_t Record::expected_bad_count() const {
-  return std::count_if(tests.begin(), tests.end(), [](const Test& test) { return test.expected_bad(); });
+  return std::count_if(tests.begin(), tests.end(),
+                       [](const TestResult& test) { return test.expected_bad(); });
 }
 
 Record read_record(const json& value) {
@@ -243,7 +244,7 @@ Record read_record(const json& value) {
   }
   std::set<std::string> names;
   in.each("tests", [&](const json& item, const std::string& where) {
-    Test test = read_test(Object(item, where));
+    TestResult test = read_test(Object(item, where));
     if (test.name.empty()) test.name = "(unnamed " + where + ")";
     if (!names.insert(test.name).second) {
       throw FormatError(fmt::format("{}.name: \"{}\" stands in this record twice", where, test.name));

@@ -61,7 +61,7 @@ struct Accuracy {
   std::string worst;
 };
 
-struct Test {
+struct TestResult {
   std::string name;
   std::vector<std::string> requirements;
   std::string level;  // "must", "interpretation", "quality", or empty if not recorded
@@ -93,7 +93,7 @@ struct Record {
   std::string evalcts_version, status, reason, command, depth;
   Implementation implementation;
   Counts counts{};
-  std::vector<Test> tests;
+  std::vector<TestResult> tests;
 
   std::uint64_t total() const;
   std::uint64_t unexpected_count() const;  // with counts only, nothing is known to be expected

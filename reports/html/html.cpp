@@ -38,17 +38,17 @@ struct Column {
 // One test across the records; null where a record does not have it.
 struct Row {
   std::string name;
-  std::vector<const Test*> outcomes;
+  std::vector<const TestResult*> outcomes;
 
-  const Test& worst() const {
-    const Test* out = nullptr;
-    for (const Test* test : outcomes) {
+  const TestResult& worst() const {
+    const TestResult* out = nullptr;
+    for (const TestResult* test : outcomes) {
       if (test && (!out || test->severity() < out->severity())) out = test;
     }
     return *out;
   }
   bool differs() const {
-    return std::any_of(outcomes.begin(), outcomes.end(), [this](const Test* test) {
+    return std::any_of(outcomes.begin(), outcomes.end(), [this](const TestResult* test) {
       return (test == nullptr) != (outcomes[0] == nullptr) || (test && test->verdict != outcomes[0]->verdict);
     });
   }
@@ -73,9 +73,9 @@ std::vector<Row> read_rows(const std::vector<Column>& columns) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> index;
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    for (const Test& test : columns[column].record.tests) {
+    for (const TestResult& test : columns[column].record.tests) {
       const auto [it, inserted] = index.emplace(test.name, rows.size());
-      if (inserted) rows.push_back({test.name, std::vector<const Test*>(columns.size(), nullptr)});
+      if (inserted) rows.push_back({test.name, std::vector<const TestResult*>(columns.size(), nullptr)});
       rows[it->second].outcomes[column] = &test;
     }
   }
@@ -96,12 +96,12 @@ std::string anchor(const std::string& name) {
   return out;
 }
 
-std::string baseline_note(const Test& test) {
+std::string baseline_note(const TestResult& test) {
   if (test.expected_bad()) return "expected";
   return test.unexpected_pass() ? "unexpected" : "";
 }
 
-std::string baseline_sentence(const Test& test) {
+std::string baseline_sentence(const TestResult& test) {
   const std::string reason = test.baseline_reason.empty() ? "no reason given" : test.baseline_reason;
   if (test.expected_bad()) return "Expected by the baseline: " + reason;
   if (test.baseline_reason.empty()) return {};
@@ -130,7 +130,7 @@ data card(const Column& column) {
   std::string headline = unexpected ? count(unexpected, "unexpected result") : "nothing unexpected";
   if (expected) headline += ", " + count(expected, "failing test") + " as the baseline expects";
   if (record.status.empty()) headline = "status unknown: " + headline;
-  if (record.status == "interrupted") headline = "interrupted: " + headline + " so far";
+  if (record.status == "interrupted") headline = "interrupted: " + headline;
   if (not_started) headline = "not started";
 
   data out;
@@ -150,17 +150,20 @@ data card(const Column& column) {
   out.set("counts", counts);
 
   data facts = list();
-  add_row(facts, "Tests", fmt::format("{}", record.total()));
   add_row(facts, "Library", implementation.library);
   add_row(facts, "Vendor", implementation.vendor);
   add_row(facts, "Renderer", implementation.renderer);
   add_row(facts, "Version", implementation.version);
-  add_row(facts, "Largest order", text_of_natural(implementation.max_eval_order));
-  add_row(facts, "Machine", implementation.machine);
-  add_row(facts, "Depth", record.depth);
-  add_row(facts, "Command", record.command);
-  add_row(facts, "evalcts", record.evalcts_version);
   out.set("facts", facts);
+
+  data circumstances = list();
+  add_row(circumstances, "Tests", fmt::format("{}", record.total()));
+  add_row(circumstances, "Depth", record.depth);
+  add_row(circumstances, "Largest order", text_of_natural(implementation.max_eval_order));
+  add_row(circumstances, "Machine", implementation.machine);
+  add_row(circumstances, "Command", record.command, true);
+  add_row(circumstances, "evalcts", record.evalcts_version);
+  out.set("circumstances", circumstances);
 
   data captures = list();
   std::size_t available = 0;
@@ -197,7 +200,7 @@ data failure_view(const Failure& failure, bool open) {
   return out;
 }
 
-data outcome_view(const Test& test, const Column& column, bool several) {
+data outcome_view(const TestResult& test, const Column& column, bool several) {
   data out;
   set_verdict(out, test.verdict);
   out.set("label", column.label);
@@ -207,7 +210,7 @@ data outcome_view(const Test& test, const Column& column, bool several) {
   out.set("baseline", optional_text(baseline_sentence(test)));
 
   std::vector<std::string> facts;
-  if (test.failed_cases && test.cases) {
+  if (test.failed_cases.value_or(0) && test.cases) {
     facts.push_back(fmt::format("{} of {} failed", *test.failed_cases, count(*test.cases, "case")));
   } else if (test.cases) {
     facts.push_back(count(*test.cases, "case"));
@@ -243,7 +246,7 @@ data requirement_view(const std::string& id, const Requirements& catalogue) {
 }
 
 data test_view(const Row& row, const std::vector<Column>& columns, const Requirements& catalogue) {
-  const Test& worst = row.worst();
+  const TestResult& worst = row.worst();
   data out;
   out.set("anchor", anchor(row.name));
   out.set("name", row.name);
@@ -255,7 +258,7 @@ data test_view(const Row& row, const std::vector<Column>& columns, const Require
   std::vector<std::string> ids, words;
   data outcomes = list();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const Test* test = row.outcomes[i];
+    const TestResult* test = row.outcomes[i];
     if (!test) continue;
     for (const std::string& id : test->requirements) {
       if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
@@ -276,7 +279,7 @@ data matrix_view(const std::vector<Row>& rows) {
   data out = list();
   for (const Row& row : rows) {
     data cells = list();
-    for (const Test* test : row.outcomes) {
+    for (const TestResult* test : row.outcomes) {
       data cell;
       cell.set("word", "absent");
       cell.set("symbol", false);
@@ -305,7 +308,7 @@ data accuracy_view(const std::vector<Row>& rows, const std::vector<Column>& colu
   data out = list();
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const Test* test = row.outcomes[i];
+      const TestResult* test = row.outcomes[i];
       if (!test || !test->accuracy) continue;
       const Accuracy& accuracy = *test->accuracy;
       data item;
@@ -328,7 +331,7 @@ data undecided_view(const std::vector<Column>& columns) {
   data out = list();
   for (const Column& column : columns) {
     std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
-    for (const Test& test : column.record.tests) {
+    for (const TestResult& test : column.record.tests) {
       if (test.verdict > Verdict::kQualityWarning && test.verdict < Verdict::kPass) {
         reasons[{test.verdict, test.message}].push_back(test.name);
       }

@@ -33,7 +33,7 @@ struct Totals {
 std::string seconds(double value) { return fmt::format("{:.6f}", value); }
 
 // Everything recorded about the failures, for reading where no other page is at hand.
-std::string details(const Test& test) {
+std::string details(const TestResult& test) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
     if (!value.empty()) out += fmt::format("{}: {}\n", label, value);
@@ -61,7 +61,7 @@ std::string details(const Test& test) {
   return out;
 }
 
-Outcome outcome_of(const Test& test) {
+Outcome outcome_of(const TestResult& test) {
   const std::string word(text_of(test.verdict).word);
   const std::string message = one_line(test.message.empty() ? word : test.message);
   if (test.expected_bad()) {
@@ -88,7 +88,7 @@ Outcome outcome_of(const Test& test) {
 }
 
 // What a reader should not miss although the testcase is not red.
-std::string output_of(const Test& test) {
+std::string output_of(const TestResult& test) {
   if (test.expected_bad()) return details(test);
   if (test.verdict == Verdict::kQualityWarning) return "quality-warning\n" + details(test);
   if (test.unexpected_pass()) return "unexpected pass; the baseline says: " + test.baseline_reason + "\n";
@@ -147,7 +147,7 @@ std::string junit(const nlohmann::json& result) {
     totals.add(outcome);
     testcases << testcase(suite + ".evalcts", "the run", 0, outcome, "");
   }
-  for (const Test& test : record.tests) {
+  for (const TestResult& test : record.tests) {
     const Outcome outcome = outcome_of(test);
     totals.add(outcome);
     time += test.seconds.value_or(0);

@@ -32,6 +32,20 @@ class Screen {
     out_ += paint(shown, colour) + "\n";
     ++lines_;
   }
+  // "head: part, part" on as many lines as that takes: no part is lost.
+  void list(const std::string& head, const std::vector<std::string>& parts) {
+    std::string pending = head;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string next = (i == 0 ? ": " : ", ") + parts[i];
+      if (pending.size() + next.size() < kColumns) {
+        pending += next;
+      } else {
+        line(pending + ",");
+        pending = "  " + parts[i];
+      }
+    }
+    line(pending);
+  }
   std::size_t lines() const { return lines_; }
   const std::string& text() const { return out_; }
 
@@ -50,14 +64,14 @@ class Screen {
 // Failing tests that decide the same requirements, worst first.
 struct Group {
   std::string requirements;
-  std::vector<const Test*> tests;
+  std::vector<const TestResult*> tests;
   int severity() const { return tests.front()->severity(); }
 };
 
-std::vector<Group> group_by_requirement(const std::vector<const Test*>& worst_first) {
+std::vector<Group> group_by_requirement(const std::vector<const TestResult*>& worst_first) {
   std::vector<Group> groups;
   std::map<std::string, std::size_t> index;
-  for (const Test* test : worst_first) {
+  for (const TestResult* test : worst_first) {
     const std::string key =
         test->requirements.empty() ? "(no requirement recorded)" : join(test->requirements, ", ");
     const auto [it, inserted] = index.emplace(key, groups.size());
@@ -67,11 +81,11 @@ std::vector<Group> group_by_requirement(const std::vector<const Test*>& worst_fi
   return groups;  // in the order of their first, that is their worst, test
 }
 
-std::string test_line(const Test& test) {
+std::string test_line(const TestResult& test) {
   std::string out = fmt::format("  {:<15} {}", text_of(test.verdict).word, test.name);
   if (test.expected_bad()) out += " (expected)";
   if (test.unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
-  if (test.failed_cases && test.cases)
+  if (test.failed_cases.value_or(0) && test.cases)
     out += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
   if (!test.message.empty()) out += ": " + test.message;
   return out;
@@ -96,7 +110,7 @@ void write_group(Screen& screen, const Group& group, bool verbose) {
   screen.line(group.requirements, Colour::kBold);
   const std::size_t shown = verbose ? group.tests.size() : std::min(group.tests.size(), kTestsOfGroup);
   for (std::size_t i = 0; i < shown; ++i) {
-    const Test& test = *group.tests[i];
+    const TestResult& test = *group.tests[i];
     screen.line(test_line(test), colour_of(test.verdict));
     if (verbose && !test.baseline_reason.empty()) screen.line("      baseline: " + test.baseline_reason);
     if (verbose) {
@@ -107,7 +121,7 @@ void write_group(Screen& screen, const Group& group, bool verbose) {
     screen.line(fmt::format("  and {} more of this requirement", count(group.tests.size() - shown, "test")));
   }
   if (verbose) return;
-  for (const Test* test : group.tests) {
+  for (const TestResult* test : group.tests) {
     if (const Failure* failure = test->most_telling()) {
       write_failure(screen, *failure);
       return;
@@ -141,13 +155,13 @@ void write_head(Screen& screen, const Record& record) {
     if (record.counts[i])
       counts.push_back(fmt::format("{} {}", record.counts[i], text_of(static_cast<Verdict>(i)).word));
   }
-  screen.line(count(record.total(), "test") + (counts.empty() ? "" : ": " + join(counts, ", ")));
+  screen.list(count(record.total(), "test"), counts);
 }
 
 // What decided nothing, one line for each verdict and reason.
 void write_not_judged(Screen& screen, const Record& record) {
   std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
-  for (const Test& test : record.tests) {
+  for (const TestResult& test : record.tests) {
     if (test.verdict > Verdict::kQualityWarning && test.verdict < Verdict::kPass) {
       reasons[{test.verdict, test.message}].push_back(test.name);
     }
@@ -180,21 +194,21 @@ std::string terminal_summary(const nlohmann::json& result, bool colour, bool ver
   Screen screen(colour, !verbose);
   write_head(screen, record);
 
-  std::vector<const Test*> told;
-  for (const Test& test : record.tests) {
+  std::vector<const TestResult*> told;
+  for (const TestResult& test : record.tests) {
     if (verbose ? test.bad() || test.unexpected() || test.verdict == Verdict::kQualityWarning
                 : test.unexpected()) {
       told.push_back(&test);
     }
   }
   std::stable_sort(told.begin(), told.end(),
-                   [](const Test* a, const Test* b) { return a->severity() < b->severity(); });
+                   [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); });
 
   const std::size_t end_lines = 3;  // a blank line, the groups left out, the verdict of the run
   std::size_t tests_left = told.size();
+  if (!told.empty()) screen.line("");
   for (const Group& group : group_by_requirement(told)) {
-    if (!verbose && screen.lines() + 1 + lines_of(group) + end_lines > kLines) break;
-    screen.line("");
+    if (!verbose && screen.lines() + lines_of(group) + end_lines > kLines) break;
     write_group(screen, group, verbose);
     tests_left -= group.tests.size();
   }
@@ -207,10 +221,14 @@ std::string terminal_summary(const nlohmann::json& result, bool colour, bool ver
   if (tests_left)
     screen.line("and " + count(tests_left, "unexpected result") + " more; --verbose and index.html show all");
   const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
-  std::string last = unexpected ? count(unexpected, "unexpected result") : std::string("nothing unexpected");
-  if (expected) last += ", " + count(expected, "failing test") + " as the baseline expects";
-  if (!record.complete()) last += ", but the run is not complete";
-  screen.line(last, unexpected ? Colour::kRed : record.complete() ? Colour::kGreen : Colour::kYellow);
+  std::vector<std::string> last;
+  if (unexpected) last.push_back(count(unexpected, "unexpected result"));
+  if (expected) last.push_back(count(expected, "failing test") + " as the baseline expects");
+  if (!record.complete()) last.push_back("the run is not complete");
+  if (last.empty() || (!unexpected && record.complete())) last.insert(last.begin(), "nothing unexpected");
+  screen.line(join(last, ", "), unexpected          ? Colour::kRed
+                                : record.complete() ? Colour::kGreen
+                                                    : Colour::kYellow);
   return screen.text();
 }
 

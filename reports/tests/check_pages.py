@@ -1,0 +1,197 @@
+"""Reads the pages that write_pages wrote back with parsers that are not ours: check_pages.py FOLDER"""
+
+import html.parser
+import pathlib
+import sys
+import unittest
+import xml.etree.ElementTree as ET
+
+FOLDER = pathlib.Path(sys.argv.pop())
+
+# reports/tests/samples.h: hostile_text(), as it has to come out.
+HOSTILE = (
+    "<script>alert(1)</script> \" ' & ]]> --> {{name}} {{{name}}} \u2400\u2401\u241b[31m\u2421 \ufffd \ufffd "
+)
+HOSTILE_END = " \u00e9 \ufffd\ufffd"  # between the two: the surrogate, some number of U+FFFD
+
+VOID = {"meta", "link", "br", "input"}
+
+
+class Page(html.parser.HTMLParser):
+    """Elements, ids, links and text of a page; complains about tags that do not nest."""
+
+    def __init__(self, path):
+        super().__init__(convert_charrefs=True)
+        self.stack, self.tags, self.ids, self.links, self.words = [], [], [], [], []
+        self.attributes = []
+        self.feed(path.read_bytes().decode("utf-8", errors="strict"))
+        self.close()
+        if self.stack:
+            raise ValueError(f"not closed: {self.stack}")
+        self.text = "".join(self.words)
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        for name, value in attrs:
+            self.attributes.append((tag, name, value))
+            if name == "id":
+                self.ids.append(value)
+            if name in ("href", "src", "action", "data-test", "aria-labelledby"):
+                self.links.append((name, value))
+        if tag not in VOID:
+            self.stack.append(tag)
+
+    def handle_endtag(self, tag):
+        if not self.stack or self.stack.pop() != tag:
+            raise ValueError(f"</{tag}> closes nothing at {self.getpos()}")
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+class Html(unittest.TestCase):
+    def test_every_page_is_closed_in_itself(self):
+        for name in ("one", "three", "none", "hostile"):
+            with self.subTest(name):
+                page = Page(FOLDER / f"{name}.html")
+                self.assertEqual(page.tags.count("script"), 1)
+                self.assertEqual(page.tags.count("style"), 1)
+                self.assertEqual(len(page.ids), len(set(page.ids)), "ids are unique")
+                for kind, target in page.links:
+                    if kind == "href" and not target.startswith("data:"):
+                        self.assertTrue(target.startswith("#"), target)
+                        target = target[1:]
+                    if not target.startswith("data:"):
+                        self.assertIn(target, page.ids)
+                for tag, attribute, _ in page.attributes:
+                    self.assertFalse(attribute.startswith("on"), f"{attribute} of {tag}")
+                self.assertNotIn("http:", page.text)
+                self.assertNotIn("https:", page.text)
+
+    def test_hostile_text_is_only_text(self):
+        page = Page(FOLDER / "hostile.html")
+        # Each place shows it whole; in the command for each of 5 tests and 2 records it stands twice, quoted.
+        self.assertGreater(page.text.count(HOSTILE), 200)
+        self.assertEqual(page.text.count(HOSTILE.replace("'", "'\\''")), 20)
+        self.assertEqual(page.text.count(HOSTILE) + 20, page.text.count(HOSTILE_END))
+        for character in page.text:
+            self.assertTrue(character in "\n\t" or character >= " ", repr(character))
+
+    def test_every_verdict_and_its_evidence_are_shown(self):
+        text = Page(FOLDER / "one.html").text
+        for shown in (
+            "[0.25, 0.2501] exact 0.25005 (0x1.000d1cp-2)",
+            "0.3 (0x1.333334p-2)",
+            "1.676e+06 ULP, condition-aware 8.38e+05",
+            "FeedbackBuffer",
+            "glEvalCoord1f(0x1.8p+0f);",
+            "./evalcts run --implementation osmesa --filter Map1Values.Bezier/TEXTURE_COORD_1/d",
+            "The argument is mapped affinely: uh = (u - u1)/(u2 - u1).",
+            "Expected by the baseline: Mesa checks the stride after the pointer",
+            "not available: not in this process",
+            "the pipeline ignores edge flags of quad strips",
+            "20 % (96)",
+            "interrupted by SIGINT",
+        ):
+            self.assertIn(shown, text)
+        for verdict in ("internal-error", "crash", "timeout", "fail", "quality-warning", "not-observable",
+                        "not-supported", "skipped", "pass"):
+            self.assertIn(f" {verdict}", text)
+
+    def test_matrix_only_for_several(self):
+        self.assertNotIn("Side by side", Page(FOLDER / "one.html").text)
+        three = Page(FOLDER / "three.html")
+        self.assertIn("Side by side", three.text)
+        self.assertIn("not in this record", three.text)
+        self.assertEqual(sum(name == "data-test" for _, name, _ in three.attributes), 11)
+
+    def test_none(self):
+        text = Page(FOLDER / "none.html").text
+        self.assertIn("No result record was given.", text)
+        self.assertIn("No test was recorded.", text)
+
+
+class Junit(unittest.TestCase):
+    def read(self, name):
+        root = ET.parse(FOLDER / f"{name}.xml").getroot()
+        self.assertEqual(root.tag, "testsuites")
+        (suite,) = root
+        self.assertEqual(suite.tag, "testsuite")
+        cases = suite.findall("testcase")
+        self.assertEqual(int(suite.get("tests")), len(cases))
+        for attribute, tag in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
+            self.assertEqual(int(suite.get(attribute)), len(suite.findall(f"testcase/{tag}")), tag)
+        for case in cases:
+            self.assertTrue(case.get("classname") and case.get("name"))
+            self.assertGreaterEqual(float(case.get("time")), 0)
+            self.assertLessEqual(sum(child.tag in ("failure", "error", "skipped") for child in case), 1)
+        return suite, {(case.get("classname"), case.get("name")): case for case in cases}
+
+    def test_every_verdict(self):
+        suite, cases = self.read("osmesa")
+        self.assertEqual(len(cases), 12)  # 11 tests and the interrupted run
+        self.assertEqual(suite.get("name"), "osmesa")
+        expected = {
+            ("evalcts", "the run"): ("error", "interrupted"),
+            ("Map1Values", "Bezier/TEXTURE_COORD_1/f"): None,
+            ("Map1Values", "Bezier/TEXTURE_COORD_1/d"): ("failure", "fail"),
+            ("Map1Errors", "StrideBelowK/MAP1_VERTEX_3"): ("skipped", "fail"),
+            ("Map2Output", "FillOrder"): ("error", "crash"),
+            ("Map2Output", "HugeGrid"): ("error", "timeout"),
+            ("Map2Values", "Rational"): ("error", "internal-error"),
+            ("MeshQuality", "EvalPointBits"): None,
+            ("ColorIndex", "Map1Index"): ("skipped", "not-supported"),
+            ("AutoNormal", "EdgeFlags"): ("skipped", "not-observable"),
+            ("AutoNormal", "Reversed"): ("skipped", "skipped"),
+            ("AutoNormal", "InitiallyOff"): None,
+        }
+        for (theme, name), outcome in expected.items():
+            with self.subTest(name):
+                case = cases[f"osmesa.{theme}", name]
+                found = [(child.tag, child.get("type")) for child in case if child.tag != "system-out"]
+                self.assertEqual(found, [outcome] if outcome else [])
+
+    def test_what_is_told(self):
+        _, cases = self.read("osmesa")
+        failure = cases["osmesa.Map1Values", "Bezier/TEXTURE_COORD_1/d"].find("failure")
+        self.assertEqual(failure.get("message"), "2 of 12 values lie outside the acceptance interval")
+        self.assertIn("expected: [0.25, 0.2501] exact 0.25005", failure.text)
+        self.assertIn("distance: 1.676e+06 ULP, condition-aware 8.38e+05", failure.text)
+        baseline = cases["osmesa.Map1Errors", "StrideBelowK/MAP1_VERTEX_3"]
+        self.assertIn("Mesa checks the stride after the pointer", baseline.find("skipped").get("message"))
+        self.assertIn("captured: GL_NO_ERROR", baseline.find("system-out").text)
+        warning = cases["osmesa.MeshQuality", "EvalPointBits"].find("system-out")
+        self.assertIn("EvalPoint1 and EvalMesh1 differ in the last bit", warning.text)
+        unexpected_pass = cases["osmesa.AutoNormal", "InitiallyOff"].find("system-out")
+        self.assertIn("the pages say TRUE", unexpected_pass.text)
+
+    def test_properties(self):
+        suite, _ = self.read("osmesa")
+        properties = {item.get("name"): item.get("value") for item in suite.findall("properties/property")}
+        self.assertEqual(properties["gl.renderer"], "llvmpipe (LLVM 15.0.6, 256 bits)")
+        self.assertEqual(properties["evalcts.status"], "interrupted")
+
+    def test_a_run_that_never_started(self):
+        suite, cases = self.read("glx")
+        (case,) = cases.values()
+        self.assertEqual(case.find("skipped").get("message"), "no X server: DISPLAY is not set")
+
+    def test_complete_run(self):
+        suite, cases = self.read("reference")
+        self.assertEqual(len(cases), 3)
+        self.assertEqual((suite.get("failures"), suite.get("errors"), suite.get("skipped")), ("0", "0", "0"))
+
+    def test_empty_record_is_not_green(self):
+        suite, _ = self.read("empty")
+        self.assertEqual(suite.get("errors"), "1")
+
+    def test_hostile_text_is_only_text(self):
+        _, cases = self.read("hostile")
+        case = next(case for (_, name), case in cases.items() if case.find("failure") is not None)
+        for text in (case.get("name"), case.find("failure").get("message"), case.find("failure").text):
+            self.assertIn(HOSTILE, text)
+            self.assertIn(HOSTILE_END, text)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)

@@ -1,0 +1,54 @@
+// The bytes of the XML; check_pages.py reads it back with a parser and checks the verdicts.
+#include <gtest/gtest.h>
+
+#include "evalcts/reports.h"
+#include "reports/tests/samples.h"
+
+namespace evalcts::reports {
+namespace {
+
+using nlohmann::json;
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+json one_test(const json& test) {
+  return {{"status", "complete"}, {"implementation", {{"name", "x"}}}, {"tests", {test}}};
+}
+
+TEST(Junit, SameInputSameBytes) {
+  EXPECT_EQ(junit(read_sample("results-osmesa.json")), junit(read_sample("results-osmesa.json")));
+}
+
+TEST(Junit, HostileTextIsEscapedAndAllowed) {
+  const std::string xml = junit(hostile_record());
+  EXPECT_FALSE(contains(xml, "<script"));
+  EXPECT_TRUE(contains(xml, "&lt;script&gt;"));
+  for (const char c : xml) {
+    EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
+  }
+}
+
+TEST(Junit, NoTests) {
+  const std::string xml = junit({{"status", "complete"}, {"tests", json::array()}});
+  EXPECT_TRUE(contains(xml, "tests=\"0\" failures=\"0\" errors=\"0\""));
+  EXPECT_FALSE(contains(xml, "<testcase"));
+}
+
+TEST(Junit, ANameWithoutATheme) {
+  const std::string xml = junit(one_test({{"name", "alone"}, {"verdict", "pass"}}));
+  EXPECT_TRUE(contains(xml, "classname=\"x.alone\" name=\"alone\""));
+}
+
+TEST(Junit, NoBaselineExpectsAnInternalError) {
+  const std::string xml =
+      junit(one_test({{"name", "A.b"}, {"verdict", "internal-error"}, {"expected_by_baseline", true}}));
+  EXPECT_TRUE(contains(xml, "errors=\"1\""));
+  EXPECT_TRUE(contains(xml, "skipped=\"0\""));
+}
+
+TEST(Junit, RefusesWrongRecords) { EXPECT_THROW(junit({{"tests", 1}}), FormatError); }
+
+}  // namespace
+}  // namespace evalcts::reports

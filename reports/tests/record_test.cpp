@@ -1,0 +1,201 @@
+#include "reports/record.h"
+
+#include <gtest/gtest.h>
+
+#include "evalcts/reports.h"
+#include "reports/tests/samples.h"
+
+namespace evalcts::reports {
+namespace {
+
+using nlohmann::json;
+
+json record_of(const json& test) { return {{"tests", {test}}}; }
+
+// The message of the FormatError, or "accepted".
+std::string refusal(const json& value) {
+  try {
+    read_record(value);
+  } catch (const FormatError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Record, ReadsEveryField) {
+  const Record record = read_record(read_sample("results-osmesa.json"));
+  EXPECT_EQ(record.evalcts_version, "0.1.0");
+  EXPECT_EQ(record.status, "interrupted");
+  EXPECT_EQ(record.reason, "interrupted by SIGINT");
+  EXPECT_EQ(record.command, "evalcts run --implementation osmesa --depth quick");
+  EXPECT_EQ(record.depth, "quick");
+  const Implementation& implementation = record.implementation;
+  EXPECT_EQ(implementation.name, "osmesa");
+  EXPECT_EQ(implementation.library, "libOSMesa.so.8");
+  EXPECT_EQ(implementation.vendor, "Mesa");
+  EXPECT_EQ(implementation.renderer, "llvmpipe (LLVM 15.0.6, 256 bits)");
+  EXPECT_EQ(implementation.version, "4.5 (Compatibility Profile) Mesa 22.3.6");
+  EXPECT_EQ(implementation.machine, "x86_64 Linux");
+  EXPECT_EQ(implementation.max_eval_order, 30u);
+  ASSERT_EQ(implementation.captures.size(), 3u);
+  EXPECT_TRUE(implementation.captures[0].available);
+  EXPECT_FALSE(implementation.captures[2].available);
+  EXPECT_EQ(implementation.captures[2].reason, "not in this process");
+
+  ASSERT_EQ(record.tests.size(), 11u);
+  const TestResult& test = record.tests[1];
+  EXPECT_EQ(test.name, "Map1Values.Bezier/TEXTURE_COORD_1/d");
+  EXPECT_EQ(test.requirements, (std::vector<std::string>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
+  EXPECT_EQ(test.level, "must");
+  EXPECT_EQ(test.verdict, Verdict::kFail);
+  EXPECT_EQ(test.cases, 12u);
+  EXPECT_EQ(test.failed_cases, 2u);
+  EXPECT_EQ(test.seed, 1u);
+  EXPECT_EQ(test.seconds, 0.02);
+  ASSERT_EQ(test.failures.size(), 2u);
+  const Failure& failure = test.failures[0];
+  EXPECT_EQ(failure.case_name, "order=4 u=0x1p-1");
+  EXPECT_EQ(failure.what, "texcoord[0].s of vertex 3");
+  EXPECT_EQ(failure.expected, "[0.25, 0.2501] exact 0.25005 (0x1.000d1cp-2)");
+  EXPECT_EQ(failure.captured, "0.3 (0x1.333334p-2)");
+  EXPECT_EQ(failure.exact, "5001/20000");
+  EXPECT_EQ(failure.ulp, 1676000.0);
+  EXPECT_EQ(failure.condition_aware, 838000.0);
+  EXPECT_EQ(failure.capture, "FeedbackBuffer");
+  EXPECT_EQ(failure.calls.size(), 6u);
+  ASSERT_TRUE(test.accuracy);
+  EXPECT_EQ(test.accuracy->values, 12u);
+  EXPECT_EQ(test.accuracy->incorrectly_rounded, 2u);
+  EXPECT_EQ(test.accuracy->max_ulp, 1676000.0);
+  EXPECT_EQ(test.accuracy->max_condition_aware, 838000.0);
+  EXPECT_EQ(test.accuracy->worst, "order=4 u=0x1p-1");
+}
+
+TEST(Record, CountsEveryVerdict) {
+  const Record record = read_record(read_sample("results-osmesa.json"));
+  EXPECT_EQ(record.counts, (Counts{1, 1, 1, 2, 1, 1, 1, 1, 2}));
+  EXPECT_EQ(record.total(), 11u);
+  EXPECT_EQ(record.expected_bad_count(), 1u);
+  // internal-error, crash, timeout, one fail, and a pass that contradicts its baseline entry
+  EXPECT_EQ(record.unexpected_count(), 5u);
+}
+
+TEST(Record, EvidenceOfATestWithoutFailuresIsItsFailure) {
+  const Record record = read_record(read_sample("results-osmesa.json"));
+  const TestResult& test = record.tests[2];
+  ASSERT_EQ(test.failures.size(), 1u);
+  EXPECT_EQ(test.failures[0].expected, "GL_INVALID_VALUE");
+  EXPECT_EQ(test.failures[0].captured, "GL_NO_ERROR");
+  EXPECT_TRUE(record.tests[0].failures.empty());
+  EXPECT_TRUE(read_record(record_of({{"name", "A.b"}, {"verdict", "pass"}, {"expected", "1"}}))
+                  .tests[0]
+                  .failures.empty());
+}
+
+TEST(Record, MissingAndNullFieldsAreTolerated) {
+  for (const json& value :
+       {json::object(), json{{"status", nullptr}, {"tests", nullptr}, {"implementation", nullptr}}}) {
+    const Record record = read_record(value);
+    EXPECT_EQ(record.total(), 0u);
+    EXPECT_FALSE(record.complete());
+  }
+  const Record record = read_record(
+      record_of({{"name", "A.b"}, {"verdict", "fail"}, {"ulp", nullptr}, {"failures", {json::object()}}}));
+  EXPECT_EQ(record.tests[0].failures.size(), 1u);
+  EXPECT_FALSE(record.tests[0].failures[0].ulp);
+}
+
+TEST(Record, ATestWithoutAVerdictIsNoPass) {
+  const Record record = read_record(record_of({{"message", "lost"}}));
+  EXPECT_EQ(record.tests[0].verdict, Verdict::kInternalError);
+  EXPECT_EQ(record.tests[0].name, "(unnamed tests[0])");
+  EXPECT_EQ(record.tests[0].message, "the record holds no verdict for this test: lost");
+}
+
+TEST(Record, UnknownFieldsAreIgnored) { EXPECT_EQ(refusal({{"later", {{"x", 1}}}}), "accepted"); }
+
+TEST(Record, WrongTypesAreRefusedByName) {
+  EXPECT_EQ(refusal(json::array()), "the record: expected an object, found an array");
+  EXPECT_EQ(refusal({{"status", 1}}), "status: expected a string, found a number");
+  EXPECT_EQ(refusal({{"implementation", "osmesa"}}), "implementation: expected an object, found a string");
+  EXPECT_EQ(refusal({{"implementation", {{"max_eval_order", 30.5}}}}),
+            "implementation.max_eval_order: expected a non-negative integer, found a number");
+  EXPECT_EQ(refusal({{"implementation", {{"captures", {{{"available", "yes"}}}}}}}),
+            "implementation.captures[0].available: expected a boolean, found a string");
+  EXPECT_EQ(refusal({{"tests", json::object()}}), "tests: expected an array, found an object");
+  EXPECT_EQ(refusal({{"tests", {1}}}), "tests[0]: expected an object, found a number");
+  EXPECT_EQ(refusal(record_of({{"ulp", "1"}})), "tests[0].ulp: expected a number, found a string");
+  EXPECT_EQ(refusal(record_of({{"cases", -1}})),
+            "tests[0].cases: expected a non-negative integer, found a number");
+  EXPECT_EQ(refusal(record_of({{"requirements", "EV-A"}})),
+            "tests[0].requirements: expected an array, found a string");
+  EXPECT_EQ(refusal(record_of({{"requirements", {"EV-A", 2}}})),
+            "tests[0].requirements[1]: expected a string, found a number");
+  EXPECT_EQ(refusal(record_of({{"failures", {{{"calls", {true}}}}}})),
+            "tests[0].failures[0].calls[0]: expected a string, found a boolean");
+  EXPECT_EQ(refusal(record_of({{"accuracy", {{"values", "9"}}}})),
+            "tests[0].accuracy.values: expected a non-negative integer, found a string");
+  EXPECT_EQ(refusal({{"summary", {{"pass", "3"}}}}),
+            "summary.pass: expected a non-negative integer, found a string");
+}
+
+TEST(Record, UnknownWordsAreRefused) {
+  EXPECT_EQ(refusal({{"format", "evalcts-results-2"}}), "format: unknown word \"evalcts-results-2\"");
+  EXPECT_EQ(refusal({{"status", "done"}}), "status: unknown word \"done\"");
+  EXPECT_EQ(refusal(record_of({{"level", "should"}})), "tests[0].level: unknown word \"should\"");
+  EXPECT_EQ(refusal(record_of({{"verdict", "passed"}})), "tests[0].verdict: unknown verdict \"passed\"");
+  EXPECT_EQ(refusal({{"summary", {{"passed", 1}}}}), "summary: unknown verdict \"passed\"");
+}
+
+TEST(Record, ATestStandsOnce) {
+  EXPECT_EQ(refusal({{"tests", {{{"name", "A.b"}}, {{"name", "A.b"}}}}}),
+            "tests[1].name: \"A.b\" stands in this record twice");
+}
+
+TEST(Record, SummaryCountsOnlyWithoutTests) {
+  const Record summary_only = read_record({{"summary", {{"pass", 3}, {"fail", 2}}}});
+  EXPECT_EQ(summary_only.total(), 5u);
+  EXPECT_EQ(summary_only.unexpected_count(), 2u);
+  const Record both = read_record({{"summary", {{"pass", 3}}}, {"tests", json::array()}});
+  EXPECT_EQ(both.total(), 0u);
+}
+
+TEST(Record, SeverityPutsTheUnexpectedFirst) {
+  const auto severity = [](const char* verdict, bool expected) {
+    return read_record(record_of({{"verdict", verdict}, {"expected_by_baseline", expected}}))
+        .tests[0]
+        .severity();
+  };
+  EXPECT_LT(severity("internal-error", false), severity("crash", false));
+  EXPECT_LT(severity("crash", false), severity("timeout", false));
+  EXPECT_LT(severity("timeout", false), severity("fail", false));
+  EXPECT_LT(severity("fail", false), severity("crash", true));
+  EXPECT_LT(severity("fail", true), severity("quality-warning", false));
+  EXPECT_LT(severity("quality-warning", false), severity("not-observable", false));
+  EXPECT_LT(severity("skipped", false), severity("pass", false));
+  EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
+}
+
+TEST(Record, MostTellingFailureHasBothValuesAndTheLargestDistance) {
+  const Record record = read_record(record_of(
+      {{"verdict", "fail"},
+       {"failures",
+        {{{"case", "a"}, {"ulp", 900.0}},
+         {{"case", "b"}, {"expected", "1"}, {"captured", "2"}, {"ulp", 800.0}, {"condition_aware", 1.0}},
+         {{"case", "c"}, {"expected", "1"}, {"captured", "3"}, {"ulp", 2.0}, {"condition_aware", 1.5}},
+         {{"case", "d"}, {"expected", "1"}, {"captured", "3"}, {"ulp", 2.0}, {"condition_aware", 1.5}}}}}));
+  EXPECT_EQ(record.tests[0].most_telling()->case_name, "c");
+  EXPECT_EQ(read_record(record_of({{"verdict", "crash"}})).tests[0].most_telling(), nullptr);
+}
+
+TEST(Requirements, Read) {
+  EXPECT_TRUE(read_requirements(nullptr).empty());
+  const Requirements requirements = read_requirements(read_sample("requirements.json"));
+  EXPECT_EQ(requirements.size(), 3u);
+  EXPECT_EQ(requirements.at("EV-MAP1-DOMAIN").source, "GL 1.0 §5.1; P-glMap1");
+  EXPECT_THROW(read_requirements(json::array()), FormatError);
+  EXPECT_THROW(read_requirements({{"requirements", {{{"text", "no id"}}}}}), FormatError);
+}
+
+}  // namespace
+}  // namespace evalcts::reports

@@ -1,0 +1,63 @@
+// The schema and the records agree: what the samples hold is valid, what read_record refuses is not.
+#include <gtest/gtest.h>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "reports/tests/samples.h"
+
+namespace evalcts::reports {
+namespace {
+
+using nlohmann::json;
+
+// The first complaint, or "valid".
+std::string verdict(const json& record) {
+  std::ifstream in(EVALCTS_REPORTS_SCHEMA);
+  const json text = json::parse(in);
+  valijson::Schema schema;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(text), schema);
+  valijson::ValidationResults results;
+  if (valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(record), &results))
+    return "valid";
+  valijson::ValidationResults::Error error;
+  return results.popError(error) ? error.description : "invalid";
+}
+
+TEST(Schema, SamplesAreValid) {
+  for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
+    EXPECT_EQ(verdict(read_sample(name)), "valid") << name;
+  }
+}
+
+TEST(Schema, ChangedSamplesAreNot) {
+  const auto changed = [](const char* pointer, const json& value) {
+    json record = read_sample("results-osmesa.json");
+    record[json::json_pointer(pointer)] = value;
+    return verdict(record);
+  };
+  EXPECT_EQ(changed("/reason", "another"), "valid");
+  EXPECT_EQ(changed("/tests/1/failures/0/ulp", nullptr), "valid");  // infinite
+  for (const auto& [pointer, value] :
+       std::vector<std::pair<const char*, json>>{{"/format", "evalcts-results-2"},
+                                                 {"/status", "done"},
+                                                 {"/implementation/captures/0/available", "yes"},
+                                                 {"/implementation/max_eval_order", -1},
+                                                 {"/summary/passed", 1},
+                                                 {"/summary/pass", "1"},
+                                                 {"/tests/0/verdict", "passed"},
+                                                 {"/tests/0/level", "should"},
+                                                 {"/tests/0/requirements/0", 1},
+                                                 {"/tests/0/cases", 1.5},
+                                                 {"/tests/0/accuracy/values", "480"},
+                                                 {"/tests/1/failures/0/calls", "glEnd();"},
+                                                 {"/tests/1/failures/0/ulp", "1"}}) {
+    EXPECT_NE(changed(pointer, value), "valid") << pointer;
+  }
+}
+
+}  // namespace
+}  // namespace evalcts::reports
