@@ -3,7 +3,6 @@
 #include <reference/specification.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "reference/specification/conversion.h"
@@ -29,23 +28,23 @@ void evaluate_into(std::array<Component, size>& attribute, const std::shared_ptr
   for (int c = 0; c < map->components(); ++c) attribute[c] = Sample{map, c, u, v};
 }
 
-// A value of the state as the answer to a query of type T.
+// A value of the state as the answer to a query of type T; `normalized` for colours and normals.
 template <typename T>
-T convert(double value);
+T convert(double value, bool normalized);
 template <>
-GLboolean convert<GLboolean>(double value) {
+GLboolean convert<GLboolean>(double value, bool) {
   return to_boolean(value);
 }
 template <>
-GLint convert<GLint>(double value) {
-  return to_integer(value);
+GLint convert<GLint>(double value, bool normalized) {
+  return normalized ? normalized_to_integer(value) : to_integer(value);
 }
 template <>
-GLfloat convert<GLfloat>(double value) {
+GLfloat convert<GLfloat>(double value, bool) {
   return to_float(value);
 }
 template <>
-GLdouble convert<GLdouble>(double value) {
+GLdouble convert<GLdouble>(double value, bool) {
   return value;
 }
 
@@ -272,7 +271,7 @@ void Specification::get_map(GLenum target, GLenum query, T* v) {
   }
   if (v == nullptr) return;
   // GetMapiv rounds colours and normals like everything else (C-GETMAPIV-NORM).
-  std::ranges::transform(values, v, convert<T>);
+  std::ranges::transform(values, v, [](double value) { return convert<T>(value, false); });
 }
 
 void Specification::GetMapfv(GLenum target, GLenum query, GLfloat* v) { get_map(target, query, v); }
@@ -324,10 +323,8 @@ template <typename T>
 void Specification::get(GLenum pname, T* params) {
   const std::optional<Answer> found = answer(pname);
   if (refused({{inside(), GL_INVALID_OPERATION}, {!found, GL_INVALID_ENUM}}) || params == nullptr) return;
-  const bool scaled = std::is_same_v<T, GLint> && found->kind == Answer::Kind::kNormalized;
-  std::ranges::transform(found->values, params, [scaled](double value) {
-    return scaled ? static_cast<T>(normalized_to_integer(value)) : convert<T>(value);
-  });
+  const bool normalized = found->kind == Answer::Kind::kNormalized;
+  std::ranges::transform(found->values, params, [=](double value) { return convert<T>(value, normalized); });
 }
 
 void Specification::GetBooleanv(GLenum pname, GLboolean* params) { get(pname, params); }
