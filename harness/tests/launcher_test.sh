@@ -1,0 +1,410 @@
+#!/usr/bin/env bash
+# Tests the launcher `evalcts` against a stand-in for the machine: a PATH that holds nothing but the basic tools
+# and scripts that play apt, dpkg, sudo, CMake and ctest. Needs no network and changes nothing outside a
+# temporary folder. As root it drops to an ordinary user, so that it sees the same wherever it runs.
+# usage: launcher_test.sh [LAUNCHER]
+set -u
+launcher=$(readlink -f -- "${1:-$(dirname -- "${BASH_SOURCE[0]}")/../../evalcts}")
+if [[ $EUID == 0 && ! ${LAUNCHER_TEST_DROPPED:-} ]]; then
+  copy=$(mktemp -d)
+  chmod 755 "$copy"
+  cp -- "$launcher" "$copy/evalcts" && cp -- "${BASH_SOURCE[0]}" "$copy/launcher_test.sh"
+  LAUNCHER_TEST_DROPPED=yes TMPDIR=/tmp setpriv --reuid=65534 --regid=65534 --clear-groups \
+    bash "$copy/launcher_test.sh" "$copy/evalcts"
+  status=$?
+  rm -rf "$copy"
+  exit $status
+fi
+
+top=$(mktemp -d) || exit 1
+trap 'rm -rf "$top"' EXIT
+tree="$top/a tree"          # the checkout; the space is on purpose
+bin=$top/bin                # all that is on the PATH
+machine=$top/machine        # what the scripts below know and note
+required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev
+  libkainjow-mustache-dev libgl-dev libegl-dev'
+required=${required//$'\n '/}
+everything="$required libosmesa6 python3 clang clang-tidy-14 clang-format-14 gcovr"
+
+# --- the machine -------------------------------------------------------------------------------------------
+
+script() { # name; the text follows on standard input
+  { echo '#!/usr/bin/env bash'; echo "machine='$machine'"; cat; } >"$bin/$1"
+  chmod +x "$bin/$1"
+}
+
+# A machine with nothing installed, lists of packages that are up to date, and sudo.
+fresh() {
+  rm -rf "${top:?}"/*
+  mkdir -p "$tree" "$bin" "$machine" "$top/elsewhere"
+  cp "$launcher" "$tree/evalcts"
+  echo '{}' >"$tree/CMakePresets.json"
+  touch -d '1 minute ago' "$tree/CMakePresets.json"
+  local tool
+  for tool in bash env cat chmod cksum dirname find flock grep head mkdir mv nproc readlink rm rmdir sed sleep sort \
+    tail tee touch tr true xargs wc; do
+    ln -s "$(type -P $tool)" "$bin/$tool" || exit 1
+  done
+  ln -s "$(readlink -f "$(type -P awk)")" "$bin/awk"
+  : >"$machine/installed"
+  : >"$machine/calls"
+  echo "$everything" | tr ' ' '\n' | tee "$machine/mirror" >"$machine/lists"
+  script dpkg-query <<'X'
+shift 3
+for name; do grep -qxF -e "$name" "$machine/installed" && echo "installed $name"; done
+X
+  # Like the real one: it knows what is installed without any lists, and a name that it does not know is a regular
+  # expression.
+  printf '%s\n' grep-{1..30} >"$machine/base"
+  script apt-cache <<'X'
+verb=$1
+shift
+for name; do
+  name=${name%=*}
+  if grep -qxF -e "$name" "$machine/lists"; then found=$name; else found=$(cat "$machine"/{base,lists} | grep -E -e "$name"); fi
+  for name in $found; do
+    case $verb in
+      policy) printf '%s:\n  Installed: (none)\n  Candidate: 1.0\n' "$name" ;;
+      show) printf 'Package: %s\nInstalled-Size: 2000\nSize: 500000\n\n' "$name" ;;
+    esac
+  done
+done
+X
+  script apt-get <<'X'
+if [[ " $* " == *" --simulate "* ]]; then
+  for name; do grep -xF -e "$name" "$machine/lists" | sed 's/.*/Inst & (1.0 stable [all])/'; done
+  exit
+fi
+echo "apt-get $* [${DEBIAN_FRONTEND:-}] as ${ROOT:-user}" >>"$machine/calls"
+[[ -e /proc/self/fd/9 ]] && echo "apt-get inherits the lock" >>"$machine/calls"
+case " $* " in
+  *" update "*) [[ ! -e $machine/no-network ]] && cat "$machine/mirror" >"$machine/lists" ;;
+  *" install "*)
+    [[ -e $machine/no-network ]] && echo "E: could not resolve the mirror" && exit 100
+    if [[ -e $machine/stale ]] && ! grep -q update "$machine/calls"; then echo "E: 404"; exit 100; fi
+    for name; do grep -xF -e "$name" "$machine/lists" >>"$machine/installed"; done
+    sleep 0.2
+    ;;
+esac
+X
+  script sudo <<'X'
+ROOT=root exec "$@"
+X
+  script cmake <<'X'
+mkdir "$machine/busy" || { echo "two at once" | tee -a "$machine/overlap"; exit 1; }
+trap 'rmdir "$machine/busy"' EXIT
+trap 'echo stopped >>"$machine/calls"; exit 130' INT
+if [[ $1 == -S ]]; then
+  echo "configure $4" >>"$machine/calls"
+  [[ -e $machine/no-configure ]] && echo "CMake Error: no Boost" && exit 1
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/$4/CMakeCache.txt"
+  touch "$2/build/$4/build.ninja"
+else
+  preset=${2##*/}
+  echo "build $preset ${4:-all}" >>"$machine/calls"
+  sleep "$(cat "$machine/build-seconds" 2>/dev/null || echo 0.1)"
+  [[ -e $machine/no-build-$preset ]] && echo "x.cpp:1: error: no such thing" && exit 1
+  mkdir -p "$2/harness/cli"
+  {
+    echo '#!/usr/bin/env bash'
+    echo 'printf "<%s>" program "$@"; echo; pwd'
+    echo "flock --nonblock '$2/../.lock' true && echo lock is free"
+    echo 'exit 7'
+  } >"$2/harness/cli/evalcts"
+  chmod +x "$2/harness/cli/evalcts"
+fi
+X
+  script ninja </dev/null
+  script clang-format-14 </dev/null
+  script ctest <<'X'
+echo "ctest $* in ${PWD##*/}" >>"$machine/calls"
+[[ -e $machine/failing-$2 ]] && echo "50% tests passed, 1 tests failed out of 2" && exit 8
+echo "100% tests passed, 0 tests failed out of 2"
+X
+}
+
+install_all() { echo "$everything" | tr ' ' '\n' >"$machine/installed"; }
+
+# --- checks ------------------------------------------------------------------------------------------------
+
+failures=0
+check() { # what must hold, command...
+  "${@:2}" && return
+  failures=$((failures + 1))
+  printf 'FAILED (%s, line %s): %s\n--- output, exit code %s\n%s\n--- calls\n%s\n' "$scenario" "${BASH_LINENO[*]}" \
+    "$1" "$code" "$output" "$(cat "$machine/calls")"
+}
+scenario() { scenario=$1; fresh; }
+
+# Runs the launcher with nothing on standard input; its two outputs and exit code go to `output` and `code`.
+evalcts() {
+  output=$(cd "$top/elsewhere" && PATH=$bin CI=true "$bin/env" -u DEBIAN_FRONTEND "$tree/evalcts" "$@" \
+    </dev/null 2>&1)
+  code=$?
+}
+exits() { check "exit code $1" test "$code" = "$1"; }
+says() { check "says '$1'" grep -qF -e "$1" <<<"$output"; }
+says_not() { check "does not say '$1'" not grep -qF -e "$1" <<<"$output"; }
+called() { check "called '$1'" grep -qF -e "$1" "$machine/calls"; }
+called_not() { check "did not call '$1'" not grep -qF -e "$1" "$machine/calls"; }
+not() { ! "$@"; }
+count() { grep -cF -e "$1" "$machine/calls"; }
+calls_are() { check "the calls are: $1" test "$(tr '\n' ';' <"$machine/calls")" = "$1"; }
+
+scenario "help installs and writes nothing"
+for arguments in '' -h --help; do
+  # shellcheck disable=SC2086 # none or one
+  evalcts $arguments
+  exits 0
+  for command in run list coverage explain reproduce ulp vectors fuzz faults bench report test; do
+    check "help names $command" grep -qE "^  $command  " <<<"$output"
+  done
+done
+check "nothing written" test ! -e "$tree/build"
+calls_are ''
+
+scenario "wrong use"
+evalcts rum
+exits 2
+says "unknown command 'rum'"
+evalcts test --al
+exits 2
+says "'--al'"
+evalcts test --preset nonsense
+exits 2
+says "asan-ubsan"
+check "nothing written" test ! -e "$tree/build"
+calls_are ''
+
+scenario "--no-install names what is missing in one line"
+echo g++ >"$machine/installed"
+for arguments in '--no-install run' 'run --no-install'; do
+  # shellcheck disable=SC2086 # words
+  evalcts $arguments
+  exits 2
+  check "the line" grep -qxF "  sudo apt-get install --no-install-recommends ${required#g++ } libosmesa6" <<<"$output"
+done
+calls_are ''
+: >"$machine/lists"
+evalcts --no-install run
+exits 2
+says "  sudo apt-get update && sudo apt-get install --no-install-recommends cmake "
+calls_are ''
+
+scenario "--no-install with all there"
+install_all
+evalcts run --no-install x
+exits 7
+says "<program><run><x>"
+called_not apt-get
+
+scenario "--no-install goes on without an implementation, but not without a stage that was asked for"
+echo "$required python3" | tr ' ' '\n' >"$machine/installed"
+evalcts run --no-install
+exits 7
+says "libosmesa6 is not installed: without the implementation osmesa"
+evalcts test --no-install --preset clang
+exits 2
+says "  sudo apt-get install --no-install-recommends libosmesa6 clang"
+called_not apt-get
+called_not ctest
+
+scenario "neither root nor sudo"
+rm "$bin/sudo"
+evalcts run
+exits 2
+says "only root"
+check "the line" grep -qxF "  apt-get install --no-install-recommends $required libosmesa6" <<<"$output"
+calls_are ''
+
+scenario "the first call installs, builds, hands over; the second only builds"
+evalcts run --filter 'a  b' -- --no-install
+exits 7
+says "installing $required libosmesa6"
+says "12 packages, 6 MB to download, 25 MB on disk"
+says "<program><run><--filter><a  b><--><--no-install>"
+says "$top/elsewhere"
+says "lock is free"
+calls_are "apt-get -y -o DPkg::Lock::Timeout=120 install --no-install-recommends $required libosmesa6 \
+[noninteractive] as root;configure release;build release evalcts_programs;"
+: >"$machine/calls"
+evalcts list tests
+exits 7
+check "nothing but the program's output" test "$(head -n 1 <<<"$output")" = "<program><list><tests>"
+calls_are "build release evalcts_programs;"
+
+scenario "the lists of packages are brought up to date when they lack something"
+: >"$machine/lists"
+evalcts run
+exits 7
+check "once" test "$(count update)" = 1
+scenario "and when they are stale"
+touch "$machine/stale"
+evalcts run
+exits 7
+check "once" test "$(count update)" = 1
+check "second try" test "$(count " install ")" = 2
+
+scenario "no network"
+touch "$machine/no-network"
+evalcts run
+exits 2
+says "could not resolve the mirror"
+says "  sudo apt-get install --no-install-recommends $required"
+called_not configure
+: >"$machine/lists"
+evalcts run
+exits 2
+says "apt has no package g++ cmake"
+
+scenario "what the distribution lacks costs a lane, not the build, and is not looked for twice"
+sed -i '/libosmesa6/d' "$machine/lists" "$machine/mirror"
+evalcts run
+exits 7
+says "libosmesa6 is not in this distribution: without the implementation osmesa"
+evalcts run
+exits 7
+check "once" test "$(count update)" = 1
+sed -i '/clang$/d' "$machine/lists" "$machine/mirror"
+evalcts test --all
+check "clang is left out" grep -qE "^clang +left out: no package clang$" <<<"$output"
+check "tidy is left out" grep -qE "^tidy +left out: no package clang$" <<<"$output"
+called "ctest --preset debug"
+called_not "configure clang"
+
+scenario "no apt at all"
+rm "$bin/apt-get" "$bin/dpkg-query"
+touch "$machine/no-configure"
+evalcts run
+exits 2
+says "no Debian"
+check "names them" grep -qxF "  nlohmann-json3-dev" <<<"$output"
+says "libosmesa6 (optional: the implementation osmesa)"
+rm "$machine/no-configure"
+evalcts run
+exits 7
+rm -r "$tree/build"
+rm "$bin/ninja"
+evalcts run
+exits 2
+
+scenario "EVALCTS_ASSUME_DEPENDENCIES"
+EVALCTS_ASSUME_DEPENDENCIES=1 evalcts run
+exits 7
+called_not apt-get
+
+scenario "a build that fails is a fault of evalcts"
+install_all
+touch "$machine/no-build-release"
+evalcts run
+exits 3
+says "x.cpp:1: error"
+says_not "<program>"
+rm "$machine/no-build-release"
+rm -r "$tree/build"
+touch "$machine/no-configure"
+evalcts run
+exits 3
+says "no Boost"
+rm "$machine/no-configure"
+evalcts run
+exits 7
+
+scenario "configured again when the presets change or the checkout moves"
+install_all
+evalcts run
+evalcts run
+check "once" test "$(count configure)" = 1
+touch "$tree/CMakePresets.json"
+evalcts run
+check "presets" test "$(count configure)" = 2
+mv "$tree" "$top/another tree"
+tree="$top/another tree"
+evalcts run
+exits 7
+check "moved" test "$(count configure)" = 3
+tree="$top/a tree"
+
+scenario "through a symbolic link, by a relative path"
+install_all
+ln -s "../a tree/evalcts" "$top/elsewhere/link"
+output=$(cd "$top/elsewhere" && PATH=$bin ./link run 2>&1 </dev/null)
+code=$?
+exits 7
+check "built in the checkout" test -x "$tree/build/release/harness/cli/evalcts"
+check "nothing beside the link" test "$(ls "$top/elsewhere")" = link
+
+scenario "two launchers at once"
+echo 0.5 >"$machine/build-seconds"
+evalcts run first &
+sleep 0.1
+evalcts run second
+exits 7
+says "waiting for another"
+says "<second>"
+wait
+check "one at a time" test ! -e "$machine/overlap"
+check "installed once" test "$(count " install ")" = 1
+check "configured once" test "$(count configure)" = 1
+
+scenario "interrupted while it builds"
+install_all
+echo 20 >"$machine/build-seconds"
+set -m # a process group of its own, which gets the signal as from a terminal
+(cd "$top" && PATH=$bin exec "$tree/evalcts" run) >"$top/interrupted" 2>&1 </dev/null &
+set +m
+for ((i = 0; i < 100; ++i)); do
+  grep -q '^build' "$machine/calls" && break
+  sleep 0.1
+done
+kill -INT -- -$!
+wait $!
+code=$?
+output=$(cat "$top/interrupted")
+exits 130
+says_not "<program>"
+check "nobody holds the lock" flock --nonblock "$tree/build/.lock" true
+rm "$machine/build-seconds"
+evalcts run
+exits 7
+
+scenario "a checkout that cannot be written to"
+install_all
+chmod a-w "$tree"
+evalcts run
+chmod u+w "$tree"
+exits 2
+says "cannot write to $tree/build"
+
+scenario "test: stages, ctest's words, summary"
+install_all
+evalcts test -- -R Value
+exits 0
+calls_are "configure release;build release all;ctest --preset release --no-tests=ignore -R Value in a tree;\
+configure asan-ubsan;build asan-ubsan all;ctest --preset asan-ubsan --no-tests=ignore -R Value in a tree;"
+check "ctest is heard" test "$(grep -c "^100% tests passed, 0 tests failed out of 2" <<<"$output")" = 2
+check "release passed" grep -qE "^release +passed +[0-9]+ s$" <<<"$output"
+check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
+
+scenario "test: installs for its stages"
+evalcts test --preset debug
+exits 0
+called "libosmesa6 python3 ["
+called "ctest --preset debug in"
+called_not release
+
+scenario "test: a failure does not stop the other stages"
+install_all
+touch "$machine/failing-release"
+evalcts test
+exits 1
+check "release failed" grep -qE "^release +FAILED" <<<"$output"
+check "asan-ubsan passed" grep -qE "^asan-ubsan +passed" <<<"$output"
+touch "$machine/no-build-release"
+evalcts test
+exits 3
+check "release did not build" grep -qE "^release +did not build" <<<"$output"
+check "asan-ubsan passed" grep -qE "^asan-ubsan +passed" <<<"$output"
+
+((failures == 0)) && echo "all scenarios passed"
+exit $((failures > 0))
