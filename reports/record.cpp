@@ -199,9 +199,9 @@ Implementation read_implementation(const Object& in) {
 const VerdictText& text_of(Verdict verdict) { return kVerdictTexts[static_cast<std::size_t>(verdict)]; }
 
 int TestResult::severity() const {
-  const int rank = static_cast<int>(verdict);
-  if (bad()) return expected_bad() ? rank + static_cast<int>(Verdict::kFail) + 1 : rank;
-  return rank + static_cast<int>(Verdict::kFail) + 1;
+  const int rank = static_cast<int>(verdict), shift = static_cast<int>(kBadVerdicts);
+  if (bad()) return expected_bad() ? rank + shift : rank;
+  return unexpected_pass() ? 2 * shift : rank + shift + 1;
 }
 
 const Failure* TestResult::most_telling() const {

@@ -83,7 +83,8 @@ struct TestResult {
   bool unexpected_pass() const {
     return verdict == Verdict::kPass && !expected_by_baseline && !baseline_reason.empty();
   }
-  // Order of telling, smallest first: unexpected failures, expected failures, the rest; each by verdict.
+  // Order of telling, smallest first: unexpected failures by verdict, expected failures by verdict, unexpected
+  // passes, the rest by verdict.
   int severity() const;
   // The failure that shows most in the least space, or null: both values recorded, then the largest distance.
   const Failure* most_telling() const;

@@ -29,6 +29,18 @@ void set_verdict(data& out, Verdict verdict) {
   out.set("symbol", std::string(text_of(verdict).symbol));
 }
 
+// A test's name, and the same in pieces after which a line may break.
+void set_name(data& out, const std::string& name) {
+  data parts = list();
+  for (std::size_t begin = 0; begin < name.size();) {
+    const std::size_t end = std::min(name.find_first_of("./", begin), name.size() - 1) + 1;
+    parts << name.substr(begin, end - begin);
+    begin = end;
+  }
+  out.set("name", name);
+  out.set("name_parts", parts);
+}
+
 // The records of one page, each with a label of its own.
 struct Column {
   Record record;
@@ -47,10 +59,11 @@ struct Row {
     }
     return *out;
   }
+  // A record that lacks the test has no opinion.
   bool differs() const {
-    return std::any_of(outcomes.begin(), outcomes.end(), [this](const TestResult* test) {
-      return (test == nullptr) != (outcomes[0] == nullptr) || (test && test->verdict != outcomes[0]->verdict);
-    });
+    const Verdict verdict = worst().verdict;
+    return std::any_of(outcomes.begin(), outcomes.end(),
+                       [verdict](const TestResult* test) { return test && test->verdict != verdict; });
   }
 };
 
@@ -204,9 +217,9 @@ data outcome_view(const TestResult& test, const Column& column, bool several) {
   data out;
   set_verdict(out, test.verdict);
   out.set("label", column.label);
-  out.set("column", several ? data(column.label) : data(false));
-  out.set("note", optional_text(baseline_note(test)));
-  out.set("message", optional_text(test.message));
+  // The summary line above shows the message of a test that has but one.
+  const bool shown_above = !several && one_line(test.message) == test.message;
+  out.set("message", optional_text(shown_above ? "" : test.message));
   out.set("baseline", optional_text(baseline_sentence(test)));
 
   std::vector<std::string> facts;
@@ -219,7 +232,7 @@ data outcome_view(const TestResult& test, const Column& column, bool several) {
     facts.push_back(fmt::format("{} recorded", test.failures.size()));
   }
   if (test.seed) facts.push_back(fmt::format("seed {}", *test.seed));
-  if (test.seconds) facts.push_back(number(test.seconds) + " s");
+  if (test.seconds) facts.push_back(fmt::format("{:.3f} s", *test.seconds));
   out.set("facts_line", optional_text(join(facts, ", ")));
 
   data failures = list();
@@ -245,14 +258,43 @@ data requirement_view(const std::string& id, const Requirements& catalogue) {
   return out;
 }
 
+// What the edge of a test's box says at a glance.
+const char* state_of(const TestResult& test) {
+  if (test.bad()) return test.expected_bad() ? "warn" : "bad";
+  if (test.verdict == Verdict::kQualityWarning || test.unexpected_pass()) return "warn";
+  return test.verdict == Verdict::kPass ? "good" : "undecided";
+}
+
+// One chip for each verdict that the implementations got, worst first.
+data chips_view(const Row& row, const std::vector<Column>& columns) {
+  std::map<int, std::pair<const TestResult*, std::vector<std::string>>> groups;  // by severity
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const TestResult* test = row.outcomes[i];
+    if (!test) continue;
+    auto& [example, labels] = groups[test->severity()];
+    example = test;
+    labels.push_back(columns[i].label);
+  }
+  data out = list();
+  for (const auto& [severity, group] : groups) {
+    data chip;
+    set_verdict(chip, group.first->verdict);
+    chip.set("note", optional_text(baseline_note(*group.first)));
+    chip.set("who", optional_text(columns.size() > 1 ? join(group.second, ", ") : ""));
+    out << chip;
+  }
+  return out;
+}
+
 data test_view(const Row& row, const std::vector<Column>& columns, const Requirements& catalogue) {
   const TestResult& worst = row.worst();
   data out;
   out.set("anchor", anchor(row.name));
-  out.set("name", row.name);
+  set_name(out, row.name);
   out.set("level", optional_text(worst.level));
   out.set("headline", optional_text(one_line(worst.message)));
   out.set("differs", row.differs());
+  out.set("state", state_of(worst));
 
   // Records of different versions of the suite may name different requirements.
   std::vector<std::string> ids, words;
@@ -272,6 +314,7 @@ data test_view(const Row& row, const std::vector<Column>& columns, const Require
   out.set("requirements", requirements);
   out.set("verdict_words", join(words, " "));
   out.set("outcomes", outcomes);
+  out.set("verdict_chips", chips_view(row, columns));
   return out;
 }
 
@@ -290,7 +333,7 @@ data matrix_view(const std::vector<Row>& rows) {
     }
     data item;
     item.set("anchor", anchor(row.name));
-    item.set("name", row.name);
+    set_name(item, row.name);
     item.set("cells", cells);
     out << item;
   }
@@ -313,7 +356,7 @@ data accuracy_view(const std::vector<Row>& rows, const std::vector<Column>& colu
       const Accuracy& accuracy = *test->accuracy;
       data item;
       item.set("anchor", anchor(row.name));
-      item.set("name", row.name);
+      set_name(item, row.name);
       item.set("label", columns[i].label);
       item.set("values", accuracy.values ? fmt::format("{}", *accuracy.values) : "unknown");
       item.set("max_ulp", number(accuracy.max_ulp));
@@ -390,7 +433,7 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
   }
   page.set("title", "evalcts: " + (labels.empty() ? "no results" : join(labels, ", ")));
   page.set("subtitle",
-           fmt::format("{} of {}", count(rows.size(), "test"), count(columns.size(), "implementation")));
+           fmt::format("{} on {}", count(rows.size(), "test"), count(columns.size(), "implementation")));
   page.set("implementations", cards);
   page.set("columns", headers);
   page.set("verdicts", verdict_list(columns, false));

@@ -14,7 +14,7 @@ HOSTILE = (
 )
 HOSTILE_END = " \u00e9 \ufffd\ufffd"  # between the two: the surrogate, some number of U+FFFD
 
-VOID = {"meta", "link", "br", "input"}
+VOID = {"meta", "link", "br", "input", "wbr"}
 
 
 class Page(html.parser.HTMLParser):
