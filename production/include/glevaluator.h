@@ -162,12 +162,17 @@ typedef struct glev_allocator {
 
 /* ---- Contexts ---- */
 
+typedef struct glev_context_info {
+  size_t size;
+  const glev_allocator* allocator; /* copied; null for the heap */
+} glev_context_info;
+
 /* Makes a context in the GL's initial state (GL §21.1 last paragraph, tables 23.4, 23.40): every map
  * disabled, of order 1 over (0,1) with GL's initial control point, AUTO_NORMAL off, grids of one segment over
  * (0,1), current colour (1,1,1,1), index 1, normal (0,0,1), texture coordinates (0,0,0,1), edge flag TRUE.
- * allocator: null for the heap; copied. *context is null on failure.
+ * info: null for the defaults. *context is null on failure.
  * Returns SUCCESS, INVALID_ARGUMENT or OUT_OF_MEMORY. */
-GLEV_API glev_result glevCreateContext(const glev_allocator* allocator, glev_context** context);
+GLEV_API glev_result glevCreateContext(const glev_context_info* info, glev_context** context);
 
 /* Frees the context; null is ignored. Its plans live on. Not from within a callback of its sink. */
 GLEV_API void glevDestroyContext(glev_context* context);
@@ -186,8 +191,7 @@ typedef struct glev_vertex {
 } glev_vertex;
 
 /* A callback that is null is not called. The vertex is valid during the call only. A callback may call the
- * context's commands that are legal between Begin and End, with care for recursion: EvalCoord calls vertex.
- */
+ * context's commands that are legal between Begin and End, but EvalCoord and Vertex call the sink again. */
 typedef struct glev_sink {
   size_t size;
   void* user;
@@ -211,20 +215,26 @@ GLEV_API glev_enum glevGetError(glev_context* context);
 
 /* Defines the one-dimensional map `target` over [u1,u2] by `order` control points; control point i begins
  * i*stride values (not bytes) after `points`. Everything is copied before the call returns and kept as
- * double, values of the f form exactly as given. u1 > u2 is legal. INVALID_ENUM: target is not one of the
- * nine MAP1 names. INVALID_VALUE: order < 1, order > MAX_EVAL_ORDER (64), stride < number of values of a
- * control point, u1 = u2, points null. INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not
- * TEXTURE0. OUT_OF_MEMORY: nothing changed. */
+ * double, values of the f form exactly as given. u1 > u2 is legal.
+ * INVALID_ENUM: target is not one of the nine MAP1 names.
+ * INVALID_VALUE: order < 1, order > MAX_EVAL_ORDER (64), stride < number of values of a control point,
+ *   u1 = u2, points null.
+ * INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not TEXTURE0.
+ * OUT_OF_MEMORY: nothing changed. */
 GLEV_API void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2,
                         glev_int stride, glev_int order, const glev_float* points);
 GLEV_API void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2,
                         glev_int stride, glev_int order, const glev_double* points);
 
-/* query ORDER: one value (MAP2: uorder, vorder). DOMAIN: u1, u2 (MAP2: u1, u2, v1, v2). COEFF: the control
- * points without padding, order * values of each (MAP2: v fastest). Converted as GL §2.2.2 says: integers are
- * rounded to nearest (halves away from zero), too large values become the nearest representable, NaN becomes
- * 0; colours and normals are rounded as well. Nothing else is written. INVALID_ENUM: target not one of the 18
- * names, query not one of the three. INVALID_VALUE: v null. INVALID_OPERATION: between Begin and End. */
+/* query ORDER: one value (MAP2: uorder, vorder).
+ * query DOMAIN: u1, u2 (MAP2: u1, u2, v1, v2).
+ * query COEFF: the control points without padding, `order` of them (MAP2: uorder * vorder, v fastest).
+ * Converted as GL §2.2.2 says: integers are rounded to nearest (halves away from zero), too large values
+ * become the nearest representable, NaN becomes 0; colours and normals are rounded as well. Nothing else is
+ * written, and nothing at all on error.
+ * INVALID_ENUM: target is not one of the 18 names, query is not one of the three.
+ * INVALID_VALUE: v null.
+ * INVALID_OPERATION: between Begin and End. */
 GLEV_API void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v);
 GLEV_API void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v);
 GLEV_API void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v);
@@ -346,29 +356,30 @@ GLEV_API void glevMultiTexCoord4dv(glev_context* context, glev_enum texture, con
  * INVALID_ENUM: not TEXTURE0 to TEXTURE0 + 7. INVALID_OPERATION: between Begin and End. */
 GLEV_API void glevActiveTexture(glev_context* context, glev_enum texture);
 
-/* ---- Queries (GL §2.2.2, §22)
- * ------------------------------------------------------------------------------ */
+/* ---- Queries (GL §2.2.2, §22) ---- */
 
-/* pname, with the number of values: the 18 map enables and AUTO_NORMAL [1], MAX_EVAL_ORDER [1],
- * MAP1_GRID_DOMAIN [2], MAP1_GRID_SEGMENTS [1], MAP2_GRID_DOMAIN [4], MAP2_GRID_SEGMENTS [2], CURRENT_COLOR
- * [4], CURRENT_INDEX [1], CURRENT_NORMAL [3], CURRENT_TEXTURE_COORDS [4] of the active unit, EDGE_FLAG [1],
- * ACTIVE_TEXTURE [1], MAX_TEXTURE_COORDS [1], MAX_TEXTURE_UNITS [1]. Conversions: booleans are 0 or 1; as a
- * boolean a number is TRUE unless zero; reals become the nearest integer (halves away from zero, saturated,
- * NaN gives 0); colours and normals become integers by round(clamp(c, -1, 1) * (2^31 - 1)). INVALID_ENUM: any
- * other pname. INVALID_VALUE: v null. INVALID_OPERATION: between Begin and End. Nothing is written on error.
- */
+/* pname, with the number of values:
+ *   one of the 18 map enables [1], AUTO_NORMAL [1], MAX_EVAL_ORDER [1], MAP1_GRID_DOMAIN [2: u1, u2],
+ *   MAP1_GRID_SEGMENTS [1], MAP2_GRID_DOMAIN [4: u1, u2, v1, v2], MAP2_GRID_SEGMENTS [2: un, vn],
+ *   CURRENT_COLOR [4], CURRENT_INDEX [1], CURRENT_NORMAL [3], CURRENT_TEXTURE_COORDS [4] of the active unit,
+ *   EDGE_FLAG [1], ACTIVE_TEXTURE [1], MAX_TEXTURE_COORDS [1], MAX_TEXTURE_UNITS [1].
+ * Conversions: booleans are 0 or 1; as a boolean a number is TRUE unless zero; reals become the nearest
+ *   integer (halves away from zero, saturated, NaN gives 0); colours and normals become integers by
+ *   round(clamp(c, -1, 1) * (2^31 - 1)). Nothing is written on error.
+ * INVALID_ENUM: any other pname.
+ * INVALID_VALUE: v null.
+ * INVALID_OPERATION: between Begin and End. */
 GLEV_API void glevGetBooleanv(glev_context* context, glev_enum pname, glev_boolean* v);
 GLEV_API void glevGetIntegerv(glev_context* context, glev_enum pname, glev_int* v);
 GLEV_API void glevGetFloatv(glev_context* context, glev_enum pname, glev_float* v);
 GLEV_API void glevGetDoublev(glev_context* context, glev_enum pname, glev_double* v);
 
 /* VENDOR, RENDERER, VERSION: a string that lives as long as the program. VERSION begins with "4.6 ": the
- * evaluator semantics are those of OpenGL 4.6, compatibility profile. INVALID_ENUM: any other name.
- * INVALID_OPERATION: between Begin and End. Null on error. */
+ * evaluator semantics are those of OpenGL 4.6, compatibility profile. Null on error.
+ * INVALID_ENUM: any other name. INVALID_OPERATION: between Begin and End. */
 GLEV_API const glev_ubyte* glevGetString(glev_context* context, glev_enum name);
 
-/* ---- Plans
- * ------------------------------------------------------------------------------------------------- */
+/* ---- Plans ---- */
 
 /* An immutable snapshot of what evaluation needs: the maps that are enabled and not outranked, and the grid.
  * It is reference-counted: who creates or retains it releases it. Later changes of the context do not reach
@@ -381,8 +392,8 @@ typedef struct glev_plan_info {
 } glev_plan_info;
 
 /* Takes a snapshot of the context; legal between Begin and End, too. *plan is null on failure. Two calls
- * without a change of state between them return the same plan with one more reference. Returns SUCCESS,
- * INVALID_ARGUMENT, UNSUPPORTED (dimension not 1), OUT_OF_MEMORY. */
+ * without a change of state between them return the same plan with one more reference.
+ * Returns SUCCESS, INVALID_ARGUMENT, UNSUPPORTED (dimension is not 1) or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info* info, glev_plan** plan);
 
 GLEV_API void glevRetainPlan(glev_plan* plan);
@@ -401,8 +412,10 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
 
 /* Where one attribute goes: element i is `components` floats at data + i*stride bytes.
  * components: at least what glevGetPlanComponents says, at most 4 (3 for normals); the missing ones are
- *   (0,0,0,1)'s. stride: at least components * 4. data_size: bytes at data that may be written. No alignment
- * is required. Bytes between elements are not touched, so attributes may be interleaved. */
+ *   (0,0,0,1)'s.
+ * stride: at least components * 4.
+ * data_size: bytes at data that may be written.
+ * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved. */
 typedef struct glev_output {
   size_t size;
   void* data;
@@ -411,8 +424,8 @@ typedef struct glev_output {
   size_t components;
 } glev_output;
 
-/* count arguments of type u_type (GLEV_FLOAT or GLEV_DOUBLE); argument i lies at u + i*u_stride bytes, which
- * may be 0; u_size: bytes at u that may be read. An output that is null is not computed. */
+/* `count` arguments of type u_type (GLEV_FLOAT or GLEV_DOUBLE); argument i lies at u + i*u_stride bytes.
+ * u_stride: any, 0 included. u_size: bytes at u that may be read. An output that is null is not computed. */
 typedef struct glev_batch1 {
   size_t size;
   size_t count;
@@ -428,12 +441,13 @@ typedef struct glev_batch1 {
 
 /* Evaluates the maps of a one-dimensional plan at each argument. The values are those of EvalCoord1, bit for
  * bit. Unlike there, no vertex map is needed for the others to be evaluated. Everything is checked before
- * anything is written. With count 0 nothing is read or written and u and data may be null. Returns SUCCESS or
+ * anything is written. With count 0 nothing is read or written, and u and data may be null.
+ * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride or number of components.
  * NO_MAP: an output for an attribute without a map.
  * BUFFER_TOO_SMALL: u_size or a data_size.
  * OVERLAP: bytes of an output belong to another output or to the input as well. Interleaving in one block is
- *   recognised if the strides are equal. */
+ *   recognised if the strides are equal; with different strides the blocks must be apart. */
 GLEV_API glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* batch);
 
 #ifdef __cplusplus

@@ -45,16 +45,19 @@ void TexCoord(glev_context* context, glev_enum texture, const Real* v) {
 
 // ---- Contexts, sink, errors
 
-glev_result glevCreateContext(const glev_allocator* given, glev_context** context) {
+glev_result glevCreateContext(const glev_context_info* given, glev_context** context) {
   if (context == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   *context = nullptr;
+  glev_context_info info{};
+  if (given != nullptr && !glev::ReadStruct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
   glev::Allocator allocator;
-  if (given != nullptr) {
-    glev_allocator copy;
-    if (!glev::ReadStruct(given, &copy) || copy.allocate == nullptr || copy.release == nullptr) {
+  if (info.allocator != nullptr) {
+    glev_allocator functions;
+    if (!glev::ReadStruct(info.allocator, &functions) || functions.allocate == nullptr ||
+        functions.release == nullptr) {
       return GLEV_ERROR_INVALID_ARGUMENT;
     }
-    allocator = glev::Allocator(copy);
+    allocator = glev::Allocator(functions);
   }
   void* memory = allocator.Allocate(sizeof(glev_context), alignof(glev_context));
   if (memory == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;

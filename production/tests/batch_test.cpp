@@ -1,0 +1,302 @@
+// glevEvaluate1: values, layouts, and every kind of misuse.
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr unsigned char kPoison = 0xCD;
+
+class Batch : public ContextTest {
+ protected:
+  static constexpr std::size_t kCount = 9;
+
+  Batch() {
+    for (std::size_t i = 0; i < std::size(points_); ++i) points_[i] = static_cast<float>(std::cos(i * 1.7));
+    int order = 3;
+    for (glev_enum target :
+         {GLEV_MAP1_VERTEX_3, GLEV_MAP1_COLOR_4, GLEV_MAP1_NORMAL, GLEV_MAP1_TEXTURE_COORD_2}) {
+      glevMap1f(gl, target, 0.1f * static_cast<float>(order), 2, 4, order, points_);
+      glevEnable(gl, target);
+      ++order;
+    }
+    NewPlan();
+    for (std::size_t i = 0; i < kCount; ++i) u_[i] = static_cast<float>(i) * 0.37f - 0.5f;
+    u_[3] = 2;
+    buffer_.assign(4096, kPoison);
+  }
+  ~Batch() override { glevReleasePlan(plan_); }
+
+  void NewPlan() {
+    const glev_plan_info info = {sizeof(glev_plan_info), 1};
+    glevReleasePlan(plan_);
+    ASSERT_EQ(glevCreatePlan(gl, &info, &plan_), GLEV_SUCCESS);
+  }
+
+  glev_batch1 Arguments() const {
+    glev_batch1 batch{};
+    batch.size = sizeof batch;
+    batch.count = kCount;
+    batch.u = u_;
+    batch.u_size = sizeof u_;
+    batch.u_stride = sizeof(float);
+    batch.u_type = GLEV_FLOAT;
+    return batch;
+  }
+  glev_output Output(std::size_t offset, std::size_t stride, std::size_t components) {
+    return {sizeof(glev_output), buffer_.data() + offset, buffer_.size() - offset, stride, components};
+  }
+  Floats Element(std::size_t offset, std::size_t components) const {
+    Floats values(components);
+    std::memcpy(values.data(), buffer_.data() + offset, 4 * components);
+    return values;
+  }
+  void ExpectUntouched() const {
+    EXPECT_EQ(std::count(buffer_.begin(), buffer_.end(), kPoison), static_cast<long>(buffer_.size()));
+  }
+  void ExpectMisuse(glev_result expected, const glev_batch1& batch) const {
+    EXPECT_EQ(glevEvaluate1(plan_, &batch), expected);
+    ExpectUntouched();
+  }
+
+  float points_[64];
+  float u_[kCount];
+  glev_plan* plan_ = nullptr;
+  std::vector<unsigned char> buffer_;
+};
+
+TEST_F(Batch, InterleavedAttributesAreThoseOfEvalCoordBitForBit) {
+  // u itself, 4-component position, colour, padding, normal, 2-component texture coordinate: 60 + 3 bytes,
+  // unaligned
+  constexpr std::size_t kStride = 63, kStart = 5;
+  for (std::size_t i = 0; i < kCount; ++i) std::memcpy(buffer_.data() + kStart + i * kStride, &u_[i], 4);
+  const glev_output vertex = Output(kStart + 4, kStride, 4), color = Output(kStart + 20, kStride, 4),
+                    normal = Output(kStart + 38, kStride, 3), texcoord = Output(kStart + 50, kStride, 2);
+  glev_batch1 batch = Arguments();
+  batch.u = buffer_.data() + kStart;
+  batch.u_size = buffer_.size() - kStart;
+  batch.u_stride = kStride;
+  batch.vertex = &vertex;
+  batch.color = &color;
+  batch.normal = &normal;
+  batch.texcoord = &texcoord;
+  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const glev_vertex expected = OneVertex([&] { glevEvalCoord1f(gl, u_[i]); });
+    const std::size_t at = kStart + i * kStride;
+    EXPECT_EQ(Element(at, 1), Floats{u_[i]});
+    EXPECT_EQ(Element(at + 4, 4), Values(expected.position));
+    EXPECT_EQ(Element(at + 20, 4), Values(expected.color));
+    EXPECT_EQ(buffer_[at + 36], kPoison);
+    EXPECT_EQ(buffer_[at + 37], kPoison);
+    EXPECT_EQ(Element(at + 38, 3), Values(expected.normal));
+    EXPECT_EQ(Element(at + 50, 2), (Floats{expected.texcoord[0][0], expected.texcoord[0][1]}));
+    for (std::size_t byte = 58; byte < kStride; ++byte) EXPECT_EQ(buffer_[at + byte], kPoison);
+  }
+  EXPECT_EQ(buffer_[kStart - 1], kPoison);
+  EXPECT_EQ(buffer_[kStart + kCount * kStride], kPoison);
+}
+
+TEST_F(Batch, MissingComponentsAreDefaults) {
+  for (std::size_t components : {2, 3, 4}) {
+    const glev_output texcoord = Output(0, 16, components);
+    glev_batch1 batch = Arguments();
+    batch.texcoord = &texcoord;
+    ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const glev_vertex expected = OneVertex([&] { glevEvalCoord1f(gl, u_[i]); });
+      Floats values = {expected.texcoord[0][0], expected.texcoord[0][1], 0, 1};
+      values.resize(components);
+      EXPECT_EQ(Element(16 * i, components), values);
+    }
+  }
+}
+
+TEST_F(Batch, DoubleArgumentsAreNotRoundedFirst) {
+  const double points[] = {0, 1};
+  glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, 1, 1 + 0x1p-40, 1, 2, points);
+  glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
+  glevDisable(gl, GLEV_MAP1_TEXTURE_COORD_2);
+  NewPlan();
+  const double u[] = {1 + 0x1p-42, 0, 1 + 0x1p-41};
+  const glev_output texcoord = Output(0, 4, 1);
+  glev_batch1 batch = Arguments();
+  batch.count = 2;
+  batch.u = u;
+  batch.u_size = sizeof u;
+  batch.u_stride = 2 * sizeof(double);
+  batch.u_type = GLEV_DOUBLE;
+  batch.texcoord = &texcoord;
+  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  EXPECT_EQ(Element(0, 2), (Floats{0.25f, 0.5f}));
+}
+
+TEST_F(Batch, AStrideOfZeroRepeatsOneArgument) {
+  const glev_output vertex = Output(0, 12, 3);
+  glev_batch1 batch = Arguments();
+  batch.u_size = 4;
+  batch.u_stride = 0;
+  batch.vertex = &vertex;
+  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  for (std::size_t i = 1; i < kCount; ++i) EXPECT_EQ(Element(12 * i, 3), Element(0, 3));
+  EXPECT_EQ(buffer_[12 * kCount], kPoison);
+}
+
+TEST_F(Batch, NoVertexMapIsNeeded) {
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  NewPlan();
+  const glev_output color = Output(0, 16, 4);
+  glev_batch1 batch = Arguments();
+  batch.color = &color;
+  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  EXPECT_NE(buffer_[0], kPoison);
+}
+
+TEST_F(Batch, TheExactNumberOfBytesIsEnoughAndOneLessIsNot) {
+  glev_output vertex = Output(0, 20, 3);
+  glev_batch1 batch = Arguments();
+  batch.vertex = &vertex;
+  vertex.data_size = (kCount - 1) * 20 + 11;
+  ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
+  batch.u_size = kCount * 4 - 1;
+  vertex.data_size += 1;
+  ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
+  batch.u_size += 1;
+  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  EXPECT_EQ(buffer_[(kCount - 1) * 20 + 12], kPoison);
+  // one element, no room
+  vertex.data_size = 11;
+  batch.count = 1;
+  buffer_.assign(4096, kPoison);
+  ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
+}
+
+TEST_F(Batch, SizesThatOverflowAreTooLarge) {
+  for (std::size_t count : {SIZE_MAX, SIZE_MAX / 4, SIZE_MAX / 12 + 2, SIZE_MAX / 2 + 2}) {
+    for (std::size_t stride : {std::size_t{12}, SIZE_MAX / 2 + 1, SIZE_MAX}) {
+      for (std::size_t size : {buffer_.size(), SIZE_MAX}) {
+        glev_output vertex = Output(0, stride, 3);
+        vertex.data_size = size;
+        glev_batch1 batch = Arguments();
+        batch.count = count;
+        batch.u_stride = 0;
+        batch.vertex = &vertex;
+        ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
+      }
+    }
+    glev_output vertex = Output(0, 12, 3);
+    glev_batch1 batch = Arguments();
+    batch.count = count;
+    batch.vertex = &vertex;
+    ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
+  }
+}
+
+TEST_F(Batch, CountZeroReadsAndWritesNothing) {
+  glev_output vertex = {sizeof(glev_output), nullptr, 0, 12, 3};
+  glev_batch1 batch = Arguments();
+  batch.count = 0;
+  batch.u = nullptr;
+  batch.u_size = 0;
+  batch.vertex = &vertex;
+  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  vertex.data = buffer_.data();
+  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  ExpectUntouched();
+  vertex.components = 2;  // wrong all the same
+  ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
+}
+
+TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
+  glev_output good = Output(0, 12, 3);
+  glev_batch1 batch = Arguments();
+  batch.vertex = &good;
+  EXPECT_EQ(glevEvaluate1(nullptr, &batch), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevEvaluate1(plan_, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
+  const auto with = [&](auto change) {
+    glev_output vertex = good;
+    glev_batch1 changed = batch;
+    changed.vertex = &vertex;
+    change(changed, vertex);
+    ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, changed);
+  };
+  with([](glev_batch1& b, glev_output&) { b.size = sizeof b - 1; });
+  with([](glev_batch1& b, glev_output&) { b.u = nullptr; });
+  with([](glev_batch1& b, glev_output&) { b.u_type = 0x1404; });
+  with([](glev_batch1&, glev_output& v) { v.size = sizeof v - 1; });
+  with([](glev_batch1&, glev_output& v) { v.data = nullptr; });
+  with([](glev_batch1&, glev_output& v) { v.components = 0; });
+  with([](glev_batch1&, glev_output& v) { v.components = 2; });
+  with([](glev_batch1&, glev_output& v) { v.components = 5, v.stride = 20; });
+  with([](glev_batch1&, glev_output& v) { v.components = SIZE_MAX / 4 + 2; });
+  with([](glev_batch1&, glev_output& v) { v.stride = 11; });
+  with([](glev_batch1&, glev_output& v) { v.stride = 0; });
+  glev_output normal = Output(0, 16, 4);
+  batch.vertex = nullptr;
+  batch.normal = &normal;
+  ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
+}
+
+TEST_F(Batch, AnAttributeWithoutAMapIsRefused) {
+  const glev_output other = Output(1000, 16, 3);
+  for (glev_enum target :
+       {GLEV_MAP1_COLOR_4, GLEV_MAP1_NORMAL, GLEV_MAP1_TEXTURE_COORD_2, GLEV_MAP1_VERTEX_3}) {
+    glevDisable(gl, target);
+  }
+  NewPlan();
+  for (auto member :
+       {&glev_batch1::vertex, &glev_batch1::color, &glev_batch1::normal, &glev_batch1::texcoord}) {
+    glev_batch1 batch = Arguments();
+    batch.*member = &other;
+    ExpectMisuse(GLEV_ERROR_NO_MAP, batch);
+  }
+}
+
+TEST_F(Batch, OverlapsAreRefused) {
+  const auto expect = [&](glev_result expected, std::size_t count, const glev_output& vertex,
+                          const glev_output& color) {
+    glev_batch1 batch = Arguments();
+    batch.count = count;
+    batch.vertex = &vertex;
+    batch.color = &color;
+    if (expected == GLEV_SUCCESS) {
+      EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+      buffer_.assign(4096, kPoison);
+    } else {
+      ExpectMisuse(expected, batch);
+    }
+  };
+  // equal strides: offsets within one stride decide, in either order and across elements
+  expect(GLEV_SUCCESS, kCount, Output(0, 28, 3), Output(12, 28, 4));
+  expect(GLEV_SUCCESS, kCount, Output(16, 28, 3), Output(0, 28, 4));
+  expect(GLEV_SUCCESS, kCount, Output(0, 28, 3), Output(12 + 28, 28, 4));
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(0, 28, 3), Output(11, 28, 4));
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(0, 28, 3), Output(13, 28, 4));
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(15, 28, 3), Output(0, 28, 4));
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(0, 28, 3), Output(0, 28, 4));
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(0, 28, 3), Output((kCount - 1) * 28 + 11, 28, 4));
+  expect(GLEV_SUCCESS, kCount, Output(0, 28, 3), Output((kCount - 1) * 28 + 12, 28, 4));
+  expect(GLEV_SUCCESS, 1, Output(0, 28, 3), Output(13, 28, 4));
+  // different strides: the blocks must be apart
+  expect(GLEV_ERROR_OVERLAP, kCount, Output(0, 12, 3), Output(12 * kCount - 1, 16, 4));
+  expect(GLEV_SUCCESS, kCount, Output(0, 12, 3), Output(12 * kCount, 16, 4));
+  expect(GLEV_SUCCESS, kCount, Output(16 * kCount, 12, 3), Output(0, 16, 4));
+  // the input
+  const glev_output vertex = Output(0, 12, 3);
+  glev_batch1 batch = Arguments();
+  batch.vertex = &vertex;
+  batch.u = buffer_.data() + 12 * kCount - 1;
+  batch.u_size = 1000;
+  ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
+  batch.u = buffer_.data();
+  batch.u_stride = 12;
+  ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
+  batch.u_stride = 0;
+  ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
+}
+
+}  // namespace
+}  // namespace glev_tests

@@ -1,0 +1,74 @@
+/* The public header is C, and a C program can use the library: draws a curve, runs a batch, exits 0 if both
+ * agree. */
+#include <glevaluator.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COUNT = 5 };
+
+typedef struct strip {
+  size_t count;
+  int begun, ended;
+  float positions[COUNT][3];
+} strip;
+
+static void on_begin(void* user, glev_enum mode) { ((strip*)user)->begun += mode == GLEV_LINE_STRIP; }
+static void on_end(void* user) { ++((strip*)user)->ended; }
+static void on_vertex(void* user, const glev_vertex* vertex) {
+  strip* s = user;
+  if (s->count < COUNT) memcpy(s->positions[s->count], vertex->position, sizeof s->positions[0]);
+  ++s->count;
+}
+
+#define CHECK(condition)                                               \
+  do {                                                                 \
+    if (!(condition)) {                                                \
+      fprintf(stderr, "line %d: %s is false\n", __LINE__, #condition); \
+      return EXIT_FAILURE;                                             \
+    }                                                                  \
+  } while (0)
+
+int main(void) {
+  static const float points[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
+  static const float u[COUNT] = {0, 0.25f, 0.5f, 0.75f, 1};
+  strip drawn = {0, 0, 0, {{0}}};
+  const glev_sink sink = {sizeof(glev_sink), &drawn, on_begin, on_vertex, on_end};
+  glev_context* context;
+  CHECK(glevCreateContext(NULL, &context) == GLEV_SUCCESS);
+  CHECK(glevSetSink(context, &sink) == GLEV_SUCCESS);
+
+  glevMap1f(context, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, &points[0][0]);
+  glevEnable(context, GLEV_MAP1_VERTEX_3);
+  glevBegin(context, GLEV_LINE_STRIP);
+  for (size_t i = 0; i < COUNT; ++i) glevEvalCoord1f(context, u[i]);
+  glevEnd(context);
+  CHECK(glevGetError(context) == GLEV_NO_ERROR);
+  CHECK(drawn.begun == 1 && drawn.ended == 1 && drawn.count == COUNT);
+  CHECK(drawn.positions[2][0] == 2.0f && drawn.positions[2][1] == 1.5f);
+  CHECK(memcmp(drawn.positions[4], points[3], sizeof points[3]) == 0);
+
+  const glev_plan_info info = {.size = sizeof info, .dimension = 1};
+  glev_plan* plan;
+  CHECK(glevCreatePlan(context, &info, &plan) == GLEV_SUCCESS);
+  glevDestroyContext(context);
+
+  float positions[COUNT][3];
+  const glev_output vertex = {.size = sizeof vertex,
+                              .data = positions,
+                              .data_size = sizeof positions,
+                              .stride = sizeof positions[0],
+                              .components = 3};
+  const glev_batch1 batch = {.size = sizeof batch,
+                             .count = COUNT,
+                             .u = u,
+                             .u_size = sizeof u,
+                             .u_stride = sizeof u[0],
+                             .u_type = GLEV_FLOAT,
+                             .vertex = &vertex};
+  CHECK(glevEvaluate1(plan, &batch) == GLEV_SUCCESS);
+  CHECK(memcmp(positions, drawn.positions, sizeof positions) == 0);
+  glevReleasePlan(plan);
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,47 @@
+// The slow oracle of these tests: the GL's formula in exact rational arithmetic. Shares nothing with the
+// library.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <vector>
+
+namespace glev_tests {
+
+using Integer = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
+
+// The value of a finite double.
+inline Rational Exactly(double x) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  const Integer mantissa(static_cast<long long>(std::ldexp(fraction, 53)));
+  exponent -= 53;
+  return exponent >= 0 ? Rational(mantissa << exponent) : Rational(mantissa, Integer(1) << -exponent);
+}
+
+struct ExactPoint {
+  Rational value;      // sum of C(n,i) t^i s^(n-i) R_i
+  Rational magnitude;  // sum of the absolute values
+};
+
+inline ExactPoint Bezier(double u1, double u2, const std::vector<double>& points, double u) {
+  // t = a / (a + b); everything over (a + b)^n, so that only the end divides.
+  const Rational a = Exactly(u) - Exactly(u1), b = Exactly(u2) - Exactly(u);
+  const std::size_t n = points.size() - 1;
+  std::vector<Rational> powers_of_b(n + 1, 1);
+  for (std::size_t i = 1; i <= n; ++i) powers_of_b[i] = powers_of_b[i - 1] * b;
+  Rational power_of_a = 1, binomial = 1, whole = 1;
+  ExactPoint sum;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Rational term = binomial * power_of_a * powers_of_b[n - i] * Exactly(points[i]);
+    sum.value += term;
+    sum.magnitude += abs(term);
+    power_of_a *= a;
+    binomial = binomial * (n - i) / (i + 1);
+    if (i < n) whole *= a + b;
+  }
+  return {sum.value / whole, abs(sum.magnitude / whole)};
+}
+
+}  // namespace glev_tests

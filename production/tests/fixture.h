@@ -1,0 +1,153 @@
+// A context whose vertices are recorded, and ways to look at all of its state.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include <glevaluator.h>
+
+namespace glev_tests {
+
+// The nine kinds of map, by offset from COLOR_4: values of a control point and initial point.
+struct TargetRow {
+  glev_enum offset;
+  int components;
+  std::vector<double> initial;
+};
+
+inline const std::vector<TargetRow>& TargetRows() {
+  static const std::vector<TargetRow> rows = {{0, 4, {1, 1, 1, 1}}, {1, 1, {1}},       {2, 3, {0, 0, 1}},
+                                              {3, 1, {0}},          {4, 2, {0, 0}},    {5, 3, {0, 0, 0}},
+                                              {6, 4, {0, 0, 0, 1}}, {7, 3, {0, 0, 0}}, {8, 4, {0, 0, 0, 1}}};
+  return rows;
+}
+
+inline std::vector<glev_enum> Capabilities() {
+  std::vector<glev_enum> names;
+  for (const TargetRow& row : TargetRows()) {
+    names.push_back(GLEV_MAP1_COLOR_4 + row.offset);
+    names.push_back(GLEV_MAP2_COLOR_4 + row.offset);
+  }
+  names.push_back(GLEV_AUTO_NORMAL);
+  return names;
+}
+
+struct Recording {
+  std::vector<glev_enum> begun;
+  std::vector<glev_vertex> vertices;
+  int ended = 0;
+
+  glev_sink Sink() {
+    return {sizeof(glev_sink), this,
+            [](void* user, glev_enum mode) { static_cast<Recording*>(user)->begun.push_back(mode); },
+            [](void* user, const glev_vertex* v) { static_cast<Recording*>(user)->vertices.push_back(*v); },
+            [](void* user) { ++static_cast<Recording*>(user)->ended; }};
+  }
+};
+
+class ContextTest : public ::testing::Test {
+ protected:
+  ContextTest() {
+    EXPECT_EQ(glevCreateContext(nullptr, &gl), GLEV_SUCCESS);
+    const glev_sink sink = recording.Sink();
+    EXPECT_EQ(glevSetSink(gl, &sink), GLEV_SUCCESS);
+  }
+  ~ContextTest() override { glevDestroyContext(gl); }
+
+  // Everything a query can tell, in one row of numbers. Outside Begin/End only; keeps the error flag as it
+  // is.
+  std::vector<double> State() const {
+    std::vector<double> state;
+    std::array<double, 64 * 4> values{};
+    const auto add = [&](std::size_t count) {
+      state.insert(state.end(), values.begin(), values.begin() + count);
+    };
+    for (const TargetRow& row : TargetRows()) {
+      for (int dimension : {1, 2}) {
+        const glev_enum target = (dimension == 1 ? GLEV_MAP1_COLOR_4 : GLEV_MAP2_COLOR_4) + row.offset;
+        glevGetMapdv(gl, target, GLEV_ORDER, values.data());
+        const auto points = static_cast<std::size_t>(dimension == 1 ? values[0] : values[0] * values[1]);
+        add(dimension);
+        glevGetMapdv(gl, target, GLEV_DOMAIN, values.data());
+        add(2 * dimension);
+        glevGetMapdv(gl, target, GLEV_COEFF, values.data());
+        add(points * row.components);
+      }
+    }
+    for (glev_enum cap : Capabilities()) state.push_back(glevIsEnabled(gl, cap));
+    const std::pair<glev_enum, std::size_t> names[] = {
+        {GLEV_MAP1_GRID_DOMAIN, 2},       {GLEV_MAP1_GRID_SEGMENTS, 1}, {GLEV_MAP2_GRID_DOMAIN, 4},
+        {GLEV_MAP2_GRID_SEGMENTS, 2},     {GLEV_CURRENT_COLOR, 4},      {GLEV_CURRENT_INDEX, 1},
+        {GLEV_CURRENT_NORMAL, 3},         {GLEV_EDGE_FLAG, 1},          {GLEV_ACTIVE_TEXTURE, 1},
+        {GLEV_CURRENT_TEXTURE_COORDS, 4},
+    };
+    for (const auto& [name, count] : names) {
+      glevGetDoublev(gl, name, values.data());
+      add(count);
+    }
+    const auto active = static_cast<glev_enum>(state[state.size() - 5]);
+    for (glev_enum unit = 0; unit < GLEV_TEXTURE_UNITS; ++unit) {
+      glevActiveTexture(gl, GLEV_TEXTURE0 + unit);
+      glevGetDoublev(gl, GLEV_CURRENT_TEXTURE_COORDS, values.data());
+      add(4);
+    }
+    glevActiveTexture(gl, active);
+    return state;
+  }
+
+  // One error, and only one.
+  void ExpectError(glev_enum error) const {
+    EXPECT_EQ(glevGetError(gl), error);
+    EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR));
+  }
+
+  // The call records this error and does nothing else.
+  void ExpectRefused(glev_enum error, const std::function<void()>& call) const {
+    const std::vector<double> before = State();
+    const std::size_t vertices = recording.vertices.size();
+    EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR)) << "left over";
+    call();
+    ExpectError(error);
+    EXPECT_EQ(State(), before);
+    EXPECT_EQ(recording.vertices.size(), vertices);
+  }
+
+  // The same between Begin and End.
+  void ExpectRefusedInPrimitive(glev_enum error, const std::function<void()>& call) const {
+    ExpectRefused(error, [&] {
+      glevBegin(gl, GLEV_POINTS);
+      call();
+      glevEnd(gl);
+    });
+  }
+
+  void ExpectAccepted(const std::function<void()>& call) const {
+    call();
+    ExpectError(GLEV_NO_ERROR);
+  }
+
+  template <class Evaluate>
+  glev_vertex OneVertex(Evaluate evaluate) {
+    recording = {};
+    glevBegin(gl, GLEV_POINTS);
+    evaluate();
+    glevEnd(gl);
+    EXPECT_EQ(recording.vertices.size(), 1u);
+    return recording.vertices.empty() ? glev_vertex{} : recording.vertices.front();
+  }
+
+  glev_context* gl = nullptr;
+  Recording recording;
+};
+
+template <std::size_t kCount>
+std::vector<float> Values(const float (&values)[kCount]) {
+  return {values, values + kCount};
+}
+
+using Floats = std::vector<float>;
+
+}  // namespace glev_tests

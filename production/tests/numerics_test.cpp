@@ -1,0 +1,220 @@
+// Values against exact rational arithmetic.
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "production/src/bernstein.h"
+#include "production/tests/exact.h"
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr unsigned kSeed = 20240117;
+
+class Numerics : public ContextTest {
+ protected:
+  Numerics() { glevEnable(gl, GLEV_MAP1_VERTEX_3); }
+
+  void Define(double u1, double u2, const std::vector<double>& points) {
+    glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, u1, u2, 1, static_cast<int>(points.size()), points.data());
+    glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
+    u1_ = u1;
+    u2_ = u2;
+    points_ = points;
+  }
+  float At(double u) {
+    return OneVertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0];
+  }
+
+  // The documented bound: (13n + 4) * 2^-53 of the sum of absolute terms, and one rounding to float.
+  void ExpectWithinBound(double u) {
+    const ExactPoint exact = Bezier(u1_, u2_, points_, u);
+    const float got = At(u);
+    ASSERT_TRUE(std::isfinite(got)) << "u = " << u;
+    const double n = static_cast<double>(points_.size()) - 1;
+    const Rational in_double = exact.magnitude * Exactly((13 * n + 4) * 0x1p-53 * (1 + 0x1p-40));
+    const Rational rounding = std::max(abs(Exactly(got)) * Exactly(0x1p-24), Exactly(0x1p-150));
+    EXPECT_LE(abs(Exactly(got) - exact.value), in_double + rounding)
+        << "u = " << u << " in [" << u1_ << "," << u2_ << "], order " << points_.size() << ", got " << got
+        << ", exact " << static_cast<double>(exact.value) << ", seed " << kSeed;
+  }
+
+  std::mt19937 random_{kSeed};
+  double u1_ = 0, u2_ = 1;
+  std::vector<double> points_;
+};
+
+TEST_F(Numerics, TheOracleKnowsACubic) {
+  // B(3,i,1/4) = 27/64, 27/64, 9/64, 1/64
+  const ExactPoint point = Bezier(2, 6, {1, -2, 4, 8}, 3);
+  EXPECT_EQ(point.value, Rational(27 - 54 + 36 + 8, 64));
+  EXPECT_EQ(point.magnitude, Rational(27 + 54 + 36 + 8, 64));
+  EXPECT_EQ(Exactly(-0.375), Rational(-3, 8));
+  EXPECT_EQ(Exactly(0x1p-1074), Rational(1, Integer(1) << 1074));
+}
+
+TEST_F(Numerics, EveryOrderInsideAndOutsideTheDomain) {
+  std::uniform_real_distribution<double> value(-1, 1), inside(0, 1);
+  const std::pair<double, double> domains[] = {{0, 1}, {2, 5},  {-3, -1},  {1000, 1008},
+                                               {1, 0}, {5, -2}, {0.1, 0.7}};
+  for (int order = 1; order <= 64; ++order) {
+    const auto [u1, u2] = domains[order % std::size(domains)];
+    std::vector<double> points(order);
+    for (double& point : points) point = static_cast<float>(value(random_));
+    Define(u1, u2, points);
+    for (double t : {inside(random_), inside(random_), 0.5, 1e-9, 1 - 1e-9})
+      ExpectWithinBound(u1 + t * (u2 - u1));
+    for (double t : {-0.125, 1.125, -1.0 / order, 1 + 1.0 / order}) ExpectWithinBound(u1 + t * (u2 - u1));
+  }
+}
+
+TEST_F(Numerics, CancellationStaysWithinTheBound) {
+  // (1 - 2u)^n: the sum of absolute terms is 1 everywhere, the value nearly 0 around 1/2.
+  for (int order : {2, 4, 10, 30, 64}) {
+    std::vector<double> points(order);
+    for (int i = 0; i < order; ++i) points[i] = i % 2 == 0 ? 1 : -1;
+    Define(0, 1, points);
+    for (double u : {0.5, 0.499, 0.501, 0.4, 0.3, 0.75}) ExpectWithinBound(u);
+  }
+}
+
+TEST_F(Numerics, AnArgumentNextToAnEnd) {
+  // t/s up to 2^52 there: its 63rd power would overflow.
+  std::vector<double> points(64);
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (double& point : points) point = value(random_);
+  Define(0, 1, points);
+  for (double u : {0x1p-1074, 0x1p-149, 1e-30, 0x1p-53, 1 - 0x1p-53, 1 - 1e-12, 1 + 0x1p-52, -1e-300}) {
+    ExpectWithinBound(u);
+  }
+}
+
+TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (int order : {2, 3, 4, 17, 64}) {
+    for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
+      for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
+        // What lies between has no influence, whatever it is.
+        std::vector<double> points(order, order > 2 ? kNaN : 0.0);
+        points.front() = end;
+        points.back() = -end;
+        Define(u1, u2, points);
+        const float first = At(u1), last = At(u2), minus = -end;
+        EXPECT_EQ(std::memcmp(&first, &end, sizeof end), 0) << first << " for " << end;
+        EXPECT_EQ(std::memcmp(&last, &minus, sizeof end), 0) << last << " for " << minus;
+      }
+    }
+  }
+  Define(0, 1, {3, 5});
+  EXPECT_EQ(At(-0.0), 3.0f);
+}
+
+TEST_F(Numerics, OrderOneIsConstantEverywhere) {
+  Define(2, 5, {0.1});
+  for (double u : {2.0, 5.0, 3.0, -1e30, 1e30}) EXPECT_EQ(At(u), 0.1f);
+}
+
+TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
+  std::uniform_real_distribution<double> inside(0, 1);
+  for (int order : {2, 4, 31, 64}) {
+    for (double scale : {0x1p32, 0x1p-126, 0x1p-149, 0x1p127}) {
+      std::vector<double> points(order);
+      for (int i = 0; i < order; ++i) points[i] = i % 3 == 0 ? -scale : scale;
+      Define(-0x1p32, 0x1p32, points);
+      for (int i = 0; i < 4; ++i) ExpectWithinBound((2 * inside(random_) - 1) * 0x1p32);
+      Define(1, 1 + 0x1p-23, points);
+      for (int i = 0; i < 4; ++i) ExpectWithinBound(1 + inside(random_) * 0x1p-23);
+    }
+  }
+}
+
+TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
+  // t^63 is 2^1134 alone, but 2^114 times the control point.
+  std::vector<double> points(64);
+  points.back() = 0x1p-1020;
+  Define(0, 1, points);
+  EXPECT_EQ(At(0x1p18), 0x1p114f);
+  EXPECT_EQ(At(-0x1p18), -0x1p114f);
+}
+
+TEST_F(Numerics, NearlyAllResultsAreCorrectlyRounded) {
+  // Well-conditioned data: an evaluation in float would miss about half of them, double misses next to none.
+  std::uniform_real_distribution<double> value(-1, 1), inside(0, 1);
+  int misrounded = 0;
+  for (int curve = 0; curve < 25; ++curve) {
+    std::vector<double> points(4);
+    for (double& point : points) point = static_cast<float>(value(random_));
+    Define(0, 1, points);
+    for (int i = 0; i < 40; ++i) {
+      const auto u = static_cast<float>(inside(random_));
+      const float got = At(u);
+      const Rational exact = Bezier(0, 1, points, u).value, error = abs(Exactly(got) - exact);
+      for (float next : {std::nextafter(got, -2.0f), std::nextafter(got, 2.0f)}) {
+        misrounded += abs(Exactly(next) - exact) < error;
+      }
+    }
+  }
+  EXPECT_LE(misrounded, 2) << "of 1000, seed " << kSeed;
+}
+
+TEST_F(Numerics, ARationalQuarterCircle) {
+  const double root = std::sqrt(0.5);
+  const double points[] = {1, 0, 0, 1, root, root, 0, root, 0, 1, 0, 1};
+  glevMap1d(gl, GLEV_MAP1_VERTEX_4, 0, 1, 4, 3, points);
+  glevEnable(gl, GLEV_MAP1_VERTEX_4);
+  for (double u = 0; u <= 1; u += 0x1p-6) {
+    const glev_vertex v = OneVertex([&] { glevEvalCoord1d(gl, u); });
+    EXPECT_NEAR(std::hypot(v.position[0] / v.position[3], v.position[1] / v.position[3]), 1, 2e-7);
+  }
+}
+
+// ---- Parameters: the internal argument type, for real arguments and for grid points
+
+TEST(Parameters, RealArguments) {
+  const glev::Domain domain = {2, 5};
+  using End = glev::Parameter::End;
+  EXPECT_EQ(glev::Locate(domain, 2.0).end, End::kFirst);
+  EXPECT_EQ(glev::Locate(domain, 5.0).end, End::kLast);
+  const glev::Parameter third = glev::Locate(domain, 3.0);
+  EXPECT_EQ(third.end, End::kNeither);
+  EXPECT_EQ(third.t, 1.0 / 3.0);
+  EXPECT_EQ(third.s, 2.0 / 3.0);
+  // s has its own division: 1 - t would be 0 here
+  EXPECT_EQ(glev::Locate({0, 1}, 1 - 0x1p-53).s, 0x1p-53);
+}
+
+TEST(Parameters, GridPointsOfTheDomainItselfAreCorrectlyRounded) {
+  for (glev_int n : {1, 3, 7, 10, 300, 2147483647}) {
+    const glev::Domain domain = {0.1, 0.7};
+    const glev::Grid grid = {0.1, 0.7, n};
+    for (std::int64_t i : {std::int64_t{1}, std::int64_t{2}, std::int64_t{n / 2}, std::int64_t{n - 1}}) {
+      if (i <= 0 || i >= n) continue;
+      const glev::Parameter at = glev::Locate(domain, glev::GridArgument{grid, i});
+      EXPECT_EQ(at.t, static_cast<double>(i) / n);
+      EXPECT_EQ(at.s, static_cast<double>(n - i) / n);
+    }
+    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, 0}).end, glev::Parameter::End::kFirst);
+    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, n}).end, glev::Parameter::End::kLast);
+  }
+}
+
+TEST(Parameters, GridPointsOfOtherGridsAreCloseToTheExactPoint) {
+  const glev::Domain domain = {2, 5};
+  for (const glev::Grid& grid : {glev::Grid{0, 10, 7}, {4.9, 2.2, 13}, {3, 3, 4}}) {
+    for (std::int64_t i = -3; i <= grid.segments + 3; ++i) {
+      const glev::Parameter at = glev::Locate(domain, glev::GridArgument{grid, i});
+      const Rational u = Exactly(grid.u1) + (Exactly(grid.u2) - Exactly(grid.u1)) * i / grid.segments;
+      const Rational t = (u - 2) / 3;
+      EXPECT_LE(abs(Exactly(at.t) - t), Exactly(1e-14)) << i;
+      EXPECT_LE(abs(Exactly(at.s) - (1 - t)), Exactly(1e-14)) << i;
+    }
+    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, 0}).t, glev::Locate(domain, grid.u1).t);
+    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, grid.segments}).t,
+              glev::Locate(domain, grid.u2).t);
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests

@@ -1,0 +1,280 @@
+// Plans: snapshots, references, threads, memory.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr glev_plan_info kOneDimension = {sizeof(glev_plan_info), 1};
+
+std::vector<float> VerticesOf(const glev_plan* plan, const std::vector<float>& u) {
+  std::vector<float> positions(4 * u.size());
+  const glev_output output = {sizeof(glev_output), positions.data(), positions.size() * 4, 16, 4};
+  glev_batch1 batch{};
+  batch.size = sizeof batch;
+  batch.count = u.size();
+  batch.u = u.data();
+  batch.u_size = u.size() * 4;
+  batch.u_stride = 4;
+  batch.u_type = GLEV_FLOAT;
+  batch.vertex = &output;
+  EXPECT_EQ(glevEvaluate1(plan, &batch), GLEV_SUCCESS);
+  return positions;
+}
+
+class PlanTest : public ContextTest {
+ protected:
+  PlanTest() {
+    for (int i = 0; i < 64 * 3; ++i) points_[i] = static_cast<float>(std::sin(i * 1.5));
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
+    glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  }
+  glev_plan* Create() {
+    glev_plan* plan = nullptr;
+    EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, &plan), GLEV_SUCCESS);
+    return plan;
+  }
+
+  float points_[64 * 3];
+  const std::vector<float> u_ = {-0.5f, 0, 0.125f, 0.3f, 0.77f, 1, 1.5f};
+};
+
+TEST_F(PlanTest, KnowsWhatItEvaluates) {
+  glev_plan* plan = Create();
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 3u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 0u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 0u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 0u);
+  glevReleasePlan(plan);
+  for (const TargetRow& row : TargetRows()) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
+  glevDisable(gl, GLEV_MAP1_TEXTURE_COORD_4);
+  plan = Create();
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 4u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 4u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 3u);
+  EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 3u);
+  EXPECT_EQ(glevGetPlanComponents(plan, static_cast<glev_attribute>(4)), 0u);
+  glevReleasePlan(plan);
+}
+
+TEST_F(PlanTest, IsASnapshotThatOutlivesItsContext) {
+  glev_plan* plan = Create();
+  const std::vector<float> before = VerticesOf(plan, u_);
+  const float other[] = {9, 9, 9};
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 3, 4, 3, 1, other);
+  EXPECT_EQ(VerticesOf(plan, u_), before);
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  glevEnable(gl, GLEV_MAP1_VERTEX_4);
+  EXPECT_EQ(VerticesOf(plan, u_), before);
+  glevDestroyContext(gl);
+  gl = nullptr;
+  EXPECT_EQ(VerticesOf(plan, u_), before);
+  glevReleasePlan(plan);
+}
+
+TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
+  glev_plan* first = Create();
+  glev_plan* second = Create();
+  EXPECT_EQ(first, second);
+  glevColor3f(gl, 0, 0, 0);            // not the plan's business
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);  // no change
+  glev_plan* third = Create();
+  EXPECT_EQ(first, third);
+  glevEnable(gl, GLEV_MAP1_COLOR_4);
+  glev_plan* fourth = Create();
+  EXPECT_NE(first, fourth);
+  for (glev_plan* plan : {first, second, third, fourth}) glevReleasePlan(plan);
+  glevReleasePlan(nullptr);
+}
+
+TEST_F(PlanTest, ReferencesAreCounted) {
+  glev_plan* plan = Create();
+  const std::vector<float> before = VerticesOf(plan, u_);
+  glevRetainPlan(plan);
+  glevReleasePlan(plan);
+  glevDestroyContext(gl);
+  gl = nullptr;
+  EXPECT_EQ(VerticesOf(plan, u_), before);
+  glevReleasePlan(plan);
+}
+
+TEST_F(PlanTest, MayBeTakenBetweenBeginAndEnd) {
+  glevBegin(gl, GLEV_POINTS);
+  glev_plan* plan = Create();
+  glevEnd(gl);
+  ExpectError(GLEV_NO_ERROR);
+  glevReleasePlan(plan);
+}
+
+TEST_F(PlanTest, MisuseOfCreate) {
+  EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
+  glev_plan* plan = reinterpret_cast<glev_plan*>(this);
+  EXPECT_EQ(glevCreatePlan(gl, nullptr, &plan), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(plan, nullptr);
+  for (std::size_t dimension : {0, 2, 3}) {
+    const glev_plan_info info = {sizeof(glev_plan_info), dimension};
+    plan = reinterpret_cast<glev_plan*>(this);
+    EXPECT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_ERROR_UNSUPPORTED);
+    EXPECT_EQ(plan, nullptr);
+  }
+  const glev_plan_info small = {sizeof(glev_plan_info) - 1, 1};
+  EXPECT_EQ(glevCreatePlan(gl, &small, &plan), GLEV_ERROR_INVALID_ARGUMENT);
+}
+
+TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 64, points_);
+  glev_plan* plan = Create();
+  std::vector<float> u(2000);
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] = static_cast<float>(i) / 1500.0f;
+  const std::vector<float> alone = VerticesOf(plan, u);
+  std::atomic<int> wrong = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 8; ++t) {
+    glevRetainPlan(plan);
+    threads.emplace_back([&] {
+      for (int round = 0; round < 5; ++round) {
+        glevRetainPlan(plan);
+        wrong += VerticesOf(plan, u) != alone;
+        glevReleasePlan(plan);
+      }
+      glevReleasePlan(plan);
+    });
+  }
+  glevReleasePlan(plan);
+  glevDestroyContext(gl);  // the threads hold the plan
+  gl = nullptr;
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, 0);
+}
+
+// ---- Memory
+
+// Counts what is out, checks what comes back, and refuses from the nth request on.
+struct Ledger {
+  std::map<void*, std::pair<std::size_t, std::size_t>> out;
+  int requests = 0;
+  int refuse_from = -1;
+
+  glev_allocator Allocator() {
+    return {sizeof(glev_allocator), this,
+            [](void* user, std::size_t bytes, std::size_t alignment) -> void* {
+              auto* ledger = static_cast<Ledger*>(user);
+              if (ledger->refuse_from >= 0 && ledger->requests >= ledger->refuse_from) return nullptr;
+              ++ledger->requests;
+              void* memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+              std::memset(memory, 0xA5, bytes);
+              ledger->out[memory] = {bytes, alignment};
+              return memory;
+            },
+            [](void* user, void* memory, std::size_t bytes, std::size_t alignment) {
+              auto* ledger = static_cast<Ledger*>(user);
+              EXPECT_EQ(ledger->out.count(memory), 1u);
+              EXPECT_EQ(ledger->out[memory], std::make_pair(bytes, alignment));
+              ledger->out.erase(memory);
+              std::free(memory);
+            }};
+  }
+};
+
+class MemoryTest : public PlanTest {
+ protected:
+  MemoryTest() {
+    glevDestroyContext(gl);
+    allocator_ = ledger_.Allocator();
+    info_ = {sizeof(glev_context_info), &allocator_};
+    EXPECT_EQ(glevCreateContext(&info_, &gl), GLEV_SUCCESS);
+    const glev_sink sink = recording.Sink();
+    glevSetSink(gl, &sink);
+  }
+  ~MemoryTest() override {
+    glevDestroyContext(gl);
+    gl = nullptr;
+    EXPECT_TRUE(ledger_.out.empty()) << ledger_.out.size() << " blocks leaked";
+  }
+
+  Ledger ledger_;
+  glev_allocator allocator_;
+  glev_context_info info_;
+};
+
+TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
+  for (const TargetRow& row : TargetRows()) {
+    for (int order : {1, 9, 3, 48}) glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, order, points_);
+    glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
+    OneVertex([&] { glevEnable(gl, GLEV_MAP1_VERTEX_3), glevVertex3f(gl, 0, 0, 0); });
+  }
+  glev_plan* plan = Create();
+  OneVertex([&] { glevEvalCoord1f(gl, 0.5f); });
+  glevReleasePlan(plan);
+  EXPECT_GT(ledger_.requests, 10);
+}
+
+TEST_F(MemoryTest, EvaluationDoesNotAllocate) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  glev_plan* plan = Create();
+  const int before = ledger_.requests;
+  VerticesOf(plan, u_);
+  for (float u : u_) OneVertex([&] { glevEvalCoord1f(gl, u); });
+  EXPECT_EQ(ledger_.requests, before);
+  glevReleasePlan(plan);
+}
+
+TEST_F(MemoryTest, Map1WithoutMemoryChangesNothing) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 2, 3, 4, points_);
+  ledger_.refuse_from = 0;
+  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
+  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_COLOR_4, 5, 6, 4, 2, points_); });
+  ledger_.refuse_from = -1;
+  ExpectAccepted([&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
+}
+
+TEST_F(MemoryTest, EvaluationWithoutMemoryForThePlanEmitsNothingAndRecovers) {
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  ledger_.refuse_from = 0;
+  ExpectRefusedInPrimitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord1f(gl, 0.5f); });
+  glev_plan* plan = reinterpret_cast<glev_plan*>(this);
+  EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, &plan), GLEV_ERROR_OUT_OF_MEMORY);
+  EXPECT_EQ(plan, nullptr);
+  ExpectError(GLEV_NO_ERROR);
+  ledger_.refuse_from = -1;
+  OneVertex([&] { glevEvalCoord1f(gl, 0.5f); });
+  ExpectError(GLEV_NO_ERROR);
+}
+
+TEST_F(MemoryTest, AContextWithoutMemoryIsNull) {
+  ledger_.refuse_from = 0;
+  glev_context* other = gl;
+  EXPECT_EQ(glevCreateContext(&info_, &other), GLEV_ERROR_OUT_OF_MEMORY);
+  EXPECT_EQ(other, nullptr);
+}
+
+TEST_F(MemoryTest, MisuseOfCreateContext) {
+  EXPECT_EQ(glevCreateContext(nullptr, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
+  glev_context* other = gl;
+  glev_allocator bad = ledger_.Allocator();
+  const glev_context_info info = {sizeof(glev_context_info), &bad};
+  bad.allocate = nullptr;
+  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(other, nullptr);
+  bad = ledger_.Allocator();
+  bad.release = nullptr;
+  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  bad = ledger_.Allocator();
+  bad.size = 8;
+  EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  const glev_context_info small = {sizeof(glev_context_info) - 1, nullptr};
+  EXPECT_EQ(glevCreateContext(&small, &other), GLEV_ERROR_INVALID_ARGUMENT);
+  glevDestroyContext(nullptr);
+}
+
+}  // namespace
+}  // namespace glev_tests
