@@ -45,8 +45,8 @@ double TimesPower(double value, double base, int exponent) {
   constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
   if (std::fabs(base) < kPowerIsFinite || !std::isfinite(base)) return value * Power(base, exponent);
   int two = 0;
-  const double fraction = std::frexp(base, &two);
-  return std::ldexp(value * Power(fraction, exponent), two * exponent);
+  const double significand = 2 * std::frexp(base, &two);  // 1 <= |significand| < 2
+  return std::ldexp(value * Power(significand, exponent), (two - 1) * exponent);
 }
 
 // Horner's rule in the ratio of the smaller to the larger of |s| and |t|: with a ratio of magnitude at most 1
