@@ -24,7 +24,7 @@ machine=$top/machine        # what the scripts below know and note
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
-everything="$required libosmesa6 python3 clang clang-tidy-14 clang-format-14 gcovr"
+everything="$required libosmesa6 python3 clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
 
 # --- the machine -------------------------------------------------------------------------------------------
 
@@ -325,6 +325,22 @@ exits 7
 check "moved" test "$(count configure)" = 3
 tree="$top/a tree"
 
+scenario "configured again when a package has come or gone"
+echo "$required" | tr ' ' '\n' >"$machine/installed"
+evalcts run --no-install
+evalcts run --no-install
+check "once" test "$(count configure)" = 1
+echo python3 >>"$machine/installed"
+evalcts run --no-install
+check "come" test "$(count configure)" = 2
+sed -i /python3/d "$machine/installed"
+evalcts run --no-install
+check "gone" test "$(count configure)" = 3
+evalcts run
+check "installed by the launcher" test "$(count configure)" = 4
+evalcts run
+check "nothing new" test "$(count configure)" = 4
+
 scenario "through a symbolic link, by a relative path"
 install_all
 ln -s "../a tree/evalcts" "$top/elsewhere/link"
@@ -405,6 +421,22 @@ evalcts test
 exits 3
 check "release did not build" grep -qE "^release +did not build" <<<"$output"
 check "asan-ubsan passed" grep -qE "^asan-ubsan +passed" <<<"$output"
+
+scenario "test: clang-format and clang-tidy"
+install_all
+mkdir "$tree/reference" "$tree/build" "$tree/build/clang"
+touch "$tree/reference/a b.cpp"
+echo '  "file": "/source/a b.cpp",' >"$tree/build/clang/compile_commands.json"
+script clang-tidy-14 <<<'echo "tidy $*" >>"$machine/calls"; [[ ! -e $machine/untidy ]]'
+evalcts test --preset format --preset tidy
+exits 0
+called "tidy --quiet -p $tree/build/clang /source/a b.cpp"
+script clang-format-14 <<<'exit 1'
+evalcts test --preset format
+exits 1
+touch "$machine/untidy"
+evalcts test --preset tidy
+exits 1
 
 ((failures == 0)) && echo "all scenarios passed"
 exit $((failures > 0))
