@@ -384,6 +384,19 @@ rm "$machine/build-seconds"
 evalcts run
 exits 7
 
+scenario "on a terminal"
+touch "$machine/no-build-release"
+output=$(cd "$top" && PATH=$bin SHELL=$bin/bash "$(type -P script)" -qec "'$tree/evalcts' run" /dev/null 2>&1 </dev/null)
+code=$?
+exits 3
+says "  x.cpp:1: error"
+rm "$machine/no-build-release"
+output=$(cd "$top" && PATH=$bin SHELL=$bin/bash "$(type -P script)" -qec "'$tree/evalcts' run" /dev/null 2>&1 </dev/null)
+code=$?
+exits 7
+says "<program><run>"
+says_not "evalcts: line"
+
 scenario "a checkout that cannot be written to"
 install_all
 chmod a-w "$tree"
