@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ostream>
 #include <stdexcept>
 #include <utility>
 
@@ -195,9 +196,11 @@ std::string describe(const Rational& x) {
   std::string text;
   append_decimal(text, x, 17);
   text += " (";
-  append_hexadecimal(text, x, 40);
+  append_hexadecimal(text, x, 41);
   text += ')';
   return text;
 }
+
+std::ostream& operator<<(std::ostream& stream, const Rational& x) { return stream << describe(x); }
 
 }  // namespace evalcts::reference

@@ -9,6 +9,7 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 namespace evalcts::reference {
@@ -75,8 +76,11 @@ Rational pow(const Rational& x, unsigned n);
 // floor(log2 |x|). Throws std::domain_error if x is zero.
 std::int64_t floor_log2(const Rational& x);
 
-// Text for reports: 17 significant decimal digits and, in parentheses, a hexadecimal float of 40 significant
-// bits, both rounded to nearest, without trailing zeros: "0.33333333333333333 (0x1.5555555556p-2)".
+// Text for reports: 17 significant decimal digits and, in parentheses, a hexadecimal float of 41 significant
+// bits, both rounded to nearest, without trailing zeros: "0.33333333333333333 (0x1.5555555555p-2)".
 std::string describe(const Rational& x);
+
+// Writes describe(x).
+std::ostream& operator<<(std::ostream& stream, const Rational& x);
 
 }  // namespace evalcts::reference

@@ -1,0 +1,281 @@
+// The formulas of section 0.5 of the requirements against a second writing of them, in reduced fractions.
+#include <gtest/gtest.h>
+#include <reference/acceptance.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "reference/tests/random_data.h"
+#include "reference/tests/second_route.h"
+
+namespace evalcts::reference {
+namespace {
+
+const Fraction kEpsilon = Fraction(10738) / (1 << 30);
+
+Fraction power(const Fraction& x, int n) {
+  Fraction result = 1;
+  for (int i = 0; i < n; ++i) result *= x;
+  return result;
+}
+
+Fraction choose(int n, int i) {
+  Fraction result = 1;
+  for (int k = 1; k <= i; ++k) result = result * (n - i + k) / k;
+  return result;
+}
+
+bool fits_single(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
+
+// One direction: T, S, |t|, |s|.
+struct Direction {
+  int n;
+  double u1, u2;
+  Argument argument;
+
+  bool fits() const {
+    return fits_single(u1) && fits_single(u2) && fits_single(argument.first()) &&
+           fits_single(argument.last());
+  }
+  Fraction value() const {
+    if (!argument.is_grid()) return fraction(argument.coordinate());
+    return argument.index() * (fraction(argument.last()) - fraction(argument.first())) / argument.segments() +
+           fraction(argument.first());
+  }
+  Fraction width() const { return abs(Fraction(fraction(u2) - fraction(u1))); }
+  Fraction t() const { return abs(Fraction(value() - fraction(u1))) / width(); }
+  Fraction s() const { return abs(Fraction(fraction(u2) - value())) / width(); }
+  Fraction tau(bool all_fit) const {
+    Fraction tau = power_of_two(-126) * (1 + 2 / width());
+    const std::int64_t i = argument.index(), segments = argument.segments();
+    const Fraction g1 = fraction(argument.first()), g2 = fraction(argument.last());
+    if (argument.is_grid() && i != 0 && i != segments) {
+      tau += kEpsilon * (4 * abs(Fraction(i * (g2 - g1) / segments)) + abs(value())) / width();
+    }
+    if (!all_fit) {
+      const Fraction size = argument.is_grid()
+                                ? Fraction(abs(g1) + abs(Fraction(i) / segments) * (abs(g1) + abs(g2)))
+                                : abs(value());
+      tau += power_of_two(-23) *
+             (size + abs(Fraction(s() * fraction(u1))) + abs(Fraction(t() * fraction(u2)))) / width();
+    }
+    return tau;
+  }
+  Fraction wide_t(bool all_fit) const { return (1 + 8 * kEpsilon) * t() + tau(all_fit); }
+  Fraction wide_s(bool all_fit) const { return (1 + 8 * kEpsilon) * s() + 8 * kEpsilon * t() + tau(all_fit); }
+};
+
+// For a curve v is of degree 0. points[i * (v.n + 1) + j] is R_ij.
+Fraction second_bound(const std::vector<double>& points, const Direction& u, const Direction& v, int k) {
+  const bool fit = u.fits() && v.fits() && std::all_of(points.begin(), points.end(), fits_single);
+  if (!fit) ++k;
+  const auto weight = [](const Direction& d, int i, const Fraction& t, const Fraction& s) {
+    return Fraction(choose(d.n, i) * power(t, i) * power(s, d.n - i));
+  };
+  const Fraction one = 1;
+  Fraction wide = 0, plain = 0, under = 0;
+  for (int i = 0; i <= u.n; ++i) {
+    for (int j = 0; j <= v.n; ++j) {
+      const Fraction r = abs(fraction(points[i * (v.n + 1) + j]));
+      wide += weight(u, i, u.wide_t(fit), u.wide_s(fit)) * weight(v, j, v.wide_t(fit), v.wide_s(fit)) * r;
+      plain += weight(u, i, u.t(), u.s()) * weight(v, j, v.t(), v.s()) * r;
+      under += choose(u.n, i) * choose(v.n, j) * std::max(one, r);
+    }
+  }
+  const Fraction x = k * kEpsilon;
+  return (1 + x + x * x) * wide - plain +
+         k * power_of_two(-126) * power(std::max({one, u.t(), u.s()}), u.n) *
+             power(std::max({one, v.t(), v.s()}), v.n) * under;
+}
+
+Direction random_direction(std::mt19937_64& generator, int n) {
+  const auto number = [&] {
+    const double x = uniform(generator, -3, 3);
+    return pick(generator, 0, 3) == 0 ? x : static_cast<float>(x);  // sometimes beyond single precision
+  };
+  const double a = number(), b = number();
+  if (pick(generator, 0, 1)) return {n, a, b, Argument::coordinate(number())};
+  return {n, a, b, Argument::grid(pick(generator, -2, 8), pick(generator, 1, 6), number(), number())};
+}
+
+std::vector<double> random_points(std::mt19937_64& generator, int count) {
+  const Data kinds[] = {Data::kFloats,   Data::kFloats, Data::kDoubles,
+                        Data::kIntegers, Data::kSparse, Data::kWide};
+  return control_values(generator, kinds[pick(generator, 0, 5)], count);
+}
+
+TEST(AcceptanceBound, OfCurvesIsThatOfTheRequirements) {
+  std::mt19937_64 generator = make_generator();
+  for (int repetition = 0; repetition < 150; ++repetition) {
+    const int order = pick(generator, 1, 9);
+    const std::vector<double> points = random_points(generator, order);
+    const Direction u = random_direction(generator, order - 1);
+    const Rational bound = acceptance_bound(Curve{points.data(), 1, order, u.u1, u.u2}, u.argument);
+    const Direction none{0, 0, 1, Argument::coordinate(0)};
+    ASSERT_EQ(fraction(bound), second_bound(points, u, none, 5 * (order - 1) + 4));
+  }
+}
+
+TEST(AcceptanceBound, OfSurfacesIsThatOfTheRequirements) {
+  std::mt19937_64 generator = make_generator();
+  for (int repetition = 0; repetition < 60; ++repetition) {
+    const int n = pick(generator, 0, 4), m = pick(generator, 0, 4);
+    const std::vector<double> points = random_points(generator, (n + 1) * (m + 1));
+    const Direction u = random_direction(generator, n), v = random_direction(generator, m);
+    const Surface surface{points.data(), m + 1, 1, n + 1, m + 1, u.u1, u.u2, v.u1, v.u2};
+    ASSERT_EQ(fraction(acceptance_bound(surface, u.argument, v.argument)),
+              second_bound(points, u, v, n * m + 5 * (n + m) + 4));
+  }
+}
+
+TEST(AcceptanceBound, OfOrderOneInNumbers) {
+  const double r = 3;
+  // K = 4; W = |R|; U = 4 * 2^-126 * 3.
+  const Rational x = 4 * epsilon();
+  EXPECT_EQ(acceptance_bound(Curve{&r, 1, 1, 0, 1}, Argument::coordinate(0.5)),
+            (x + x * x) * 3 + 12 * Rational::power_of_two(-126));
+  EXPECT_GT(epsilon(), Rational(1) / 100000);
+  EXPECT_LT(epsilon(), Rational(1.0001) / 100000);
+}
+
+TEST(AcceptanceBound, IsNeverUnderItsLowerEstimate) {
+  std::mt19937_64 generator = make_generator();
+  for (int repetition = 0; repetition < 300; ++repetition) {
+    const int order = pick(generator, 1, 30);
+    const std::vector<double> points = random_points(generator, order);
+    const Direction u = random_direction(generator, order - 1);
+    const Curve curve{points.data(), 1, order, u.u1, u.u2};
+    const Rational estimate = acceptance_bound_below(order - 1, 0, magnitude(curve, u.argument));
+    ASSERT_LE(estimate, acceptance_bound(curve, u.argument));
+    ASSERT_EQ(estimate, (5 * (order - 1) + 4) * epsilon() * magnitude(curve, u.argument));
+  }
+  EXPECT_EQ(acceptance_bound_below(2, 3, 1), (6 + 25 + 4) * epsilon());
+}
+
+TEST(Acceptance, EndsAtTheBound) {
+  const Rational exact(1.5), bound = Rational(1) / 3, tiny = Rational::power_of_two(-200);
+  EXPECT_TRUE(is_within(1.5f, exact, 0));
+  EXPECT_TRUE(is_within(1.0f, 1 + bound, bound));
+  EXPECT_FALSE(is_within(1.0f, 1 + bound + tiny, bound));
+  EXPECT_TRUE(is_within(1.0f, 1 - bound, bound));
+  EXPECT_FALSE(is_within(1.0f, 1 - bound - tiny, bound));
+  EXPECT_TRUE(is_within(-0.0f, 0, 0));
+  EXPECT_FALSE(is_within(std::numeric_limits<float>::infinity(), Rational::power_of_two(128),
+                         Rational::power_of_two(2000)));
+  EXPECT_FALSE(is_within(std::numeric_limits<float>::quiet_NaN(), 0, 1));
+}
+
+TEST(Acceptance, HoldsEverythingAboutAValue) {
+  const std::vector<double> points{1, -2, 4};
+  const Curve curve{points.data(), 1, 3, 0, 2};
+  const Argument u = Argument::coordinate(0.5);
+  const Acceptance acceptance = reference::acceptance(curve, u);
+  EXPECT_EQ(acceptance.exact, evaluate(curve, u));
+  EXPECT_EQ(acceptance.magnitude, magnitude(curve, u));
+  EXPECT_EQ(acceptance.bound, acceptance_bound(curve, u));
+  EXPECT_EQ(acceptance.quality_bound, Rational::power_of_two(-24) * 8 * magnitude(curve, u));
+  EXPECT_TRUE(acceptance.must_applies);
+  const float value = static_cast<float>(acceptance.exact.to_double());
+  EXPECT_TRUE(acceptance.accepts(value));
+  EXPECT_TRUE(acceptance.is_good(value));
+  const float poor = value + static_cast<float>(2 * acceptance.quality_bound.to_double());
+  EXPECT_TRUE(acceptance.accepts(poor));
+  EXPECT_FALSE(acceptance.is_good(poor));
+  EXPECT_FALSE(acceptance.accepts(value + static_cast<float>(1.01 * acceptance.bound.to_double())));
+  EXPECT_FALSE(acceptance.accepts(value - static_cast<float>(1.01 * acceptance.bound.to_double())));
+
+  const Surface surface{points.data(), 1, 1, 3, 1, 0, 2, 0, 1};
+  EXPECT_EQ(reference::acceptance(surface, u, u).exact, acceptance.exact);
+  EXPECT_EQ(reference::acceptance(surface, u, u).quality_bound, acceptance.quality_bound);
+}
+
+// must_applies for a line over [u1, u2] with control values `first` and `last`.
+bool must_of_line(double u1, double u2, const Argument& u, double first = 1, double last = 1,
+                  int range = kFullRange) {
+  const double points[] = {first, last};
+  const bool of_curve = must_applies(Curve{points, 1, 2, u1, u2}, u, range);
+  // A surface that is the same line along v agrees.
+  const Surface surface{points, 1, 1, 1, 2, 0, 1, u1, u2};
+  EXPECT_EQ(must_applies(surface, Argument::coordinate(0), u, range), of_curve);
+  return of_curve;
+}
+
+TEST(MustApplies, ToOrdinaryDomains) {
+  const Argument zero = Argument::coordinate(0);
+  EXPECT_TRUE(must_of_line(0, 1, zero));
+  EXPECT_TRUE(must_of_line(5, -2, zero));
+  EXPECT_TRUE(must_of_line(0, 0x1p60, zero));
+  EXPECT_FALSE(must_of_line(0, 0x1.000002p60, zero));
+  EXPECT_TRUE(must_of_line(0, 0x1p-60, zero));
+  EXPECT_FALSE(must_of_line(0, 0x1.fffffep-61, zero));
+  EXPECT_FALSE(must_of_line(0x1p-127, 1, zero));
+  EXPECT_FALSE(must_of_line(1, -0x1p-1074, zero));
+  EXPECT_TRUE(must_of_line(0x1p-126, 1, zero));
+  EXPECT_TRUE(must_of_line(-0.0, 1, zero));
+}
+
+TEST(MustApplies, UpToTheRangeThatTheGlPromises) {
+  const Argument zero = Argument::coordinate(0);
+  EXPECT_TRUE(must_of_line(0, 1, zero, 0x1p32, 0));
+  EXPECT_FALSE(must_of_line(0, 1, zero, 0, -0x1.000002p32));
+  EXPECT_TRUE(must_of_line(0, 1, zero, -0x1p10, 0, kReducedRange));
+  EXPECT_FALSE(must_of_line(0, 1, zero, 0x1.000002p10, 0, kReducedRange));
+  // |t| + |s| = 2|u| - 1 outside.
+  EXPECT_TRUE(must_of_line(0, 1, Argument::coordinate(0x1p15), 0x1p16, 0));
+  EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1.002p15), 0x1p16, 0));
+  // The weights themselves are intermediate results too (U-OVERFLOW).
+  EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1p33), 0x1p-30, 0));
+  EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1p33), 0, 0));
+  // To the power of the degree, in both directions.
+  const std::vector<double> points(9, 1.0);
+  const auto square = [&](double u, double v) {
+    const Surface surface{points.data(), 3, 1, 3, 3, 0, 1, 0, 1};
+    return must_applies(surface, Argument::coordinate(u), Argument::coordinate(v));
+  };
+  EXPECT_TRUE(square(0x1p15, 0.5));
+  EXPECT_FALSE(square(0x1.002p15, 1.5));
+  EXPECT_TRUE(square(0x1p7, -0x1p7 + 1));
+  EXPECT_FALSE(square(0x1p8, -0x1p8));
+}
+
+TEST(MustApplies, OnlyToInputsWithinSinglePrecision) {
+  const double one[] = {1, 1};
+  const auto constant = [&](const Argument& u) { return must_applies(Curve{one, 1, 1, 0, 1}, u); };
+  EXPECT_TRUE(constant(Argument::coordinate(0x1.fffffep127)));
+  EXPECT_FALSE(constant(Argument::coordinate(0x1p128)));
+  EXPECT_TRUE(constant(Argument::grid(1, 2, 0, 0x1p126)));
+  EXPECT_FALSE(constant(Argument::grid(0, 1, 0, 0x1p128)));
+  EXPECT_FALSE(constant(Argument::grid(0, 1, -0x1p127, 0x1p127)));
+  EXPECT_FALSE(constant(Argument::grid(16, 2, 0, 0x1p126)));
+  // Ends that coincide in single precision (U-DOUBLE-CLOSE).
+  EXPECT_FALSE(must_of_line(1, 1 + 0x1p-40, Argument::coordinate(1)));
+  EXPECT_TRUE(must_of_line(1, 1 + 0x1p-23, Argument::coordinate(1)));
+}
+
+TEST(QuotientBound, CoversTheWorstQuotient) {
+  EXPECT_FALSE(quotient_bound(1, 0, 2, 1));
+  EXPECT_FALSE(quotient_bound(1, 0, -2, 1));
+  EXPECT_FALSE(quotient_bound(1, 0, 0, 0));
+  const Rational x(3), x_bound(0.5), w(-4), w_bound(1);
+  // q = (0.5 + 0.75 * 1) / (4 - 1) = 5/12
+  const Rational q = Rational(5) / 12;
+  ASSERT_TRUE(quotient_bound(x, x_bound, w, w_bound));
+  EXPECT_EQ(*quotient_bound(x, x_bound, w, w_bound), q + 4 * epsilon() * (Rational(3) / 4 + q));
+  for (const int sx : {-1, 1}) {
+    for (const int sw : {-1, 1}) {
+      EXPECT_LE(abs((x + sx * x_bound) / (w + sw * w_bound) - x / w), q);
+    }
+  }
+}
+
+TEST(Acceptance, RefusesWhatHasNoValue) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(acceptance_bound(Curve{&nan, 1, 1, 0, 1}, Argument::coordinate(0)), std::domain_error);
+  const double one = 1;
+  EXPECT_THROW(must_applies(Curve{&one, 1, 1, 2, 2}, Argument::coordinate(0)), std::domain_error);
+  EXPECT_THROW(acceptance(Curve{&one, 1, 1, 0, 1}, Argument::coordinate(nan)), std::domain_error);
+  EXPECT_THROW(acceptance(Curve{&one, 1, 0, 0, 1}, Argument::coordinate(0)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace evalcts::reference

@@ -1,0 +1,89 @@
+// Helpers to look at a context of the executable specification.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <reference/specification.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace evalcts::reference {
+
+constexpr GLenum kMap1Targets[] = {GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,
+                                   GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
+                                   GL_MAP1_TEXTURE_COORD_4, GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4};
+constexpr GLenum kMap2Targets[] = {GL_MAP2_COLOR_4,         GL_MAP2_INDEX,           GL_MAP2_NORMAL,
+                                   GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_3,
+                                   GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3,        GL_MAP2_VERTEX_4};
+constexpr int kValuesPerPoint[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};  // of the targets above
+
+// All 18 targets.
+inline std::vector<GLenum> map_targets() {
+  std::vector<GLenum> targets(std::begin(kMap1Targets), std::end(kMap1Targets));
+  targets.insert(targets.end(), std::begin(kMap2Targets), std::end(kMap2Targets));
+  return targets;
+}
+
+// The values that a query writes, found by poisoning: what still holds the poison at the end was not written.
+constexpr GLdouble kPoison = -12345.678;
+inline std::vector<GLdouble> written(std::vector<GLdouble> answer) {
+  while (!answer.empty() && answer.back() == kPoison) answer.pop_back();
+  return answer;
+}
+
+inline std::vector<GLdouble> get_map(Specification& gl, GLenum target, GLenum query) {
+  std::vector<GLdouble> answer(600, kPoison);
+  gl.GetMapdv(target, query, answer.data());
+  return written(answer);
+}
+
+inline std::vector<GLdouble> get(Specification& gl, GLenum pname) {
+  std::vector<GLdouble> answer(20, kPoison);
+  gl.GetDoublev(pname, answer.data());
+  return written(answer);
+}
+
+// Everything about the evaluators and the current values that can be queried.
+inline std::vector<std::vector<GLdouble>> queryable_state(Specification& gl) {
+  std::vector<std::vector<GLdouble>> state;
+  for (const GLenum target : map_targets()) {
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) state.push_back(get_map(gl, target, query));
+    state.push_back(get(gl, target));
+  }
+  for (const GLenum pname : {GL_AUTO_NORMAL, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN,
+                             GL_MAP2_GRID_SEGMENTS, GL_CURRENT_COLOR, GL_CURRENT_INDEX, GL_CURRENT_NORMAL,
+                             GL_CURRENT_TEXTURE_COORDS, GL_EDGE_FLAG, GL_ACTIVE_TEXTURE}) {
+    state.push_back(get(gl, pname));
+  }
+  return state;
+}
+
+// The error is this one, and there is no second.
+inline void expect_error(Specification& gl, GLenum error) {
+  EXPECT_EQ(gl.GetError(), error);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// Defines a map of the target whose k components are, at u in [0,1], first, first + 1, ... times (1 - u) plus
+// the same plus 10 times u.
+inline void define_line(Specification& gl, GLenum target, float first) {
+  const int k = values_per_point(target);
+  std::vector<GLfloat> points;
+  for (int i = 0; i < 2; ++i) {
+    for (int c = 0; c < k; ++c) points.push_back(first + c + 10 * i);
+  }
+  gl.Map1f(target, 0, 1, k, 2, points.data());
+}
+
+template <std::size_t size>
+std::array<float, size> rounded(const std::array<Component, size>& components) {
+  std::array<float, size> values;
+  for (std::size_t i = 0; i < size; ++i) values[i] = rounded(components[i]);
+  return values;
+}
+
+using Values4 = std::array<float, 4>;
+using Values3 = std::array<float, 3>;
+
+}  // namespace evalcts::reference

@@ -1,0 +1,334 @@
+// Sections 1, 2, 6 and 18 of the requirements: tokens, initial state, enables, queries; and errors as such.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "reference/tests/context.h"
+
+namespace evalcts::reference {
+namespace {
+
+TEST(Tokens, HaveTheirRegisteredValues) {  // EV-API-ENUM-*
+  Specification gl;
+  for (GLenum i = 0; i < 9; ++i) {
+    EXPECT_EQ(get_map(gl, 0x0D90 + i, 0x0A01), std::vector<GLdouble>{1});
+    EXPECT_EQ(get_map(gl, 0x0DB0 + i, 0x0A01), (std::vector<GLdouble>{1, 1}));
+    EXPECT_EQ(values_per_point(0x0D90 + i), kValuesPerPoint[i]);  // EV-MAP1-K
+    EXPECT_EQ(values_per_point(0x0DB0 + i), kValuesPerPoint[i]);  // EV-MAP2-K
+  }
+  EXPECT_EQ(get(gl, 0x0D80), std::vector<GLdouble>{0});
+  EXPECT_EQ(get(gl, 0x0DD0), (std::vector<GLdouble>{0, 1}));
+  EXPECT_EQ(get(gl, 0x0D30), std::vector<GLdouble>{64});
+  expect_error(gl, GL_NO_ERROR);
+  for (const GLenum other : {0x0D8Fu, 0x0D99u, 0x0DAFu, 0x0DB9u, 0u, 0xFFFFFFFFu}) {
+    EXPECT_EQ(values_per_point(other), 0);
+  }
+}
+
+TEST(InitialState, IsThatOfTheSpecification) {  // EV-INIT-*
+  Specification gl;
+  const std::vector<std::vector<GLdouble>> points{{1, 1, 1, 1}, {1},          {0, 0, 1}, {0},         {0, 0},
+                                                  {0, 0, 0},    {0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0, 1}};
+  for (int i = 0; i < kMapKinds; ++i) {
+    for (const GLenum target : {kMap1Targets[i], kMap2Targets[i]}) {
+      EXPECT_EQ(gl.IsEnabled(target), GL_FALSE);
+      EXPECT_EQ(get_map(gl, target, GL_COEFF), points[i]);
+    }
+    EXPECT_EQ(get_map(gl, kMap1Targets[i], GL_ORDER), std::vector<GLdouble>{1});
+    EXPECT_EQ(get_map(gl, kMap2Targets[i], GL_ORDER), (std::vector<GLdouble>{1, 1}));
+    EXPECT_EQ(get_map(gl, kMap1Targets[i], GL_DOMAIN), (std::vector<GLdouble>{0, 1}));
+    EXPECT_EQ(get_map(gl, kMap2Targets[i], GL_DOMAIN), (std::vector<GLdouble>{0, 1, 0, 1}));
+  }
+  EXPECT_EQ(gl.IsEnabled(GL_AUTO_NORMAL), GL_FALSE);
+  EXPECT_EQ(get(gl, GL_MAP1_GRID_DOMAIN), (std::vector<GLdouble>{0, 1}));
+  EXPECT_EQ(get(gl, GL_MAP1_GRID_SEGMENTS), std::vector<GLdouble>{1});
+  EXPECT_EQ(get(gl, GL_MAP2_GRID_DOMAIN), (std::vector<GLdouble>{0, 1, 0, 1}));
+  EXPECT_EQ(get(gl, GL_MAP2_GRID_SEGMENTS), (std::vector<GLdouble>{1, 1}));
+  EXPECT_EQ(get(gl, GL_CURRENT_COLOR), (std::vector<GLdouble>{1, 1, 1, 1}));
+  EXPECT_EQ(get(gl, GL_CURRENT_NORMAL), (std::vector<GLdouble>{0, 0, 1}));
+  EXPECT_EQ(get(gl, GL_CURRENT_INDEX), std::vector<GLdouble>{1});
+  EXPECT_EQ(get(gl, GL_EDGE_FLAG), std::vector<GLdouble>{1});
+  EXPECT_EQ(get(gl, GL_ACTIVE_TEXTURE), std::vector<GLdouble>{GL_TEXTURE0});
+  EXPECT_EQ(get(gl, GL_RGBA_MODE), std::vector<GLdouble>{1});
+  EXPECT_EQ(get(gl, GL_INDEX_MODE), std::vector<GLdouble>{0});
+  EXPECT_EQ(get(gl, GL_MAX_TEXTURE_UNITS), std::vector<GLdouble>{8});
+  EXPECT_EQ(get(gl, GL_MAX_TEXTURE_COORDS), std::vector<GLdouble>{8});
+  for (GLenum unit = 0; unit < 8; ++unit) {
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    EXPECT_EQ(get(gl, GL_CURRENT_TEXTURE_COORDS), (std::vector<GLdouble>{0, 0, 0, 1}));
+  }
+  expect_error(gl, GL_NO_ERROR);
+  EXPECT_TRUE(gl.take_primitives().empty());
+}
+
+TEST(InitialState, HasTheMaximumOrderAskedFor) {  // EV-INIT-MAXORDER
+  const auto maximum = [](int asked) {
+    Specification gl(Specification::Options{asked});
+    return get(gl, GL_MAX_EVAL_ORDER);
+  };
+  EXPECT_EQ(maximum(30), std::vector<GLdouble>{30});
+  EXPECT_EQ(maximum(-5), std::vector<GLdouble>{8});
+  EXPECT_EQ(maximum(1000), std::vector<GLdouble>{64});
+}
+
+TEST(Enables, AreOneFlagForEachMapAndAutoNormal) {  // EV-EN-CAPS, EV-EN-INDEP, EV-EN-GETS
+  std::vector<GLenum> caps = map_targets();
+  caps.push_back(GL_AUTO_NORMAL);
+  for (const GLenum cap : caps) {
+    Specification gl;
+    gl.Enable(cap);
+    for (const GLenum other : caps) {
+      const bool on = other == cap;
+      EXPECT_EQ(gl.IsEnabled(other), on ? GL_TRUE : GL_FALSE) << std::hex << other;
+      GLboolean b = 7;
+      GLint i = 7;
+      GLfloat f = 7;
+      GLdouble d = 7;
+      gl.GetBooleanv(other, &b);
+      gl.GetIntegerv(other, &i);
+      gl.GetFloatv(other, &f);
+      gl.GetDoublev(other, &d);
+      EXPECT_EQ(b, on ? GL_TRUE : GL_FALSE);
+      EXPECT_EQ(i, on);
+      EXPECT_EQ(f, on);
+      EXPECT_EQ(d, on);
+    }
+    gl.Disable(cap);
+    EXPECT_EQ(gl.IsEnabled(cap), GL_FALSE);
+    expect_error(gl, GL_NO_ERROR);
+  }
+}
+
+TEST(Enables, DoNotDependOnTheActiveTexture) {  // EV-EN-NOTUNIT
+  Specification gl;
+  gl.ActiveTexture(GL_TEXTURE3);
+  gl.Enable(GL_MAP1_TEXTURE_COORD_2);
+  gl.ActiveTexture(GL_TEXTURE0);
+  EXPECT_EQ(gl.IsEnabled(GL_MAP1_TEXTURE_COORD_2), GL_TRUE);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Enables, RefuseOtherNames) {
+  Specification gl;
+  for (const GLenum cap :
+       {0x0D8Fu, 0x0D99u, 0x0DB9u, 0u, 0xFFFFFFFFu, static_cast<GLenum>(GL_MAX_EVAL_ORDER)}) {
+    gl.Enable(cap);
+    expect_error(gl, GL_INVALID_ENUM);
+    gl.Disable(cap);
+    expect_error(gl, GL_INVALID_ENUM);
+    EXPECT_EQ(gl.IsEnabled(cap), GL_FALSE);
+    expect_error(gl, GL_INVALID_ENUM);
+  }
+}
+
+TEST(BeginEnd, ForbidsEverythingButItsOwnCommands) {  // EV-BE-ALLOWED, EV-EN-BEGINEND, EV-*-ERR-BEGINEND
+  Specification gl;
+  gl.Enable(GL_MAP1_VERTEX_3);
+  const auto before = queryable_state(gl);
+  GLfloat f[16] = {7, 7, 7, 7, 7, 7, 7, 7};
+  GLdouble d[16] = {7, 7, 7, 7, 7, 7, 7, 7};
+  GLint i[16] = {7};
+  GLboolean b[16] = {7};
+  const std::vector<std::function<void()>> forbidden{
+      [&] { gl.Map1f(GL_MAP1_VERTEX_4, 0, 2, 4, 1, f); },
+      [&] { gl.Map1d(GL_MAP1_VERTEX_4, 0, 2, 4, 1, d); },
+      [&] { gl.GetMapfv(GL_MAP1_VERTEX_3, GL_ORDER, f); },
+      [&] { gl.GetMapdv(GL_MAP1_VERTEX_3, GL_ORDER, d); },
+      [&] { gl.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, i); },
+      [&] { gl.Enable(GL_MAP1_VERTEX_4); },
+      [&] { gl.Disable(GL_MAP1_VERTEX_3); },
+      [&] { EXPECT_EQ(gl.IsEnabled(GL_MAP1_VERTEX_3), GL_FALSE); },
+      [&] { gl.GetBooleanv(GL_MAP1_VERTEX_3, b); },
+      [&] { gl.GetIntegerv(GL_MAX_EVAL_ORDER, i); },
+      [&] { gl.GetFloatv(GL_MAP1_GRID_DOMAIN, f); },
+      [&] { gl.GetDoublev(GL_MAP1_GRID_DOMAIN, d); },
+      [&] { EXPECT_EQ(gl.GetString(GL_VERSION), nullptr); },
+      [&] { EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)); },
+      [&] { gl.Begin(GL_LINES); },
+      [&] { gl.ActiveTexture(GL_TEXTURE1); }};
+  for (std::size_t n = 0; n < forbidden.size(); ++n) {
+    SCOPED_TRACE(n);
+    gl.Begin(GL_POINTS);
+    gl.EvalCoord1f(0);
+    forbidden[n]();
+    EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+    gl.Vertex3f(1, 2, 3);
+    gl.End();
+    expect_error(gl, GL_INVALID_OPERATION);
+    const auto primitives = gl.take_primitives();  // undisturbed (EV-BE-IGNORED)
+    ASSERT_EQ(primitives.size(), 1u);
+    EXPECT_EQ(primitives[0].mode, static_cast<GLenum>(GL_POINTS));
+    EXPECT_EQ(primitives[0].vertices.size(), 2u);
+    EXPECT_EQ(queryable_state(gl), before);
+    EXPECT_EQ(f[0], 7);
+    EXPECT_EQ(d[0], 7);
+    EXPECT_EQ(i[0], 7);
+    EXPECT_EQ(b[0], 7);
+  }
+}
+
+TEST(Errors, KeepTheFirstUntilItIsRead) {
+  Specification gl;
+  gl.End();          // INVALID_OPERATION
+  gl.Enable(0);      // INVALID_ENUM
+  gl.Begin(0xFFFF);  // INVALID_ENUM
+  expect_error(gl, GL_INVALID_OPERATION);
+  gl.Begin(GL_POLYGON + 1);
+  expect_error(gl, GL_INVALID_ENUM);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{});  // GetError itself raised none
+}
+
+TEST(Queries, OfMapsWriteWhatTheyShould) {  // EV-GETMAP-ORDER1, -DOMAIN1, -COEFF1, -COUNT, -DISABLED
+  Specification gl;
+  const GLfloat points[] = {1, 2, 3, 99, 4, 5, 6, 99, 7, 8, 9, 99};
+  gl.Map1f(GL_MAP1_NORMAL, 5, -2, 4, 3, points);
+  EXPECT_EQ(get_map(gl, GL_MAP1_NORMAL, GL_ORDER), std::vector<GLdouble>{3});
+  EXPECT_EQ(get_map(gl, GL_MAP1_NORMAL, GL_DOMAIN), (std::vector<GLdouble>{5, -2}));
+  EXPECT_EQ(get_map(gl, GL_MAP1_NORMAL, GL_COEFF), (std::vector<GLdouble>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  GLfloat f[10];
+  f[9] = 77;
+  gl.GetMapfv(GL_MAP1_NORMAL, GL_COEFF, f);
+  EXPECT_EQ(f[8], 9);
+  EXPECT_EQ(f[9], 77);
+  GLint i[2] = {0, 77};
+  gl.GetMapiv(GL_MAP1_NORMAL, GL_ORDER, i);
+  EXPECT_EQ(i[0], 3);
+  EXPECT_EQ(i[1], 77);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Queries, OfMapsConvert) {  // EV-GETMAP-ROUND, -SATURATE, -FLOAT, -DOUBLE, C-GETMAPIV-NORM, EV-API-FD
+  Specification gl;
+  const GLdouble points[] = {1.4, -1.6, 1e20, -1e300};
+  gl.Map1d(GL_MAP1_COLOR_4, 1.0 / 3, 2.51, 4, 1, points);
+  GLint i[4];
+  gl.GetMapiv(GL_MAP1_COLOR_4, GL_COEFF, i);
+  EXPECT_EQ(i[0], 1);
+  EXPECT_EQ(i[1], -2);
+  EXPECT_EQ(i[2], 2147483647);
+  EXPECT_EQ(i[3], -2147483647 - 1);
+  gl.GetMapiv(GL_MAP1_COLOR_4, GL_DOMAIN, i);
+  EXPECT_EQ(i[0], 0);
+  EXPECT_EQ(i[1], 3);
+  GLfloat f[4];
+  gl.GetMapfv(GL_MAP1_COLOR_4, GL_COEFF, f);
+  EXPECT_EQ(f[0], 1.4f);
+  EXPECT_EQ(f[2], 1e20f);
+  EXPECT_EQ(f[3], -std::numeric_limits<float>::max());  // the nearest representable
+  EXPECT_EQ(get_map(gl, GL_MAP1_COLOR_4, GL_COEFF), (std::vector<GLdouble>{1.4, -1.6, 1e20, -1e300}));
+  EXPECT_EQ(get_map(gl, GL_MAP1_COLOR_4, GL_DOMAIN), (std::vector<GLdouble>{1.0 / 3, 2.51}));
+}
+
+TEST(Queries, OfMapsHaveErrorsAndWriteNothingThen) {  // EV-GETMAP-ERR-*
+  Specification gl;
+  const auto refused = [&](GLenum target, GLenum query) {
+    GLfloat f = 7;
+    GLdouble d = 7;
+    GLint i = 7;
+    gl.GetMapfv(target, query, &f);
+    expect_error(gl, GL_INVALID_ENUM);
+    gl.GetMapdv(target, query, &d);
+    expect_error(gl, GL_INVALID_ENUM);
+    gl.GetMapiv(target, query, &i);
+    expect_error(gl, GL_INVALID_ENUM);
+    EXPECT_EQ(f, 7);
+    EXPECT_EQ(d, 7);
+    EXPECT_EQ(i, 7);
+  };
+  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DB9u, static_cast<GLenum>(GL_TEXTURE_2D),
+                              static_cast<GLenum>(GL_AUTO_NORMAL), 0x8660u, 0x8444u, 0x81CBu}) {
+    refused(target, GL_ORDER);
+  }
+  for (const GLenum query : {0x0A03u, 0x09FFu, static_cast<GLenum>(GL_MAX_EVAL_ORDER), 0u}) {
+    refused(GL_MAP1_INDEX, query);
+  }
+}
+
+TEST(Queries, IgnoreTheActiveTexture) {  // EV-GETMAP-NOUNIT
+  Specification gl;
+  gl.ActiveTexture(GL_TEXTURE1);
+  EXPECT_EQ(get_map(gl, GL_MAP1_TEXTURE_COORD_2, GL_ORDER), std::vector<GLdouble>{1});
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Queries, OfSingleValuesConvert) {
+  Specification gl;
+  gl.Color4f(1, -1, 0, 0.5f);
+  gl.Normal3f(0, 2, -2);
+  gl.TexCoord4f(1.4f, -1.6f, 1e20f, 0);
+  gl.Indexf(2.51f);
+  GLint i[4];
+  // Colours and normals go linearly to the whole range (GL 2.1 table 2.9).
+  gl.GetIntegerv(GL_CURRENT_COLOR, i);
+  EXPECT_EQ(i[0], 2147483647);
+  EXPECT_EQ(i[1], -2147483647 - 1);
+  EXPECT_EQ(i[2], 0);
+  EXPECT_EQ(i[3], 1073741823);  // 1073741823.25
+  gl.GetIntegerv(GL_CURRENT_NORMAL, i);
+  EXPECT_EQ(i[1], 2147483647);
+  EXPECT_EQ(i[2], -2147483647 - 1);
+  gl.GetIntegerv(GL_CURRENT_TEXTURE_COORDS, i);
+  EXPECT_EQ(i[0], 1);
+  EXPECT_EQ(i[1], -2);
+  EXPECT_EQ(i[2], 2147483647);
+  EXPECT_EQ(i[3], 0);
+  gl.GetIntegerv(GL_CURRENT_INDEX, i);
+  EXPECT_EQ(i[0], 3);
+  GLboolean b[4];
+  gl.GetBooleanv(GL_CURRENT_COLOR, b);
+  EXPECT_EQ(b[0], GL_TRUE);
+  EXPECT_EQ(b[2], GL_FALSE);
+  EXPECT_EQ(b[3], GL_TRUE);
+  gl.GetBooleanv(GL_MAX_EVAL_ORDER, b);
+  EXPECT_EQ(b[0], GL_TRUE);
+  GLfloat f[4];
+  gl.GetFloatv(GL_MAP2_GRID_SEGMENTS, f);
+  EXPECT_EQ(f[1], 1);
+  // Numbers that are none do no harm.
+  gl.Color4d(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300, 0);
+  gl.GetIntegerv(GL_CURRENT_COLOR, i);
+  EXPECT_EQ(i[0], 0);
+  EXPECT_EQ(i[1], 2147483647);
+  EXPECT_EQ(i[2], -2147483647 - 1);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Queries, OfUnknownNamesAreErrors) {
+  Specification gl;
+  GLint i = 7;
+  for (const GLenum pname : {0u, 0x0D8Fu, 0x0D99u, static_cast<GLenum>(GL_COEFF), 0xFFFFFFFFu}) {
+    gl.GetIntegerv(pname, &i);
+    expect_error(gl, GL_INVALID_ENUM);
+  }
+  EXPECT_EQ(i, 7);
+  EXPECT_EQ(gl.GetString(0), nullptr);
+  expect_error(gl, GL_INVALID_ENUM);
+  for (const GLenum name : {GL_VENDOR, GL_RENDERER, GL_VERSION, GL_EXTENSIONS}) {
+    EXPECT_NE(gl.GetString(name), nullptr);
+  }
+  EXPECT_EQ(std::strncmp(reinterpret_cast<const char*>(gl.GetString(GL_VERSION)), "2.1 ", 4), 0);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Queries, WithNullPointersDoNothing) {  // U-NULL
+  Specification gl;
+  gl.GetIntegerv(GL_MAX_EVAL_ORDER, nullptr);
+  gl.GetMapdv(GL_MAP1_INDEX, GL_COEFF, nullptr);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Contexts, AreSeparateAndCopiesToo) {  // EV-CTX-PRIVATE
+  Specification a;
+  define_line(a, GL_MAP1_INDEX, 5);
+  a.Enable(GL_MAP1_INDEX);
+  Specification fresh, copy = a;
+  EXPECT_EQ(get_map(fresh, GL_MAP1_INDEX, GL_ORDER), std::vector<GLdouble>{1});
+  EXPECT_EQ(fresh.IsEnabled(GL_MAP1_INDEX), GL_FALSE);
+  define_line(a, GL_MAP1_INDEX, 50);
+  EXPECT_EQ(get_map(copy, GL_MAP1_INDEX, GL_COEFF), (std::vector<GLdouble>{5, 15}));
+  EXPECT_EQ(copy.IsEnabled(GL_MAP1_INDEX), GL_TRUE);
+}
+
+}  // namespace
+}  // namespace evalcts::reference
