@@ -96,6 +96,7 @@ trap 'rmdir "$machine/busy"' EXIT
 trap 'echo stopped >>"$machine/calls"; exit 130' INT
 if [[ $1 == -S ]]; then
   echo "configure $4" >>"$machine/calls"
+  echo
   [[ -e $machine/no-configure ]] && echo "CMake Error: no Boost" && exit 1
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/$4/CMakeCache.txt"
   touch "$2/build/$4/build.ninja"
@@ -221,7 +222,7 @@ scenario "the first call installs, builds, hands over; the second only builds"
 evalcts run --filter 'a  b' -- --no-install
 exits 7
 says "installing $required libosmesa6"
-says "12 packages, 6 MB to download, 25 MB on disk"
+says "12 packages, 6.0 MB to download, 25 MB on disk"
 says "<program><run><--filter><a  b><--><--no-install>"
 says "$top/elsewhere"
 says "lock is free"
