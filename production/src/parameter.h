@@ -43,7 +43,8 @@ inline Parameter Locate(const Domain& domain, double u) {
 
 // A grid argument. Indices 0 and segments are the ends of the grid exactly (GL §21.1).
 inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
-  const auto& [grid, i] = argument;
+  const Grid& grid = argument.grid;
+  const std::int64_t i = argument.index;
   if (i == 0) return Locate(domain, grid.u1);
   if (i == grid.segments) return Locate(domain, grid.u2);
   // Affine in i between the coordinates of the grid's ends. If the grid spans the domain these are 0 and 1,
