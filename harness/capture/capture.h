@@ -1,0 +1,59 @@
+// Captures: ways to see what an evaluator emitted. A capture wraps a case in commands of its own, plays it in
+// a fresh context (once for each pass that it needs) and decodes what came back.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "harness/capture/observation.h"
+#include "harness/gl/player.h"
+#include "harness/implementations/implementation.h"
+
+namespace evalcts {
+
+// This implementation gives no way to observe what was asked for: never a pass, never a failure.
+struct NotObservable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Capture {
+ public:
+  virtual ~Capture() = default;
+  virtual std::string name() const = 0;
+
+  // Proves itself on a control of explicit Vertex, Color, Normal and TexCoord commands, and learns what it can
+  // see of this implementation. Throws NotObservable if it cannot be used. To be called once, before observe().
+  virtual void prove(Implementation& implementation, const ImplementationInfo& info) = 0;
+
+  // What it can observe; valid after prove().
+  virtual Attributes attributes() const = 0;
+
+  // Whether vertices with w <= 0 are lost on the way; valid after prove().
+  virtual bool loses_nonpositive_w() const { return false; }
+
+  // Plays the case, which draws points only, and returns its vertices with at least the wanted attributes.
+  // `most_vertices`: how many are expected at most; where more come, Observation::overflow is set. Throws
+  // NotObservable, and whatever gl::play throws.
+  virtual Observation observe(Implementation& implementation, const gl::Case& script, Attributes wanted,
+                              std::size_t most_vertices) const = 0;
+};
+
+// Sink, TransformFeedback, FeedbackBuffer, in order of preference.
+std::vector<std::unique_ptr<Capture>> all_captures();
+
+std::unique_ptr<Capture> make_sink();
+std::unique_ptr<Capture> make_transform_feedback();
+std::unique_ptr<Capture> make_feedback_buffer();
+
+// A script behind a capture's prologue, with GetError between them and after it: what the capture itself
+// raises is not the script's. Epilogues are added to `commands`.
+struct WrappedCase {
+  gl::Case commands;
+  gl::Ref error_before;  // GetError after the prologue
+  gl::Ref error_after;   // GetError after the script
+};
+WrappedCase begin_wrapping(gl::Case prologue, const gl::Case& script);
+
+}  // namespace evalcts

@@ -1,0 +1,32 @@
+// The control that each capture has to reproduce before it is trusted: explicit vertices with known values.
+#pragma once
+
+#include "harness/capture/capture.h"
+#include "harness/gl/case.h"
+
+namespace evalcts {
+
+struct Control {
+  gl::Case commands;
+  std::vector<ObservedVertex> vertices;
+};
+
+struct ControlOptions {
+  bool negative_w = false;      // include vertices with w < 0 and w = 0
+  bool unclamped_color = false;  // include colours outside [0,1]
+};
+
+// Points with awkward but ordinary values: both signs, many magnitudes, full significands. No -0, no subnormal
+// and no non-finite values, which feedback need not preserve.
+Control make_control(const ControlOptions& options);
+
+// Empty if the observation reproduces the control bit for bit in the given attributes (unit 0 only), otherwise
+// what is wrong.
+std::string compare(const Control& control, const Observation& observation, Attributes attributes);
+
+// Plays the control through the capture. Empty if it came back unchanged, otherwise what is wrong. Throws as
+// Capture::observe does.
+std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
+                        Attributes attributes);
+
+}  // namespace evalcts

@@ -1,0 +1,180 @@
+// Feedback mode (GL 2.1 §5.3). Texture coordinates of unit 0 come back as they are; positions come back
+// through identity OBJECT_LINEAR texture generation, normals through NORMAL_MAP, each in a pass of its own.
+// -0, subnormals and non-finite values are not preserved.
+#include <algorithm>
+#include <optional>
+
+#include "harness/capture/control.h"
+
+namespace evalcts {
+namespace {
+
+enum class TextureCoordinatesHold { texture, position, normal };
+
+// x = y = z = 0 for every vertex, so that nothing is clipped. With w kept, vertices with w < 0 still are;
+// with w = 0 too, none is where the library takes the degenerate point at its word.
+std::vector<GLfloat> collapsing_projection(bool keep_w) {
+  std::vector<GLfloat> matrix(16, 0.0f);
+  if (keep_w) matrix[15] = 1.0f;
+  return matrix;
+}
+
+gl::Case setup(TextureCoordinatesHold hold, bool keep_w, bool unclamp) {
+  gl::Case c;
+  c.Viewport(0, 0, 64, 64);
+  c.MatrixMode(GL_PROJECTION);
+  c.LoadMatrixf(collapsing_projection(keep_w));
+  c.MatrixMode(GL_MODELVIEW);
+  c.LoadIdentity();
+  if (unclamp) c.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+  // Some drivers skip texture coordinates and their generation unless a complete texture is enabled.
+  c.BindTexture(GL_TEXTURE_2D, 1);
+  c.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, std::vector<GLubyte>(4, 255));
+  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  c.Enable(GL_TEXTURE_2D);
+  if (hold == TextureCoordinatesHold::texture) return c;
+
+  const bool position = hold == TextureCoordinatesHold::position;
+  const GLenum coordinates[] = {GL_S, GL_T, GL_R, GL_Q};
+  const GLenum switches[] = {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q};
+  for (std::size_t i = 0; i < (position ? 4u : 3u); ++i) {
+    c.TexGeni(coordinates[i], GL_TEXTURE_GEN_MODE, position ? GL_OBJECT_LINEAR : GL_NORMAL_MAP);
+    if (position) {
+      std::vector<GLfloat> plane(4, 0.0f);
+      plane[i] = 1.0f;
+      c.TexGenfv(coordinates[i], GL_OBJECT_PLANE, plane);
+    }
+    c.Enable(switches[i]);
+  }
+  return c;
+}
+
+class FeedbackBuffer final : public Capture {
+ public:
+  std::string name() const override { return "FeedbackBuffer"; }
+
+  void prove(Implementation& implementation, const ImplementationInfo& info) override {
+    const auto reproduces = [&](const ControlOptions& options, Attributes attributes) {
+      try {
+        return try_control(*this, implementation, options, attributes).empty();
+      } catch (const NotObservable&) {
+        return false;
+      } catch (const gl::MissingEntryPoint&) {
+        return false;
+      }
+    };
+    keep_w_ = true;
+    unclamp_ = false;
+    for (const Attribute attribute : {kTextureCoordinate0, kPosition, kNormal, kColor})
+      if (reproduces({}, attribute)) attributes_ |= attribute;
+    if (attributes_ == 0) throw NotObservable("feedback mode does not give explicit vertices back unchanged");
+
+    if (attributes_ & kPosition) {
+      keep_w_ = false;
+      if (!reproduces({.negative_w = true}, kPosition)) keep_w_ = true;
+    }
+    if ((attributes_ & kColor) && info.at_least(3, 0)) {
+      unclamp_ = true;
+      if (!reproduces({.unclamped_color = true}, kColor)) unclamp_ = false;
+    }
+  }
+
+  Attributes attributes() const override { return attributes_; }
+  bool loses_nonpositive_w() const override { return keep_w_; }
+
+  Observation observe(Implementation& implementation, const gl::Case& script, Attributes wanted,
+                      std::size_t most_vertices) const override {
+    std::optional<Observation> observation;
+    const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
+      Observation seen = play_pass(implementation, script, hold, most_vertices);
+      seen.attributes = gives;
+      if (!observation) {
+        observation = std::move(seen);
+      } else {
+        merge(*observation, seen, gives);
+      }
+    };
+    if ((wanted & (kTextureCoordinate0 | kColor)) || (wanted & kAllAttributes) == 0)
+      pass(TextureCoordinatesHold::texture, kTextureCoordinate0 | kColor);
+    if (wanted & kPosition) pass(TextureCoordinatesHold::position, kPosition);
+    if (wanted & kNormal) pass(TextureCoordinatesHold::normal, kNormal);
+    if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
+    observation->clamped_colors = !unclamp_;
+    return *observation;
+  }
+
+ private:
+  Observation play_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
+                        std::size_t most_vertices) const {
+    const std::size_t room = (most_vertices + 1) * 13;  // token, x y z w, R G B A, s t r q
+    gl::Case prologue = setup(hold, keep_w_, unclamp_);
+    const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
+    prologue.RenderMode(GL_FEEDBACK);
+    WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
+    const gl::Ref count = wrapped.commands.RenderMode(GL_RENDER);
+
+    const std::unique_ptr<Context> context = implementation.create_context();
+    const gl::Trace trace = gl::play(wrapped.commands, context->table());
+    if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("feedback mode cannot be set up");
+
+    Observation observation;
+    observation.error = trace.error(wrapped.error_after);
+    const std::vector<GLfloat> values = trace.values<GLfloat>(buffer);
+    // A negative answer: more came than there was room for; what is there is whole.
+    const auto returned = static_cast<GLint>(trace.result(count));
+    const std::size_t valid = returned < 0 ? room / 13 * 13 : std::min<std::size_t>(room, static_cast<std::size_t>(returned));
+    decode(values, valid, hold, observation);
+    observation.overflow = returned < 0 || observation.vertex_count() > most_vertices;
+    return observation;
+  }
+
+  static void decode(const std::vector<GLfloat>& values, std::size_t count, TextureCoordinatesHold hold,
+                     Observation& observation) {
+    ObservedPrimitive& points = observation.primitives.emplace_back();
+    for (std::size_t i = 0; i + 13 <= count; i += 13) {
+      if (values[i] != static_cast<GLfloat>(GL_POINT_TOKEN))
+        throw NotObservable("something other than points came back in feedback mode");
+      const GLfloat* const data = &values[i + 1];
+      ObservedVertex& vertex = points.vertices.emplace_back();
+      std::copy_n(data + 4, 4, vertex.color.begin());
+      const GLfloat* const texture = data + 8;
+      switch (hold) {
+        case TextureCoordinatesHold::texture:
+          std::copy_n(texture, 4, vertex.texture_coordinate[0].begin());
+          break;
+        case TextureCoordinatesHold::position:
+          std::copy_n(texture, 4, vertex.position.begin());
+          break;
+        case TextureCoordinatesHold::normal:
+          std::copy_n(texture, 3, vertex.normal.begin());
+          break;
+      }
+    }
+  }
+
+  // Passes replay the same case; where they do not even agree on the number of vertices, nothing can be said.
+  static void merge(Observation& whole, const Observation& pass, Attributes gives) {
+    if (whole.vertex_count() != pass.vertex_count())
+      throw NotObservable("two feedback passes over the same commands gave different numbers of vertices");
+    auto& vertices = whole.primitives.front().vertices;
+    const auto& more = pass.primitives.front().vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (gives & kPosition) vertices[i].position = more[i].position;
+      if (gives & kNormal) vertices[i].normal = more[i].normal;
+    }
+    whole.attributes |= gives;
+    if (whole.error == GL_NO_ERROR) whole.error = pass.error;
+    whole.overflow = whole.overflow || pass.overflow;
+  }
+
+  bool keep_w_ = true;
+  bool unclamp_ = false;
+  Attributes attributes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Capture> make_feedback_buffer() { return std::make_unique<FeedbackBuffer>(); }
+
+}  // namespace evalcts

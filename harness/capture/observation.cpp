@@ -1,0 +1,26 @@
+#include "harness/capture/observation.h"
+
+#include <utility>
+
+namespace evalcts {
+
+std::string describe(Attributes attributes) {
+  constexpr std::pair<Attribute, const char*> kNames[] = {{kPosition, "position"},
+                                                          {kColor, "colour"},
+                                                          {kNormal, "normal"},
+                                                          {kTextureCoordinate0, "texture coordinates of unit 0"},
+                                                          {kTextureCoordinatesOther,
+                                                           "texture coordinates of units 1 and up"}};
+  std::string text;
+  for (const auto& [attribute, name] : kNames)
+    if (attributes & attribute) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text.empty() ? "nothing" : text;
+}
+
+std::size_t Observation::vertex_count() const {
+  std::size_t count = 0;
+  for (const ObservedPrimitive& primitive : primitives) count += primitive.vertices.size();
+  return count;
+}
+
+}  // namespace evalcts

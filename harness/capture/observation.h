@@ -1,0 +1,52 @@
+// What a capture saw: the vertices that came out of a case, with the attributes it can observe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/gl/table.h"
+
+namespace evalcts {
+
+// Attributes of a vertex, as a set.
+enum Attribute : std::uint32_t {
+  kPosition = 1u << 0,
+  kColor = 1u << 1,
+  kNormal = 1u << 2,
+  kTextureCoordinate0 = 1u << 3,
+  kTextureCoordinatesOther = 1u << 4,  // units 1 and up
+};
+using Attributes = std::uint32_t;
+inline constexpr Attributes kAllAttributes =
+    kPosition | kColor | kNormal | kTextureCoordinate0 | kTextureCoordinatesOther;
+
+std::string describe(Attributes attributes);
+
+inline constexpr std::size_t kTextureUnits = 8;
+
+struct ObservedVertex {
+  std::array<float, 4> position{};
+  std::array<float, 4> color{};
+  std::array<float, 3> normal{};
+  std::array<std::array<float, 4>, kTextureUnits> texture_coordinate{};
+};
+
+struct ObservedPrimitive {
+  GLenum mode = GL_POINTS;
+  std::vector<ObservedVertex> vertices;
+};
+
+struct Observation {
+  Attributes attributes = 0;    // those that hold observed values
+  bool clamped_colors = false;  // colours were clamped to [0,1] on the way
+  std::size_t units = 1;        // texture units observed
+  GLenum error = GL_NO_ERROR;   // what the case itself left behind
+  bool overflow = false;        // more vertices came than there was room for
+  std::vector<ObservedPrimitive> primitives;
+
+  std::size_t vertex_count() const;
+};
+
+}  // namespace evalcts

@@ -1,0 +1,47 @@
+// The subcommands of evalcts. Each returns an exit code:
+//   0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something that was asked for
+//   cannot be started, read or written; 3 a fault of evalcts itself.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace evalcts::cli {
+
+inline constexpr int kNothingUnexpected = 0;
+inline constexpr int kUnexpected = 1;
+inline constexpr int kWrongUse = 2;
+inline constexpr int kOwnFault = 3;
+
+struct RunOptions {
+  std::vector<std::string> implementations;  // empty: the default ones
+  std::string library;
+  std::string label;
+  std::string filter = "*";
+  std::string depth = "full";
+  std::uint32_t seed = 1;
+  double seconds_per_test = 60;
+  std::string output;  // empty: the usual folder
+  bool verbose = false;
+  std::string command;  // as typed
+};
+
+int run(const RunOptions& options);
+int list(const std::string& what, bool as_json);
+int coverage(bool as_json);
+int explain(const std::string& name);
+
+// Where this program, the suite program and the usual output folder are.
+struct Places {
+  std::filesystem::path suite_program;
+  std::filesystem::path output;
+};
+Places places();
+
+// The tests whose names match a GoogleTest-like filter: patterns with * and ?, separated by ':', those after a
+// '-' excluded.
+nlohmann::json matching(const nlohmann::json& tests, const std::string& filter);
+
+}  // namespace evalcts::cli

@@ -1,0 +1,59 @@
+// The command line of evalcts.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "harness/cli/commands.h"
+
+int main(int argc, char** argv) {
+  using namespace evalcts::cli;
+  CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators"};
+  app.set_version_flag("--version", "evalcts " EVALCTS_VERSION);
+  app.require_subcommand(1);
+
+  RunOptions run_options;
+  run_options.command = "evalcts";
+  for (int i = 1; i < argc; ++i) run_options.command += std::string(" ") + argv[i];
+  CLI::App* run_command = app.add_subcommand("run", "judge implementations (default: all that are available)");
+  run_command->add_option("--implementation", run_options.implementations, "what to judge; may be repeated")
+      ->expected(1)
+      ->take_all();
+  run_command->add_option("--library", run_options.library, "shared library instead of the usual one");
+  run_command->add_option("--name", run_options.label, "label of the output, instead of the implementation's name");
+  run_command->add_option("--filter", run_options.filter, "tests to run: patterns as in GoogleTest, 'Map1*:-*Copy*'");
+  run_command->add_option("--depth", run_options.depth, "how many values")
+      ->check(CLI::IsMember({"quick", "full", "thorough"}));
+  run_command->add_option("--seed", run_options.seed, "seed of the random tests");
+  run_command->add_option("--timeout", run_options.seconds_per_test, "seconds for each test")
+      ->check(CLI::PositiveNumber);
+  run_command->add_option("--output", run_options.output, "folder for results and report");
+  run_command->add_flag("--verbose", run_options.verbose, "all failing tests and what was not judged");
+
+  std::string what;
+  bool as_json = false;
+  CLI::App* list_command = app.add_subcommand("list", "implementations, requirements or tests");
+  list_command->add_option("what", what)->required()->check(
+      CLI::IsMember({"implementations", "requirements", "tests"}));
+  list_command->add_flag("--json", as_json, "as JSON");
+
+  CLI::App* coverage_command = app.add_subcommand("coverage", "requirement by requirement: the tests that decide it");
+  coverage_command->add_flag("--json", as_json, "as JSON");
+
+  std::string name;
+  CLI::App* explain_command = app.add_subcommand("explain", "a requirement, test or verdict in words");
+  explain_command->add_option("name", name)->required();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kNothingUnexpected : kWrongUse;
+  }
+  try {
+    if (*run_command) return run(run_options);
+    if (*list_command) return list(what, as_json);
+    if (*coverage_command) return coverage(as_json);
+    return explain(name);
+  } catch (const std::exception& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kOwnFault;
+  }
+}

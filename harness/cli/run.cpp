@@ -1,0 +1,145 @@
+#include <evalcts/reports.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cctype>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+
+#include "harness/cli/catalogue.h"
+#include "harness/cli/commands.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+void stop_when_asked() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = true; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+// One line that is written over, on terminals only.
+class ProgressLine {
+ public:
+  void show(const std::string& name, const Progress& progress) {
+    if (!terminal_) return;
+    std::string line = progress.phase == "starting" ? fmt::format("{}: starting", name)
+                                                    : fmt::format("{}: {} of {}  {}{}", name, progress.done, progress.total,
+                                                                  progress.phase == "confirming" ? "confirming " : "",
+                                                                  progress.test);
+    if (line.size() > 99) line.resize(99);
+    std::cerr << "\r\033[K" << line << std::flush;
+  }
+  void clear() {
+    if (terminal_) std::cerr << "\r\033[K" << std::flush;
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+int exit_code_of(const json& result, bool named) {
+  if (result["status"] == "not-started") return named ? kWrongUse : kNothingUnexpected;
+  int code = kNothingUnexpected;
+  for (const json& test : result["tests"]) {
+    const std::string verdict = test["verdict"];
+    if (verdict == "internal-error") return kOwnFault;
+    if ((verdict == "fail" || verdict == "crash" || verdict == "timeout") && !test["expected_by_baseline"].get<bool>())
+      code = kUnexpected;
+  }
+  return code;
+}
+
+bool is_file_name(const std::string& label) {
+  for (const char c : label)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') return false;
+  return !label.empty() && label[0] != '.' && label[0] != '-';
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const Places where = places();
+  const fs::path output = options.output.empty() ? where.output : fs::path(options.output);
+
+  RunRequest request;
+  request.suite_program = where.suite_program;
+  request.depth = options.depth;
+  request.seed = options.seed;
+  request.seconds_per_test = options.seconds_per_test;
+  request.output = output;
+  request.command = options.command;
+
+  std::vector<ImplementationOptions> chosen;
+  const bool named = !options.implementations.empty() || !options.library.empty();
+  if (named) {
+    for (const std::string& name : options.implementations) chosen.push_back({name, options.library});
+    if (options.implementations.empty()) chosen.push_back({"", options.library});
+    if (!options.library.empty() && chosen.size() != 1) {
+      std::cerr << "evalcts: --library replaces the library of one implementation; name only that one\n";
+      return kWrongUse;
+    }
+  } else {
+    for (const ImplementationKind& kind : implementation_kinds()) chosen.push_back({kind.name, ""});
+  }
+  if (!options.label.empty() && chosen.size() != 1) {
+    std::cerr << "evalcts: --name labels one implementation; name only that one\n";
+    return kWrongUse;
+  }
+  if (!options.label.empty() && !is_file_name(options.label)) {
+    std::cerr << "evalcts: --name becomes part of file names: letters, digits, '-', '_' and '.' only\n";
+    return kWrongUse;
+  }
+  for (const ImplementationOptions& implementation : chosen) {
+    bool known = implementation.name.empty();
+    for (const ImplementationKind& kind : implementation_kinds()) known = known || kind.name == implementation.name;
+    if (known) continue;
+    std::cerr << fmt::format("evalcts: there is no implementation '{}'; see 'evalcts list implementations'\n",
+                             implementation.name);
+    return kWrongUse;
+  }
+
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error || access(output.c_str(), W_OK) != 0) {
+    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n", output.string());
+    return kWrongUse;
+  }
+
+  request.tests = matching(list_tests(where.suite_program), options.filter);
+  if (request.tests.empty()) {
+    std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
+    return kWrongUse;
+  }
+
+  stop_when_asked();
+  const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+  ProgressLine line;
+  std::vector<json> results;
+  int code = kNothingUnexpected;
+  for (const ImplementationOptions& implementation : chosen) {
+    if (interrupted) break;
+    request.implementation = implementation;
+    request.name = !options.label.empty() ? options.label : implementation.name.empty() ? "library" : implementation.name;
+    const json result = run_implementation(request, [&](const Progress& progress) { line.show(request.name, progress); });
+    line.clear();
+    write_atomically(output / fmt::format("junit-{}.xml", request.name), reports::junit(result));
+    std::cout << reports::terminal_summary(result, color, options.verbose) << "\n" << std::flush;
+    code = std::max(code, exit_code_of(result, named));
+    results.push_back(result);
+  }
+  write_atomically(output / "index.html", reports::html(results, catalogue()));
+  std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
+  if (interrupted) {
+    std::cerr << "evalcts: interrupted; what was obtained is in the output folder\n";
+    code = std::max(code, kWrongUse);
+  }
+  return code;
+}
+
+}  // namespace evalcts::cli

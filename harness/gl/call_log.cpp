@@ -1,0 +1,164 @@
+#include "harness/gl/call_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/gl/tokens.h"
+
+namespace evalcts::gl {
+namespace {
+
+template <class T>
+std::string constant(T value, const char* suffix) {
+  if (std::isnan(value)) return "NAN";
+  if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
+  // Small integers read better in decimal and are exact in it.
+  if (value == std::trunc(value) && std::abs(value) < 1e6)
+    return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value, suffix);
+  return fmt::format("{:a}{}", value, suffix);
+}
+
+const char* c_type(Scalar type) {
+  switch (type) {
+    case Scalar::u8:
+      return "GLubyte";
+    case Scalar::i8:
+      return "GLchar";
+    case Scalar::i32:
+      return "GLint";
+    case Scalar::u32:
+      return "GLuint";
+    case Scalar::i64:
+      return "GLint64";
+    case Scalar::f32:
+      return "GLfloat";
+    case Scalar::f64:
+      return "GLdouble";
+  }
+  return "GLubyte";
+}
+
+std::string element(Scalar type, const std::byte* bytes) {
+  const auto as = [bytes]<class T>(T value) {
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  };
+  switch (type) {
+    case Scalar::u8:
+      return fmt::format("{}", as(std::uint8_t{}));
+    case Scalar::i8:
+      return fmt::format("{}", static_cast<int>(as(std::int8_t{})));
+    case Scalar::i32:
+      return fmt::format("{}", as(std::int32_t{}));
+    case Scalar::u32:
+      return fmt::format("{}", as(std::uint32_t{}));
+    case Scalar::i64:
+      return fmt::format("{}", as(std::int64_t{}));
+    case Scalar::f32:
+      return c_constant(as(0.0f));
+    case Scalar::f64:
+      return c_constant(as(0.0));
+  }
+  return "";
+}
+
+const char* fate(AfterCall after) {
+  switch (after) {
+    case AfterCall::keep:
+      return "";
+    case AfterCall::overwrite:
+      return " /* overwritten after the call */";
+    case AfterCall::unmap:
+      return " /* unmapped after the call */";
+    case AfterCall::protect:
+      return " /* protected after the call */";
+  }
+  return "";
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '\n') {
+      out += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string argument(const Value& value, char kind, std::size_t most_elements) {
+  if (std::holds_alternative<std::nullptr_t>(value)) return "NULL";
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    switch (kind) {
+      case 'e':
+        return token_name(static_cast<GLenum>(*integer));
+      case 'm':
+        return primitive_name(static_cast<GLenum>(*integer));
+      case 'b':
+        return fmt::format("0x{:X}", *integer);
+      case 'z':
+        return *integer ? "GL_TRUE" : "GL_FALSE";
+      default:
+        return fmt::format("{}", *integer);
+    }
+  }
+  if (const auto* single = std::get_if<float>(&value)) return c_constant(*single);
+  if (const auto* real = std::get_if<double>(&value)) return c_constant(*real);
+  if (const auto* result = std::get_if<ResultOf>(&value))
+    return result->element < 0 ? fmt::format("result_{}", result->command)
+                               : fmt::format("array_{}[{}]", result->command, result->element);
+  if (const auto* output = std::get_if<Output>(&value))
+    return fmt::format("({}[{}]){{0}}", c_type(output->type), std::max<std::size_t>(output->count, 1));
+  if (const auto* strings = std::get_if<Strings>(&value)) {
+    std::string text = "(const GLchar*[]){";
+    for (std::size_t i = 0; i < strings->values.size(); ++i) text += (i ? ", " : "") + quoted(strings->values[i]);
+    return text + "}";
+  }
+  const Input& input = std::get<Input>(value);
+  const std::size_t size = size_of(input.type);
+  const std::size_t count = input.bytes.size() / size;
+  const std::size_t shown = most_elements == 0 ? count : std::min(count, most_elements);
+  std::string text = fmt::format("({}[]){{", c_type(input.type));
+  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
+  if (shown < count) text += fmt::format(", /* {} more */", count - shown);
+  return text + "}" + fate(input.after);
+}
+
+}  // namespace
+
+std::string c_constant(float value) { return constant(value, "f"); }
+std::string c_constant(double value) { return constant(value, ""); }
+
+std::string to_c(const Command& command, std::size_t most_elements) {
+  const std::string_view kinds = parameter_kinds(command.entry);
+  std::string text = std::string(name_of(command.entry)) + "(";
+  for (std::size_t i = 0; i < command.arguments.size(); ++i)
+    text += (i ? ", " : "") + argument(command.arguments[i], i < kinds.size() ? kinds[i] : '.', most_elements);
+  return text + ");";
+}
+
+std::vector<std::string> to_c(const Case& script, int first, int last, std::size_t most_lines,
+                              std::size_t most_elements) {
+  std::vector<std::string> lines;
+  const auto& commands = script.commands();
+  first = std::max(first, 0);
+  last = std::min(last, static_cast<int>(commands.size()) - 1);
+  const int count = last - first + 1;
+  const int most = static_cast<int>(most_lines);
+  for (int i = first; i <= last; ++i) {
+    if (count > most && i - first == most / 2) {
+      const int left_out = count - most;
+      lines.push_back(fmt::format("/* {} more commands */", left_out));
+      i += left_out;
+    }
+    lines.push_back(to_c(commands[static_cast<std::size_t>(i)], most_elements));
+  }
+  return lines;
+}
+
+}  // namespace evalcts::gl

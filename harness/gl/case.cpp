@@ -1,0 +1,31 @@
+#include "harness/gl/case.h"
+
+namespace evalcts::gl {
+
+std::size_t size_of(Scalar type) {
+  switch (type) {
+    case Scalar::u8:
+    case Scalar::i8:
+      return 1;
+    case Scalar::i32:
+    case Scalar::u32:
+    case Scalar::f32:
+      return 4;
+    case Scalar::i64:
+    case Scalar::f64:
+      return 8;
+  }
+  return 1;
+}
+
+int Case::append(const Case& other) {
+  const int shift = static_cast<int>(commands_.size());
+  for (Command command : other.commands_) {
+    for (Value& value : command.arguments)
+      if (auto* result = std::get_if<ResultOf>(&value)) result->command += shift;
+    commands_.push_back(std::move(command));
+  }
+  return shift;
+}
+
+}  // namespace evalcts::gl

@@ -1,0 +1,212 @@
+#include "harness/gl/player.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <list>
+
+namespace evalcts::gl {
+namespace {
+
+constexpr std::size_t kGuardElements = 16;
+constexpr std::byte kFiller{0xA5};
+constexpr int kMostErrors = 16;
+
+// Client memory that ends directly before an inaccessible page: reading past the end crashes.
+class ClientArray {
+ public:
+  explicit ClientArray(const Input& input) : size_(input.bytes.size()) {
+    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    usable_ = (size_ + page - 1) / page * page;
+    mapped_ = usable_ + page;
+    void* memory = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    base_ = static_cast<std::byte*>(memory);
+    mprotect(base_ + usable_, page, PROT_NONE);
+    std::memcpy(data(), input.bytes.data(), size_);
+  }
+  ~ClientArray() {
+    if (base_) munmap(base_, mapped_);
+  }
+  ClientArray(const ClientArray&) = delete;
+  ClientArray& operator=(const ClientArray&) = delete;
+
+  std::byte* data() { return base_ + usable_ - size_; }
+
+  void meet(AfterCall fate) {
+    switch (fate) {
+      case AfterCall::keep:
+        return;
+      case AfterCall::overwrite:
+        std::memset(data(), 0x4B, size_);  // a large finite number in either precision
+        return;
+      case AfterCall::unmap:
+        munmap(base_, mapped_);
+        base_ = nullptr;
+        return;
+      case AfterCall::protect:
+        mprotect(base_, usable_, PROT_NONE);
+        return;
+    }
+  }
+
+ private:
+  std::size_t size_;
+  std::size_t usable_ = 0;
+  std::size_t mapped_ = 0;
+  std::byte* base_ = nullptr;
+};
+
+}  // namespace
+
+MissingEntryPoint::MissingEntryPoint(EntryPoint missing)
+    : std::runtime_error(std::string(name_of(missing)) + " is missing"), entry(missing) {}
+
+class Player {
+ public:
+  explicit Player(const Table& table) : table_(table) {}
+
+  Trace play(const Case& script) {
+    for (const Command& command : script.commands())
+      if (!has(table_, command.entry)) throw MissingEntryPoint(command.entry);
+    trace_.results_.resize(script.commands().size());
+    for (const Command& command : script.commands()) {
+      issue(command);
+      ++index_;
+    }
+    drain_errors();
+    return std::move(trace_);
+  }
+
+ private:
+  void issue(const Command& command) {
+    switch (command.entry) {
+#define GL_ENTRY(name, kinds)            \
+  case EntryPoint::name:                 \
+    invoke(table_.name, command);        \
+    break;
+#include "harness/gl/entry_points.def"
+#undef GL_ENTRY
+    }
+    for (std::size_t i = 0; i < command.arguments.size(); ++i)
+      if (const auto* input = std::get_if<Input>(&command.arguments[i])) inputs_of_call_[i]->meet(input->after);
+  }
+
+  template <class Result, class... Parameters>
+  void invoke(Result (*function)(Parameters...), const Command& command) {
+    invoke_with(function, command, std::index_sequence_for<Parameters...>());
+  }
+
+  template <class Result, class... Parameters, std::size_t... I>
+  void invoke_with(Result (*function)(Parameters...), const Command& command, std::index_sequence<I...>) {
+    // Braces fix the order of evaluation: memory for the pointers is set up first argument first.
+    [[maybe_unused]] const std::tuple<Parameters...> arguments{argument<Parameters>(command.arguments[I], I)...};
+    if constexpr (std::is_void_v<Result>) {
+      function(std::get<I>(arguments)...);
+    } else {
+      keep(function(std::get<I>(arguments)...));
+    }
+  }
+
+  template <class T>
+  void keep(T value) {
+    Trace::Result& result = trace_.results_[index_];
+    if constexpr (std::is_pointer_v<T>) {
+      if (value) result.text = reinterpret_cast<const char*>(value);
+    } else {
+      result.value = static_cast<std::int64_t>(value);
+    }
+  }
+
+  template <class Parameter>
+  Parameter argument(const Value& value, std::size_t position) {
+    if constexpr (std::is_pointer_v<Parameter>) {
+      return reinterpret_cast<Parameter>(pointer(value, position));
+    } else {
+      if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<Parameter>(*integer);
+      if (const auto* single = std::get_if<float>(&value)) return static_cast<Parameter>(*single);
+      if (const auto* real = std::get_if<double>(&value)) return static_cast<Parameter>(*real);
+      if (const auto* result = std::get_if<ResultOf>(&value)) return static_cast<Parameter>(earlier(*result));
+      return Parameter{};
+    }
+  }
+
+  void* pointer(const Value& value, std::size_t position) {
+    if (const auto* input = std::get_if<Input>(&value)) {
+      inputs_of_call_[position] = &inputs_.emplace_back(*input);
+      return inputs_of_call_[position]->data();
+    }
+    if (const auto* output = std::get_if<Output>(&value)) {
+      Trace::Written written{output->type, output->count, {}};
+      written.bytes.assign((output->count + kGuardElements) * size_of(output->type), kFiller);
+      return trace_.results_[index_].output.emplace(std::move(written)).bytes.data();
+    }
+    if (const auto* strings = std::get_if<Strings>(&value)) {
+      auto& pointers = strings_.emplace_back();
+      for (const std::string& text : strings->values) pointers.push_back(text.c_str());
+      return pointers.data();
+    }
+    return nullptr;
+  }
+
+  std::int64_t earlier(const ResultOf& which) const {
+    const Trace::Result& result = trace_.results_.at(static_cast<std::size_t>(which.command));
+    if (which.element < 0) return result.value;
+    std::uint32_t element = 0;
+    std::memcpy(&element, result.output.value().bytes.data() + 4 * static_cast<std::size_t>(which.element), 4);
+    return element;
+  }
+
+  void drain_errors() {
+    if (!table_.GetError) return;
+    for (int i = 0; i < kMostErrors; ++i) {
+      const GLenum error = table_.GetError();
+      if (error == GL_NO_ERROR) return;
+      trace_.left_over_errors_.push_back(error);
+    }
+  }
+
+  const Table& table_;
+  Trace trace_;
+  std::size_t index_ = 0;
+  std::list<ClientArray> inputs_;  // all arrays live until the case is over
+  std::list<std::vector<const char*>> strings_;
+  std::array<ClientArray*, 16> inputs_of_call_{};
+};
+
+Trace play(const Case& script, const Table& table) { return Player(table).play(script); }
+
+const Trace::Written& Trace::output(Ref command) const {
+  const auto& output = results_.at(static_cast<std::size_t>(command.index)).output;
+  if (!output) throw std::logic_error("this command writes no array");
+  return *output;
+}
+
+std::int64_t Trace::result(Ref command) const { return results_.at(static_cast<std::size_t>(command.index)).value; }
+
+const std::string& Trace::text(Ref get_string) const {
+  return results_.at(static_cast<std::size_t>(get_string.index)).text;
+}
+
+bool Trace::has_output(Ref command) const {
+  return results_.at(static_cast<std::size_t>(command.index)).output.has_value();
+}
+
+std::size_t Trace::written(Ref command) const {
+  const Written& output_array = output(command);
+  std::size_t last = output_array.bytes.size();
+  while (last > 0 && output_array.bytes[last - 1] == kFiller) --last;
+  const std::size_t element = size_of(output_array.type);
+  return (last + element - 1) / element;
+}
+
+bool Trace::same(Ref a, const Trace& other, Ref b) const {
+  const Result& mine = results_.at(static_cast<std::size_t>(a.index));
+  const Result& theirs = other.results_.at(static_cast<std::size_t>(b.index));
+  if (mine.value != theirs.value || mine.text != theirs.text) return false;
+  if (mine.output.has_value() != theirs.output.has_value()) return false;
+  return !mine.output || mine.output->bytes == theirs.output->bytes;
+}
+
+}  // namespace evalcts::gl

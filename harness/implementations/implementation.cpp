@@ -1,0 +1,118 @@
+#include "harness/implementations/implementation.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "harness/gl/player.h"
+#include "harness/gl/tokens.h"
+#include "harness/implementations/kinds.h"
+#include "harness/implementations/shared_library.h"
+
+namespace evalcts {
+
+const std::vector<ImplementationKind>& implementation_kinds() {
+  static const std::vector<ImplementationKind> kinds = {
+      {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6"},
+      {"production", "libglevaluator, the evaluator of this project", ""},
+      {"reference", "the executable specification, in exact arithmetic", ""},
+  };
+  return kinds;
+}
+
+std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options) {
+  std::string name = options.name;
+  if (name.empty()) {
+    const SharedLibrary library(options.library);
+    if (!library.find("OSMesaCreateContextExt"))
+      throw CannotStart(fmt::format("{} exports none of OSMesaCreateContextExt; name what makes its contexts with "
+                                    "--implementation",
+                                    options.library));
+    name = "osmesa";
+  }
+  if (name == "osmesa") return open_osmesa(options.library);
+  if (name == "reference" || name == "production") {
+    if (!options.library.empty())
+      throw CannotStart(fmt::format("{} is built in; --library does not go with it", name));
+    return name == "reference" ? open_reference() : open_production();
+  }
+  std::vector<std::string> known;
+  for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
+  throw CannotStart(
+      fmt::format("there is no implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
+}
+
+namespace {
+
+void require_an_effect(const gl::Table& table, const std::string& version) {
+  int missing = 0;
+  const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d, gl::EntryPoint::EvalCoord1f,
+                                      gl::EntryPoint::GetMapfv};
+  for (const gl::EntryPoint entry : essential) missing += !gl::has(table, entry);
+  if (missing == static_cast<int>(std::size(essential)))
+    throw CannotStart("the library has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing");
+  if (missing > 0) return;  // half of an implementation is judged to the end
+
+  // Two queries that differ only by a definition between them: where they agree on the old data and no
+  // error was raised by a legal definition, the commands do nothing.
+  gl::Case probe;
+  probe.Map1f(GL_MAP1_TEXTURE_COORD_1, 0.0f, 1.0f, 1, 1, std::vector<float>{0.75f});
+  const gl::Ref error = probe.GetError();
+  const gl::Ref coefficient = probe.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_COEFF, gl::out<GLfloat>(1));
+  const gl::Trace trace = gl::play(probe, table);
+  if (trace.written(coefficient) == 0)
+    throw CannotStart(fmt::format("evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv "
+                                  "writes nothing. A core profile has no evaluators; a compatibility context is "
+                                  "needed.",
+                                  version, gl::error_name(trace.error(error))));
+}
+
+void read_version(const std::string& version, ImplementationInfo& info) {
+  // "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11)
+  std::istringstream text(version);
+  char dot = 0;
+  text >> info.major >> dot >> info.minor;
+  if (!text || dot != '.') info.major = info.minor = 0;
+}
+
+}  // namespace
+
+ImplementationInfo inquire(Implementation& implementation) {
+  ImplementationInfo info;
+  info.name = implementation.name();
+  info.library = implementation.library();
+  const std::unique_ptr<Context> context = implementation.create_context();
+  const gl::Table& table = context->table();
+
+  const auto string_of = [&](GLenum name) -> std::string {
+    if (!table.GetString) return {};
+    const GLubyte* text = table.GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
+  };
+  info.vendor = string_of(GL_VENDOR);
+  info.renderer = string_of(GL_RENDERER);
+  info.version = string_of(GL_VERSION);
+  if (info.version.empty())
+    throw CannotStart("glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
+  read_version(info.version, info);
+
+  const auto integer_of = [&](GLenum name, GLint otherwise) {
+    GLint value = otherwise;
+    if (table.GetIntegerv) table.GetIntegerv(name, &value);
+    return value;
+  };
+  info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, 0);
+  info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
+
+  std::istringstream extensions(string_of(GL_EXTENSIONS));
+  for (std::string extension; extensions >> extension;) info.extensions.insert(extension);
+  if (table.GetError)
+    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
+
+  require_an_effect(table, info.version);
+  return info;
+}
+
+}  // namespace evalcts

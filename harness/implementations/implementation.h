@@ -1,0 +1,75 @@
+// Implementations: what can be judged, how its library is loaded and how a context of it is made.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "harness/capture/observation.h"
+#include "harness/gl/table.h"
+
+namespace evalcts {
+
+// The implementation cannot be judged; the message says why and what to do.
+struct CannotStart : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A context, current from its creation on. Destroying it leaves no context current.
+class Context {
+ public:
+  virtual ~Context() = default;
+  virtual const gl::Table& table() const = 0;
+  // Whether vertices come straight out of the evaluator (implementations in this process).
+  virtual bool has_sink() const { return false; }
+  // The primitives emitted since the last call; meaningful where has_sink().
+  virtual std::vector<ObservedPrimitive> take_emitted() { return {}; }
+};
+
+class Implementation {
+ public:
+  virtual ~Implementation() = default;
+  virtual std::string name() const = 0;
+  // The file that the entry points come from; empty for those built in.
+  virtual std::string library() const { return {}; }
+  // Throws CannotStart.
+  virtual std::unique_ptr<Context> create_context() = 0;
+};
+
+struct ImplementationOptions {
+  std::string name;     // see implementation_kinds(); empty: guessed from the library
+  std::string library;  // shared library instead of the usual one; empty: the usual one
+};
+
+struct ImplementationKind {
+  std::string name;
+  std::string what;
+  std::string package;  // the distribution's package that it needs; empty: none
+};
+
+// All that open_implementation knows, the defaults of `evalcts run` first.
+const std::vector<ImplementationKind>& implementation_kinds();
+
+// Loads the library where there is one. Throws CannotStart.
+std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options);
+
+// What an implementation says of itself, asked for in a fresh context.
+struct ImplementationInfo {
+  std::string name, library, vendor, renderer, version;
+  int major = 0, minor = 0;
+  GLint max_eval_order = 0;
+  GLint texture_units = 1;
+  std::set<std::string> extensions;
+
+  bool at_least(int wanted_major, int wanted_minor) const {
+    return major > wanted_major || (major == wanted_major && minor >= wanted_minor);
+  }
+};
+
+// Asks, and proves that evaluators have an effect at all: an address is no proof. Throws CannotStart.
+ImplementationInfo inquire(Implementation& implementation);
+
+}  // namespace evalcts

@@ -1,0 +1,64 @@
+// The executable specification as an implementation: each emitted value is the exact one, correctly rounded.
+#include <reference/specification.h>
+
+#include "harness/implementations/in_process.h"
+#include "harness/implementations/kinds.h"
+
+namespace evalcts {
+namespace {
+
+using reference::Specification;
+
+struct Current {
+  static inline thread_local Specification* current = nullptr;
+};
+
+ObservedVertex rounded(const reference::Vertex& vertex) {
+  ObservedVertex out;
+  const auto round = [](const auto& components, auto& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = reference::rounded(components[i]);
+  };
+  round(vertex.position, out.position);
+  round(vertex.color, out.color);
+  round(vertex.normal, out.normal);
+  for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
+    round(vertex.texture_coordinate[unit], out.texture_coordinate[unit]);
+  return out;
+}
+
+class ReferenceContext final : public Context {
+ public:
+  explicit ReferenceContext(const gl::Table& table) : table_(table) { Current::current = &specification_; }
+  ~ReferenceContext() override { Current::current = nullptr; }
+
+  const gl::Table& table() const override { return table_; }
+  bool has_sink() const override { return true; }
+  std::vector<ObservedPrimitive> take_emitted() override {
+    std::vector<ObservedPrimitive> primitives;
+    for (const reference::Primitive& primitive : specification_.take_primitives()) {
+      ObservedPrimitive& observed = primitives.emplace_back();
+      observed.mode = primitive.mode;
+      for (const reference::Vertex& vertex : primitive.vertices) observed.vertices.push_back(rounded(vertex));
+    }
+    return primitives;
+  }
+
+ private:
+  const gl::Table& table_;
+  Specification specification_;
+};
+
+class Reference final : public Implementation {
+ public:
+  std::string name() const override { return "reference"; }
+  std::unique_ptr<Context> create_context() override { return std::make_unique<ReferenceContext>(table_); }
+
+ private:
+  gl::Table table_ = bind_methods<Current, Specification>();
+};
+
+}  // namespace
+
+std::unique_ptr<Implementation> open_reference() { return std::make_unique<Reference>(); }
+
+}  // namespace evalcts

@@ -1,0 +1,238 @@
+#include "harness/judge/judge.h"
+
+#include <fmt/format.h>
+#include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "harness/gl/tokens.h"
+
+namespace evalcts {
+namespace {
+
+using reference::Component;
+using reference::Rational;
+using reference::Sample;
+
+std::string text(float value) { return fmt::format("{:.9g} ({:a})", value, value); }
+
+
+class VertexJudge {
+ public:
+  VertexJudge(const JudgeOptions& options, const Observation& observation, Judgement& judgement)
+      : options_(options), observation_(observation), judgement_(judgement) {}
+
+  void vertex(std::size_t index, const reference::Vertex& expected, const ObservedVertex& got) {
+    index_ = index;
+    const Attributes wanted = options_.attributes & observation_.attributes;
+    if (wanted & kPosition) values("position", "xyzw", expected.position, got.position, false);
+    if (wanted & kColor) values("color", "RGBA", expected.color, got.color, observation_.clamped_colors);
+    if (wanted & kNormal) values("normal", "xyz", expected.normal, got.normal, false);
+    for (std::size_t unit = 0; unit < observation_.units; ++unit)
+      if (wanted & (unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther))
+        values(fmt::format("texture coordinate {}", unit), "strq", expected.texture_coordinate[unit],
+               got.texture_coordinate[unit], false);
+  }
+
+ private:
+  template <class Expected, class Got>
+  void values(const std::string& attribute, const char* names, const Expected& expected, const Got& got, bool clamped) {
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const auto what = [&] { return fmt::format("{}.{} of vertex {}", attribute, names[i], index_); };
+      if (const auto* given = std::get_if<float>(&expected[i])) {
+        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i]);
+      } else {
+        evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped);
+      }
+    }
+  }
+
+  template <class What>
+  void given_value(const What& what, float expected, float got) {
+    if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
+    Mismatch mismatch;
+    mismatch.what = what();
+    mismatch.message = fmt::format("{} is {}, but no map supplies it: {} was given", mismatch.what, text(got), text(expected));
+    mismatch.expected = text(expected);
+    mismatch.captured = text(got);
+    mismatch.exact = text(expected);
+    mismatch.ulp = std::isfinite(expected) ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
+                                           : std::numeric_limits<double>::infinity();
+    mismatch.condition_aware = std::numeric_limits<double>::infinity();
+    judgement_.mismatches.push_back(std::move(mismatch));
+  }
+
+  template <class What>
+  void evaluated_value(const What& what, const Sample& sample, float got, bool clamped) {
+    const Component component = sample;
+    Accuracy& accuracy = judgement_.accuracy;
+    if (!reference::is_finite(component)) {
+      ++accuracy.not_judged;
+      return;
+    }
+    const auto [exact, magnitude] = reference::exact_with_magnitude(component);
+    if (clamped && (got == 0.0f || got == 1.0f)) {
+      // What lies outside [0,1] cannot be told from the end of the interval.
+      if (got == 0.0f ? exact.sign() <= 0 : exact >= Rational(1)) return;
+    }
+    if (options_.level != Level::quality && clearly_accepted(sample, exact, magnitude, got)) {
+      measure(what, exact, magnitude, got);
+      return;
+    }
+    const int range = reference::guaranteed_range(sample.map->target, options_.version);
+    if (!reference::must_applies(component, range)) {
+      ++accuracy.not_judged;
+      return;
+    }
+    measure(what, exact, magnitude, got);
+    const Rational bound = options_.level == Level::quality ? reference::quality_bound(component)
+                                                            : reference::acceptance_bound(component);
+    if (!reference::is_within(got, exact, bound) && !(clamped && within_clamped(got, exact, bound)))
+      judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got));
+  }
+
+  // The interval clamped like the colour: a value inside it may come back as the end that it was clamped to.
+  static bool within_clamped(float got, const Rational& exact, const Rational& bound) {
+    return (got == 0.0f && (exact - bound).sign() <= 0) || (got == 1.0f && exact + bound >= Rational(1));
+  }
+
+  // A lower estimate of the bound in double, with room for its own rounding: almost every value is accepted
+  // here, and none that the exact bound would refuse.
+  static bool clearly_accepted(const Sample& sample, const Rational& exact, const Rational& magnitude, float got) {
+    if (!std::isfinite(got)) return false;
+    const Rational below =
+        reference::acceptance_bound_below(sample.map->u.order - 1, sample.map->v.order - 1, magnitude);
+    const double error = std::abs((Rational(static_cast<double>(got)) - exact).to_double());
+    return error <= below.to_double() * (1 - 1e-12);
+  }
+
+  template <class What>
+  void measure(const What& what, const Rational& exact, const Rational& magnitude, float got) {
+    Accuracy& accuracy = judgement_.accuracy;
+    ++accuracy.values;
+    const bool correctly_rounded = reference::round_to_float(exact) == got;
+    if (!correctly_rounded) ++accuracy.not_correctly_rounded;
+    if (magnitude.is_zero()) {
+      ++accuracy.all_terms_zero;
+      if (got != 0.0f) ++accuracy.all_terms_zero_wrong;
+      return;
+    }
+    const auto keep_worst = [&](Worst& worst, double error) {
+      if (!(error > worst.error)) return;
+      worst = {error, fmt::format("{}: {}", options_.where, what()), got, reference::describe(exact)};
+    };
+    keep_worst(accuracy.ulp, reference::ulp_distance(got, exact));
+    keep_worst(accuracy.condition_aware, reference::condition_distance(got, exact, magnitude));
+  }
+
+  Mismatch mismatch(std::string what, const Sample& sample, const Rational& exact, const Rational& magnitude,
+                    const Rational& bound, float got) const {
+    Mismatch mismatch;
+    mismatch.what = std::move(what);
+    mismatch.captured = text(got);
+    mismatch.exact = reference::describe(exact);
+    mismatch.expected = fmt::format("[{:.9g}, {:.9g}]", (exact - bound).to_double(), (exact + bound).to_double());
+    mismatch.ulp = reference::ulp_distance(got, exact);
+    mismatch.condition_aware = reference::condition_distance(got, exact, magnitude);
+    mismatch.message =
+        fmt::format("{} ({} of order {}, component {}, at u = {}) is {}, {:.4g} ULP from {}", mismatch.what,
+                    gl::token_name(sample.map->target), sample.map->u.order, sample.component,
+                    reference::describe(sample.u.value()), mismatch.captured, mismatch.ulp, mismatch.exact);
+    return mismatch;
+  }
+
+  const JudgeOptions& options_;
+  const Observation& observation_;
+  Judgement& judgement_;
+  std::size_t index_ = 0;
+};
+
+std::vector<const ObservedVertex*> flat(const Observation& observation) {
+  std::vector<const ObservedVertex*> vertices;
+  for (const ObservedPrimitive& primitive : observation.primitives)
+    for (const ObservedVertex& vertex : primitive.vertices) vertices.push_back(&vertex);
+  return vertices;
+}
+
+bool same_value(float a, float b) {
+  if (a == b || (std::isnan(a) && std::isnan(b))) return true;
+  constexpr float kTiny = std::numeric_limits<float>::min();
+  return std::abs(a) <= kTiny && std::abs(b) <= kTiny;
+}
+
+}  // namespace
+
+const char* name_of(Level level) {
+  switch (level) {
+    case Level::must:
+      return "must";
+    case Level::interpretation:
+      return "interpretation";
+    case Level::quality:
+      return "quality";
+  }
+  return "";
+}
+
+void Accuracy::add(const Accuracy& other) {
+  values += other.values;
+  not_correctly_rounded += other.not_correctly_rounded;
+  all_terms_zero += other.all_terms_zero;
+  all_terms_zero_wrong += other.all_terms_zero_wrong;
+  not_judged += other.not_judged;
+  if (other.ulp.error > ulp.error) ulp = other.ulp;
+  if (other.condition_aware.error > condition_aware.error) condition_aware = other.condition_aware;
+}
+
+Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {
+  Judgement judgement;
+  const std::vector<const ObservedVertex*> got = flat(observation);
+  std::size_t expected_count = prediction.vertex_count();
+  if (got.size() != expected_count) {
+    Mismatch mismatch;
+    mismatch.what = "number of vertices";
+    mismatch.expected = std::to_string(expected_count);
+    mismatch.captured = std::to_string(got.size()) + (observation.overflow ? " or more" : "");
+    mismatch.message = fmt::format("{} vertices came out, {} should have", mismatch.captured, mismatch.expected);
+    judgement.mismatches.push_back(std::move(mismatch));
+    return judgement;  // which vertex is missing or too many is not known: comparing the rest would mislead
+  }
+  VertexJudge vertex_judge(options, observation, judgement);
+  std::size_t index = 0;
+  for (const reference::Primitive& primitive : prediction.primitives)
+    for (const reference::Vertex& vertex : primitive.vertices) {
+      vertex_judge.vertex(index, vertex, *got[index]);
+      ++index;
+    }
+  return judgement;
+}
+
+std::string disagreement(const Observation& a, const Observation& b) {
+  const auto first = flat(a);
+  const auto second = flat(b);
+  if (first.size() != second.size())
+    return fmt::format("one capture saw {} vertices, the other {}", first.size(), second.size());
+  const Attributes both = a.attributes & b.attributes;
+  const auto clamp = [&](float color) {
+    return a.clamped_colors || b.clamped_colors ? std::clamp(color, 0.0f, 1.0f) : color;
+  };
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto same = [](const auto& x, const auto& y) { return std::equal(x.begin(), x.end(), y.begin(), same_value); };
+    const char* differs = nullptr;
+    if ((both & kPosition) && !same(first[i]->position, second[i]->position)) differs = "position";
+    if (both & kColor)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (!same_value(clamp(first[i]->color[k]), clamp(second[i]->color[k]))) differs = "colour";
+    if ((both & kNormal) && !same(first[i]->normal, second[i]->normal)) differs = "normal";
+    for (std::size_t unit = 0; unit < std::min(a.units, b.units); ++unit)
+      if ((both & (unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther)) &&
+          !same(first[i]->texture_coordinate[unit], second[i]->texture_coordinate[unit]))
+        differs = "texture coordinates";
+    if (differs) return fmt::format("the {} of vertex {} differs", differs, i);
+  }
+  return {};
+}
+
+}  // namespace evalcts

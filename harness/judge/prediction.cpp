@@ -1,0 +1,46 @@
+#include "harness/judge/prediction.h"
+
+#include "harness/gl/player.h"
+#include "harness/implementations/in_process.h"
+
+namespace evalcts {
+namespace {
+
+// Apart from the context of an implementation under test, which may be the same class.
+struct Oracle {
+  static inline thread_local reference::Specification* current = nullptr;
+};
+
+}  // namespace
+
+std::size_t Prediction::vertex_count() const {
+  std::size_t count = 0;
+  for (const reference::Primitive& primitive : primitives) count += primitive.vertices.size();
+  return count;
+}
+
+bool Prediction::has_nonpositive_w() const {
+  for (const reference::Primitive& primitive : primitives)
+    for (const reference::Vertex& vertex : primitive.vertices)
+      if (!(reference::rounded(vertex.position[3]) > 0)) return true;
+  return false;
+}
+
+Prediction predict(const gl::Case& script, int max_eval_order) {
+  static const gl::Table table = bind_methods<Oracle, reference::Specification>();
+  gl::Case known;
+  for (const gl::Command& command : script.commands())
+    if (gl::has(table, command.entry)) known.add(command);
+
+  reference::Specification specification({.max_eval_order = max_eval_order});
+  Oracle::current = &specification;
+  const gl::Trace trace = gl::play(known, table);
+  Oracle::current = nullptr;
+
+  Prediction prediction;
+  prediction.primitives = specification.take_primitives();
+  if (!trace.left_over_errors().empty()) prediction.error = trace.left_over_errors().front();
+  return prediction;
+}
+
+}  // namespace evalcts

@@ -1,0 +1,52 @@
+// Judges one implementation in child processes and makes its result record. A library that crashes or hangs
+// costs the test in flight, nothing else.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/implementations/implementation.h"
+
+namespace evalcts {
+
+struct RunRequest {
+  std::filesystem::path suite_program;
+  ImplementationOptions implementation;
+  std::string name;  // of the output: the implementation's, or the user's label
+  nlohmann::json tests;  // those to run: {"name", "requirements", "level"}
+  std::string depth = "full";
+  std::uint32_t seed = 1;
+  double seconds_per_test = 60;
+  std::filesystem::path output;  // an existing folder
+  std::string command;           // as the user typed it, for the record
+};
+
+struct Progress {
+  std::string phase;  // "starting", "test", "confirming"
+  std::size_t done = 0;
+  std::size_t total = 0;
+  std::string test;
+};
+
+// Set from a signal handler: the run stops, and what was obtained is kept with the status "interrupted".
+extern std::atomic<bool> interrupted;
+
+// Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
+// write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and
+// log-NAME.txt holds what the library and the suite print. An implementation that cannot be started gives a
+// record with the status "not-started" and its reason. Throws std::runtime_error where the output folder
+// cannot be written.
+nlohmann::json run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress);
+
+// All tests of the suite program: {"tests": [{"name", "requirements", "level"}]}. Throws std::runtime_error.
+nlohmann::json list_tests(const std::filesystem::path& suite_program);
+
+// Writes the whole file or leaves the old one. Throws std::runtime_error.
+void write_atomically(const std::filesystem::path& path, const std::string& content);
+
+}  // namespace evalcts

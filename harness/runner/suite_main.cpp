@@ -1,0 +1,289 @@
+// The suite program: a plain GoogleTest program that judges one implementation. The runner starts it as a
+// child; any other GoogleTest runner can, too.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "harness/gl/call_log.h"
+#include "harness/runner/test.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+
+// Exit codes as of the command line (README): 2 wrong use or cannot be started, 3 a fault of evalcts.
+constexpr int kCannotStart = 2;
+constexpr int kOwnFault = 3;
+
+struct Options {
+  ImplementationOptions implementation;
+  std::vector<std::string> captures;
+  bool captures_given = false;
+  std::string depth = "full";
+  std::uint32_t seed = 1;
+  std::string records, tests, answer, prove;
+  bool describe = false, list = false, trace_cases = false, die_with_parent = false;
+};
+
+// One line for each event, written at once, so that nothing obtained is lost when the process dies.
+class RecordFile {
+ public:
+  explicit RecordFile(const std::string& path) {
+    if (path.empty()) return;
+    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) throw std::runtime_error(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+  }
+  ~RecordFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+  }
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+
+  void write(const json& event) const {
+    if (descriptor_ < 0) return;
+    const std::string line = event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+    const ssize_t written = ::write(descriptor_, line.data(), line.size());
+    if (written == static_cast<ssize_t>(line.size())) return;
+    std::cerr << "evalcts: cannot write the result of a test: " << (written < 0 ? std::strerror(errno) : "disk full")
+              << "\n";
+    _exit(kOwnFault);
+  }
+
+ private:
+  int descriptor_ = -1;
+};
+
+struct Program {
+  Options options;
+  std::unique_ptr<Implementation> implementation;
+  std::vector<std::unique_ptr<Capture>> captures;
+  Subject subject;
+  std::unique_ptr<RecordFile> records;
+};
+
+// How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
+class GoogleTestAdapter : public testing::Test {
+ public:
+  GoogleTestAdapter(const TestInfo& info, Program& program) : info_(info), program_(program) {}
+
+  void TestBody() override {
+    Record record;
+    record.name = info_.full_name();
+    for (const std::string_view id : info_.requirements) record.requirements.emplace_back(id);
+    record.level = info_.level;
+    program_.records->write({{"event", "start"}, {"name", record.name}});
+    const auto start = std::chrono::steady_clock::now();
+    evalcts::Test test(program_.subject, record);
+    test.run(info_.body);
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    program_.records->write({{"event", "result"}, {"record", to_json(record)}});
+    report(record);
+  }
+
+ private:
+  static void report(const Record& record) {
+    switch (record.verdict) {
+      case Verdict::pass:
+        return;
+      case Verdict::quality_warning:
+        std::cout << "quality-warning: " << record.message << "\n";
+        return;
+      case Verdict::not_supported:
+      case Verdict::not_observable:
+      case Verdict::skipped:
+        GTEST_SKIP() << name_of(record.verdict) << ": " << record.message;
+      default:
+        break;
+    }
+    std::string text = fmt::format("{}: {} of {} cases; {}", name_of(record.verdict), record.failed_cases.size(),
+                                   record.cases, record.message);
+    if (!record.failures.empty()) {
+      const Failure& failure = record.failures.front();
+      text += fmt::format("\n  expected {}\n  captured {}\n  case {}", failure.expected, failure.captured,
+                          failure.case_identity);
+      for (const std::string& call : failure.calls) text += "\n    " + call;
+    }
+    ADD_FAILURE() << text;
+  }
+
+  const TestInfo& info_;
+  Program& program_;
+};
+
+json list_tests() {
+  json tests = json::array();
+  for (const TestInfo& info : all_tests())
+    tests.push_back({{"name", info.full_name()}, {"requirements", info.requirements}, {"level", name_of(info.level)}});
+  return {{"tests", tests}};
+}
+
+json description_of(const Subject& subject) {
+  const ImplementationInfo& info = subject.info;
+  json captures = json::array();
+  for (const auto& capture : all_captures()) captures.push_back(capture->name());
+  return {{"name", info.name},         {"library", info.library},
+          {"vendor", info.vendor},     {"renderer", info.renderer},
+          {"version", info.version},   {"max_eval_order", info.max_eval_order},
+          {"all_captures", captures}};
+}
+
+void answer(const Options& options, const json& value) {
+  const std::string text = value.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  if (options.answer.empty()) {
+    std::cout << text;
+    return;
+  }
+  std::ofstream file(options.answer);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write '" + options.answer + "'");
+}
+
+// Proves the captures that were asked for (all, where none was named) and keeps those that hold.
+void prove_captures(Program& program) {
+  for (auto& capture : all_captures()) {
+    const auto& wanted = program.options.captures;
+    if (program.options.captures_given && std::find(wanted.begin(), wanted.end(), capture->name()) == wanted.end())
+      continue;
+    try {
+      capture->prove(*program.implementation, program.subject.info);
+      program.subject.captures.push_back(capture.get());
+      program.captures.push_back(std::move(capture));
+    } catch (const NotObservable& exception) {
+      std::cout << "capture " << capture->name() << " is not available: " << exception.what() << "\n";
+    }
+  }
+}
+
+json prove_one(Program& program) {
+  for (auto& capture : all_captures()) {
+    if (capture->name() != program.options.prove) continue;
+    json result = {{"name", capture->name()}, {"available", true}, {"reason", ""}};
+    try {
+      capture->prove(*program.implementation, program.subject.info);
+      result["shows"] = describe(capture->attributes());
+    } catch (const NotObservable& exception) {
+      result["available"] = false;
+      result["reason"] = exception.what();
+    }
+    return result;
+  }
+  throw std::runtime_error("there is no capture '" + program.options.prove + "'");
+}
+
+// All tests, or those that the file names, in its order.
+std::vector<TestInfo> tests_to_register(const std::string& path) {
+  if (path.empty()) return all_tests();
+  std::map<std::string, const TestInfo*> by_name;
+  for (const TestInfo& info : all_tests()) by_name[info.full_name()] = &info;
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read '" + path + "'");
+  std::vector<TestInfo> tests;
+  for (std::string line; std::getline(file, line);) {
+    const auto found = by_name.find(line);
+    if (found == by_name.end()) throw std::runtime_error("there is no test '" + line + "'");
+    tests.push_back(*found->second);
+  }
+  return tests;
+}
+
+void parse(int argc, char** argv, Options& options) {
+  CLI::App app{"Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
+  app.add_option("--implementation", options.implementation.name, "what to judge, see 'evalcts list implementations'");
+  app.add_option("--library", options.implementation.library, "shared library instead of the usual one");
+  app.add_option("--depth", options.depth, "how many values")->check(CLI::IsMember({"quick", "full", "thorough"}));
+  app.add_option("--seed", options.seed, "seed of the random tests");
+  auto* captures = app.add_option("--captures", options.captures, "use only these")->delimiter(',');
+  app.add_option("--records", options.records, "append a line of JSON for each event");
+  app.add_option("--tests", options.tests, "file with the names of the tests to run, one a line, in this order");
+  app.add_option("--answer", options.answer, "file for the answer of the next three, instead of standard output");
+  app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
+  app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
+  app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
+  app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
+  app.add_flag("--die-with-parent", options.die_with_parent, "end when the process that started this one ends");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error) == 0 ? 0 : kCannotStart);
+  }
+  options.captures_given = captures->count() > 0;
+  if (options.implementation.name.empty() && options.implementation.library.empty())
+    options.implementation.name = "reference";
+}
+
+int run(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  static Program program;
+  parse(argc, argv, program.options);
+  const Options& options = program.options;
+  if (options.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (options.list) {
+    answer(options, list_tests());
+    return 0;
+  }
+  const std::vector<TestInfo> tests = tests_to_register(options.tests);
+  program.records = std::make_unique<RecordFile>(options.records);
+  const bool only_list = testing::GTEST_FLAG(list_tests);
+  if (!only_list) {
+    try {
+      program.implementation = open_implementation(options.implementation);
+      program.subject.info = inquire(*program.implementation);
+    } catch (const CannotStart& exception) {
+      if (!options.answer.empty()) answer(options, {{"cannot_start", exception.what()}});
+      throw;
+    }
+    program.subject.implementation = program.implementation.get();
+    program.subject.depth = options.depth == "quick"  ? Depth::quick
+                            : options.depth == "full" ? Depth::full
+                                                      : Depth::thorough;
+    program.subject.seed = options.seed;
+    if (options.trace_cases)
+      program.subject.before_case = [](const gl::Case& script) {
+        program.records->write({{"event", "case"},
+                                {"case", script.identity()},
+                                {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
+      };
+    if (options.describe || !options.prove.empty()) {
+      answer(options, options.describe ? description_of(program.subject) : prove_one(program));
+      return 0;
+    }
+    prove_captures(program);
+  }
+  for (const TestInfo& info : tests)
+    testing::RegisterTest(info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                          [info]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new TestInfo(info), program); });
+  const int status = RUN_ALL_TESTS();
+  program.records->write({{"event", "end"}});
+  return status;
+}
+
+}  // namespace
+}  // namespace evalcts
+
+int main(int argc, char** argv) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test are recorded, not kept
+  try {
+    return evalcts::run(argc, argv);
+  } catch (const evalcts::CannotStart& error) {
+    std::cerr << "cannot start: " << error.what() << "\n";
+    return evalcts::kCannotStart;
+  } catch (const std::exception& error) {
+    std::cerr << "evalcts-suite: " << error.what() << "\n";
+    return evalcts::kOwnFault;
+  }
+}

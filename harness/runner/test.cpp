@@ -1,0 +1,334 @@
+#include "harness/runner/test.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/gl/call_log.h"
+#include "harness/judge/judge.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kFailuresInFull = 8;
+
+// FNV-1a: a seed for each test that does not depend on which others run.
+std::uint32_t hash(std::string_view text) {
+  std::uint32_t value = 2166136261u;
+  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 16777619u;
+  return value;
+}
+
+std::string list(const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < 16; ++i) text += fmt::format("{}{:.17g}", i ? ", " : "", values[i]);
+  if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
+  return "{" + text + "}";
+}
+
+std::string numbers(const gl::Trace& trace, gl::Ref command) {
+  return trace.has_output(command) ? fmt::format("{} values", trace.capacity(command))
+                                   : std::to_string(trace.result(command));
+}
+
+std::vector<TestInfo>& registry() {
+  static std::vector<TestInfo> tests;
+  return tests;
+}
+
+template <class T>
+std::vector<double> as_doubles(const gl::Trace& trace, gl::Ref query) {
+  const std::vector<T> values = trace.values<T>(query);
+  return {values.begin(), values.end()};
+}
+
+std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
+  switch (trace.type(query)) {
+    case gl::Scalar::f32:
+      return as_doubles<GLfloat>(trace, query);
+    case gl::Scalar::f64:
+      return as_doubles<GLdouble>(trace, query);
+    case gl::Scalar::i32:
+      return as_doubles<GLint>(trace, query);
+    case gl::Scalar::u32:
+      return as_doubles<GLuint>(trace, query);
+    case gl::Scalar::u8:
+      return as_doubles<GLubyte>(trace, query);
+    default:
+      throw std::logic_error("no query writes this type");
+  }
+}
+
+}  // namespace
+
+// --- Played ----------------------------------------------------------------------------------------------
+
+Played::Played(Test& test, gl::Case script, gl::Trace trace)
+    : test_(test), script_(std::move(script)), trace_(std::move(trace)) {}
+
+void Played::fail(gl::Ref command, const std::string& message, const std::string& expected,
+                  const std::string& captured) {
+  Failure failure;
+  failure.case_identity = script_.identity();
+  failure.message = message;
+  failure.what = std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
+  failure.expected = expected;
+  failure.captured = captured;
+  failure.calls = gl::to_c(script_, 0, command.index);
+  test_.fail(std::move(failure));
+}
+
+void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
+  const GLenum got = trace_.error(get_error);
+  if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
+  std::string expected;
+  for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
+  const std::string captured = gl::error_name(got);
+  // The command that the question was about is the one before GetError.
+  const gl::Command& subject = script_.commands().at(static_cast<std::size_t>(std::max(get_error.index - 1, 0)));
+  const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
+  const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
+  fail(get_error,
+       fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured, expected),
+       expected, captured);
+}
+
+void Played::expect_result(gl::Ref command, std::int64_t expected) {
+  const std::int64_t got = trace_.result(command);
+  if (got == expected) return;
+  fail(command,
+       fmt::format("{} returns {}, expected {}", gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4),
+                   got, expected),
+       std::to_string(expected), std::to_string(got));
+}
+
+std::vector<double> Played::written_values(gl::Ref query) const {
+  std::vector<double> values = all_values(trace_, query);
+  values.resize(std::min(values.size(), trace_.written(query)));
+  return values;
+}
+
+void Played::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
+  const std::vector<double> all = all_values(trace_, query);
+  const std::size_t written = trace_.written(query);
+  const std::string call = gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4);
+  bool same = all.size() >= expected.size();
+  for (std::size_t i = 0; same && i < expected.size(); ++i)
+    same = all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i]);
+  if (written > expected.size()) {
+    fail(query, fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
+         list(written_values(query)));
+  } else if (!same) {
+    fail(query, fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
+         list(expected), list(written_values(query)));
+  }
+}
+
+void Played::expect_nothing_written(gl::Ref query) {
+  if (trace_.written(query) == 0) return;
+  fail(query, fmt::format("{} writes to its array in spite of the error",
+                          gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4)),
+       "nothing written", list(written_values(query)));
+}
+
+void Played::expect_same(gl::Ref before, gl::Ref after) {
+  if (trace_.same(before, trace_, after)) return;
+  const bool array = trace_.has_output(before);
+  const std::string was = array ? list(written_values(before)) : numbers(trace_, before);
+  const std::string is = array ? list(written_values(after)) : numbers(trace_, after);
+  fail(after, fmt::format("{} answered {} before and answers {} now",
+                          gl::to_c(script_.commands()[static_cast<std::size_t>(after.index)], 4), was, is),
+       was, is);
+}
+
+void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
+                    const std::string& captured) {
+  if (!holds) fail(command, message, expected, captured);
+}
+
+// --- Test ------------------------------------------------------------------------------------------------
+
+int Test::max_order() const { return std::clamp(subject_.info.max_eval_order, 8, 64); }
+
+int Test::by_depth(int quick, int full, int thorough) const {
+  switch (subject_.depth) {
+    case Depth::quick:
+      return quick;
+    case Depth::full:
+      return full;
+    case Depth::thorough:
+      return thorough;
+  }
+  return full;
+}
+
+void Test::require(int major, int minor, const std::string& or_extension) const {
+  if (subject_.info.at_least(major, minor)) return;
+  if (!or_extension.empty() && subject_.info.extensions.count(or_extension)) return;
+  throw NotSupported(fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
+}
+
+void Test::begin_case(const gl::Case& script) {
+  ++record_.cases;
+  if (subject_.before_case) subject_.before_case(script);
+}
+
+Played Test::play(const gl::Case& script) {
+  begin_case(script);
+  const std::unique_ptr<Context> context = subject_.implementation->create_context();
+  gl::Trace trace = gl::play(script, context->table());
+  const std::vector<GLenum> left_over = trace.left_over_errors();
+  Played played(*this, script, std::move(trace));
+  if (!left_over.empty()) {
+    std::vector<std::string> names;
+    for (const GLenum error : left_over) names.push_back(gl::error_name(error));
+    const std::string captured = fmt::format("{}", fmt::join(names, ", "));
+    Failure failure;
+    failure.case_identity = script.identity();
+    failure.message = "spurious error: left behind after the last command: " + captured;
+    failure.what = "glGetError";
+    failure.expected = "GL_NO_ERROR";
+    failure.captured = captured;
+    failure.calls = gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1);
+    fail(std::move(failure));
+  }
+  return played;
+}
+
+std::vector<Capture*> Test::captures_for(Attributes required, bool nonpositive_w) const {
+  std::vector<Capture*> captures;
+  for (Capture* capture : subject_.captures) {
+    if (nonpositive_w && capture->loses_nonpositive_w()) continue;
+    if ((capture->attributes() & required) == required) captures.push_back(capture);
+  }
+  if (captures.empty())
+    throw NotObservable(fmt::format("no capture of this implementation shows {}{}", describe(required),
+                                    nonpositive_w ? " of vertices with w <= 0" : ""));
+  return captures;
+}
+
+Observation Test::observe(const gl::Case& script, Attributes required, std::size_t most_vertices) {
+  begin_case(script);
+  Capture* capture = captures_for(required, false).front();
+  if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) == record_.captures.end())
+    record_.captures.push_back(capture->name());
+  return capture->observe(*subject_.implementation, script, required, most_vertices);
+}
+
+void Test::expect_emission(const gl::Case& script, Attributes required) {
+  begin_case(script);
+  const Prediction prediction = predict(script, max_order());
+  const std::size_t count = prediction.vertex_count();
+  const std::vector<Capture*> captures = captures_for(required, prediction.has_nonpositive_w());
+
+  std::vector<std::pair<const Capture*, Observation>> observations;
+  for (const Capture* capture : captures) {
+    // The first shows all it can; the others cross-check what the test is about.
+    const Attributes wanted = observations.empty() ? capture->attributes() : required;
+    observations.emplace_back(capture, capture->observe(*subject_.implementation, script, wanted, count + 8));
+    if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) == record_.captures.end())
+      record_.captures.push_back(capture->name());
+  }
+  for (std::size_t i = 1; i < observations.size(); ++i) {
+    const std::string differs = disagreement(observations[0].second, observations[i].second);
+    if (!differs.empty())
+      throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}", observations[0].first->name(),
+                                      observations[i].first->name(), script.identity(), differs));
+  }
+
+  const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch) {
+    Failure failure;
+    failure.case_identity = script.identity();
+    failure.message = mismatch.message;
+    failure.what = mismatch.what;
+    failure.expected = mismatch.expected;
+    failure.captured = mismatch.captured;
+    failure.exact = mismatch.exact;
+    if (!mismatch.exact.empty()) {
+      failure.ulp = mismatch.ulp;
+      failure.condition_aware = mismatch.condition_aware;
+    }
+    failure.capture = capture.name();
+    failure.calls = gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1);
+    fail(std::move(failure));
+  };
+  const auto& [capture, observation] = observations.front();  // the others agree with it
+  if (observation.error != prediction.error) {
+    Mismatch mismatch;
+    mismatch.what = "glGetError";
+    mismatch.expected = gl::error_name(prediction.error);
+    mismatch.captured = gl::error_name(observation.error);
+    mismatch.message = fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
+    record_failure(*capture, mismatch);
+  }
+  const JudgeOptions options{record_.level, kAllAttributes, 10 * gl().major + gl().minor, script.identity()};
+  const Judgement judgement = judge(prediction, observation, options);
+  for (const Mismatch& mismatch : judgement.mismatches) record_failure(*capture, mismatch);
+  if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
+    if (!record_.accuracy) record_.accuracy.emplace();
+    record_.accuracy->add(judgement.accuracy);
+  }
+}
+
+void Test::fail(Failure failure) {
+  const std::string identity = failure.case_identity + " " + failure.what;
+  record_.failed_cases.push_back(identity);
+  if (record_.failures.size() < kFailuresInFull) record_.failures.push_back(std::move(failure));
+}
+
+void Test::run(const std::function<void(Test&)>& body) {
+  record_.seed = subject_.seed;
+  random_.seed(subject_.seed * 2654435761u ^ hash(record_.name));
+  std::string why;
+  Verdict otherwise = Verdict::pass;
+  try {
+    body(*this);
+  } catch (const NotSupported& exception) {
+    otherwise = Verdict::not_supported;
+    why = exception.what();
+  } catch (const NotObservable& exception) {
+    otherwise = Verdict::not_observable;
+    why = exception.what();
+  } catch (const gl::MissingEntryPoint& exception) {
+    otherwise = Verdict::not_observable;
+    why = exception.what();
+  } catch (const std::exception& exception) {
+    otherwise = Verdict::internal_error;
+    why = exception.what();
+  }
+  if (otherwise == Verdict::internal_error || record_.failed_cases.empty()) {
+    record_.verdict = otherwise;
+    record_.message = why;
+  } else {
+    record_.verdict = record_.level == Level::quality ? Verdict::quality_warning : Verdict::fail;
+    record_.message = record_.failures.front().message;
+  }
+  if (record_.verdict == Verdict::pass && record_.cases == 0) {
+    record_.verdict = Verdict::internal_error;
+    record_.message = "the test played no case";
+  }
+  std::sort(record_.failed_cases.begin(), record_.failed_cases.end());
+}
+
+// --- Registration ----------------------------------------------------------------------------------------
+
+Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
+
+std::string Registration::parameter_name(GLenum target) {
+  const std::string name = gl::token_name(target);
+  return name.starts_with("GL_") ? name.substr(3) : name;
+}
+
+const std::vector<TestInfo>& all_tests() {
+  static const std::vector<TestInfo> sorted = [] {
+    std::vector<TestInfo> tests = registry();
+    std::sort(tests.begin(), tests.end(),
+              [](const TestInfo& a, const TestInfo& b) { return a.full_name() < b.full_name(); });
+    return tests;
+  }();
+  return sorted;
+}
+
+}  // namespace evalcts

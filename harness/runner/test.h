@@ -1,0 +1,176 @@
+// What a suite is written in: tests that name the requirements they decide, and what a test may do.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/capture/capture.h"
+#include "harness/gl/case.h"
+#include "harness/gl/player.h"
+#include "harness/gl/tokens.h"
+#include "harness/implementations/implementation.h"
+#include "harness/runner/record.h"
+
+namespace evalcts {
+
+enum class Depth { quick, full, thorough };
+
+// The rule does not apply to this implementation: its version or extension is missing.
+struct NotSupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// What all tests of a process are run against.
+struct Subject {
+  Implementation* implementation = nullptr;
+  ImplementationInfo info;
+  std::vector<Capture*> captures;  // proved
+  Depth depth = Depth::full;
+  std::uint32_t seed = 1;
+  std::function<void(const gl::Case&)> before_case;  // may be empty
+};
+
+class Test;
+
+// A case that was played without a capture, and the checks on what it answered. Each check that does not hold
+// is recorded with the case's calls and does not stop the test.
+class Played {
+ public:
+  Played(Test& test, gl::Case script, gl::Trace trace);
+
+  const gl::Trace& trace() const { return trace_; }
+
+  // GetError gave one of these. The message says "missing error" or "spurious error".
+  void expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed);
+  void expect_no_error(gl::Ref get_error) { expect_error(get_error, {GL_NO_ERROR}); }
+  // A returned value (IsEnabled, ...).
+  void expect_result(gl::Ref command, std::int64_t expected);
+  // The query wrote exactly these values (as numbers, -0 equal to +0) and nothing behind them.
+  template <class T>
+  void expect_values(gl::Ref query, const std::vector<T>& expected) {
+    check_values(query, {expected.begin(), expected.end()}, 0);
+  }
+  // The same with a relative tolerance: what a query may lose in conversion.
+  template <class T>
+  void expect_values_near(gl::Ref query, const std::vector<T>& expected, double relative) {
+    check_values(query, {expected.begin(), expected.end()}, relative);
+  }
+  // The query left its array alone.
+  void expect_nothing_written(gl::Ref query);
+  // Two queries gave the same answer, bit for bit.
+  void expect_same(gl::Ref before, gl::Ref after);
+  // Anything else: `captured` and `expected` are for the reader.
+  void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
+              const std::string& captured);
+
+ private:
+  void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
+  std::vector<double> written_values(gl::Ref query) const;
+  void fail(gl::Ref command, const std::string& message, const std::string& expected, const std::string& captured);
+
+  Test& test_;
+  gl::Case script_;
+  gl::Trace trace_;
+};
+
+// Handed to the body of each test.
+class Test {
+ public:
+  Test(const Subject& subject, Record& record) : subject_(subject), record_(record) {}
+
+  const ImplementationInfo& gl() const { return subject_.info; }
+  // The largest order, or 8 where the implementation claims less (EV-INIT-MAXORDER is a test of its own).
+  int max_order() const;
+  Depth depth() const { return subject_.depth; }
+  // One of three values by depth.
+  int by_depth(int quick, int full, int thorough) const;
+  // Random numbers of this test: the same for the same seed, whatever other tests run.
+  std::mt19937& random() { return random_; }
+
+  // Throws NotSupported below the version unless the extension is advertised.
+  void require(int major, int minor, const std::string& or_extension = {}) const;
+
+  // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
+  Played play(const gl::Case& script);
+
+  // Observes what the case emits through every capture that can see it, and judges it against the executable
+  // specification at the level of the test. `required` attributes must be observed, or the test is
+  // not-observable; further ones are judged where a capture shows them.
+  void expect_emission(const gl::Case& script, Attributes required);
+
+  // Observes through the first capture that sees `required`; the test judges by itself.
+  Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices);
+
+  void fail(Failure failure);
+
+  // For the runner.
+  void run(const std::function<void(Test&)>& body);
+
+ private:
+  friend class Played;
+  void begin_case(const gl::Case& script);
+  std::vector<Capture*> captures_for(Attributes required, bool nonpositive_w) const;
+
+  const Subject& subject_;
+  Record& record_;
+  std::mt19937 random_;
+};
+
+// A test as it is registered, known without a run.
+struct TestInfo {
+  std::string suite;
+  std::string name;
+  std::vector<std::string_view> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
+  Level level;
+  std::function<void(Test&)> body;
+
+  std::string full_name() const { return suite + "." + name; }
+};
+
+// All tests, in the order of their names.
+const std::vector<TestInfo>& all_tests();
+
+// For the macros below.
+struct Registration {
+  explicit Registration(TestInfo info);
+  template <class Parameters, class Body>
+  Registration(const char* suite, const char* name, const Parameters& parameters, Level level,
+               std::initializer_list<std::string_view> requirements, Body body) {
+    for (const auto& parameter : parameters) {
+      const auto copy = parameter;
+      Registration(TestInfo{suite, std::string(name) + "/" + parameter_name(copy), requirements, level,
+                            [body, copy](Test& t) { body(t, copy); }});
+    }
+  }
+
+ private:
+  static std::string parameter_name(GLenum target);
+  template <class Parameter>
+    requires requires(const Parameter& p) { p.name; }
+  static std::string parameter_name(const Parameter& parameter) {
+    return std::string(parameter.name);
+  }
+};
+
+// A test: EVALCTS_TEST(Map1State, Copy, must, "EV-MAP1-COPY") { t.play(...); }
+#define EVALCTS_TEST(suite, name, level, ...)                                                              \
+  static void suite##_##name(::evalcts::Test& t);                                                          \
+  static const ::evalcts::Registration suite##_##name##_registration{                                      \
+      ::evalcts::TestInfo{#suite, #name, {__VA_ARGS__}, ::evalcts::Level::level, suite##_##name}};         \
+  static void suite##_##name(::evalcts::Test& t)
+
+// The same rule for each of several parameters (targets, forms): one test each, "Suite.Name/PARAMETER".
+// EVALCTS_TESTS(Map1Errors, StrideBelowK, gl::kMap1Targets, GLenum target, must, "EV-MAP1-ERR-STRIDE") {...}
+#define EVALCTS_TESTS(suite, name, parameters, parameter, level, ...)                                      \
+  static void suite##_##name(::evalcts::Test& t, parameter);                                               \
+  static const ::evalcts::Registration suite##_##name##_registration{                                      \
+      #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name};                  \
+  static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
+
+}  // namespace evalcts

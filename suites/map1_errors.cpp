@@ -1,0 +1,255 @@
+// Section 5 of the requirements for Map1: each condition raises its error once and changes nothing.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
+// A legal map, to be spoiled by the test. Memory for order 65 at any stride used here stands behind it, so that
+// a library which checks late reads nothing that it must not.
+Map1 legal_map(GLenum target) {
+  Map1 map;
+  map.target = target;
+  map.stride = std::max(gl::components_of(target), 1);
+  map.order = 3;
+  map.points.assign(4096, 0.5);
+  return map;
+}
+
+// Nine maps that differ from the initial ones and from the legal map, every second one enabled: what a failing
+// command would damage.
+void prepare(gl::Case& c) {
+  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
+    const GLenum target = gl::kMap1Targets[i];
+    std::vector<double> points;
+    for (int p = 0; p < 2 * gl::components_of(target); ++p) points.push_back(0.125 * p + static_cast<double>(i));
+    define(c, make_map1(target, -1.0 - static_cast<double>(i), 2, 4, points));
+    if (i % 2) c.Enable(target);
+  }
+}
+
+// Plays one bad call in a context with prepared maps: one of the errors is raised, once, and nothing changed.
+void expect_refused(Test& t, const std::string& identity, const std::function<void(gl::Case&)>& bad_call,
+                    std::initializer_list<GLenum> allowed) {
+  gl::Case c(identity);
+  prepare(c);
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  bad_call(c);
+  const gl::Ref error = c.GetError();
+  const gl::Ref second = c.GetError();
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  played.expect_error(error, allowed);
+  played.expect_no_error(second);
+  expect_unchanged(played, before, after);
+}
+
+void expect_refused(Test& t, const std::string& identity, const Map1& bad, bool doubles,
+                    std::initializer_list<GLenum> allowed) {
+  expect_refused(t, identity, [&](gl::Case& c) { define(c, bad, doubles); }, allowed);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET", "EV-MAP1-ERR-NOEFFECT") {
+  std::vector<GLenum> bad = {0, 0x0D8F, 0x0D99, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
+  bad.insert(bad.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
+  for (const GLenum target : bad) {
+    Map1 map = legal_map(GL_MAP1_VERTEX_4);
+    map.target = target;
+    expect_refused(t, gl::token_name(target), map, form.doubles, {GL_INVALID_ENUM});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ORDER-LOW",
+              "EV-MAP1-ERR-NOEFFECT") {
+  for (const int order : {0, -1, -64, std::numeric_limits<int>::min()}) {
+    Map1 map = legal_map(form.target);
+    map.order = order;
+    expect_refused(t, fmt::format("order {}", order), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ORDER-HIGH",
+              "EV-MAP1-ERR-NOEFFECT") {
+  for (const int more : {1, 2, 100}) {
+    Map1 map = legal_map(form.target);
+    map.order = t.gl().max_eval_order + more;
+    map.points.assign(static_cast<std::size_t>(map.order) * 8, 0.5);
+    expect_refused(t, fmt::format("order MAX+{}", more), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-STRIDE",
+              "EV-MAP1-ERR-NOEFFECT") {
+  for (const int stride : {gl::components_of(form.target) - 1, 0, -1, -17, std::numeric_limits<int>::min()}) {
+    Map1 map = legal_map(form.target);
+    map.stride = stride;
+    expect_refused(t, fmt::format("stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT") {
+  for (const int stride : {gl::components_of(form.target) - 1, 0, -1}) {
+    Map1 map = legal_map(form.target);
+    map.order = 1;
+    map.stride = stride;
+    expect_refused(t, fmt::format("order 1 stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-DOMAIN",
+              "EV-MAP1-ERR-NOEFFECT") {
+  for (const double end : {0.0, 1.0, -2.5, 1e6}) {
+    Map1 map = legal_map(form.target);
+    map.u1 = map.u2 = end;
+    expect_refused(t, fmt::format("u1 = u2 = {}", end), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
+// +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
+EVALCTS_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP1-ERR-DOMAIN") {
+  Map1 map = legal_map(GL_MAP1_VERTEX_3);
+  map.u1 = 0.0;
+  map.u2 = -0.0;
+  expect_refused(t, "u1 = +0 u2 = -0", map, form.doubles, {GL_INVALID_VALUE});
+}
+
+EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-BEGINEND",
+              "EV-MAP1-ERR-NOEFFECT") {
+  for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_POLYGON}) {
+    expect_refused(
+        t, gl::primitive_name(mode),
+        [&](gl::Case& c) {
+          c.Begin(mode);
+          define(c, legal_map(form.target), form.doubles);
+          c.End();
+        },
+        {GL_INVALID_OPERATION});
+  }
+}
+
+EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ACTIVETEX",
+              "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  expect_refused(
+      t, "TEXTURE1 active",
+      [&](gl::Case& c) {
+        c.ActiveTexture(GL_TEXTURE1);
+        define(c, legal_map(form.target), form.doubles);
+      },
+      {GL_INVALID_OPERATION});
+
+  // Back on TEXTURE0 the same call is legal: the rule concerns the unit that is active now.
+  gl::Case c("TEXTURE1, then TEXTURE0 active");
+  c.ActiveTexture(GL_TEXTURE1);
+  c.ActiveTexture(GL_TEXTURE0);
+  const Map1 map = legal_map(form.target);
+  define(c, map, form.doubles);
+  const gl::Ref error = c.GetError();
+  const gl::Ref order = c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(1));
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  played.expect_values(order, std::vector<GLint>{map.order});
+}
+
+// Several conditions at once: one of the matching errors, whichever.
+EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT") {
+  const auto spoiled = [](GLenum target, int order, int stride, double u2) {
+    Map1 map = legal_map(GL_MAP1_VERTEX_4);
+    map.target = target;
+    map.order = order;
+    map.stride = stride;
+    map.u2 = u2;
+    return map;
+  };
+  expect_refused(t, "target and order", spoiled(GL_MAP2_VERTEX_4, 0, 4, 1), form.doubles,
+                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_refused(t, "target and stride", spoiled(GL_TEXTURE_2D, 3, 0, 1), form.doubles,
+                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_refused(t, "target and domain", spoiled(0, 3, 4, 0), form.doubles, {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_refused(t, "order, stride and domain", spoiled(GL_MAP1_VERTEX_4, -1, 1, 0), form.doubles,
+                 {GL_INVALID_VALUE});
+  expect_refused(t, "order too high and stride", spoiled(GL_MAP1_VERTEX_4, t.gl().max_eval_order + 1, 1, 1),
+                 form.doubles, {GL_INVALID_VALUE});
+  expect_refused(
+      t, "target, between Begin and End",
+      [&](gl::Case& c) {
+        c.Begin(GL_LINES);
+        define(c, spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles);
+        c.End();
+      },
+      {GL_INVALID_ENUM, GL_INVALID_OPERATION});
+}
+
+// An error reported once is gone, and the next legal call works.
+EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-NOEFFECT") {
+  gl::Case c("refused for order, stride and domain, then legal");
+  Map1 bad = legal_map(form.target);
+  bad.order = 0;
+  define(c, bad, form.doubles);
+  bad = legal_map(form.target);
+  bad.stride = 0;
+  define(c, bad, form.doubles);
+  bad = legal_map(form.target);
+  bad.u2 = bad.u1;
+  define(c, bad, form.doubles);
+  const gl::Ref first = c.GetError();
+  std::vector<double> coefficients;
+  for (int i = 0; i < 2 * gl::components_of(form.target); ++i) coefficients.push_back(i - 1.5);
+  const Map1 map = make_map1(form.target, -4, 4, 6, coefficients);
+  define(c, map, form.doubles);
+  const gl::Ref second = c.GetError();
+  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  Played played = t.play(c);
+  played.expect_error(first, {GL_INVALID_VALUE});
+  played.expect_no_error(second);
+  expect_map1(played, query, map, form.doubles);
+}
+
+// What is no error: EV-MAP-NOERR-OTHER names the conditions.
+EVALCTS_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must, "EV-MAP-NOERR-OTHER/1-D") {
+  const auto expect_accepted = [&](const std::string& identity, const Map1& map) {
+    gl::Case c(identity);
+    define(c, map, form.doubles);
+    const gl::Ref error = c.GetError();
+    const gl::Ref order = c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(1));
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    played.expect_values(order, std::vector<GLint>{map.order});
+  };
+  Map1 map = legal_map(form.target);
+  map.stride = 1000;
+  expect_accepted("stride far larger than needed", map);
+  map = legal_map(form.target);
+  map.order = 1;
+  map.stride = 4000;
+  expect_accepted("order 1 with a large stride", map);
+  map = legal_map(form.target);
+  map.u1 = 1, map.u2 = 0;
+  expect_accepted("u1 > u2", map);
+  map = legal_map(form.target);
+  map.u1 = -1e6, map.u2 = -1e5;
+  expect_accepted("negative domain", map);
+  map = legal_map(form.target);
+  map.u1 = -0x1p31, map.u2 = 0x1p31;
+  expect_accepted("large domain", map);
+  map = legal_map(form.target);
+  map.u2 = std::nextafterf(0.0f, 1.0f) + 1;
+  map.u1 = std::nextafterf(1.0f, 2.0f);
+  expect_accepted("domain of one ULP", map);
+  expect_accepted("repeated points", legal_map(form.target));
+  map = legal_map(form.target);
+  for (std::size_t i = 0; i < map.points.size(); ++i) map.points[i] = i % 2 ? -0.0 : std::ldexp(1.0, -140);
+  expect_accepted("negative zeros and subnormals", map);
+}
+
+}  // namespace evalcts

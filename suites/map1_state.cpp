@@ -1,0 +1,226 @@
+// Section 3 of the requirements, the state: what Map1 keeps, and what it leaves alone.
+#include <fmt/format.h>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+struct Fate {
+  const char* name;
+  gl::AfterCall after;
+};
+constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
+                           {"UNMAPPED", gl::AfterCall::unmap},
+                           {"PROTECTED", gl::AfterCall::protect}};
+
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
+Map1 random_map(Test& t, GLenum target, int order, int stride) {
+  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
+  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
+}
+
+void evaluate_some(gl::Case& c) {
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
+  c.End();
+}
+
+// Nine maps that differ in everything.
+std::vector<Map1> nine_maps(Test& t) {
+  std::vector<Map1> maps;
+  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
+    Map1 map = random_map(t, gl::kMap1Targets[i], 1 + static_cast<int>(i) % 8, 5);
+    map.u1 = static_cast<double>(i);
+    map.u2 = 20.0 + static_cast<double>(i);
+    maps.push_back(map);
+  }
+  return maps;
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must, "EV-MAP1-ORDER-ALL") {
+  gl::Case c("orders 1 to MAX");
+  std::vector<std::pair<gl::Ref, gl::Ref>> answers;
+  for (int order = 1; order <= t.max_order(); ++order) {
+    define(c, random_map(t, form.target, order, 4), form.doubles);
+    const gl::Ref error = c.GetError();
+    answers.emplace_back(error, c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(1)));
+  }
+  Played played = t.play(c);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    played.expect_no_error(answers[i].first);
+    played.expect_values(answers[i].second, std::vector<GLint>{static_cast<GLint>(i) + 1});
+  }
+}
+
+// k shows in two ways: where the stride error begins, and in how much COEFF answers.
+EVALCTS_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, "EV-MAP1-K") {
+  const int k = gl::components_of(target);
+  gl::Case c("strides k and k-1; size of COEFF");
+  define(c, random_map(t, target, 3, k));
+  const gl::Ref accepted = c.GetError();
+  const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(32));
+  Map1 narrow = random_map(t, target, 3, k);
+  narrow.stride = k - 1;
+  define(c, narrow);
+  const gl::Ref refused = c.GetError();
+  Played played = t.play(c);
+  played.expect_no_error(accepted);
+  played.expect_error(refused, {GL_INVALID_VALUE});
+  played.expect(played.trace().written(coefficients) == static_cast<std::size_t>(3 * k), coefficients,
+                "COEFF of a map of order 3 does not answer 3*k values", fmt::format("{} values", 3 * k),
+                fmt::format("{} values", played.trace().written(coefficients)));
+}
+
+EVALCTS_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING") {
+  const int k = gl::components_of(form.target);
+  for (const int stride : {k, k + 1, 2 * k, 17})
+    for (const int order : {1, 2, 5, t.max_order()}) {
+      const Map1 map = random_map(t, form.target, order, stride);
+      gl::Case c(fmt::format("stride {} order {}", stride, order));
+      define(c, map, form.doubles);
+      const gl::Ref error = c.GetError();
+      const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+      Played played = t.play(c);
+      played.expect_no_error(error);
+      expect_map1(played, query, map, form.doubles);
+    }
+}
+
+EVALCTS_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE-MIN") {
+  for (const int order : {1, 2, t.max_order()}) {
+    gl::Case c(fmt::format("stride k, order {}", order));
+    define(c, random_map(t, form.target, order, gl::components_of(form.target)), form.doubles);
+    const gl::Ref error = c.GetError();
+    const gl::Ref defined = c.GetMapiv(form.target, GL_ORDER, gl::out<GLint>(1));
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    played.expect_values(defined, std::vector<GLint>{order});
+  }
+}
+
+namespace {
+
+void expect_copied(Test& t, const Fate& fate, bool emission) {
+  for (const TargetForm& form : emission ? visible_target_forms() : target_forms())
+    for (const int order : {1, 4}) {
+      const Map1 map = random_map(t, form.target, order, 5);
+      gl::Case c(fmt::format("{} order {}", form.name, order));
+      define(c, map, form.doubles, fate.after);
+      if (emission) {
+        enable_visibly(c, form.target);
+        evaluate_some(c);
+        t.expect_emission(c, attribute_of(form.target));
+        continue;
+      }
+      const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+      Played played = t.play(c);
+      expect_map1(played, query, map, form.doubles);
+    }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") { expect_copied(t, fate, false); }
+
+EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+  expect_copied(t, fate, true);
+}
+
+EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
+  for (const std::pair<int, int> orders : {std::pair{5, 2}, {2, 5}, {1, t.max_order()}, {t.max_order(), 1}}) {
+    gl::Case c(fmt::format("order {} then {}", orders.first, orders.second));
+    Map1 first = random_map(t, target, orders.first, 4);
+    Map1 second = random_map(t, target, orders.second, 6);
+    first.u1 = 3, first.u2 = 4, second.u1 = -1, second.u2 = 0.5;
+    std::vector<Map1> others = nine_maps(t);
+    for (const Map1& other : others) define(c, other);
+    define(c, first);
+    define(c, second);
+    std::vector<MapQuery> queries;
+    for (const Map1& other : others) queries.push_back(query_map1(c, other.target, t.max_order()));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < others.size(); ++i)
+      expect_map1(played, queries[i], others[i].target == target ? second : others[i]);
+  }
+}
+
+EVALCTS_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
+  const std::vector<Map1> maps = nine_maps(t);
+  for (const bool reversed : {false, true}) {
+    gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
+    for (std::size_t i = 0; i < maps.size(); ++i) define(c, maps[reversed ? maps.size() - 1 - i : i]);
+    std::vector<MapQuery> queries;
+    for (const Map1& map : maps) queries.push_back(query_map1(c, map.target, t.max_order()));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+  }
+}
+
+// A one-dimensional definition leaves all two-dimensional maps alone; the reverse needs Map2.
+EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D") {
+  gl::Case c("all nine defined");
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  for (const Map1& map : nine_maps(t)) define(c, map);
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  for (std::size_t i = before.size() / 2; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+}
+
+EVALCTS_TESTS(Map1State, EnableUntouched, gl::kMap1Targets, GLenum target, must, "EV-MAP1-NOENABLE") {
+  gl::Case c("disabled, then enabled");
+  std::vector<std::pair<gl::Ref, GLboolean>> expected;
+  for (const GLboolean enabled : {GL_FALSE, GL_TRUE}) {
+    if (enabled) c.Enable(target);
+    for (const int order : {3, 1}) {
+      define(c, random_map(t, target, order, 4));
+      for (const GLenum other : gl::kMap1Targets) expected.emplace_back(c.IsEnabled(other), enabled && other == target);
+    }
+  }
+  Played played = t.play(c);
+  for (const auto& [query, enabled] : expected) played.expect_result(query, enabled);
+}
+
+EVALCTS_TESTS(Map1State, Live, visible_targets(), GLenum target, must, "EV-MAP1-LIVE") {
+  gl::Case c("evaluate, define anew, evaluate");
+  enable_visibly(c, target);
+  for (const int order : {4, 2, 6, 1, 6}) {
+    define(c, random_map(t, target, order, 4));
+    evaluate_some(c);
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
+EVALCTS_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must, "EV-MAP1-NOPIXELSTORE") {
+  const Map1 map = random_map(t, form.target, 4, 5);
+  gl::Case c("swapped bytes, row length, skips, alignment");
+  c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
+  c.PixelStorei(GL_UNPACK_LSB_FIRST, GL_TRUE);
+  c.PixelStorei(GL_UNPACK_ROW_LENGTH, 7);
+  c.PixelStorei(GL_UNPACK_SKIP_ROWS, 1);
+  c.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
+  c.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
+  define(c, map, form.doubles);
+  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  Played played = t.play(c);
+  expect_map1(played, query, map, form.doubles);
+}
+
+EVALCTS_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm& form, must, "EV-MAP1-NOBUFFER") {
+  t.require(1, 5, "GL_ARB_vertex_buffer_object");
+  const Map1 map = random_map(t, form.target, 4, 5);
+  gl::Case c("ARRAY_BUFFER and, from 2.1 on, PIXEL_UNPACK_BUFFER bound");
+  const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
+  c.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  c.BufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
+  if (t.gl().at_least(2, 1)) c.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+  define(c, map, form.doubles);
+  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  Played played = t.play(c);
+  expect_map1(played, query, map, form.doubles);
+}
+
+}  // namespace evalcts

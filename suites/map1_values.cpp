@@ -1,0 +1,243 @@
+// Section 3 of the requirements, the values: what a one-dimensional map evaluates to. Each case holds many
+// values; each is judged against the exact one by the acceptance interval.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+struct Domain {
+  double u1, u2;
+};
+
+// A map of the order with random points.
+Map1 random_map(Test& t, GLenum target, int order, Domain domain = {0, 1}) {
+  const int k = gl::components_of(target);
+  return make_map1(target, domain.u1, domain.u2, k, random_values(t.random(), static_cast<std::size_t>(order * k)));
+}
+
+// Points: the ends, what is next to them, and values in between.
+std::vector<double> arguments(Test& t, Domain domain, int count) {
+  const auto u1 = static_cast<float>(domain.u1), u2 = static_cast<float>(domain.u2);
+  std::vector<double> us = {u1, u2, std::nextafter(u1, u2), std::nextafter(u2, u1), (u1 + u2) / 2};
+  for (const double value : random_values(t.random(), static_cast<std::size_t>(std::max(0, count - 5))))
+    us.push_back(static_cast<float>(u1 + (u2 - u1) * std::abs(value)));
+  return us;
+}
+
+void evaluate_all(gl::Case& c, const std::vector<double>& us, bool doubles = false) {
+  c.Begin(GL_POINTS);
+  for (const double u : us) evaluate(c, u, doubles);
+  c.End();
+}
+
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
+}  // namespace
+
+// All orders of one target in one case: the map is defined anew before each Begin.
+EVALCTS_TESTS(Map1Values, AllOrders, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-BEZIER",
+              "EV-NUM-ACCURACY/1-D") {
+  gl::Case c(fmt::format("orders 1 to MAX, {} form", form.doubles ? "d" : "f"));
+  enable_visibly(c, form.target);
+  for (int order = 1; order <= t.max_order(); ++order) {
+    define(c, random_map(t, form.target, order), form.doubles);
+    evaluate_all(c, arguments(t, {0, 1}, t.by_depth(8, 40, 400)), form.doubles);
+  }
+  t.expect_emission(c, attribute_of(form.target));
+}
+
+// Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
+EVALCTS_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
+              "EV-NUM-ACCURACY/1-D") {
+  gl::Case c("alternating, step, line, offset, one spike");
+  enable_visibly(c, target);
+  const int k = gl::components_of(target);
+  for (const int order : {2, 3, 4, 5, 8, t.max_order()}) {
+    for (int kind = 0; kind < 5; ++kind) {
+      std::vector<double> points;
+      for (int i = 0; i < order; ++i)
+        for (int component = 0; component < k; ++component) {
+          const double sign = (i + component) % 2 ? -1 : 1;
+          const double values[] = {sign, 2 * i < order ? 1.0 : -1.0, i + 0.5 * component, 512 + sign * 0.25,
+                                   i == order / 2 ? 1.0 + component : 0.0};
+          points.push_back(values[kind]);
+        }
+      define(c, make_map1(target, points));
+      evaluate_all(c, arguments(t, {0, 1}, t.by_depth(6, 12, 60)));
+    }
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
+// At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
+EVALCTS_TESTS(Map1Values, Ends, visible_targets(), GLenum target, must, "EV-MAP1-ZEROPOW") {
+  gl::Case c("first and last point among points near the largest that the GL promises to hold");
+  enable_visibly(c, target);
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  const double large = target == GL_MAP1_COLOR_4 ? 0x1p9 : 0x1p30;
+  for (int order = 1; order <= t.max_order(); ++order) {
+    std::vector<double> points(static_cast<std::size_t>(order) * k, large);
+    for (std::size_t component = 0; component < k; ++component) {
+      points[component] = 0.5 + static_cast<double>(component);
+      points[points.size() - k + component] = -0.25 - static_cast<double>(component);
+    }
+    for (const Domain domain : {Domain{0, 1}, Domain{2, 5}, Domain{1, -3}}) {
+      define(c, make_map1(target, domain.u1, domain.u2, static_cast<int>(k), points));
+      evaluate_all(c, {domain.u1, domain.u2});
+    }
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
+namespace {
+
+struct NamedDomain {
+  const char* name;
+  double u1, u2;
+};
+constexpr NamedDomain kDomains[] = {{"UNIT", 0, 1},           {"SHIFTED", 2, 5},        {"NEGATIVE", -3, -1},
+                                    {"FAR", 1e3, 1e3 + 8},    {"ACROSS_ZERO", -1, 2},   {"WIDE", -1e6, 3e6},
+                                    {"NARROW", 1, 1 + 0x1p-16}, {"TINY", 0, 0x1p-50},  {"AWKWARD", 0.1f, 0.7f}};
+constexpr NamedDomain kReversedDomains[] = {{"1_TO_0", 1, 0}, {"5_TO_-2", 5, -2}, {"-1_TO_-3", -1, -3}};
+
+void expect_over_domain(Test& t, const NamedDomain& named) {
+  const Domain domain{named.u1, named.u2};
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP1_TEXTURE_COORD_4}) {
+    for (const Form& form : kForms) {
+      gl::Case c(fmt::format("{} {} form", label(target), form.name));
+      enable_visibly(c, target);
+      for (const int order : {1, 2, 3, 4, 6, 8}) {
+        define(c, random_map(t, target, order, domain), form.doubles);
+        evaluate_all(c, arguments(t, domain, t.by_depth(8, 20, 200)), form.doubles);
+      }
+      t.expect_emission(c, attribute_of(target));
+    }
+  }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain, must, "EV-MAP1-DOMAIN") {
+  expect_over_domain(t, domain);
+}
+
+EVALCTS_TESTS(Map1Values, ReversedDomain, kReversedDomains, const NamedDomain& domain, must, "EV-MAP1-REVERSED") {
+  expect_over_domain(t, domain);
+}
+
+EVALCTS_TESTS(Map1Values, OutsideDomain, visible_targets(), GLenum target, must, "EV-MAP1-EXTRAPOLATE",
+              "EV-NUM-ACCURACY/1-D") {
+  gl::Case c("a line, a cubic and order 8, to the left and to the right of the domain");
+  enable_visibly(c, target);
+  for (const Domain domain : {Domain{0, 1}, Domain{2, 5}, Domain{1, 0}}) {
+    for (const int order : {2, 4, 8}) {
+      define(c, random_map(t, target, order, domain));
+      std::vector<double> us;
+      for (const double t_outside : {-1.5, 2.5, -0.001, 1.001, -3.0, 4.0})
+        us.push_back(static_cast<float>(domain.u1 + (domain.u2 - domain.u1) * t_outside));
+      evaluate_all(c, us);
+    }
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
+EVALCTS_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, must, "EV-MAP1-ORDER-ONE") {
+  gl::Case c("one point, arguments in and outside the domain");
+  enable_visibly(c, target);
+  for (const int stride : {4, 9}) {
+    Map1 map = random_map(t, target, 1, {2, 5});
+    map = make_map1(target, 2, 5, stride, map.coefficients());
+    define(c, map);
+    const gl::Ref unused = c.GetError();
+    static_cast<void>(unused);
+    evaluate_all(c, {2, 5, 3.3, -7, 100});
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
+// Values that differ in every component, so that no permutation of them goes unseen.
+EVALCTS_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum target, must, "EV-MAP1-COMPORDER") {
+  gl::Case c("components 1/8, 3/8, 5/8, 7/8");
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  std::vector<double> points;
+  for (int i = 0; i < 2; ++i)
+    for (std::size_t component = 0; component < k; ++component) points.push_back((2.0 * static_cast<double>(component) + 1) / 8);
+  define(c, make_map1(target, points));
+  enable_visibly(c, target);
+  evaluate_all(c, {0, 0.5, 1});
+  t.expect_emission(c, attribute_of(target));
+}
+
+EVALCTS_TESTS(Map1Values, Stride, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
+              "EV-MAP1-PADDING") {
+  gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
+  enable_visibly(c, form.target);
+  const int k = gl::components_of(form.target);
+  for (const int stride : {k, k + 1, 2 * k, 17})
+    for (const int order : {1, 2, 5}) {
+      const Map1 tight = random_map(t, form.target, order);
+      define(c, make_map1(form.target, 0, 1, stride, tight.coefficients()), form.doubles);
+      evaluate_all(c, {0, 0.25, 0.625, 1}, form.doubles);
+    }
+  t.expect_emission(c, attribute_of(form.target));
+}
+
+EVALCTS_TESTS(Map1Values, PaddingNaN, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-PADDING") {
+  gl::Case c("padding of NaN and infinity");
+  enable_visibly(c, form.target);
+  const int k = gl::components_of(form.target);
+  for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    const Map1 tight = random_map(t, form.target, 4);
+    Map1 map = make_map1(form.target, 0, 1, k + 3, tight.coefficients());
+    for (double& value : map.points)
+      if (value == kPoison) value = padding;
+    define(c, map, form.doubles);
+    evaluate_all(c, {0, 0.25, 0.625, 1}, form.doubles);
+  }
+  t.expect_emission(c, attribute_of(form.target));
+}
+
+namespace {
+
+// The cross-check that gives a library its accuracy figures: every order, values spread over the domain and
+// crowded at its ends, ordinary and cancelling data, in cases of one order each.
+void measure(Test& t, GLenum target) {
+  const int k = gl::components_of(target);
+  for (int order = 1; order <= t.max_order(); order += order < 8 ? 1 : t.by_depth(11, 2, 1)) {
+    gl::Case c(fmt::format("order {}", order));
+    enable_visibly(c, target);
+    for (int kind = 0; kind < 2; ++kind) {
+      std::vector<double> points = random_values(t.random(), static_cast<std::size_t>(order * k));
+      if (kind == 1)
+        for (std::size_t i = 0; i < points.size(); ++i) points[i] = std::abs(points[i]) * (i / static_cast<std::size_t>(k) % 2 ? -1 : 1);
+      define(c, make_map1(target, points));
+      std::vector<double> us;
+      for (const double value : random_values(t.random(), static_cast<std::size_t>(t.by_depth(20, 75, 2000))))
+        us.push_back(std::abs(value));
+      for (int i = 1; i < 20; i += 3) {
+        us.push_back(std::ldexp(1.0, -i));
+        us.push_back(1 - std::ldexp(1.0, -i));
+      }
+      evaluate_all(c, us);
+    }
+    t.expect_emission(c, attribute_of(target));
+  }
+}
+
+}  // namespace
+
+// One test to fail where a result leaves the acceptance interval ...
+EVALCTS_TESTS(Map1Accuracy, Acceptable, visible_targets(), GLenum target, must, "EV-NUM-ACCURACY/1-D") {
+  measure(t, target);
+}
+
+// ... and one to warn where it is worse than good single precision.
+EVALCTS_TESTS(Map1Accuracy, GoodSinglePrecision, visible_targets(), GLenum target, quality, "EV-NUM-ACCURACY/1-D") {
+  measure(t, target);
+}
+
+}  // namespace evalcts

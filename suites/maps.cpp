@@ -1,0 +1,161 @@
+#include "suites/maps.h"
+
+#include <algorithm>
+
+namespace evalcts {
+namespace {
+
+template <class T>
+std::vector<T> converted(const std::vector<double>& values) {
+  std::vector<T> out;
+  out.reserve(values.size());
+  for (const double value : values) out.push_back(static_cast<T>(value));
+  return out;
+}
+
+std::vector<TargetForm> make_target_forms(bool with_index) {
+  std::vector<TargetForm> all;
+  for (const GLenum target : gl::kMap1Targets)
+    for (const Form& form : kForms)
+      if (with_index || target != GL_MAP1_INDEX)
+        all.push_back({gl::token_name(target).substr(3) + "_" + form.name, target, form.doubles});
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> Map1::coefficients() const {
+  std::vector<double> packed;
+  for (int i = 0; i < order; ++i)
+    for (int c = 0; c < components(); ++c) packed.push_back(points[static_cast<std::size_t>(i * stride + c)]);
+  return packed;
+}
+
+Map1 make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients) {
+  Map1 map{target, u1, u2, stride, 0, {}};
+  const std::size_t k = static_cast<std::size_t>(map.components());
+  map.order = static_cast<int>(coefficients.size() / k);
+  map.points.assign(static_cast<std::size_t>(map.order * stride), kPoison);
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+    map.points[i / k * static_cast<std::size_t>(stride) + i % k] = coefficients[i];
+  return map;
+}
+
+Map1 make_map1(GLenum target, const std::vector<double>& coefficients) {
+  return make_map1(target, 0, 1, gl::components_of(target), coefficients);
+}
+
+std::vector<double> random_values(std::mt19937& random, std::size_t count) {
+  // 24 random bits and a sign, written out because the standard's distributions differ between libraries.
+  std::vector<double> values(count);
+  for (double& value : values) {
+    const std::uint32_t bits = random();
+    value = static_cast<double>(static_cast<std::int32_t>(bits >> 7) - (1 << 24)) * 0x1p-24;
+  }
+  return values;
+}
+
+const std::vector<TargetForm>& target_forms() {
+  static const std::vector<TargetForm> all = make_target_forms(true);
+  return all;
+}
+
+const std::vector<TargetForm>& visible_target_forms() {
+  static const std::vector<TargetForm> all = make_target_forms(false);
+  return all;
+}
+
+const std::vector<GLenum>& visible_targets() {
+  static const std::vector<GLenum> all = [] {
+    std::vector<GLenum> targets(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
+    std::erase(targets, static_cast<GLenum>(GL_MAP1_INDEX));
+    return targets;
+  }();
+  return all;
+}
+
+gl::Ref define(gl::Case& c, const Map1& map, bool doubles, gl::AfterCall after) {
+  if (doubles) return c.Map1d(map.target, map.u1, map.u2, map.stride, map.order, gl::array(map.points, after));
+  return c.Map1f(map.target, map.u1, map.u2, map.stride, map.order, gl::array(converted<float>(map.points), after));
+}
+
+gl::Ref evaluate(gl::Case& c, double u, bool doubles) { return doubles ? c.EvalCoord1d(u) : c.EvalCoord1f(u); }
+
+Attributes attribute_of(GLenum target) {
+  switch (target) {
+    case GL_MAP1_VERTEX_3:
+    case GL_MAP1_VERTEX_4:
+      return kPosition;
+    case GL_MAP1_COLOR_4:
+      return kColor;
+    case GL_MAP1_NORMAL:
+      return kNormal;
+    case GL_MAP1_INDEX:
+      throw NotObservable("INDEX maps show in colour-index contexts only");
+    default:
+      return kTextureCoordinate0;
+  }
+}
+
+void enable_visibly(gl::Case& c, GLenum target) {
+  if (attribute_of(target) != kPosition) {
+    define(c, make_map1(GL_MAP1_VERTEX_3, {0.25, 0.5, 0.75}));
+    c.Enable(GL_MAP1_VERTEX_3);
+  }
+  c.Enable(target);
+}
+
+std::vector<gl::Ref> query_everything(gl::Case& c, int max_order) {
+  std::vector<gl::Ref> refs;
+  const auto room = static_cast<std::size_t>(max_order);
+  for (const GLenum target : gl::kMap1Targets) {
+    refs.push_back(c.IsEnabled(target));
+    refs.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1)));
+    refs.push_back(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2)));
+    refs.push_back(c.GetMapdv(target, GL_COEFF,
+                              gl::out<GLdouble>(room * static_cast<std::size_t>(gl::components_of(target)))));
+  }
+  for (const GLenum target : gl::kMap2Targets) {
+    refs.push_back(c.IsEnabled(target));
+    refs.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
+    refs.push_back(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4)));
+    refs.push_back(c.GetMapdv(target, GL_COEFF,
+                              gl::out<GLdouble>(room * room * static_cast<std::size_t>(gl::components_of(target)))));
+  }
+  return refs;
+}
+
+void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after) {
+  for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+}
+
+MapQuery query_map1(gl::Case& c, GLenum target, int max_order, bool doubles) {
+  const std::size_t room = static_cast<std::size_t>(max_order * gl::components_of(target));
+  MapQuery query;
+  query.order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1));
+  if (doubles) {
+    query.domain = c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2));
+    query.coefficients = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(room));
+  } else {
+    query.domain = c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2));
+    query.coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(room));
+  }
+  return query;
+}
+
+void expect_map1(Played& played, const MapQuery& query, const Map1& map, bool doubles) {
+  // Queries promise single precision, to one part in 10^5 (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
+  constexpr double kTolerance = 1e-5;
+  played.expect_values(query.order, std::vector<GLint>{map.order});
+  const std::vector<double> domain = {map.u1, map.u2};
+  const std::vector<double> coefficients = map.coefficients();
+  if (doubles) {
+    played.expect_values_near(query.domain, domain, kTolerance);
+    played.expect_values_near(query.coefficients, coefficients, kTolerance);
+  } else {
+    played.expect_values_near(query.domain, converted<float>(domain), kTolerance);
+    played.expect_values_near(query.coefficients, converted<float>(coefficients), kTolerance);
+  }
+}
+
+}  // namespace evalcts

@@ -1,0 +1,79 @@
+// One-dimensional maps for tests: how they are made, defined and shown.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "harness/runner/test.h"
+
+namespace evalcts {
+
+// A map as Map1 is given it: `order` control points, `stride` values apart, each block whole (order*stride
+// values), so that nothing behind the last point is ever out of bounds (U-TAIL).
+struct Map1 {
+  GLenum target = GL_MAP1_VERTEX_3;
+  double u1 = 0, u2 = 1;
+  int stride = 3, order = 1;
+  std::vector<double> points;
+
+  int components() const { return gl::components_of(target); }
+  // The control points packed, as GetMap returns them.
+  std::vector<double> coefficients() const;
+};
+
+// What the padding between two control points holds in all tests: a value that spoils whatever reads it.
+inline constexpr double kPoison = 1e30;
+
+// `coefficients` (packed, order*k of them) laid out with the stride; padding is poisoned.
+Map1 make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients);
+// Tightly packed over [0,1].
+Map1 make_map1(GLenum target, const std::vector<double>& coefficients);
+
+// `count` numbers in [-1,1], exactly representable in single precision.
+std::vector<double> random_values(std::mt19937& random, std::size_t count);
+
+// The two forms of a command.
+struct Form {
+  const char* name;
+  bool doubles;
+};
+inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
+
+// A target and a form: "MAP1_VERTEX_3_f".
+struct TargetForm {
+  std::string name;
+  GLenum target;
+  bool doubles;
+};
+// All nine targets, or the eight whose values show (INDEX shows in colour-index contexts only).
+const std::vector<TargetForm>& target_forms();
+const std::vector<TargetForm>& visible_target_forms();
+const std::vector<GLenum>& visible_targets();
+
+// Map1f or Map1d.
+gl::Ref define(gl::Case& c, const Map1& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
+// EvalCoord1f or EvalCoord1d.
+gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
+
+// What has to be observed to see the values of a target.
+Attributes attribute_of(GLenum target);
+
+// Enables the target and, where it gives no vertex itself, a constant vertex map as its carrier.
+void enable_visibly(gl::Case& c, GLenum target);
+
+// Everything that a failing command must leave alone: order, domain and points of all 18 maps and their
+// enables. Room for what a wrong implementation might write is allowed for.
+std::vector<gl::Ref> query_everything(gl::Case& c, int max_order);
+void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
+
+// Order, domain and points of one map, through GetMapfv or GetMapdv.
+struct MapQuery {
+  gl::Ref order, domain, coefficients;
+};
+MapQuery query_map1(gl::Case& c, GLenum target, int max_order, bool doubles = false);
+// ... are those of this map, to single precision where it was given in doubles.
+void expect_map1(Played& played, const MapQuery& query, const Map1& map, bool doubles = false);
+
+}  // namespace evalcts
