@@ -80,6 +80,21 @@ TEST(Record, CountsEveryVerdict) {
   EXPECT_EQ(record.unexpected_count(), 5u);
 }
 
+TEST(Record, UnexpectedIsWhatTheBaselineDoesNotExpect) {
+  const auto unexpected = [](const char* verdict, bool expected, const char* reason) {
+    const json test{{"verdict", verdict}, {"expected_by_baseline", expected}, {"baseline_reason", reason}};
+    return read_record(record_of(test)).tests[0].unexpected();
+  };
+  EXPECT_FALSE(unexpected("pass", false, ""));
+  EXPECT_FALSE(unexpected("pass", true, "fails now and then"));
+  EXPECT_TRUE(unexpected("pass", false, "known to fail"));
+  EXPECT_TRUE(unexpected("fail", false, ""));
+  EXPECT_TRUE(unexpected("fail", false, "known to fail in other cases"));
+  EXPECT_FALSE(unexpected("fail", true, "known to fail"));
+  EXPECT_FALSE(unexpected("quality-warning", false, ""));
+  EXPECT_FALSE(unexpected("not-observable", false, ""));
+}
+
 TEST(Record, EvidenceOfATestWithoutFailuresIsItsFailure) {
   const Record record = read_record(read_sample("results-osmesa.json"));
   const TestResult& test = record.tests[2];
