@@ -3,7 +3,6 @@
 #include <reference/rational.h>
 #include <reference/rounding.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +11,9 @@ namespace {
 
 GLint saturate(const Integer& value) {
   using Limits = std::numeric_limits<GLint>;
-  return static_cast<GLint>(std::clamp<Integer>(value, Limits::min(), Limits::max()));
+  if (value < Limits::min()) return Limits::min();
+  if (value > Limits::max()) return Limits::max();
+  return static_cast<GLint>(value);
 }
 
 }  // namespace
