@@ -9,8 +9,6 @@
 namespace evalcts {
 namespace {
 
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
-
 // A legal map, to be spoiled by the test. Memory for order 65 at any stride used here stands behind it, so that
 // a library which checks late reads nothing that it must not.
 Map1 legal_map(GLenum target) {

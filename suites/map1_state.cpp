@@ -14,8 +14,6 @@ constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
                            {"UNMAPPED", gl::AfterCall::unmap},
                            {"PROTECTED", gl::AfterCall::protect}};
 
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
-
 Map1 random_map(Test& t, GLenum target, int order, int stride) {
   const auto count = static_cast<std::size_t>(order * gl::components_of(target));
   return make_map1(target, 0, 1, stride, random_values(t.random(), count));
@@ -131,7 +129,7 @@ EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "E
 }
 
 EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
-  for (const std::pair<int, int> orders : {std::pair{5, 2}, {2, 5}, {1, t.max_order()}, {t.max_order(), 1}}) {
+  for (const std::pair<int, int>& orders : {std::pair{5, 2}, {2, 5}, {1, t.max_order()}, {t.max_order(), 1}}) {
     gl::Case c(fmt::format("order {} then {}", orders.first, orders.second));
     Map1 first = random_map(t, target, orders.first, 4);
     Map1 second = random_map(t, target, orders.second, 6);

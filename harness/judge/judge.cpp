@@ -26,21 +26,28 @@ class VertexJudge {
 
   void vertex(std::size_t index, const reference::Vertex& expected, const ObservedVertex& got) {
     index_ = index;
-    const Attributes wanted = options_.attributes & observation_.attributes;
-    if (wanted & kPosition) values("position", "xyzw", expected.position, got.position, false);
-    if (wanted & kColor) values("color", "RGBA", expected.color, got.color, observation_.clamped_colors);
-    if (wanted & kNormal) values("normal", "xyz", expected.normal, got.normal, false);
+    values(kPosition, "position", "xyzw", expected.position, got.position);
+    values(kColor, "color", "RGBA", expected.color, got.color);
+    values(kNormal, "normal", "xyz", expected.normal, got.normal);
     for (std::size_t unit = 0; unit < observation_.units; ++unit)
-      if (wanted & (unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther))
-        values(fmt::format("texture coordinate {}", unit), "strq", expected.texture_coordinate[unit],
-               got.texture_coordinate[unit], false);
+      values(unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther, "texture coordinate", "strq",
+             expected.texture_coordinate[unit], got.texture_coordinate[unit], unit);
   }
 
  private:
   template <class Expected, class Got>
-  void values(const std::string& attribute, const char* names, const Expected& expected, const Got& got, bool clamped) {
+  void values(Attribute attribute, const char* name, const char* components, const Expected& expected, const Got& got,
+              std::size_t unit = 0) {
+    if (!(options_.attributes & observation_.attributes & attribute)) return;
+    measured_ = options_.measured & attribute;
+    const bool clamped = attribute == kColor && observation_.clamped_colors;
     for (std::size_t i = 0; i < got.size(); ++i) {
-      const auto what = [&] { return fmt::format("{}.{} of vertex {}", attribute, names[i], index_); };
+      const auto what = [&] {
+        const std::string number = attribute == kTextureCoordinate0 || attribute == kTextureCoordinatesOther
+                                       ? fmt::format(" {}", unit)
+                                       : std::string();
+        return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
+      };
       if (const auto* given = std::get_if<float>(&expected[i])) {
         given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i]);
       } else {
@@ -69,7 +76,7 @@ class VertexJudge {
     const Component component = sample;
     Accuracy& accuracy = judgement_.accuracy;
     if (!reference::is_finite(component)) {
-      ++accuracy.not_judged;
+      if (measured_) ++accuracy.not_judged;
       return;
     }
     const auto [exact, magnitude] = reference::exact_with_magnitude(component);
@@ -83,7 +90,7 @@ class VertexJudge {
     }
     const int range = reference::guaranteed_range(sample.map->target, options_.version);
     if (!reference::must_applies(component, range)) {
-      ++accuracy.not_judged;
+      if (measured_) ++accuracy.not_judged;
       return;
     }
     measure(what, exact, magnitude, got);
@@ -110,6 +117,7 @@ class VertexJudge {
 
   template <class What>
   void measure(const What& what, const Rational& exact, const Rational& magnitude, float got) {
+    if (!measured_) return;
     Accuracy& accuracy = judgement_.accuracy;
     ++accuracy.values;
     const bool correctly_rounded = reference::round_to_float(exact) == got;
@@ -147,6 +155,7 @@ class VertexJudge {
   const Observation& observation_;
   Judgement& judgement_;
   std::size_t index_ = 0;
+  bool measured_ = true;
 };
 
 std::vector<const ObservedVertex*> flat(const Observation& observation) {
@@ -163,28 +172,6 @@ bool same_value(float a, float b) {
 }
 
 }  // namespace
-
-const char* name_of(Level level) {
-  switch (level) {
-    case Level::must:
-      return "must";
-    case Level::interpretation:
-      return "interpretation";
-    case Level::quality:
-      return "quality";
-  }
-  return "";
-}
-
-void Accuracy::add(const Accuracy& other) {
-  values += other.values;
-  not_correctly_rounded += other.not_correctly_rounded;
-  all_terms_zero += other.all_terms_zero;
-  all_terms_zero_wrong += other.all_terms_zero_wrong;
-  not_judged += other.not_judged;
-  if (other.ulp.error > ulp.error) ulp = other.ulp;
-  if (other.condition_aware.error > condition_aware.error) condition_aware = other.condition_aware;
-}
 
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {
   Judgement judgement;

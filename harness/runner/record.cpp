@@ -1,6 +1,7 @@
 #include "harness/runner/record.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace evalcts {
 namespace {

@@ -1,12 +1,12 @@
 // Result records: what is known of one test after it ran.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/judge/judge.h"
+#include "harness/judge/accuracy.h"
 
 namespace evalcts {
 

@@ -263,7 +263,10 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
     mismatch.message = fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
     record_failure(*capture, mismatch);
   }
-  const JudgeOptions options{record_.level, kAllAttributes, 10 * gl().major + gl().minor, script.identity()};
+  const JudgeOptions options{.level = record_.level,
+                             .measured = required,
+                             .version = 10 * gl().major + gl().minor,
+                             .where = script.identity()};
   const Judgement judgement = judge(prediction, observation, options);
   for (const Mismatch& mismatch : judgement.mismatches) record_failure(*capture, mismatch);
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {

@@ -1,0 +1,173 @@
+// The judge: what it accepts, what it refuses, and that a pass means something.
+#include <gtest/gtest.h>
+#include <reference/rounding.h>
+
+#include <cmath>
+#include <limits>
+
+#include "harness/judge/judge.h"
+
+namespace evalcts {
+namespace {
+
+// Order 4 map of vertices evaluated at a few arguments, and what an implementation would be seen to emit.
+struct Scene {
+  gl::Case script;
+  Prediction prediction;
+  Observation exact;  // correctly rounded
+
+  explicit Scene(GLenum extra = 0) {
+    script.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 4, std::vector<float>{1, -2, 3, 0.5, 7, -1, 2, 2, 2, -3, 1, 0.25});
+    script.Enable(GL_MAP1_VERTEX_3);
+    if (extra == GL_MAP1_COLOR_4) {
+      script.Map1f(extra, 0, 1, 4, 2, std::vector<float>{-1, 0.25, 0.5, 1, 3, 0.25, 0.75, 1});
+      script.Enable(extra);
+    }
+    script.Normal3f(0.1f, 0.2f, 0.3f);
+    script.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.3f, 0.75f, 1.0f}) script.EvalCoord1f(u);
+    script.End();
+    prediction = predict(script, 30);
+    exact.attributes = kAllAttributes;
+    exact.units = kTextureUnits;
+    ObservedPrimitive& points = exact.primitives.emplace_back();
+    for (const reference::Vertex& vertex : prediction.primitives.at(0).vertices) {
+      ObservedVertex& seen = points.vertices.emplace_back();
+      for (std::size_t i = 0; i < 4; ++i) seen.position[i] = reference::rounded(vertex.position[i]);
+      for (std::size_t i = 0; i < 4; ++i) seen.color[i] = reference::rounded(vertex.color[i]);
+      for (std::size_t i = 0; i < 3; ++i) seen.normal[i] = reference::rounded(vertex.normal[i]);
+      for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
+        for (std::size_t i = 0; i < 4; ++i)
+          seen.texture_coordinate[unit][i] = reference::rounded(vertex.texture_coordinate[unit][i]);
+    }
+  }
+
+  ObservedVertex& vertex(std::size_t i) { return exact.primitives[0].vertices[i]; }
+};
+
+TEST(Judge, AcceptsCorrectlyRoundedValues) {
+  const Scene scene;
+  const Judgement judgement = judge(scene.prediction, scene.exact, {});
+  EXPECT_TRUE(judgement.mismatches.empty());
+  EXPECT_EQ(judgement.accuracy.values, 12u);
+  EXPECT_EQ(judgement.accuracy.not_correctly_rounded, 0u);
+  EXPECT_LE(judgement.accuracy.ulp.error, 0.5);
+}
+
+TEST(Judge, ValuesAreTheFormula) {
+  // Independent of the oracle: the Bernstein sum in long double.
+  const Scene scene;
+  const long double t = 0.75L, s = 0.25L;
+  const long double x = s * s * s * 1 + 3 * t * s * s * 0.5L + 3 * t * t * s * 2 + t * t * t * -3;
+  EXPECT_EQ(scene.exact.primitives[0].vertices[2].position[0], static_cast<float>(x));
+}
+
+TEST(Judge, AcceptsUpToTheBoundAndNotBeyond) {
+  for (const Level level : {Level::must, Level::quality}) {
+    Scene scene;
+    const reference::Component& component = scene.prediction.primitives[0].vertices[1].position[1];
+    const reference::Rational bound =
+        level == Level::must ? reference::acceptance_bound(component) : reference::quality_bound(component);
+    const reference::Rational exact = reference::exact(component);
+    // The largest float within, and the one after it.
+    float inside = reference::round_to_float(exact + bound);
+    if (!reference::is_within(inside, exact, bound)) inside = std::nextafterf(inside, -HUGE_VALF);
+    const float outside = std::nextafterf(inside, HUGE_VALF);
+    scene.vertex(1).position[1] = inside;
+    EXPECT_TRUE(judge(scene.prediction, scene.exact, {.level = level}).mismatches.empty());
+    scene.vertex(1).position[1] = outside;
+    const Judgement judgement = judge(scene.prediction, scene.exact, {.level = level});
+    ASSERT_EQ(judgement.mismatches.size(), 1u);
+    EXPECT_EQ(judgement.mismatches[0].what, "position.y of vertex 1");
+    EXPECT_GT(judgement.mismatches[0].ulp, 1);
+  }
+}
+
+TEST(Judge, RefusesWhatIsNoNumber) {
+  for (const float value : {std::nanf(""), HUGE_VALF, -HUGE_VALF}) {
+    Scene scene;
+    scene.vertex(2).position[0] = value;
+    EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+  }
+}
+
+TEST(Judge, GivenValuesComeBackBitForBitButNegativeZero) {
+  Scene scene;
+  scene.vertex(0).normal[1] = std::nextafterf(0.2f, 1.0f);
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+  scene.vertex(0).normal[1] = 0.2f;
+  scene.vertex(0).texture_coordinate[3][0] = -0.0f;
+  EXPECT_TRUE(judge(scene.prediction, scene.exact, {}).mismatches.empty());
+}
+
+TEST(Judge, JudgesOnlyWhatWasObservedAndAskedFor) {
+  Scene scene;
+  scene.vertex(0).normal[0] = 9;
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {.attributes = kPosition}).mismatches.size(), 0u);
+  scene.exact.attributes = kPosition | kColor;
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 0u);
+  scene.exact.attributes = kNormal;
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+}
+
+TEST(Judge, MissingAndSurplusVerticesAreOneMismatch) {
+  Scene scene;
+  scene.exact.primitives[0].vertices.pop_back();
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+  scene.exact.primitives[0].vertices.resize(5);
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+}
+
+TEST(Judge, ClampedColors) {
+  Scene scene(GL_MAP1_COLOR_4);
+  scene.exact.clamped_colors = true;
+  for (ObservedVertex& vertex : scene.exact.primitives[0].vertices)
+    for (float& value : vertex.color) value = std::fmin(std::fmax(value, 0.0f), 1.0f);
+  EXPECT_TRUE(judge(scene.prediction, scene.exact, {}).mismatches.empty());
+  scene.vertex(1).color[0] = 0.9f;  // is 0.2
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+  scene.vertex(1).color[0] = 1.0f;  // an end of the interval is no excuse
+  EXPECT_EQ(judge(scene.prediction, scene.exact, {}).mismatches.size(), 1u);
+}
+
+TEST(Judge, MakesNoDemandBeyondThePromisedRange) {
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<float>{0x1p40f, 0, 0, 0x1p41f, 0, 0});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  Observation observation;
+  observation.attributes = kPosition;
+  observation.primitives.push_back({GL_POINTS, {ObservedVertex{}}});
+  observation.primitives[0].vertices[0].position = {-1, 0, 0, 1};
+  const Judgement judgement = judge(predict(c, 30), observation, {});
+  EXPECT_TRUE(judgement.mismatches.empty());
+  EXPECT_EQ(judgement.accuracy.not_judged, 1u);
+}
+
+TEST(Captures, DisagreementIsSeenButNotForSubnormalsAndZeros) {
+  Scene scene;
+  Observation other = scene.exact;
+  EXPECT_EQ(disagreement(scene.exact, other), "");
+  other.primitives[0].vertices[1].texture_coordinate[0][2] = 1e-39f;
+  EXPECT_EQ(disagreement(scene.exact, other), "");
+  other.primitives[0].vertices[1].position[0] = std::nextafterf(other.primitives[0].vertices[1].position[0], 9.0f);
+  EXPECT_NE(disagreement(scene.exact, other), "");
+  other = scene.exact;
+  other.primitives[0].vertices.pop_back();
+  EXPECT_NE(disagreement(scene.exact, other), "");
+}
+
+TEST(Accuracy, KeepsTheWorst) {
+  Accuracy a, b;
+  a.values = 3, a.ulp = {2, "a", 0, ""};
+  b.values = 4, b.ulp = {7, "b", 0, ""}, b.not_correctly_rounded = 1;
+  a.add(b);
+  EXPECT_EQ(a.values, 7u);
+  EXPECT_EQ(a.ulp.where, "b");
+  EXPECT_EQ(a.not_correctly_rounded, 1u);
+}
+
+}  // namespace
+}  // namespace evalcts

@@ -1,0 +1,51 @@
+#include "harness/gl/call_log.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace evalcts::gl {
+namespace {
+
+TEST(CallLog, ConstantsReadBackExactly) {
+  for (const float value : {0.0f, 1.0f, -2.5f, 0.1f, 1e-40f, 3.4e38f, 1234567.0f, -1.0f / 3}) {
+    const std::string text = c_constant(value);
+    EXPECT_EQ(text.back(), 'f') << text;
+    EXPECT_EQ(std::strtof(text.c_str(), nullptr), value) << text;
+    const double wide = value * 1.00000000001;
+    EXPECT_EQ(std::strtod(c_constant(wide).c_str(), nullptr), wide);
+  }
+  EXPECT_EQ(c_constant(-0.0f), "-0.0f");
+  EXPECT_EQ(c_constant(0.0), "0.0");
+  EXPECT_EQ(c_constant(std::nanf("")), "NAN");
+  EXPECT_EQ(c_constant(-std::numeric_limits<double>::infinity()), "-INFINITY");
+}
+
+TEST(CallLog, CommandsAreC) {
+  Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 1, std::vector<float>{1, 2, 3});
+  c.Begin(GL_LINES);
+  c.GetMapdv(GL_MAP2_INDEX, GL_COEFF, out<GLdouble>(2));
+  c.EdgeFlag(GL_TRUE);
+  const std::vector<std::string> lines = to_c(c, 0, 3);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "glMap1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 3, 1, (GLfloat[]){1.0f, 2.0f, 3.0f});");
+  EXPECT_EQ(lines[1], "glBegin(GL_LINES);");
+  EXPECT_EQ(lines[2], "glGetMapdv(GL_MAP2_INDEX, GL_COEFF, (GLdouble[2]){0});");
+  EXPECT_EQ(lines[3], "glEdgeFlag(GL_TRUE);");
+}
+
+TEST(CallLog, LongListsAreCutInTheMiddleAndCounted) {
+  Case c;
+  for (int i = 0; i < 100; ++i) c.EvalCoord1f(i);
+  const std::vector<std::string> lines = to_c(c, 0, 99, 10);
+  EXPECT_EQ(lines.size(), 11u);
+  EXPECT_EQ(lines.front(), "glEvalCoord1f(0.0f);");
+  EXPECT_EQ(lines.back(), "glEvalCoord1f(99.0f);");
+  EXPECT_NE(lines[5].find("90 more"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace evalcts::gl

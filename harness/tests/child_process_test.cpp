@@ -1,0 +1,53 @@
+#include "harness/runner/child_process.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+
+namespace evalcts {
+namespace {
+
+TEST(ChildProcess, ReportsHowItEnded) {
+  ChildProcess exits({"/bin/sh", "-c", "exit 3"}, "");
+  const auto ending = exits.wait(10);
+  ASSERT_TRUE(ending);
+  EXPECT_FALSE(ending->signalled);
+  EXPECT_EQ(describe(*ending), "exit code 3");
+
+  ChildProcess dies({"/bin/sh", "-c", "kill -SEGV $$"}, "");
+  const auto death = dies.wait(10);
+  ASSERT_TRUE(death);
+  EXPECT_TRUE(death->signalled);
+  EXPECT_EQ(death->value, SIGSEGV);
+  EXPECT_NE(describe(*death).find("SIGSEGV"), std::string::npos);
+}
+
+TEST(ChildProcess, WaitsNoLongerThanAskedAndKillsTheWholeGroup) {
+  ChildProcess sleeps({"/bin/sh", "-c", "sleep 100 & wait"}, "");
+  EXPECT_FALSE(sleeps.wait(0.05));
+  sleeps.kill();
+  const auto ending = sleeps.wait(10);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->value, SIGKILL);
+}
+
+TEST(ChildProcess, KeepsItsOutputInTheLog) {
+  const std::string log = testing::TempDir() + "child_process_test.log";
+  std::remove(log.c_str());
+  ChildProcess writes({"/bin/sh", "-c", "echo out; echo err >&2; cat"}, log);
+  ASSERT_TRUE(writes.wait(10));  // cat ends: standard input is empty
+  std::ifstream file(log);
+  std::string out, err;
+  std::getline(file, out);
+  std::getline(file, err);
+  EXPECT_EQ(out + err, "outerr");
+}
+
+TEST(ChildProcess, RefusesWhatIsNoProgram) {
+  EXPECT_THROW(ChildProcess({"/nonexistent/program"}, ""), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace evalcts

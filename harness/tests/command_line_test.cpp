@@ -1,0 +1,266 @@
+// The program as its users start it: exit codes, files, and libraries that misbehave.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "harness/runner/child_process.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string text;  // both outputs
+};
+
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() : folder_(fs::path(testing::TempDir()) / ("evalcts-" + std::to_string(getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~CommandLine() override {
+    unsetenv("EVALCTS_DRILL");
+    fs::remove_all(folder_);
+  }
+
+  Outcome evalcts(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
+    const fs::path log = folder_ / "command.log";
+    fs::remove(log);
+    ChildProcess child(arguments, log.string());
+    const auto ending = child.wait(120);
+    std::ifstream file(log);
+    return {ending && !ending->signalled ? ending->value : -1,
+            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+  }
+
+  // `evalcts run` on the drill library.
+  Outcome drill(const std::string& what, std::vector<std::string> more = {}) {
+    setenv("EVALCTS_DRILL", what.c_str(), 1);
+    std::vector<std::string> arguments = {"run",    "--implementation", "osmesa", "--library", DRILL_LIBRARY,
+                                          "--name", "drill",            "--output", folder_.string(),
+                                          "--depth", "quick"};
+    if (more.empty()) more = {"--filter", "Map1State.Stride/*:Map1State.SmallestStride/*:InitialState.O*"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return evalcts(arguments);
+  }
+
+  json results(const std::string& name) const {
+    std::ifstream file(folder_ / ("results-" + name + ".json"));
+    return json::parse(file, nullptr, false);
+  }
+  static json test_named(const json& result, const std::string& name) {
+    for (const json& test : result["tests"])
+      if (test["name"] == name) return test;
+    return nullptr;
+  }
+
+  fs::path folder_;
+};
+
+constexpr const char* kVictim = "Map1State.Stride/MAP1_INDEX_f";  // defines INDEX with order 5
+
+TEST_F(CommandLine, WrongUseIsTwo) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{}, {"nonsense"}, {"run", "--nonsense"}, {"run", "--implementation", "nonsense"},
+        {"run", "--filter", "No.SuchTest"}, {"run", "--depth", "abysmal"}, {"list", "nonsense"}, {"explain", "nonsense"},
+        {"run", "--output", "/proc/evalcts"}, {"run", "--library", "x", "--implementation", "production"},
+        {"run", "--name", "../x", "--implementation", "production"},
+        {"run", "--name", "x", "--implementation", "production", "--implementation", "reference"}}) {
+    std::string typed;
+    for (const std::string& argument : arguments) typed += argument + " ";
+    EXPECT_EQ(evalcts(arguments).code, 2) << typed;
+  }
+  EXPECT_EQ(evalcts({"--help"}).code, 0);
+  EXPECT_EQ(evalcts({"--version"}).code, 0);
+}
+
+TEST_F(CommandLine, ListsAndExplains) {
+  const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
+  ASSERT_TRUE(tests.is_object());
+  EXPECT_GE(tests["tests"].size(), 100u);
+  const json requirements = json::parse(evalcts({"list", "requirements", "--json"}).text, nullptr, false);
+  EXPECT_EQ(requirements["requirements"].size(), 395u);
+  const json implementations = json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
+  EXPECT_EQ(implementations["implementations"].size(), 3u);
+  const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
+  EXPECT_EQ(coverage["requirements"].size(), 395u);
+  EXPECT_TRUE(coverage["problems"].empty());
+  EXPECT_NE(evalcts({"explain", "EV-MAP1-COPY"}).text.find("Map1State.CopyOnCall/UNMAPPED"), std::string::npos);
+  EXPECT_NE(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text.find("EV-MAP1-COPY"), std::string::npos);
+  EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
+}
+
+TEST_F(CommandLine, RunWritesEverything) {
+  const Outcome outcome =
+      evalcts({"run", "--implementation", "reference", "--implementation", "production", "--filter",
+               "InitialState.*:-*Domain", "--output", folder_.string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  for (const std::string name : {"reference", "production"}) {
+    const json result = results(name);
+    ASSERT_TRUE(result.is_object());
+    EXPECT_EQ(result["format"], "evalcts-results-1");
+    EXPECT_EQ(result["status"], "complete");
+    EXPECT_FALSE(result["tests"].empty());
+    EXPECT_TRUE(test_named(result, "InitialState.Domain").is_null());
+    EXPECT_EQ(result["summary"]["pass"], result["tests"].size());
+    EXPECT_TRUE(fs::exists(folder_ / ("junit-" + name + ".xml")));
+    EXPECT_TRUE(fs::exists(folder_ / ("records-" + name + ".jsonl")));
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "index.html"));
+}
+
+TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
+  const Outcome outcome = drill("nothing");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(test_named(results("drill"), kVictim)["verdict"], "pass");
+}
+
+class Deaths : public CommandLine, public testing::WithParamInterface<std::array<const char*, 3>> {};
+
+TEST_P(Deaths, CostOneTestAndNameItsCalls) {
+  const auto [what, verdict, message] = GetParam();
+  const Outcome outcome = drill(what, {"--filter", "Map1State.Stride/*:InitialState.O*", "--timeout", "2"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  const json result = results("drill");
+  EXPECT_EQ(result["status"], "complete");
+  const json victim = test_named(result, kVictim);
+  ASSERT_FALSE(victim.is_null());
+  EXPECT_EQ(victim["verdict"], verdict);
+  EXPECT_NE(victim["message"].get<std::string>().find(message), std::string::npos) << victim["message"];
+  EXPECT_NE(victim["message"].get<std::string>().find("confirmed alone"), std::string::npos) << victim["message"];
+  ASSERT_FALSE(victim["calls"].empty());
+  EXPECT_NE(victim["calls"].dump().find("glMap1f(GL_MAP1_INDEX"), std::string::npos);
+  for (const json& test : result["tests"]) {
+    if (test["name"] != kVictim) {
+      EXPECT_EQ(test["verdict"], "pass") << test["name"];
+    }
+  }
+  EXPECT_GT(result["tests"].size(), 15u);
+}
+INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
+                         testing::Values(std::array{"crash", "crash", "SIGSEGV"}, std::array{"abort", "crash", "SIGABRT"},
+                                         std::array{"exit", "crash", "exit code 7"}, std::array{"kill", "crash", "SIGKILL"},
+                                         std::array{"hang", "timeout", "no answer within 2 seconds"}),
+                         [](const auto& way) { return way.param[0]; });
+
+TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
+  // Orders above 5 come up in the tests of the other targets' largest orders, before INDEX gets to order 5.
+  const Outcome outcome = drill("second", {"--filter", "Map1State.EveryOrderAccepted/MAP1_COLOR_4_*:"
+                                                       "Map1State.EveryOrderAccepted/MAP1_NORMAL_d:"
+                                                       "Map1State.Stride/MAP1_INDEX_f"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  const std::string message = test_named(results("drill"), kVictim)["message"];
+  EXPECT_NE(message.find("passes alone, dies after"), std::string::npos) << message;
+  EXPECT_NE(message.find("Map1State.EveryOrderAccepted/MAP1_COLOR_4_f"), std::string::npos) << message;
+}
+
+TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
+  const Outcome crash = drill("start");
+  EXPECT_EQ(crash.code, 2) << crash.text;
+  EXPECT_EQ(results("drill")["status"], "not-started");
+  EXPECT_NE(results("drill")["reason"].get<std::string>().find("SIGSEGV"), std::string::npos);
+
+  unsetenv("EVALCTS_DRILL");
+  const fs::path text = folder_ / "text.so";
+  std::ofstream(text) << "no library\n";
+  const std::pair<std::string, std::string> cases[] = {
+      {text.string(), "cannot load"},
+      {(folder_ / "absent.so").string(), "cannot load"},
+      {"libm.so.6", "it is not OSMesa"},
+      {DRILL_WITHOUT_EVALUATORS_LIBRARY, "has no evaluators"}};
+  for (const auto& [library, reason] : cases) {
+    const Outcome outcome = evalcts({"run", "--implementation", "osmesa", "--library", library, "--name", "drill",
+                                     "--output", folder_.string(), "--filter", "InitialState.*"});
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    const json result = results("drill");
+    EXPECT_EQ(result["status"], "not-started");
+    EXPECT_NE(result["reason"].get<std::string>().find(reason), std::string::npos) << result["reason"];
+    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+  }
+  // The kind is guessed from the library's symbols.
+  EXPECT_EQ(evalcts({"run", "--library", DRILL_LIBRARY, "--output", folder_.string(), "--filter", "InitialState.O*"}).code, 0);
+  EXPECT_EQ(evalcts({"run", "--library", "libm.so.6", "--output", folder_.string()}).code, 2);
+}
+
+TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
+  const Outcome outcome = evalcts({"run", "--implementation", "reference", "--filter", "InitialState.Grid1", "--output",
+                                   folder_.string()});
+  EXPECT_EQ(outcome.code, 0);
+  // Stale files of an earlier run of the same name go first.
+  drill("start");
+  EXPECT_FALSE(fs::exists(folder_ / "records-drill.jsonl"));
+  EXPECT_TRUE(fs::exists(folder_ / "results-reference.json"));
+}
+
+// kill -9 of the child from outside: the test in flight gets its verdict, the rest is run.
+TEST_F(CommandLine, KilledChildIsReplaced) {
+  setenv("EVALCTS_DRILL", "hang", 1);
+  const std::vector<std::string> arguments = {EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library",
+                                              DRILL_LIBRARY, "--name", "drill", "--output", folder_.string(),
+                                              "--filter", "Map1State.Stride/*:InitialState.O*"};
+  ChildProcess run(arguments, (folder_ / "command.log").string());
+  // Twice: the first child hangs in the test, the second confirms.
+  pid_t killed = 0;
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 1000; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      std::ifstream children("/proc/" + std::to_string(run.id()) + "/task/" + std::to_string(run.id()) + "/children");
+      pid_t child = 0;
+      std::ifstream records(folder_ / (round ? "scratch-drill.jsonl" : "records-drill.jsonl"));
+      std::string last;
+      for (std::string line; std::getline(records, line);) last = line;
+      if (children >> child && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
+          last.find("MAP1_INDEX") != std::string::npos) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it has reached the call that hangs
+        kill(child, SIGKILL);
+        killed = child;
+        break;
+      }
+    }
+  }
+  const auto ending = run.wait(60);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->value, 1);
+  const json result = results("drill");
+  EXPECT_EQ(result["status"], "complete");
+  EXPECT_EQ(test_named(result, kVictim)["verdict"], "crash");
+  EXPECT_NE(test_named(result, kVictim)["message"].get<std::string>().find("SIGKILL"), std::string::npos);
+  EXPECT_EQ(result["summary"]["crash"], 1);
+}
+
+TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
+  setenv("EVALCTS_DRILL", "hang", 1);
+  ChildProcess run({EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--name", "drill",
+                    "--output", folder_.string(), "--filter", "Map1State.Stride/*:InitialState.O*"},
+                   (folder_ / "command.log").string());
+  for (int i = 0; i < 1000; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::ifstream records(folder_ / "records-drill.jsonl");
+    const std::string text((std::istreambuf_iterator<char>(records)), std::istreambuf_iterator<char>());
+    if (text.find("MAP1_INDEX_f") != std::string::npos) break;
+  }
+  kill(run.id(), SIGINT);
+  const auto ending = run.wait(20);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->value, 2);
+  const json result = results("drill");
+  EXPECT_EQ(result["status"], "interrupted");
+  EXPECT_EQ(test_named(result, "InitialState.OrderOf1D")["verdict"], "pass");
+  EXPECT_TRUE(fs::exists(folder_ / "junit-drill.xml"));
+}
+
+}  // namespace
+}  // namespace evalcts

@@ -1,0 +1,77 @@
+// A library for the runner's tests: looks like OSMesa, evaluates with libglevaluator, and misbehaves on
+// command. It has no rasterizer, so no capture works on it; state and error tests run.
+//
+// EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
+//   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this process;
+//   "start": crash when a context is made.
+#include <glevaluator.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "harness/gl/table.h"
+
+#define EXPORT extern "C" __attribute__((visibility("default")))
+
+namespace {
+
+glev_context* current = nullptr;
+[[maybe_unused]] bool seven_was_seen = false;
+
+bool drill(const char* name) {
+  const char* wanted = std::getenv("EVALCTS_DRILL");
+  return wanted && std::strcmp(wanted, name) == 0;
+}
+
+void crash() { raise(SIGSEGV); }
+
+[[maybe_unused]] void misbehave() {
+  if (drill("crash") || (drill("second") && seven_was_seen)) crash();
+  if (drill("abort")) std::abort();
+  if (drill("exit")) _exit(7);
+  if (drill("kill")) raise(SIGKILL);
+  while (drill("hang")) pause();
+}
+
+}  // namespace
+
+EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
+  if (drill("start")) crash();
+  glev_context* context = nullptr;
+  glevCreateContext(nullptr, &context);
+  return context;
+}
+EXPORT GLboolean OSMesaMakeCurrent(void* context, void*, GLenum, GLsizei, GLsizei) {
+  current = static_cast<glev_context*>(context);
+  return GL_TRUE;
+}
+EXPORT void OSMesaDestroyContext(void* context) { glevDestroyContext(static_cast<glev_context*>(context)); }
+
+EXPORT const GLubyte* glGetString(GLenum name) { return glevGetString(current, name); }
+EXPORT GLenum glGetError() { return glevGetError(current); }
+EXPORT void glGetIntegerv(GLenum name, GLint* values) { glevGetIntegerv(current, name, values); }
+EXPORT void glGetFloatv(GLenum name, GLfloat* values) { glevGetFloatv(current, name, values); }
+EXPORT void glGetBooleanv(GLenum name, GLboolean* values) { glevGetBooleanv(current, name, values); }
+
+#ifndef DRILL_WITHOUT_EVALUATORS
+EXPORT void glEnable(GLenum cap) { glevEnable(current, cap); }
+EXPORT void glDisable(GLenum cap) { glevDisable(current, cap); }
+EXPORT GLboolean glIsEnabled(GLenum cap) { return glevIsEnabled(current, cap); }
+EXPORT void glBegin(GLenum mode) { glevBegin(current, mode); }
+EXPORT void glEnd() { glevEnd(current); }
+EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture); }
+EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+  if (order == 7) seven_was_seen = true;
+  if (target == GL_MAP1_INDEX && order == 5) misbehave();
+  glevMap1f(current, target, u1, u2, stride, order, points);
+}
+EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) {
+  glevMap1d(current, target, u1, u2, stride, order, points);
+}
+EXPORT void glEvalCoord1f(GLfloat u) { glevEvalCoord1f(current, u); }
+EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) { glevGetMapfv(current, target, query, values); }
+EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) { glevGetMapdv(current, target, query, values); }
+EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) { glevGetMapiv(current, target, query, values); }
+#endif
