@@ -39,8 +39,8 @@ TEST(Rational, HoldsWhatItWasMadeFrom) {
 }
 
 TEST(Rational, RefusesWhatIsNoNumber) {
-  EXPECT_THROW(Rational(std::numeric_limits<double>::infinity()), std::domain_error);
-  EXPECT_THROW(Rational(std::numeric_limits<float>::quiet_NaN()), std::domain_error);
+  EXPECT_THROW(Rational{std::numeric_limits<double>::infinity()}, std::domain_error);
+  EXPECT_THROW(Rational{std::numeric_limits<float>::quiet_NaN()}, std::domain_error);
   EXPECT_THROW(Rational(Integer(1), Integer(0)), std::domain_error);
   EXPECT_THROW(Rational(1) / Rational(0), std::domain_error);
   EXPECT_THROW(floor_log2(Rational(0)), std::domain_error);
