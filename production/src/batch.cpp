@@ -103,12 +103,9 @@ glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* given) {
   for (int a = 0; a < kAttributes; ++a) {
     if (outputs[a].wanted && !outputs[a].stream.FitsInto(bytes[a])) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  // A stride of 0 reads one place again and again.
-  Stream read = u;
-  if (read.stride == 0) read.count = 1;
   for (int a = 0; a < kAttributes; ++a) {
     if (!outputs[a].wanted) continue;
-    if (ShareBytes(read, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
+    if (ShareBytes(u, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     for (int b = 0; b < a; ++b) {
       if (outputs[b].wanted && ShareBytes(outputs[b].stream, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     }

@@ -67,7 +67,7 @@ template <int kComponents>
 void EvaluateComponents(const Curve& curve, const Parameter& at, double* result) {
   const double* const first = curve.scaled;
   const double* const last = first + static_cast<std::ptrdiff_t>(curve.degree) * kComponents;
-  if (at.end == Parameter::End::kFirst || curve.degree == 0) {
+  if (at.end == Parameter::End::kFirst) {
     std::copy_n(first, kComponents, result);
   } else if (at.end == Parameter::End::kLast) {
     std::copy_n(last, kComponents, result);

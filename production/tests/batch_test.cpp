@@ -175,7 +175,8 @@ TEST_F(Batch, TheExactNumberOfBytesIsEnoughAndOneLessIsNot) {
 }
 
 TEST_F(Batch, SizesThatOverflowAreTooLarge) {
-  for (std::size_t count : {SIZE_MAX, SIZE_MAX / 4, SIZE_MAX / 12 + 2, SIZE_MAX / 2 + 2}) {
+  for (std::size_t count :
+       {SIZE_MAX, SIZE_MAX / 4, SIZE_MAX / 12 - 1000, SIZE_MAX / 12 + 2, SIZE_MAX / 2 + 2}) {
     for (std::size_t stride : {std::size_t{12}, SIZE_MAX / 2 + 1, SIZE_MAX}) {
       for (std::size_t size : {buffer_.size(), SIZE_MAX}) {
         glev_output vertex = Output(0, stride, 3);

@@ -113,7 +113,8 @@ TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
 
 TEST_F(Numerics, OrderOneIsConstantEverywhere) {
   Define(2, 5, {0.1});
-  for (double u : {2.0, 5.0, 3.0, -1e30, 1e30}) EXPECT_EQ(At(u), 0.1f);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (double u : {2.0, 5.0, 3.0, -1e30, 1e300, kInfinity, std::nan("")}) EXPECT_EQ(At(u), 0.1f) << u;
 }
 
 TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
