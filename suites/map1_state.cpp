@@ -14,6 +14,8 @@ constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
                            {"UNMAPPED", gl::AfterCall::unmap},
                            {"PROTECTED", gl::AfterCall::protect}};
 
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
 Map1 random_map(Test& t, GLenum target, int order, int stride) {
   const auto count = static_cast<std::size_t>(order * gl::components_of(target));
   return make_map1(target, 0, 1, stride, random_values(t.random(), count));
@@ -100,32 +102,29 @@ EVALCTS_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form,
   }
 }
 
-namespace {
-
-void expect_copied(Test& t, const Fate& fate, bool emission) {
-  for (const TargetForm& form : emission ? visible_target_forms() : target_forms())
+EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+  for (const TargetForm& form : target_forms())
     for (const int order : {1, 4}) {
       const Map1 map = random_map(t, form.target, order, 5);
       gl::Case c(fmt::format("{} order {}", form.name, order));
       define(c, map, form.doubles, fate.after);
-      if (emission) {
-        enable_visibly(c, form.target);
-        evaluate_some(c);
-        t.expect_emission(c, attribute_of(form.target));
-        continue;
-      }
       const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
       Played played = t.play(c);
       expect_map1(played, query, map, form.doubles);
     }
 }
 
-}  // namespace
-
-EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") { expect_copied(t, fate, false); }
-
 EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
-  expect_copied(t, fate, true);
+  for (const GLenum target : visible_targets()) {
+    gl::Case c(label(target) + ", both forms");
+    enable_visibly(c, target);
+    for (const Form& form : kForms)
+      for (const int order : {1, 4}) {
+        define(c, random_map(t, target, order, 5), form.doubles, fate.after);
+        evaluate_some(c);
+      }
+    t.expect_emission(c, attribute_of(target));
+  }
 }
 
 EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {

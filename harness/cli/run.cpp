@@ -5,7 +5,10 @@
 #include <cctype>
 #include <csignal>
 #include <cstdlib>
+#include <future>
 #include <iostream>
+#include <map>
+#include <mutex>
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
@@ -23,24 +26,30 @@ void stop_when_asked() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
-// One line that is written over, on terminals only.
+// One line that is written over, on terminals only, with the progress of all that run side by side.
 class ProgressLine {
  public:
   void show(const std::string& name, const Progress& progress) {
     if (!terminal_) return;
-    std::string line = progress.phase == "starting" ? fmt::format("{}: starting", name)
-                                                    : fmt::format("{}: {} of {}  {}{}", name, progress.done, progress.total,
-                                                                  progress.phase == "confirming" ? "confirming " : "",
-                                                                  progress.test);
+    const std::lock_guard lock(mutex_);
+    state_[name] = progress.phase == "test" ? fmt::format("{} of {}", progress.done, progress.total) : progress.phase;
+    std::string line;
+    for (const auto& [implementation, state] : state_)
+      line += fmt::format("{}{}: {}", line.empty() ? "" : "   ", implementation, state);
     if (line.size() > 99) line.resize(99);
     std::cerr << "\r\033[K" << line << std::flush;
   }
-  void clear() {
+  // Prints whole lines without the progress line getting in between.
+  void print(const std::string& text) {
+    const std::lock_guard lock(mutex_);
     if (terminal_) std::cerr << "\r\033[K" << std::flush;
+    std::cout << text << std::flush;
   }
 
  private:
   bool terminal_ = isatty(STDERR_FILENO) != 0;
+  std::mutex mutex_;
+  std::map<std::string, std::string> state_;
 };
 
 int exit_code_of(const json& result, bool named) {
@@ -122,14 +131,20 @@ int run(const RunOptions& options) {
   ProgressLine line;
   std::vector<json> results;
   int code = kNothingUnexpected;
+  // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
+  std::vector<std::future<json>> running;
   for (const ImplementationOptions& implementation : chosen) {
-    if (interrupted) break;
     request.implementation = implementation;
     request.name = !options.label.empty() ? options.label : implementation.name.empty() ? "library" : implementation.name;
-    const json result = run_implementation(request, [&](const Progress& progress) { line.show(request.name, progress); });
-    line.clear();
-    write_atomically(output / fmt::format("junit-{}.xml", request.name), reports::junit(result));
-    std::cout << reports::terminal_summary(result, color, options.verbose) << "\n" << std::flush;
+    running.push_back(std::async(std::launch::async, [request, &line] {
+      return run_implementation(request, [&](const Progress& progress) { line.show(request.name, progress); });
+    }));
+  }
+  for (std::future<json>& future : running) {
+    const json result = future.get();
+    const std::string name = result["implementation"]["name"];
+    write_atomically(output / fmt::format("junit-{}.xml", name), reports::junit(result));
+    line.print(reports::terminal_summary(result, color, options.verbose) + "\n");
     code = std::max(code, exit_code_of(result, named));
     results.push_back(result);
   }

@@ -85,7 +85,7 @@ class VertexJudge {
       if (got == 0.0f ? exact.sign() <= 0 : exact >= Rational(1)) return;
     }
     if (options_.level != Level::quality && clearly_accepted(sample, exact, magnitude, got)) {
-      measure(what, exact, magnitude, got);
+      measure(what, sample, exact, magnitude, got);
       return;
     }
     const int range = reference::guaranteed_range(sample.map->target, options_.version);
@@ -93,7 +93,7 @@ class VertexJudge {
       if (measured_) ++accuracy.not_judged;
       return;
     }
-    measure(what, exact, magnitude, got);
+    measure(what, sample, exact, magnitude, got);
     const Rational bound = options_.level == Level::quality ? reference::quality_bound(component)
                                                             : reference::acceptance_bound(component);
     if (!reference::is_within(got, exact, bound) && !(clamped && within_clamped(got, exact, bound)))
@@ -116,7 +116,7 @@ class VertexJudge {
   }
 
   template <class What>
-  void measure(const What& what, const Rational& exact, const Rational& magnitude, float got) {
+  void measure(const What& what, const Sample& sample, const Rational& exact, const Rational& magnitude, float got) {
     if (!measured_) return;
     Accuracy& accuracy = judgement_.accuracy;
     ++accuracy.values;
@@ -129,7 +129,10 @@ class VertexJudge {
     }
     const auto keep_worst = [&](Worst& worst, double error) {
       if (!(error > worst.error)) return;
-      worst = {error, fmt::format("{}: {}", options_.where, what()), got, reference::describe(exact)};
+      worst = {error,
+               fmt::format("{}: {}, order {} at u = {}", options_.where, what(), sample.map->u.order,
+                           reference::describe(sample.u.value())),
+               got, reference::describe(exact)};
     };
     keep_worst(accuracy.ulp, reference::ulp_distance(got, exact));
     keep_worst(accuracy.condition_aware, reference::condition_distance(got, exact, magnitude));

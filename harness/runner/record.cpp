@@ -6,9 +6,7 @@
 namespace evalcts {
 namespace {
 
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json("infinity");
-}
+nlohmann::json number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
 
 nlohmann::json to_json(const Failure& failure) {
   nlohmann::json json = {{"case", failure.case_identity}, {"message", failure.message},

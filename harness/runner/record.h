@@ -52,7 +52,7 @@ struct Record {
   double seconds = 0;
 };
 
-// The members of "tests" in results-NAME.json. Infinite distances become the string "infinity": JSON has none.
+// The members of "tests" in results-NAME.json. Infinite distances become null: JSON has no infinity.
 nlohmann::json to_json(const Record& record);
 
 }  // namespace evalcts
