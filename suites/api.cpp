@@ -62,7 +62,8 @@ EVALCTS_TESTS(Api, EntryPoint, kLegalCalls, const LegalCall& legal, must, "EV-AP
 
 // The tokens by number: nine maps that differ in order, domain and k, defined and queried by value.
 EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1") {
-  constexpr int kValues[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};  // COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1..4, VERTEX_3, _4
+  constexpr int kValues[] = {4, 1, 3, 1, 2,
+                             3, 4, 3, 4};  // COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1..4, VERTEX_3, _4
   gl::Case c("0x0D90 to 0x0D98");
   std::vector<gl::Ref> errors, orders, domains, coefficients;
   for (int i = 0; i < 9; ++i) {
@@ -90,7 +91,8 @@ EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1") {
 // ... and each does what its name says: evaluated through its number, seen in its attribute.
 EVALCTS_TESTS(Api, Map1TokenByEffect, visible_targets(), GLenum target, must, "EV-API-ENUM-MAP1") {
   gl::Case c("enabled and defined by number");
-  const std::vector<double> points = random_values(t.random(), static_cast<std::size_t>(2 * gl::components_of(target)));
+  const std::vector<double> points =
+      random_values(t.random(), static_cast<std::size_t>(2 * gl::components_of(target)));
   define(c, make_map1(target, points));
   enable_visibly(c, target);
   c.Begin(GL_POINTS);
@@ -119,8 +121,9 @@ EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
 
 // Data given in one form is seen by the other: state ...
 EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must, "EV-API-FD/1-D") {
-  const Map1 map = make_map1(form.target, -1, 3, 4,
-                             random_values(t.random(), static_cast<std::size_t>(3 * gl::components_of(form.target))));
+  const Map1 map =
+      make_map1(form.target, -1, 3, 4,
+                random_values(t.random(), static_cast<std::size_t>(3 * gl::components_of(form.target))));
   gl::Case c("given in one form and queried in the other");
   define(c, map, form.doubles);
   const MapQuery query = query_map1(c, form.target, t.max_order(), !form.doubles);
@@ -132,7 +135,9 @@ EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must
 EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/1-D",
               "EV-COORD-FD/1-D") {
   gl::Case c("defined in one form, evaluated in the other");
-  define(c, make_map1(form.target, random_values(t.random(), static_cast<std::size_t>(4 * gl::components_of(form.target)))),
+  define(c,
+         make_map1(form.target,
+                   random_values(t.random(), static_cast<std::size_t>(4 * gl::components_of(form.target)))),
          form.doubles);
   enable_visibly(c, form.target);
   c.Begin(GL_POINTS);
@@ -141,10 +146,32 @@ EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& f
   t.expect_emission(c, attribute_of(form.target));
 }
 
+// Each form replaces what the other defined.
+EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must, "EV-API-FD/1-D") {
+  gl::Case c("defined by f, d, f, d, evaluated after each");
+  enable_visibly(c, target);
+  Map1 last;
+  for (int round = 0; round < 4; ++round) {
+    last = make_map1(
+        target, round, round + 2, 4,
+        random_values(t.random(), static_cast<std::size_t>((2 + round) * gl::components_of(target))));
+    define(c, last, round % 2 == 1);
+    c.Begin(GL_POINTS);
+    for (const double u : {0.25, 1.75}) evaluate(c, round + u, round % 2 == 0);
+    c.End();
+  }
+  t.expect_emission(c, attribute_of(target));
+  const MapQuery query = query_map1(c, target, t.max_order());
+  Played played = t.play(c);
+  expect_map1(played, query, last);
+}
+
 // The array ends before an inaccessible page: reading a second value crashes.
 EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, must, "EV-API-V/1-D") {
   gl::Case c("scalar and vector form in turn");
-  define(c, make_map1(form.target, random_values(t.random(), static_cast<std::size_t>(5 * gl::components_of(form.target)))));
+  define(c,
+         make_map1(form.target,
+                   random_values(t.random(), static_cast<std::size_t>(5 * gl::components_of(form.target)))));
   enable_visibly(c, form.target);
   c.Begin(GL_POINTS);
   for (const double u : {0.0, 0.125, 0.3, 0.77, 1.0}) {
@@ -181,7 +208,8 @@ EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-AP
       Failure failure;
       failure.case_identity = c.identity();
       failure.what = fmt::format("position of vertex {}", i + 1);
-      failure.message = fmt::format("EvalCoord1{0}v and EvalCoord1{0} differ at u = {1:a}", form.name, us[i / 2]);
+      failure.message =
+          fmt::format("EvalCoord1{0}v and EvalCoord1{0} differ at u = {1:a}", form.name, us[i / 2]);
       failure.expected = fmt::format("{:a}", vertices[i].position[0]);
       failure.captured = fmt::format("{:a}", vertices[i + 1].position[0]);
       t.fail(failure);

@@ -172,12 +172,13 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D") {
   const gl::Ref query = limit.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
   Played played = t.play(limit);
   const GLint order = played.trace().values<GLint>(query)[0];
-  played.expect(played.trace().written(query) == 1 && order >= 8, query, "MAX_EVAL_ORDER is below 8 or no single value",
-                "one value, at least 8", std::to_string(order));
+  played.expect(played.trace().written(query) == 1 && order >= 8, query,
+                "MAX_EVAL_ORDER is below 8 or no single value", "one value, at least 8",
+                std::to_string(order));
   if (order < 1 || order > 1 << 16) return;
   for (const GLenum target : gl::kMap1Targets) {
-    const Map1 map =
-        make_map1(target, random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
+    const Map1 map = make_map1(
+        target, random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
     gl::Case c(label(target));
     define(c, map);
     const gl::Ref error = c.GetError();

@@ -9,8 +9,8 @@
 namespace evalcts {
 namespace {
 
-// A legal map, to be spoiled by the test. Memory for order 65 at any stride used here stands behind it, so that
-// a library which checks late reads nothing that it must not.
+// A legal map, to be spoiled by the test. Memory for order 65 at any stride used here stands behind it, so
+// that a library which checks late reads nothing that it must not.
 Map1 legal_map(GLenum target) {
   Map1 map;
   map.target = target;
@@ -20,42 +20,50 @@ Map1 legal_map(GLenum target) {
   return map;
 }
 
-// Nine maps that differ from the initial ones and from the legal map, every second one enabled: what a failing
-// command would damage.
-void prepare(gl::Case& c) {
+// Nine maps that differ from the initial ones and from the legal map, every second one enabled, and current
+// values: what a failing command would damage.
+void prepare(gl::Case& c, bool odd_enabled) {
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
   for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
     const GLenum target = gl::kMap1Targets[i];
     std::vector<double> points;
-    for (int p = 0; p < 2 * gl::components_of(target); ++p) points.push_back(0.125 * p + static_cast<double>(i));
+    for (int p = 0; p < 2 * gl::components_of(target); ++p)
+      points.push_back(0.125 * p + static_cast<double>(i));
     define(c, make_map1(target, -1.0 - static_cast<double>(i), 2, 4, points));
-    if (i % 2) c.Enable(target);
+    if ((i % 2 == 1) == odd_enabled) c.Enable(target);
   }
 }
 
 // Plays one bad call in a context with prepared maps: one of the errors is raised, once, and nothing changed.
 void expect_refused(Test& t, const std::string& identity, const std::function<void(gl::Case&)>& bad_call,
                     std::initializer_list<GLenum> allowed) {
-  gl::Case c(identity);
-  prepare(c);
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-  bad_call(c);
-  const gl::Ref error = c.GetError();
-  const gl::Ref second = c.GetError();
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  played.expect_error(error, allowed);
-  played.expect_no_error(second);
-  expect_unchanged(played, before, after);
+  for (const bool odd_enabled : {true, false}) {
+    gl::Case c(identity + (odd_enabled ? "" : ", the other maps enabled"));
+    prepare(c, odd_enabled);
+    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+    bad_call(c);
+    const gl::Ref error = c.GetError();
+    const gl::Ref second = c.GetError();
+    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+    Played played = t.play(c);
+    played.expect_error(error, allowed);
+    played.expect_no_error(second);
+    expect_unchanged(played, before, after);
+  }
 }
 
 void expect_refused(Test& t, const std::string& identity, const Map1& bad, bool doubles,
                     std::initializer_list<GLenum> allowed) {
-  expect_refused(t, identity, [&](gl::Case& c) { define(c, bad, doubles); }, allowed);
+  expect_refused(
+      t, identity, [&](gl::Case& c) { define(c, bad, doubles); }, allowed);
 }
 
 }  // namespace
 
-EVALCTS_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET",
+              "EV-MAP1-ERR-NOEFFECT") {
   std::vector<GLenum> bad = {0, 0x0D8F, 0x0D99, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   for (const GLenum target : bad) {
@@ -74,13 +82,17 @@ EVALCTS_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, m
   }
 }
 
-EVALCTS_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ORDER-HIGH",
-              "EV-MAP1-ERR-NOEFFECT") {
-  for (const int more : {1, 2, 100}) {
+EVALCTS_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT") {
+  const int limit = t.gl().max_eval_order;
+  for (const int order : {limit + 1, limit + 2, limit + 100, 0x101, 0x10001}) {
+    if (order <= limit) continue;
     Map1 map = legal_map(form.target);
-    map.order = t.gl().max_eval_order + more;
-    map.points.assign(static_cast<std::size_t>(map.order) * 8, 0.5);
-    expect_refused(t, fmt::format("order MAX+{}", more), map, form.doubles, {GL_INVALID_VALUE});
+    map.order = order;
+    map.points.assign(static_cast<std::size_t>(order) * static_cast<std::size_t>(map.stride), 0.5);
+    expect_refused(
+        t, order < 0x101 ? fmt::format("order MAX+{}", order - limit) : fmt::format("order {}", order), map,
+        form.doubles, {GL_INVALID_VALUE});
   }
 }
 
@@ -105,11 +117,14 @@ EVALCTS_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm
 
 EVALCTS_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-DOMAIN",
               "EV-MAP1-ERR-NOEFFECT") {
-  for (const double end : {0.0, 1.0, -2.5, 1e6}) {
-    Map1 map = legal_map(form.target);
-    map.u1 = map.u2 = end;
-    expect_refused(t, fmt::format("u1 = u2 = {}", end), map, form.doubles, {GL_INVALID_VALUE});
-  }
+  for (const int order : {1, 3})
+    for (const double end : {0.0, 1.0, -2.5, 1e6}) {
+      Map1 map = legal_map(form.target);
+      map.order = order;
+      map.u1 = map.u2 = end;
+      expect_refused(t, fmt::format("u1 = u2 = {}, order {}", end, order), map, form.doubles,
+                     {GL_INVALID_VALUE});
+    }
 }
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
@@ -120,31 +135,92 @@ EVALCTS_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "
   expect_refused(t, "u1 = +0 u2 = -0", map, form.doubles, {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-BEGINEND",
-              "EV-MAP1-ERR-NOEFFECT") {
-  for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_POLYGON}) {
-    expect_refused(
-        t, gl::primitive_name(mode),
-        [&](gl::Case& c) {
-          c.Begin(mode);
-          define(c, legal_map(form.target), form.doubles);
-          c.End();
-        },
-        {GL_INVALID_OPERATION});
-  }
+EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT") {
+  for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
+    for (const char* after : {"nothing", "Vertex"}) {
+      expect_refused(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
+                     [&](gl::Case& c) {
+                       c.Begin(mode);
+                       if (after[0] == 'V') c.Vertex3f(1, 2, 3);
+                                  define(c, legal_map(form.target), form.doubles);
+                       c.End();
+                     },
+                     {GL_INVALID_OPERATION});
+    }
 }
 
-EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ACTIVETEX",
-              "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
+// The primitive goes on as if the refused command had not been there.
+EVALCTS_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT", "EV-BE-IGNORED/1-D") {
+  gl::Case c("EvalCoord, Map1, EvalCoord, Vertex");
+  define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6, -7, 8, -9}));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.25f);
+  define(c, legal_map(form.target), form.doubles);
+  c.EvalCoord1f(0.75f);
+  c.Vertex3f(1, 2, 3);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+// What is evaluated after a refused call of each kind is what the last legal call defined.
+EVALCTS_TESTS(Map1Errors, EvaluatesAsBefore, visible_target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-NOEFFECT") {
+  gl::Case c("refused for order, stride, domain, target, Begin/End, evaluated after each");
+  define(c,
+         make_map1(form.target, 0, 1, gl::components_of(form.target),
+                   random_values(t.random(), static_cast<std::size_t>(4 * gl::components_of(form.target)))));
+  enable_visibly(c, form.target);
+  const auto evaluate_some = [&] {
+    c.GetError();
+    c.Begin(GL_POINTS);
+    for (const double u : {0.0, 0.3125, 1.0}) evaluate(c, u, form.doubles);
+    c.End();
+  };
+  Map1 bad = legal_map(form.target);
+  bad.order = 0;
+  define(c, bad, form.doubles);
+  evaluate_some();
+  bad = legal_map(form.target);
+  bad.stride = 0;
+  define(c, bad, form.doubles);
+  evaluate_some();
+  bad = legal_map(form.target);
+  bad.u2 = bad.u1;
+  define(c, bad, form.doubles);
+  evaluate_some();
+  bad = legal_map(form.target);
+  bad.target = form.target + 0x20;  // the MAP2 namesake
+  define(c, bad, form.doubles);
+  evaluate_some();
+  c.Begin(GL_POINTS);
+  define(c, legal_map(form.target), form.doubles);
+  c.End();
+  evaluate_some();
+  t.expect_emission(c, attribute_of(form.target));
+}
+
+EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-ACTIVETEX", "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
-  expect_refused(
-      t, "TEXTURE1 active",
-      [&](gl::Case& c) {
-        c.ActiveTexture(GL_TEXTURE1);
-        define(c, legal_map(form.target), form.doubles);
-      },
-      {GL_INVALID_OPERATION});
+  expect_refused(t, "TEXTURE1 active",
+                 [&](gl::Case& c) {
+                   c.ActiveTexture(GL_TEXTURE1);
+                   define(c, legal_map(form.target), form.doubles);
+                   c.ActiveTexture(GL_TEXTURE0);  // the queries that follow are of unit 0 again
+                 },
+                 {GL_INVALID_OPERATION});
+
+  gl::Case unit("TEXTURE1 stays active");
+  unit.ActiveTexture(GL_TEXTURE1);
+  define(unit, legal_map(form.target), form.doubles);
+  unit.GetError();
+  const gl::Ref active = unit.GetIntegerv(GL_ACTIVE_TEXTURE, gl::out<GLint>(1));
+  Played still = t.play(unit);
+  still.expect_values(active, std::vector<GLint>{GL_TEXTURE1});
 
   // Back on TEXTURE0 the same call is legal: the rule concerns the unit that is active now.
   gl::Case c("TEXTURE1, then TEXTURE0 active");
@@ -160,7 +236,8 @@ EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form,
 }
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D",
+              "EV-MAP1-ERR-NOEFFECT") {
   const auto spoiled = [](GLenum target, int order, int stride, double u2) {
     Map1 map = legal_map(GL_MAP1_VERTEX_4);
     map.target = target;
@@ -173,23 +250,24 @@ EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP
                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
   expect_refused(t, "target and stride", spoiled(GL_TEXTURE_2D, 3, 0, 1), form.doubles,
                  {GL_INVALID_ENUM, GL_INVALID_VALUE});
-  expect_refused(t, "target and domain", spoiled(0, 3, 4, 0), form.doubles, {GL_INVALID_ENUM, GL_INVALID_VALUE});
+  expect_refused(t, "target and domain", spoiled(0, 3, 4, 0), form.doubles,
+                 {GL_INVALID_ENUM, GL_INVALID_VALUE});
   expect_refused(t, "order, stride and domain", spoiled(GL_MAP1_VERTEX_4, -1, 1, 0), form.doubles,
                  {GL_INVALID_VALUE});
   expect_refused(t, "order too high and stride", spoiled(GL_MAP1_VERTEX_4, t.gl().max_eval_order + 1, 1, 1),
                  form.doubles, {GL_INVALID_VALUE});
-  expect_refused(
-      t, "target, between Begin and End",
-      [&](gl::Case& c) {
-        c.Begin(GL_LINES);
-        define(c, spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles);
-        c.End();
-      },
-      {GL_INVALID_ENUM, GL_INVALID_OPERATION});
+  expect_refused(t, "target, between Begin and End",
+                 [&](gl::Case& c) {
+                   c.Begin(GL_LINES);
+                   define(c, spoiled(GL_MAP2_VERTEX_4, 3, 4, 1), form.doubles);
+                   c.End();
+                 },
+                 {GL_INVALID_ENUM, GL_INVALID_OPERATION});
 }
 
 // An error reported once is gone, and the next legal call works.
-EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ERR-NOEFFECT") {
   gl::Case c("refused for order, stride and domain, then legal");
   Map1 bad = legal_map(form.target);
   bad.order = 0;
@@ -200,11 +278,11 @@ EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm&
   bad = legal_map(form.target);
   bad.u2 = bad.u1;
   define(c, bad, form.doubles);
-  const gl::Ref first = c.GetError();
   std::vector<double> coefficients;
   for (int i = 0; i < 2 * gl::components_of(form.target); ++i) coefficients.push_back(i - 1.5);
   const Map1 map = make_map1(form.target, -4, 4, 6, coefficients);
   define(c, map, form.doubles);
+  const gl::Ref first = c.GetError();  // not cleared by the legal call
   const gl::Ref second = c.GetError();
   const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
   Played played = t.play(c);
@@ -214,7 +292,8 @@ EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm&
 }
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.
-EVALCTS_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must, "EV-MAP-NOERR-OTHER/1-D") {
+EVALCTS_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must,
+              "EV-MAP-NOERR-OTHER/1-D") {
   const auto expect_accepted = [&](const std::string& identity, const Map1& map) {
     gl::Case c(identity);
     define(c, map, form.doubles);
@@ -234,6 +313,8 @@ EVALCTS_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& fo
   map = legal_map(form.target);
   map.u1 = 1, map.u2 = 0;
   expect_accepted("u1 > u2", map);
+  map.order = 1;
+  expect_accepted("u1 > u2, order 1", map);
   map = legal_map(form.target);
   map.u1 = -1e6, map.u2 = -1e5;
   expect_accepted("negative domain", map);

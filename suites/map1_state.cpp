@@ -41,7 +41,8 @@ std::vector<Map1> nine_maps(Test& t) {
 
 }  // namespace
 
-EVALCTS_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must, "EV-MAP1-ORDER-ALL") {
+EVALCTS_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-ORDER-ALL") {
   gl::Case c("orders 1 to MAX");
   std::vector<std::pair<gl::Ref, gl::Ref>> answers;
   for (int order = 1; order <= t.max_order(); ++order) {
@@ -75,9 +76,10 @@ EVALCTS_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, 
                 fmt::format("{} values", played.trace().written(coefficients)));
 }
 
-EVALCTS_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING") {
+EVALCTS_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
+              "EV-MAP1-PADDING") {
   const int k = gl::components_of(form.target);
-  for (const int stride : {k, k + 1, 2 * k, 17})
+  for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000})
     for (const int order : {1, 2, 5, t.max_order()}) {
       const Map1 map = random_map(t, form.target, order, stride);
       gl::Case c(fmt::format("stride {} order {}", stride, order));
@@ -104,14 +106,15 @@ EVALCTS_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form,
 
 EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
   for (const TargetForm& form : target_forms())
-    for (const int order : {1, 4}) {
-      const Map1 map = random_map(t, form.target, order, 5);
-      gl::Case c(fmt::format("{} order {}", form.name, order));
-      define(c, map, form.doubles, fate.after);
-      const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
-      Played played = t.play(c);
-      expect_map1(played, query, map, form.doubles);
-    }
+    for (const int order : {1, 4, t.max_order()})
+      for (const int stride : {gl::components_of(form.target), 5}) {
+        const Map1 map = random_map(t, form.target, order, stride);
+        gl::Case c(fmt::format("{} order {} stride {}", form.name, order, stride));
+        define(c, map, form.doubles, fate.after);
+        const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+        Played played = t.play(c);
+        expect_map1(played, query, map, form.doubles);
+      }
 }
 
 EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
@@ -119,16 +122,38 @@ EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "E
     gl::Case c(label(target) + ", both forms");
     enable_visibly(c, target);
     for (const Form& form : kForms)
-      for (const int order : {1, 4}) {
-        define(c, random_map(t, target, order, 5), form.doubles, fate.after);
-        evaluate_some(c);
-      }
+      for (const int order : {1, 4, t.max_order()})
+        for (const int stride : {gl::components_of(target), 5}) {
+          define(c, random_map(t, target, order, stride), form.doubles, fate.after);
+          evaluate_some(c);
+        }
     t.expect_emission(c, attribute_of(target));
   }
 }
 
+// The same memory with other contents is another definition, whatever a library remembers of the pointer.
+EVALCTS_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), const TargetForm& form, must,
+              "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE") {
+  gl::Case c("three definitions through one array");
+  enable_visibly(c, form.target);
+  for (int round = 0; round < 3; ++round) {
+    define_in_slot(c, random_map(t, form.target, 4, 5), form.doubles, 0);
+    evaluate_some(c);
+  }
+  t.expect_emission(c, attribute_of(form.target));
+
+  gl::Case queried("two definitions through one array, queried");
+  define_in_slot(queried, random_map(t, form.target, 3, 5), form.doubles, 0);
+  const Map1 second = random_map(t, form.target, 3, 5);
+  define_in_slot(queried, second, form.doubles, 0);
+  const MapQuery query = query_map1(queried, form.target, t.max_order(), form.doubles);
+  Played played = t.play(queried);
+  expect_map1(played, query, second, form.doubles);
+}
+
 EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
-  for (const std::pair<int, int>& orders : {std::pair{5, 2}, {2, 5}, {1, t.max_order()}, {t.max_order(), 1}}) {
+  for (const std::pair<int, int>& orders :
+       {std::pair{5, 2}, {2, 5}, {4, 4}, {1, 1}, {1, t.max_order()}, {t.max_order(), 1}}) {
     gl::Case c(fmt::format("order {} then {}", orders.first, orders.second));
     Map1 first = random_map(t, target, orders.first, 4);
     Map1 second = random_map(t, target, orders.second, 6);
@@ -158,40 +183,51 @@ EVALCTS_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
 }
 
 // A one-dimensional definition leaves all two-dimensional maps alone; the reverse needs Map2.
-EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D") {
-  gl::Case c("all nine defined");
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-  for (const Map1& map : nine_maps(t)) define(c, map);
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  for (std::size_t i = before.size() / 2; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-REPLACE") {
+  for (const Form& form : kForms) {
+    gl::Case c(fmt::format("all nine defined, {} form", form.name));
+    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+    for (const Map1& map : nine_maps(t)) define(c, map, form.doubles);
+    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+    Played played = t.play(c);
+    // All but the four answers for each of the nine MAP1 maps: grids, AUTO_NORMAL and current values, too.
+    for (std::size_t i = 4 * gl::kMap1Targets.size(); i < before.size(); ++i)
+      played.expect_same(before[i], after[i]);
+  }
 }
 
-EVALCTS_TESTS(Map1State, EnableUntouched, gl::kMap1Targets, GLenum target, must, "EV-MAP1-NOENABLE") {
-  gl::Case c("disabled, then enabled");
+EVALCTS_TESTS(Map1State, EnableUntouched, target_forms(), const TargetForm& form, must, "EV-MAP1-NOENABLE") {
+  gl::Case c("all disabled; it alone enabled; all enabled");
   std::vector<std::pair<gl::Ref, GLboolean>> expected;
-  for (const GLboolean enabled : {GL_FALSE, GL_TRUE}) {
-    if (enabled) c.Enable(target);
+  for (const int stage : {0, 1, 2}) {
+    if (stage == 1) c.Enable(form.target);
+    if (stage == 2)
+      for (const GLenum other : gl::kMap1Targets) c.Enable(other);
     for (const int order : {3, 1}) {
-      define(c, random_map(t, target, order, 4));
-      for (const GLenum other : gl::kMap1Targets) expected.emplace_back(c.IsEnabled(other), enabled && other == target);
+      define(c, random_map(t, form.target, order, 4), form.doubles);
+      for (const GLenum other : gl::kMap1Targets)
+        expected.emplace_back(c.IsEnabled(other), stage == 2 || (stage == 1 && other == form.target));
     }
   }
   Played played = t.play(c);
   for (const auto& [query, enabled] : expected) played.expect_result(query, enabled);
 }
 
-EVALCTS_TESTS(Map1State, Live, visible_targets(), GLenum target, must, "EV-MAP1-LIVE") {
+// Also at the argument that was evaluated last, and with the order that the map had.
+EVALCTS_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-LIVE") {
   gl::Case c("evaluate, define anew, evaluate");
-  enable_visibly(c, target);
-  for (const int order : {4, 2, 6, 1, 6}) {
-    define(c, random_map(t, target, order, 4));
-    evaluate_some(c);
+  enable_visibly(c, form.target);
+  for (const int order : {4, 2, 6, 6, 1, 1, 6}) {
+    define(c, random_map(t, form.target, order, 4), form.doubles);
+    c.Begin(GL_POINTS);
+    for (const double u : {0.375, 0.0, 1.0, 0.375}) evaluate(c, u, form.doubles);
+    c.End();
   }
-  t.expect_emission(c, attribute_of(target));
+  t.expect_emission(c, attribute_of(form.target));
 }
 
-EVALCTS_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must, "EV-MAP1-NOPIXELSTORE") {
+EVALCTS_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must,
+              "EV-MAP1-NOPIXELSTORE") {
   const Map1 map = random_map(t, form.target, 4, 5);
   gl::Case c("swapped bytes, row length, skips, alignment");
   c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);

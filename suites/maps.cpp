@@ -75,11 +75,22 @@ const std::vector<GLenum>& visible_targets() {
 }
 
 gl::Ref define(gl::Case& c, const Map1& map, bool doubles, gl::AfterCall after) {
-  if (doubles) return c.Map1d(map.target, map.u1, map.u2, map.stride, map.order, gl::array(map.points, after));
-  return c.Map1f(map.target, map.u1, map.u2, map.stride, map.order, gl::array(converted<float>(map.points), after));
+  if (doubles)
+    return c.Map1d(map.target, map.u1, map.u2, map.stride, map.order, gl::array(map.points, after));
+  return c.Map1f(map.target, map.u1, map.u2, map.stride, map.order,
+                 gl::array(converted<float>(map.points), after));
 }
 
-gl::Ref evaluate(gl::Case& c, double u, bool doubles) { return doubles ? c.EvalCoord1d(u) : c.EvalCoord1f(u); }
+gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot) {
+  gl::Input points = doubles ? gl::array(map.points) : gl::array(converted<float>(map.points));
+  points.slot = slot;
+  if (doubles) return c.Map1d(map.target, map.u1, map.u2, map.stride, map.order, points);
+  return c.Map1f(map.target, map.u1, map.u2, map.stride, map.order, points);
+}
+
+gl::Ref evaluate(gl::Case& c, double u, bool doubles) {
+  return doubles ? c.EvalCoord1d(u) : c.EvalCoord1f(u);
+}
 
 Attributes attribute_of(GLenum target) {
   switch (target) {
@@ -115,12 +126,21 @@ std::vector<gl::Ref> query_everything(gl::Case& c, int max_order) {
     refs.push_back(c.GetMapdv(target, GL_COEFF,
                               gl::out<GLdouble>(room * static_cast<std::size_t>(gl::components_of(target)))));
   }
+  refs.push_back(c.IsEnabled(GL_AUTO_NORMAL));
+  refs.push_back(c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2)));
+  refs.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
+  refs.push_back(c.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4)));
+  refs.push_back(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)));
+  refs.push_back(c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4)));
+  refs.push_back(c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3)));
+  refs.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
   for (const GLenum target : gl::kMap2Targets) {
     refs.push_back(c.IsEnabled(target));
     refs.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
     refs.push_back(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4)));
-    refs.push_back(c.GetMapdv(target, GL_COEFF,
-                              gl::out<GLdouble>(room * room * static_cast<std::size_t>(gl::components_of(target)))));
+    refs.push_back(
+        c.GetMapdv(target, GL_COEFF,
+                   gl::out<GLdouble>(room * room * static_cast<std::size_t>(gl::components_of(target)))));
   }
   return refs;
 }

@@ -63,10 +63,14 @@ Attributes attribute_of(GLenum target);
 // Enables the target and, where it gives no vertex itself, a constant vertex map as its carrier.
 void enable_visibly(gl::Case& c, GLenum target);
 
-// Everything that a failing command must leave alone: order, domain and points of all 18 maps and their
-// enables. Room for what a wrong implementation might write is allowed for.
+// Everything that a failing command must leave alone: order, domain and points of all 18 maps, their enables,
+// AUTO_NORMAL, the grids, the current values and the active texture unit, the MAP2 maps last. Room for what a
+// wrong implementation might write is allowed for.
 std::vector<gl::Ref> query_everything(gl::Case& c, int max_order);
 void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
+
+// Control points that give the same memory to every call with this slot, with the contents of the moment.
+gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot);
 
 // Order, domain and points of one map, through GetMapfv or GetMapdv.
 struct MapQuery {

@@ -23,8 +23,9 @@ class Capture {
   virtual ~Capture() = default;
   virtual std::string name() const = 0;
 
-  // Proves itself on a control of explicit Vertex, Color, Normal and TexCoord commands, and learns what it can
-  // see of this implementation. Throws NotObservable if it cannot be used. To be called once, before observe().
+  // Proves itself on a control of explicit Vertex, Color, Normal and TexCoord commands, and learns what it
+  // can see of this implementation. Throws NotObservable if it cannot be used. To be called once, before
+  // observe().
   virtual void prove(Implementation& implementation, const ImplementationInfo& info) = 0;
 
   // What it can observe; valid after prove().

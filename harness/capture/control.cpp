@@ -50,7 +50,8 @@ std::string compare(const Control& control, const Observation& observation, Attr
   for (const ObservedPrimitive& primitive : observation.primitives)
     seen.insert(seen.end(), primitive.vertices.begin(), primitive.vertices.end());
   if (seen.size() != control.vertices.size())
-    return fmt::format("the control of {} explicit vertices came back as {}", control.vertices.size(), seen.size());
+    return fmt::format("the control of {} explicit vertices came back as {}", control.vertices.size(),
+                       seen.size());
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const auto differs = [&](Attribute attribute, const auto& got, const auto& given) {
       return (attributes & attribute) && got != given;

@@ -12,16 +12,16 @@ struct Control {
 };
 
 struct ControlOptions {
-  bool negative_w = false;      // include vertices with w < 0 and w = 0
+  bool negative_w = false;       // include vertices with w < 0 and w = 0
   bool unclamped_color = false;  // include colours outside [0,1]
 };
 
-// Points with awkward but ordinary values: both signs, many magnitudes, full significands. No -0, no subnormal
-// and no non-finite values, which feedback need not preserve.
+// Points with awkward but ordinary values: both signs, many magnitudes, full significands. No -0, no
+// subnormal and no non-finite values, which feedback need not preserve.
 Control make_control(const ControlOptions& options);
 
-// Empty if the observation reproduces the control bit for bit in the given attributes (unit 0 only), otherwise
-// what is wrong.
+// Empty if the observation reproduces the control bit for bit in the given attributes (unit 0 only),
+// otherwise what is wrong.
 std::string compare(const Control& control, const Observation& observation, Attributes attributes);
 
 // Plays the control through the capture. Empty if it came back unchanged, otherwise what is wrong. Throws as

@@ -116,14 +116,16 @@ class FeedbackBuffer final : public Capture {
 
     const std::unique_ptr<Context> context = implementation.create_context();
     const gl::Trace trace = gl::play(wrapped.commands, context->table());
-    if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("feedback mode cannot be set up");
+    if (trace.error(wrapped.error_before) != GL_NO_ERROR)
+      throw NotObservable("feedback mode cannot be set up");
 
     Observation observation;
     observation.error = trace.error(wrapped.error_after);
     const std::vector<GLfloat> values = trace.values<GLfloat>(buffer);
     // A negative answer: more came than there was room for; what is there is whole.
     const auto returned = static_cast<GLint>(trace.result(count));
-    const std::size_t valid = returned < 0 ? room / 13 * 13 : std::min<std::size_t>(room, static_cast<std::size_t>(returned));
+    const std::size_t valid =
+        returned < 0 ? room / 13 * 13 : std::min<std::size_t>(room, static_cast<std::size_t>(returned));
     decode(values, valid, hold, observation);
     observation.overflow = returned < 0 || observation.vertex_count() > most_vertices;
     return observation;

@@ -5,12 +5,12 @@
 namespace evalcts {
 
 std::string describe(Attributes attributes) {
-  constexpr std::pair<Attribute, const char*> kNames[] = {{kPosition, "position"},
-                                                          {kColor, "colour"},
-                                                          {kNormal, "normal"},
-                                                          {kTextureCoordinate0, "texture coordinates of unit 0"},
-                                                          {kTextureCoordinatesOther,
-                                                           "texture coordinates of units 1 and up"}};
+  constexpr std::pair<Attribute, const char*> kNames[] = {
+      {kPosition, "position"},
+      {kColor, "colour"},
+      {kNormal, "normal"},
+      {kTextureCoordinate0, "texture coordinates of unit 0"},
+      {kTextureCoordinatesOther, "texture coordinates of units 1 and up"}};
   std::string text;
   for (const auto& [attribute, name] : kNames)
     if (attributes & attribute) text += (text.empty() ? "" : ", ") + std::string(name);

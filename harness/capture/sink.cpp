@@ -9,7 +9,8 @@ class Sink final : public Capture {
   std::string name() const override { return "Sink"; }
 
   void prove(Implementation& implementation, const ImplementationInfo&) override {
-    if (!implementation.create_context()->has_sink()) throw NotObservable("not an evaluator inside this process");
+    if (!implementation.create_context()->has_sink())
+      throw NotObservable("not an evaluator inside this process");
     const std::string wrong = try_control(*this, implementation, {true, true}, kAllAttributes);
     if (!wrong.empty()) throw NotObservable(wrong);
   }

@@ -15,7 +15,8 @@ struct Layout {
 };
 
 std::string shader_source(const Layout& layout) {
-  std::string declarations = "#version 120\nvarying vec4 seen_position;\nvarying vec4 seen_color;\nvarying vec3 seen_normal;\n";
+  std::string declarations =
+      "#version 120\nvarying vec4 seen_position;\nvarying vec4 seen_color;\nvarying vec3 seen_normal;\n";
   std::string body = "  seen_position = gl_Vertex;\n  seen_color = gl_Color;\n  seen_normal = gl_Normal;\n";
   for (std::size_t unit = 0; unit < layout.units; ++unit) {
     declarations += fmt::format("varying vec4 seen_texture{};\n", unit);
@@ -26,7 +27,8 @@ std::string shader_source(const Layout& layout) {
 
 gl::Strings varyings(const Layout& layout) {
   gl::Strings names{{"seen_position", "seen_color", "seen_normal"}};
-  for (std::size_t unit = 0; unit < layout.units; ++unit) names.values.push_back(fmt::format("seen_texture{}", unit));
+  for (std::size_t unit = 0; unit < layout.units; ++unit)
+    names.values.push_back(fmt::format("seen_texture{}", unit));
   return names;
 }
 
@@ -36,7 +38,8 @@ class TransformFeedback final : public Capture {
 
   void prove(Implementation& implementation, const ImplementationInfo& info) override {
     if (!info.at_least(3, 0)) throw NotObservable("needs GL 3.0, this is GL " + info.version);
-    layout_.units = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(info.texture_units, 1)), 1, kTextureUnits);
+    layout_.units =
+        std::clamp<std::size_t>(static_cast<std::size_t>(std::max(info.texture_units, 1)), 1, kTextureUnits);
     std::string wrong;
     try {
       wrong = try_control(*this, implementation, {true, true}, attributes());
@@ -47,7 +50,8 @@ class TransformFeedback final : public Capture {
   }
 
   Attributes attributes() const override {
-    return kPosition | kColor | kNormal | kTextureCoordinate0 | (layout_.units > 1 ? kTextureCoordinatesOther : 0u);
+    return kPosition | kColor | kNormal | kTextureCoordinate0 |
+           (layout_.units > 1 ? kTextureCoordinatesOther : 0u);
   }
 
   Observation observe(Implementation& implementation, const gl::Case& script, Attributes,
@@ -86,7 +90,8 @@ class TransformFeedback final : public Capture {
     const std::unique_ptr<Context> context = implementation.create_context();
     const gl::Trace trace = gl::play(c, context->table());
     if (trace.values<GLint>(linked)[0] != GL_TRUE) throw NotObservable("the capturing shader does not link");
-    if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("transform feedback cannot be set up");
+    if (trace.error(wrapped.error_before) != GL_NO_ERROR)
+      throw NotObservable("transform feedback cannot be set up");
 
     Observation observation;
     observation.attributes = attributes();

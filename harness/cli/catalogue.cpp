@@ -13,7 +13,8 @@ namespace {
 // "EV-API-ENTRY/1-D" -> "EV-API-ENTRY", "1-D"; no half: the whole requirement.
 std::pair<std::string, std::string> split(const std::string& id) {
   const std::size_t slash = id.find('/');
-  return slash == std::string::npos ? std::pair{id, std::string()} : std::pair{id.substr(0, slash), id.substr(slash + 1)};
+  return slash == std::string::npos ? std::pair{id, std::string()}
+                                    : std::pair{id.substr(0, slash), id.substr(slash + 1)};
 }
 
 }  // namespace
@@ -44,7 +45,8 @@ std::vector<Coverage> coverage_of(const nlohmann::json& tests) {
 
 std::vector<std::string> lint(const nlohmann::json& tests) {
   std::set<std::string> known;
-  for (const auto& requirement : catalogue().at("requirements")) known.insert(requirement.at("id").get<std::string>());
+  for (const auto& requirement : catalogue().at("requirements"))
+    known.insert(requirement.at("id").get<std::string>());
   std::vector<std::string> problems;
   std::set<std::string> names;
   for (const auto& test : tests.at("tests")) {

@@ -1,6 +1,6 @@
 // The subcommands of evalcts. Each returns an exit code:
-//   0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something that was asked for
-//   cannot be started, read or written; 3 a fault of evalcts itself.
+//   0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something that was asked
+//   for cannot be started, read or written; 3 a fault of evalcts itself.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,10 @@ struct RunOptions {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
-  std::string output;  // empty: the usual folder
+  std::string output;    // empty: the usual folder
+  std::string baseline;  // folder, "none", or empty for the shipped ones
+  bool write_baseline = false;
+  bool strict = false;
   bool verbose = false;
   std::string command;  // as typed
 };
@@ -37,10 +40,12 @@ int explain(const std::string& name);
 struct Places {
   std::filesystem::path suite_program;
   std::filesystem::path output;
+  std::filesystem::path baselines;
 };
 Places places();
 
-// The tests whose names match a GoogleTest-like filter: patterns with * and ?, separated by ':', those after a
+// The tests whose names match a GoogleTest-like filter: patterns with * and ?, separated by ':', those after
+// a
 // '-' excluded.
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter);
 

@@ -25,9 +25,12 @@ json implementations() {
   json all = json::array();
   for (const ImplementationKind& kind : implementation_kinds()) {
     const bool available = can_start(kind.name);
-    json entry = {{"name", kind.name}, {"what", kind.what}, {"available", available}, {"package", kind.package}};
+    json entry = {
+        {"name", kind.name}, {"what", kind.what}, {"available", available}, {"package", kind.package}};
     if (!available)
-      entry["reason"] = kind.package.empty() ? "it does not start; run it to see why" : "package " + kind.package + " is not installed, or has no evaluators";
+      entry["reason"] = kind.package.empty()
+                            ? "it does not start; run it to see why"
+                            : "package " + kind.package + " is not installed, or has no evaluators";
     all.push_back(entry);
   }
   return all;
@@ -52,7 +55,8 @@ int list(const std::string& what, bool as_json) {
       std::cout << catalogue().dump(1) << "\n";
     } else {
       for (const json& requirement : catalogue()["requirements"])
-        std::cout << fmt::format("{:<28} {}\n", requirement["id"].get<std::string>(), requirement["text"].get<std::string>());
+        std::cout << fmt::format("{:<28} {}\n", requirement["id"].get<std::string>(),
+                                 requirement["text"].get<std::string>());
     }
   } else {
     const json tests = list_tests(places().suite_program);
@@ -78,18 +82,20 @@ int coverage(bool as_json) {
   }
   if (as_json) {
     json rows = json::array();
-    for (const Coverage& entry : all) rows.push_back({{"id", entry.id}, {"state", entry.state}, {"tests", entry.tests}});
+    for (const Coverage& entry : all)
+      rows.push_back({{"id", entry.id}, {"state", entry.state}, {"tests", entry.tests}});
     std::cout << json{{"requirements", rows}, {"problems", problems}}.dump(1) << "\n";
   } else {
     for (const Coverage& entry : all)
       std::cout << fmt::format("{:<28} {:<10} {}\n", entry.id, entry.state,
-                               entry.tests.empty() ? ""
-                               : entry.tests.size() == 1
-                                   ? entry.tests.front()
-                                   : fmt::format("{} and {} more", entry.tests.front(), entry.tests.size() - 1));
-    std::cout << fmt::format("\n{} requirements: {} decided, {} in part (one of the two dimensions), {} undecided; {} tests\n",
-                             all.size(), decided, in_part, static_cast<int>(all.size()) - decided - in_part,
-                             tests["tests"].size());
+                               entry.tests.empty()       ? ""
+                               : entry.tests.size() == 1 ? entry.tests.front()
+                                                         : fmt::format("{} and {} more", entry.tests.front(),
+                                                                       entry.tests.size() - 1));
+    std::cout << fmt::format(
+        "\n{} requirements: {} decided, {} in part (one of the two dimensions), {} undecided; {} tests\n",
+        all.size(), decided, in_part, static_cast<int>(all.size()) - decided - in_part,
+        tests["tests"].size());
   }
   for (const std::string& problem : problems) std::cerr << "evalcts: " << problem << "\n";
   return problems.empty() ? kNothingUnexpected : kOwnFault;
@@ -102,7 +108,8 @@ int explain(const std::string& name) {
       std::cout << name << "\n";
       for (const auto& [key, value] : entry.items()) {
         if (key == "id") continue;
-        std::cout << fmt::format("  {}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+        std::cout << fmt::format("  {}: {}\n", key,
+                                 value.is_string() ? value.get<std::string>() : value.dump());
       }
       if (std::string(group) == "requirements") {
         for (const Coverage& covered : coverage_of(list_tests(places().suite_program)))

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "harness/cli/commands.h"
+#include "harness/runner/baseline.h"
 
 int main(int argc, char** argv) {
   using namespace evalcts::cli;
@@ -13,29 +14,40 @@ int main(int argc, char** argv) {
   RunOptions run_options;
   run_options.command = "evalcts";
   for (int i = 1; i < argc; ++i) run_options.command += std::string(" ") + argv[i];
-  CLI::App* run_command = app.add_subcommand("run", "judge implementations (default: all that are available)");
+  CLI::App* run_command =
+      app.add_subcommand("run", "judge implementations (default: all that are available)");
   run_command->add_option("--implementation", run_options.implementations, "what to judge; may be repeated")
       ->expected(1)
       ->take_all();
   run_command->add_option("--library", run_options.library, "shared library instead of the usual one");
-  run_command->add_option("--name", run_options.label, "label of the output, instead of the implementation's name");
-  run_command->add_option("--filter", run_options.filter, "tests to run: patterns as in GoogleTest, 'Map1*:-*Copy*'");
+  run_command->add_option("--name", run_options.label,
+                          "label of the output, instead of the implementation's name");
+  run_command->add_option("--filter", run_options.filter,
+                          "tests to run: patterns as in GoogleTest, 'Map1*:-*Copy*'");
   run_command->add_option("--depth", run_options.depth, "how many values")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   run_command->add_option("--seed", run_options.seed, "seed of the random tests");
   run_command->add_option("--timeout", run_options.seconds_per_test, "seconds for each test")
       ->check(CLI::PositiveNumber);
   run_command->add_option("--output", run_options.output, "folder for results and report");
+  run_command->add_option(
+      "--baseline", run_options.baseline,
+      "folder of known failures, or 'none' (default: the shipped ones, none with --library)");
+  run_command->add_flag("--write-baseline", run_options.write_baseline, "write what fails as the baseline");
+  run_command->add_flag("--strict", run_options.strict,
+                        "an unexpected pass and a stale baseline entry count, too");
   run_command->add_flag("--verbose", run_options.verbose, "all failing tests and what was not judged");
 
   std::string what;
   bool as_json = false;
   CLI::App* list_command = app.add_subcommand("list", "implementations, requirements or tests");
-  list_command->add_option("what", what)->required()->check(
-      CLI::IsMember({"implementations", "requirements", "tests"}));
+  list_command->add_option("what", what)
+      ->required()
+      ->check(CLI::IsMember({"implementations", "requirements", "tests"}));
   list_command->add_flag("--json", as_json, "as JSON");
 
-  CLI::App* coverage_command = app.add_subcommand("coverage", "requirement by requirement: the tests that decide it");
+  CLI::App* coverage_command =
+      app.add_subcommand("coverage", "requirement by requirement: the tests that decide it");
   coverage_command->add_flag("--json", as_json, "as JSON");
 
   std::string name;
@@ -52,6 +64,9 @@ int main(int argc, char** argv) {
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json);
     return explain(name);
+  } catch (const evalcts::BadBaseline& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
   } catch (const std::exception& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kOwnFault;

@@ -13,8 +13,10 @@ Places places() {
   // In a checkout the program lies in build/PRESET/harness/cli.
   const fs::path top = folder / "../../../..";
   const bool in_checkout = fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json");
-  return {folder / "evalcts-suite",
-          in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results"};
+  return {
+      folder / "evalcts-suite",
+      in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results",
+      in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines"};
 }
 
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {

@@ -12,6 +12,7 @@
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/runner/baseline.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts::cli {
@@ -32,7 +33,8 @@ class ProgressLine {
   void show(const std::string& name, const Progress& progress) {
     if (!terminal_) return;
     const std::lock_guard lock(mutex_);
-    state_[name] = progress.phase == "test" ? fmt::format("{} of {}", progress.done, progress.total) : progress.phase;
+    state_[name] =
+        progress.phase == "test" ? fmt::format("{} of {}", progress.done, progress.total) : progress.phase;
     std::string line;
     for (const auto& [implementation, state] : state_)
       line += fmt::format("{}{}: {}", line.empty() ? "" : "   ", implementation, state);
@@ -52,13 +54,15 @@ class ProgressLine {
   std::map<std::string, std::string> state_;
 };
 
-int exit_code_of(const json& result, bool named) {
+int exit_code_of(const json& result, bool named, bool strict) {
   if (result["status"] == "not-started") return named ? kWrongUse : kNothingUnexpected;
   int code = kNothingUnexpected;
   for (const json& test : result["tests"]) {
     const std::string verdict = test["verdict"];
     if (verdict == "internal-error") return kOwnFault;
-    if ((verdict == "fail" || verdict == "crash" || verdict == "timeout") && !test["expected_by_baseline"].get<bool>())
+    const bool failed = verdict == "fail" || verdict == "crash" || verdict == "timeout";
+    if (failed && !test["expected_by_baseline"].get<bool>()) code = kUnexpected;
+    if (strict && verdict == "pass" && !test["baseline_reason"].get<std::string>().empty())
       code = kUnexpected;
   }
   return code;
@@ -106,7 +110,8 @@ int run(const RunOptions& options) {
   }
   for (const ImplementationOptions& implementation : chosen) {
     bool known = implementation.name.empty();
-    for (const ImplementationKind& kind : implementation_kinds()) known = known || kind.name == implementation.name;
+    for (const ImplementationKind& kind : implementation_kinds())
+      known = known || kind.name == implementation.name;
     if (known) continue;
     std::cerr << fmt::format("evalcts: there is no implementation '{}'; see 'evalcts list implementations'\n",
                              implementation.name);
@@ -116,11 +121,22 @@ int run(const RunOptions& options) {
   std::error_code error;
   fs::create_directories(output, error);
   if (error || access(output.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n", output.string());
+    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
+                             output.string());
     return kWrongUse;
   }
 
-  request.tests = matching(list_tests(where.suite_program), options.filter);
+  // A library of the user's own has no shipped baseline.
+  const bool shipped = options.baseline.empty();
+  const fs::path baselines = shipped ? where.baselines : fs::path(options.baseline);
+  const bool with_baseline = options.baseline != "none" && !(shipped && !options.library.empty());
+  if (!shipped && with_baseline && !options.write_baseline && !fs::is_directory(baselines)) {
+    std::cerr << fmt::format("evalcts: --baseline '{}' is no folder\n", options.baseline);
+    return kWrongUse;
+  }
+
+  const json all_tests = list_tests(where.suite_program);
+  request.tests = matching(all_tests, options.filter);
   if (request.tests.empty()) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;
@@ -135,17 +151,33 @@ int run(const RunOptions& options) {
   std::vector<std::future<json>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;
-    request.name = !options.label.empty() ? options.label : implementation.name.empty() ? "library" : implementation.name;
+    request.name = !options.label.empty()        ? options.label
+                   : implementation.name.empty() ? "library"
+                                                 : implementation.name;
     running.push_back(std::async(std::launch::async, [request, &line] {
-      return run_implementation(request, [&](const Progress& progress) { line.show(request.name, progress); });
+      return run_implementation(request,
+                                [&](const Progress& progress) { line.show(request.name, progress); });
     }));
   }
   for (std::future<json>& future : running) {
-    const json result = future.get();
+    json result = future.get();
     const std::string name = result["implementation"]["name"];
+    if (with_baseline && result["status"] != "not-started") {
+      Baseline baseline = Baseline::find(baselines, result["implementation"]);
+      if (options.write_baseline) {
+        baseline = baseline.renewed(result, name);
+        if (!baseline.entries().empty() || !baseline.name().empty()) baseline.write(baselines);
+      }
+      baseline.apply(result);
+      for (const std::string& stale : baseline.stale_entries(all_tests)) {
+        line.print(fmt::format("baseline {}: there is no test {} any more\n", baseline.name(), stale));
+        if (options.strict) code = std::max(code, kUnexpected);
+      }
+      write_atomically(output / fmt::format("results-{}.json", name), to_text(result));
+    }
     write_atomically(output / fmt::format("junit-{}.xml", name), reports::junit(result));
     line.print(reports::terminal_summary(result, color, options.verbose) + "\n");
-    code = std::max(code, exit_code_of(result, named));
+    code = std::max(code, exit_code_of(result, named, options.strict));
     results.push_back(result);
   }
   write_atomically(output / "index.html", reports::html(results, catalogue()));

@@ -16,7 +16,8 @@ std::string constant(T value, const char* suffix) {
   if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
   // Small integers read better in decimal and are exact in it.
   if (value == std::trunc(value) && std::abs(value) < 1e6)
-    return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value, suffix);
+    return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value,
+                       suffix);
   return fmt::format("{:a}{}", value, suffix);
 }
 
@@ -116,7 +117,8 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
     return fmt::format("({}[{}]){{0}}", c_type(output->type), std::max<std::size_t>(output->count, 1));
   if (const auto* strings = std::get_if<Strings>(&value)) {
     std::string text = "(const GLchar*[]){";
-    for (std::size_t i = 0; i < strings->values.size(); ++i) text += (i ? ", " : "") + quoted(strings->values[i]);
+    for (std::size_t i = 0; i < strings->values.size(); ++i)
+      text += (i ? ", " : "") + quoted(strings->values[i]);
     return text + "}";
   }
   const Input& input = std::get<Input>(value);
@@ -124,7 +126,8 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
   const std::size_t count = input.bytes.size() / size;
   const std::size_t shown = most_elements == 0 ? count : std::min(count, most_elements);
   std::string text = fmt::format("({}[]){{", c_type(input.type));
-  for (std::size_t i = 0; i < shown; ++i) text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
+  for (std::size_t i = 0; i < shown; ++i)
+    text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
   if (shown < count) text += fmt::format(", /* {} more */", count - shown);
   return text + "}" + fate(input.after);
 }
@@ -138,7 +141,8 @@ std::string to_c(const Command& command, std::size_t most_elements) {
   const std::string_view kinds = parameter_kinds(command.entry);
   std::string text = std::string(name_of(command.entry)) + "(";
   for (std::size_t i = 0; i < command.arguments.size(); ++i)
-    text += (i ? ", " : "") + argument(command.arguments[i], i < kinds.size() ? kinds[i] : '.', most_elements);
+    text +=
+        (i ? ", " : "") + argument(command.arguments[i], i < kinds.size() ? kinds[i] : '.', most_elements);
   return text + ");";
 }
 

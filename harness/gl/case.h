@@ -46,6 +46,8 @@ struct Input {
   Scalar type = Scalar::u8;
   std::vector<std::byte> bytes;
   AfterCall after = AfterCall::keep;
+  // Arrays of one case with the same slot (>= 0) and size are the same memory, filled anew before each call.
+  int slot = -1;
 };
 
 // An array that a command writes: room for `count` elements, guard elements behind them.
@@ -114,9 +116,9 @@ class Case {
   // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Pointers that a command
   // reads are given as vectors, spans, array(...) or nullptr, pointers that it writes as out<T>(count),
   // values of earlier commands as Ref or ResultOf.
-#define GL_ENTRY(name, kinds)                                                          \
-  template <class... Arguments>                                                        \
-  Ref name(Arguments&&... arguments) {                                                 \
+#define GL_ENTRY(name, kinds)                                                                      \
+  template <class... Arguments>                                                                    \
+  Ref name(Arguments&&... arguments) {                                                             \
     return record<decltype(Table::name)>(EntryPoint::name, std::forward<Arguments>(arguments)...); \
   }
 #include "harness/gl/entry_points.def"
@@ -140,8 +142,8 @@ class Case {
     using A = std::decay_t<Argument>;
     if constexpr (std::is_same_v<A, Ref>) {
       return ResultOf{argument.index, -1};
-    } else if constexpr (std::is_same_v<A, ResultOf> || std::is_same_v<A, Input> || std::is_same_v<A, Strings> ||
-                         std::is_same_v<A, std::nullptr_t>) {
+    } else if constexpr (std::is_same_v<A, ResultOf> || std::is_same_v<A, Input> ||
+                         std::is_same_v<A, Strings> || std::is_same_v<A, std::nullptr_t>) {
       return Value(std::forward<Argument>(argument));
     } else if constexpr (std::is_pointer_v<Parameter>) {
       return pointer(std::forward<Argument>(argument));
@@ -172,7 +174,8 @@ class Case {
   }
   template <class Result, class... Parameters, class... Arguments>
   Ref record_as(EntryPoint entry, Result (*)(Parameters...), Arguments&&... arguments) {
-    static_assert(sizeof...(Parameters) == sizeof...(Arguments), "wrong number of arguments for this command");
+    static_assert(sizeof...(Parameters) == sizeof...(Arguments),
+                  "wrong number of arguments for this command");
     Command command{entry, {}};
     command.arguments.reserve(sizeof...(Arguments));
     (command.arguments.push_back(value<Parameters>(std::forward<Arguments>(arguments))), ...);

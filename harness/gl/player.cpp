@@ -5,6 +5,7 @@
 
 #include <array>
 #include <list>
+#include <map>
 
 namespace evalcts::gl {
 namespace {
@@ -24,7 +25,7 @@ class ClientArray {
     if (memory == MAP_FAILED) throw std::bad_alloc();
     base_ = static_cast<std::byte*>(memory);
     mprotect(base_ + usable_, page, PROT_NONE);
-    std::memcpy(data(), input.bytes.data(), size_);
+    fill(input);
   }
   ~ClientArray() {
     if (base_) munmap(base_, mapped_);
@@ -32,6 +33,9 @@ class ClientArray {
   ClientArray(const ClientArray&) = delete;
   ClientArray& operator=(const ClientArray&) = delete;
 
+  void fill(const Input& input) {
+    if (size_ > 0) std::memcpy(data(), input.bytes.data(), size_);
+  }
   std::byte* data() { return base_ + usable_ - size_; }
 
   void meet(AfterCall fate) {
@@ -82,15 +86,16 @@ class Player {
  private:
   void issue(const Command& command) {
     switch (command.entry) {
-#define GL_ENTRY(name, kinds)            \
-  case EntryPoint::name:                 \
-    invoke(table_.name, command);        \
+#define GL_ENTRY(name, kinds)     \
+  case EntryPoint::name:          \
+    invoke(table_.name, command); \
     break;
 #include "harness/gl/entry_points.def"
 #undef GL_ENTRY
     }
     for (std::size_t i = 0; i < command.arguments.size(); ++i)
-      if (const auto* input = std::get_if<Input>(&command.arguments[i])) inputs_of_call_[i]->meet(input->after);
+      if (const auto* input = std::get_if<Input>(&command.arguments[i]))
+        inputs_of_call_[i]->meet(input->after);
   }
 
   template <class Result, class... Parameters>
@@ -101,7 +106,8 @@ class Player {
   template <class Result, class... Parameters, std::size_t... I>
   void invoke_with(Result (*function)(Parameters...), const Command& command, std::index_sequence<I...>) {
     // Braces fix the order of evaluation: memory for the pointers is set up first argument first.
-    [[maybe_unused]] const std::tuple<Parameters...> arguments{argument<Parameters>(command.arguments[I], I)...};
+    [[maybe_unused]] const std::tuple<Parameters...> arguments{
+        argument<Parameters>(command.arguments[I], I)...};
     if constexpr (std::is_void_v<Result>) {
       function(std::get<I>(arguments)...);
     } else {
@@ -134,7 +140,13 @@ class Player {
 
   void* pointer(const Value& value, std::size_t position) {
     if (const auto* input = std::get_if<Input>(&value)) {
-      inputs_of_call_[position] = &inputs_.emplace_back(*input);
+      ClientArray*& shared = slots_[{input->slot, input->bytes.size()}];
+      if (input->slot >= 0 && shared) {
+        shared->fill(*input);
+      } else {
+        shared = &inputs_.emplace_back(*input);
+      }
+      inputs_of_call_[position] = shared;
       return inputs_of_call_[position]->data();
     }
     if (const auto* output = std::get_if<Output>(&value)) {
@@ -154,7 +166,8 @@ class Player {
     const Trace::Result& result = trace_.results_.at(static_cast<std::size_t>(which.command));
     if (which.element < 0) return result.value;
     std::uint32_t element = 0;
-    std::memcpy(&element, result.output.value().bytes.data() + 4 * static_cast<std::size_t>(which.element), 4);
+    std::memcpy(&element, result.output.value().bytes.data() + 4 * static_cast<std::size_t>(which.element),
+                4);
     return element;
   }
 
@@ -171,6 +184,7 @@ class Player {
   Trace trace_;
   std::size_t index_ = 0;
   std::list<ClientArray> inputs_;  // all arrays live until the case is over
+  std::map<std::pair<int, std::size_t>, ClientArray*> slots_;
   std::list<std::vector<const char*>> strings_;
   std::array<ClientArray*, 16> inputs_of_call_{};
 };
@@ -183,7 +197,9 @@ const Trace::Written& Trace::output(Ref command) const {
   return *output;
 }
 
-std::int64_t Trace::result(Ref command) const { return results_.at(static_cast<std::size_t>(command.index)).value; }
+std::int64_t Trace::result(Ref command) const {
+  return results_.at(static_cast<std::size_t>(command.index)).value;
+}
 
 const std::string& Trace::text(Ref get_string) const {
   return results_.at(static_cast<std::size_t>(get_string.index)).text;

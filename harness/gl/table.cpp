@@ -37,8 +37,7 @@ bool has(const Table& table, EntryPoint entry) {
 
 Table load_table(const std::function<void*(const char*)>& address_of) {
   Table table;
-#define GL_ENTRY(name, kinds) \
-  table.name = reinterpret_cast<decltype(table.name)>(address_of("gl" #name));
+#define GL_ENTRY(name, kinds) table.name = reinterpret_cast<decltype(table.name)>(address_of("gl" #name));
 #include "harness/gl/entry_points.def"
 #undef GL_ENTRY
   return table;

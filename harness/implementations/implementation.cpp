@@ -27,9 +27,10 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
   if (name.empty()) {
     const SharedLibrary library(options.library);
     if (!library.find("OSMesaCreateContextExt"))
-      throw CannotStart(fmt::format("{} exports none of OSMesaCreateContextExt; name what makes its contexts with "
-                                    "--implementation",
-                                    options.library));
+      throw CannotStart(
+          fmt::format("{} exports none of OSMesaCreateContextExt; name what makes its contexts with "
+                      "--implementation",
+                      options.library));
     name = "osmesa";
   }
   if (name == "osmesa") return open_osmesa(options.library);
@@ -48,25 +49,27 @@ namespace {
 
 void require_an_effect(const gl::Table& table, const std::string& version) {
   int missing = 0;
-  const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d, gl::EntryPoint::EvalCoord1f,
-                                      gl::EntryPoint::GetMapfv};
+  const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d,
+                                      gl::EntryPoint::EvalCoord1f, gl::EntryPoint::GetMapfv};
   for (const gl::EntryPoint entry : essential) missing += !gl::has(table, entry);
   if (missing == static_cast<int>(std::size(essential)))
-    throw CannotStart("the library has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing");
+    throw CannotStart(
+        "the library has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing");
   if (missing > 0) return;  // half of an implementation is judged to the end
 
-  // Two queries that differ only by a definition between them: where they agree on the old data and no
-  // error was raised by a legal definition, the commands do nothing.
+  // Any answer will do here: what is wrong with it is for the tests to say. The memory is roomier than the
+  // map, so that a library which reads too much is judged, too.
   gl::Case probe;
-  probe.Map1f(GL_MAP1_TEXTURE_COORD_1, 0.0f, 1.0f, 1, 1, std::vector<float>{0.75f});
+  probe.Map1f(GL_MAP1_VERTEX_4, 0.0f, 1.0f, 4, 2, std::vector<float>(256, 0.75f));
   const gl::Ref error = probe.GetError();
-  const gl::Ref coefficient = probe.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_COEFF, gl::out<GLfloat>(1));
+  const gl::Ref coefficients = probe.GetMapfv(GL_MAP1_VERTEX_4, GL_COEFF, gl::out<GLfloat>(8));
   const gl::Trace trace = gl::play(probe, table);
-  if (trace.written(coefficient) == 0)
-    throw CannotStart(fmt::format("evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv "
-                                  "writes nothing. A core profile has no evaluators; a compatibility context is "
-                                  "needed.",
-                                  version, gl::error_name(trace.error(error))));
+  if (trace.written(coefficients) == 0)
+    throw CannotStart(
+        fmt::format("evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv "
+                    "writes nothing. A core profile has no evaluators; a compatibility context is "
+                    "needed.",
+                    version, gl::error_name(trace.error(error))));
 }
 
 void read_version(const std::string& version, ImplementationInfo& info) {
@@ -95,7 +98,8 @@ ImplementationInfo inquire(Implementation& implementation) {
   info.renderer = string_of(GL_RENDERER);
   info.version = string_of(GL_VERSION);
   if (info.version.empty())
-    throw CannotStart("glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
+    throw CannotStart(
+        "glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
   read_version(info.version, info);
 
   const auto integer_of = [&](GLenum name, GLint otherwise) {

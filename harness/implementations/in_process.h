@@ -17,7 +17,8 @@ struct Forward<Owner, method> {
 };
 
 // C functions that take the context first.
-template <class Owner, class Handle, class Result, class... Parameters, Result (*function)(Handle*, Parameters...)>
+template <class Owner, class Handle, class Result, class... Parameters,
+          Result (*function)(Handle*, Parameters...)>
 struct Forward<Owner, function> {
   static Result call(Parameters... parameters) { return function(Owner::current, parameters...); }
 };

@@ -88,7 +88,8 @@ std::unique_ptr<Implementation> open_osmesa(const std::string& library) {
     try {
       return std::make_unique<OSMesa>("libOSMesa.so");
     } catch (const CannotStart&) {
-      throw CannotStart("libOSMesa.so.8 is not installed (package libosmesa6), or name a library with --library");
+      throw CannotStart(
+          "libOSMesa.so.8 is not installed (package libosmesa6), or name a library with --library");
     }
   }
 }

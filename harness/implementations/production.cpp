@@ -114,7 +114,9 @@ class ProductionContext final : public Context {
     sink.begin = [](void* self, glev_enum mode) {
       static_cast<ProductionContext*>(self)->emitted_.push_back({mode, {}});
     };
-    sink.vertex = [](void* self, const glev_vertex* vertex) { static_cast<ProductionContext*>(self)->keep(*vertex); };
+    sink.vertex = [](void* self, const glev_vertex* vertex) {
+      static_cast<ProductionContext*>(self)->keep(*vertex);
+    };
     if (glevSetSink(context_, &sink) != GLEV_SUCCESS) {
       glevDestroyContext(context_);
       throw CannotStart("glevSetSink failed");

@@ -18,7 +18,6 @@ using reference::Sample;
 
 std::string text(float value) { return fmt::format("{:.9g} ({:a})", value, value); }
 
-
 class VertexJudge {
  public:
   VertexJudge(const JudgeOptions& options, const Observation& observation, Judgement& judgement)
@@ -36,8 +35,8 @@ class VertexJudge {
 
  private:
   template <class Expected, class Got>
-  void values(Attribute attribute, const char* name, const char* components, const Expected& expected, const Got& got,
-              std::size_t unit = 0) {
+  void values(Attribute attribute, const char* name, const char* components, const Expected& expected,
+              const Got& got, std::size_t unit = 0) {
     if (!(options_.attributes & observation_.attributes & attribute)) return;
     measured_ = options_.measured & attribute;
     const bool clamped = attribute == kColor && observation_.clamped_colors;
@@ -61,12 +60,14 @@ class VertexJudge {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     Mismatch mismatch;
     mismatch.what = what();
-    mismatch.message = fmt::format("{} is {}, but no map supplies it: {} was given", mismatch.what, text(got), text(expected));
+    mismatch.message = fmt::format("{} is {}, but no map supplies it: {} was given", mismatch.what, text(got),
+                                   text(expected));
     mismatch.expected = text(expected);
     mismatch.captured = text(got);
     mismatch.exact = text(expected);
-    mismatch.ulp = std::isfinite(expected) ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
-                                           : std::numeric_limits<double>::infinity();
+    mismatch.ulp = std::isfinite(expected)
+                       ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
+                       : std::numeric_limits<double>::infinity();
     mismatch.condition_aware = std::numeric_limits<double>::infinity();
     judgement_.mismatches.push_back(std::move(mismatch));
   }
@@ -107,7 +108,8 @@ class VertexJudge {
 
   // A lower estimate of the bound in double, with room for its own rounding: almost every value is accepted
   // here, and none that the exact bound would refuse.
-  static bool clearly_accepted(const Sample& sample, const Rational& exact, const Rational& magnitude, float got) {
+  static bool clearly_accepted(const Sample& sample, const Rational& exact, const Rational& magnitude,
+                               float got) {
     if (!std::isfinite(got)) return false;
     const Rational below =
         reference::acceptance_bound_below(sample.map->u.order - 1, sample.map->v.order - 1, magnitude);
@@ -116,7 +118,8 @@ class VertexJudge {
   }
 
   template <class What>
-  void measure(const What& what, const Sample& sample, const Rational& exact, const Rational& magnitude, float got) {
+  void measure(const What& what, const Sample& sample, const Rational& exact, const Rational& magnitude,
+               float got) {
     if (!measured_) return;
     Accuracy& accuracy = judgement_.accuracy;
     ++accuracy.values;
@@ -144,7 +147,8 @@ class VertexJudge {
     mismatch.what = std::move(what);
     mismatch.captured = text(got);
     mismatch.exact = reference::describe(exact);
-    mismatch.expected = fmt::format("[{:.9g}, {:.9g}]", (exact - bound).to_double(), (exact + bound).to_double());
+    mismatch.expected =
+        fmt::format("[{:.9g}, {:.9g}]", (exact - bound).to_double(), (exact + bound).to_double());
     mismatch.ulp = reference::ulp_distance(got, exact);
     mismatch.condition_aware = reference::condition_distance(got, exact, magnitude);
     mismatch.message =
@@ -185,7 +189,8 @@ Judgement judge(const Prediction& prediction, const Observation& observation, co
     mismatch.what = "number of vertices";
     mismatch.expected = std::to_string(expected_count);
     mismatch.captured = std::to_string(got.size()) + (observation.overflow ? " or more" : "");
-    mismatch.message = fmt::format("{} vertices came out, {} should have", mismatch.captured, mismatch.expected);
+    mismatch.message =
+        fmt::format("{} vertices came out, {} should have", mismatch.captured, mismatch.expected);
     judgement.mismatches.push_back(std::move(mismatch));
     return judgement;  // which vertex is missing or too many is not known: comparing the rest would mislead
   }
@@ -209,7 +214,9 @@ std::string disagreement(const Observation& a, const Observation& b) {
     return a.clamped_colors || b.clamped_colors ? std::clamp(color, 0.0f, 1.0f) : color;
   };
   for (std::size_t i = 0; i < first.size(); ++i) {
-    const auto same = [](const auto& x, const auto& y) { return std::equal(x.begin(), x.end(), y.begin(), same_value); };
+    const auto same = [](const auto& x, const auto& y) {
+      return std::equal(x.begin(), x.end(), y.begin(), same_value);
+    };
     const char* differs = nullptr;
     if ((both & kPosition) && !same(first[i]->position, second[i]->position)) differs = "position";
     if (both & kColor)

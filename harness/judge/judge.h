@@ -16,7 +16,7 @@ struct Mismatch {
   std::string message;   // one line
   std::string expected;  // the interval, or the value
   std::string captured;
-  std::string exact;     // decimal and hex float
+  std::string exact;  // decimal and hex float
   double ulp = 0;
   double condition_aware = 0;
 };
@@ -34,12 +34,12 @@ struct JudgeOptions {
   std::string where = {};                  // the case's identity, for Accuracy
 };
 
-// Compares vertex by vertex, in order. A value that was given (not evaluated) has to come back bit for bit, -0
-// counting as +0.
+// Compares vertex by vertex, in order. A value that was given (not evaluated) has to come back bit for bit,
+// -0 counting as +0.
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options);
 
-// Whether two observations of the same case are the same in the attributes that both have: bit for bit, but -0
-// and subnormals as real numbers to 2^-126. Empty, or what differs.
+// Whether two observations of the same case are the same in the attributes that both have: bit for bit, but
+// -0 and subnormals as real numbers to 2^-126. Empty, or what differs.
 std::string disagreement(const Observation& a, const Observation& b);
 
 }  // namespace evalcts

@@ -17,8 +17,8 @@ struct Prediction {
   bool has_nonpositive_w() const;
 };
 
-// Commands that the specification does not have (pixel store, buffers, matrices) do not concern evaluators and
-// are left out.
+// Commands that the specification does not have (pixel store, buffers, matrices) do not concern evaluators
+// and are left out.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
 }  // namespace evalcts

@@ -41,7 +41,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   std::vector<char*> arguments;
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
-  const int error = posix_spawn(&id_, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
+  const int error =
+      posix_spawn(&id_, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0)

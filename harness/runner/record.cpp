@@ -6,7 +6,9 @@
 namespace evalcts {
 namespace {
 
-nlohmann::json number(double value) { return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(); }
+nlohmann::json number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
 
 nlohmann::json to_json(const Failure& failure) {
   nlohmann::json json = {{"case", failure.case_identity}, {"message", failure.message},
@@ -60,13 +62,18 @@ const char* name_of(Verdict verdict) {
 }
 
 nlohmann::json to_json(const Record& record) {
-  nlohmann::json json = {{"name", record.name},       {"requirements", record.requirements},
-                         {"level", name_of(record.level)}, {"verdict", name_of(record.verdict)},
-                         {"message", record.message}, {"cases", record.cases},
-                         {"failed_cases", record.failed_cases.size()}, {"seconds", record.seconds},
-                         {"seed", record.seed},       {"expected_by_baseline", false},
+  nlohmann::json json = {{"name", record.name},
+                         {"requirements", record.requirements},
+                         {"level", name_of(record.level)},
+                         {"verdict", name_of(record.verdict)},
+                         {"message", record.message},
+                         {"cases", record.cases},
+                         {"failed_cases", record.failed_cases},
+                         {"seconds", record.seconds},
+                         {"seed", record.seed},
+                         {"expected_by_baseline", false},
                          {"baseline_reason", ""}};
-  if (!record.failed_cases.empty()) json["failed_case_identities"] = record.failed_cases;
+  if (!record.mismatches.empty()) json["mismatches"] = record.mismatches;
   nlohmann::json failures = nlohmann::json::array();
   for (const Failure& failure : record.failures) failures.push_back(to_json(failure));
   json["failures"] = failures;

@@ -44,8 +44,9 @@ struct Record {
   Verdict verdict = Verdict::pass;
   std::string message;
   std::size_t cases = 0;
-  std::vector<std::string> failed_cases;  // sorted identities, the signature of a failing test
-  std::vector<Failure> failures;          // the first few, in full
+  std::size_t failed_cases = 0;
+  std::vector<std::string> mismatches;  // sorted identities ("case: what"), the signature of a failing test
+  std::vector<Failure> failures;        // the first few, in full
   std::vector<std::string> captures;
   std::optional<Accuracy> accuracy;
   std::uint32_t seed = 0;

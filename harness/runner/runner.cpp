@@ -26,10 +26,10 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLook = 0.02;            // seconds between two looks at a child
-constexpr double kStartTimeout = 60;      // for the questions that each library is asked first
-constexpr double kBisectionBudget = 30;   // seconds spent on finding what a crash depends on
-constexpr int kMostEmptyStarts = 2;       // children that end without having begun a test
+constexpr double kLook = 0.02;           // seconds between two looks at a child
+constexpr double kStartTimeout = 60;     // for the questions that each library is asked first
+constexpr double kBisectionBudget = 30;  // seconds spent on finding what a crash depends on
+constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -45,7 +45,8 @@ std::string machine() {
       model = line.substr(line.find(':') + 2);
       break;
     }
-  return fmt::format("{} {}, {}, {} threads", names.sysname, names.machine, model, std::thread::hardware_concurrency());
+  return fmt::format("{} {}, {}, {} threads", names.sysname, names.machine, model,
+                     std::thread::hardware_concurrency());
 }
 
 // The growing file of events of one child: each complete line once.
@@ -104,8 +105,13 @@ class Run {
   }
 
   void remove_stale_files() const {
-    for (const auto& [kind, extension] : {std::pair{"results", "json"}, {"records", "jsonl"}, {"junit", "xml"},
-                                          {"log", "txt"}, {"scratch", "jsonl"}, {"scratch", "txt"}, {"scratch", "json"}})
+    for (const auto& [kind, extension] : {std::pair{"results", "json"},
+                                          {"records", "jsonl"},
+                                          {"junit", "xml"},
+                                          {"log", "txt"},
+                                          {"scratch", "jsonl"},
+                                          {"scratch", "txt"},
+                                          {"scratch", "json"}})
       fs::remove(file(kind, extension));
   }
 
@@ -120,8 +126,9 @@ class Run {
   }
 
   std::vector<std::string> suite_command() const {
-    std::vector<std::string> command = {request_.suite_program.string(), "--die-with-parent", "--depth", request_.depth,
-                                        "--seed", std::to_string(request_.seed)};
+    std::vector<std::string> command = {
+        request_.suite_program.string(), "--die-with-parent", "--depth", request_.depth, "--seed",
+        std::to_string(request_.seed)};
     if (!request_.implementation.name.empty())
       command.insert(command.end(), {"--implementation", request_.implementation.name});
     if (!request_.implementation.library.empty())
@@ -154,7 +161,8 @@ class Run {
       return nullptr;
     }
     if (ending->signalled || ending->value != 0 || !answer.is_object()) {
-      reason = fmt::format("it ended with {}; see {}", describe(*ending), file("log", "txt").filename().string());
+      reason =
+          fmt::format("it ended with {}; see {}", describe(*ending), file("log", "txt").filename().string());
       return nullptr;
     }
     return answer;
@@ -192,8 +200,9 @@ class Run {
       if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", list.string()));
     }
     std::vector<std::string> command = suite_command();
-    command.insert(command.end(), {"--tests", list.string(), "--records", events.string(), "--captures",
-                                   captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
+    command.insert(command.end(),
+                   {"--tests", list.string(), "--records", events.string(), "--captures",
+                    captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
     if (trace_cases) command.push_back("--trace-cases");
 
     ChildRun result;
@@ -228,7 +237,8 @@ class Run {
     if (kind == "start") {
       result.in_flight = event.value("name", "");
       result.last_case = nullptr;
-      if (report_progress) progress_({"test", records_.size() + result.records.size(), request_.tests.size(), result.in_flight});
+      if (report_progress)
+        progress_({"test", records_.size() + result.records.size(), request_.tests.size(), result.in_flight});
     } else if (kind == "case") {
       result.last_case = event;
     } else if (kind == "result") {
@@ -258,7 +268,8 @@ class Run {
       } else if (!child.complete && child.finished.empty() && ++empty_starts >= kMostEmptyStarts) {
         for (const std::string& name : remaining)
           add_record(name, child.hung ? "timeout" : "crash",
-                     fmt::format("the process ended with {} before its first test", describe(child.ending)), nullptr);
+                     fmt::format("the process ended with {} before its first test", describe(child.ending)),
+                     nullptr);
         return;
       }
     }
@@ -272,23 +283,29 @@ class Run {
 
   void add_record(const std::string& name, const std::string& verdict, const std::string& message,
                   const json& last_case) {
-    json record = {{"name", name},       {"requirements", test(name)["requirements"]},
-                   {"level", test(name)["level"]}, {"verdict", verdict},
-                   {"message", message}, {"expected_by_baseline", false},
-                   {"baseline_reason", ""}, {"failures", json::array()}};
+    json record = {{"name", name},
+                   {"requirements", test(name)["requirements"]},
+                   {"level", test(name)["level"]},
+                   {"verdict", verdict},
+                   {"message", message},
+                   {"expected_by_baseline", false},
+                   {"baseline_reason", ""},
+                   {"failures", json::array()}};
     if (last_case.is_object()) {
       record["calls"] = last_case["calls"];
-      record["failures"].push_back({{"case", last_case["case"]}, {"message", message}, {"calls", last_case["calls"]}});
+      record["failures"].push_back(
+          {{"case", last_case["case"]}, {"message", message}, {"calls", last_case["calls"]}});
     }
     // The file of records is complete without the result file: append what the child could not.
     std::ofstream(records_file_, std::ios::app)
-        << json{{"event", "result"}, {"record", record}}.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
+        << json{{"event", "result"}, {"record", record}}.dump(-1, ' ', false, json::error_handler_t::replace)
+        << '\n';
     main_reader_->next();
     records_[name] = std::move(record);
   }
 
-  // The child died in a test. Alone in a new child, with its cases traced, it shows the calls; where it passes
-  // alone, the tests before it are cut down to those that matter.
+  // The child died in a test. Alone in a new child, with its cases traced, it shows the calls; where it
+  // passes alone, the tests before it are cut down to those that matter.
   void record_death(const ChildRun& child) {
     const std::string name = child.in_flight;
     progress_({"confirming", records_.size(), request_.tests.size(), name});
@@ -315,7 +332,8 @@ class Run {
   std::string what_it_depends_on(const std::vector<std::string>& predecessors, const std::string& name) {
     const auto begin = Clock::now();
     const auto dies_after = [&](std::size_t count) {
-      std::vector<std::string> tests(predecessors.end() - static_cast<std::ptrdiff_t>(count), predecessors.end());
+      std::vector<std::string> tests(predecessors.end() - static_cast<std::ptrdiff_t>(count),
+                                     predecessors.end());
       tests.push_back(name);
       return run_scratch(tests, false).in_flight == name;
     };
@@ -327,7 +345,8 @@ class Run {
         return "passes alone, and what it depends on was not found";
       count = std::min(count, predecessors.size());
       if (dies_after(count)) break;
-      if (count == predecessors.size()) return "passes alone and after the same tests: it does not always happen";
+      if (count == predecessors.size())
+        return "passes alone and after the same tests: it does not always happen";
       fails = count;
       count *= 2;
     }
@@ -335,7 +354,8 @@ class Run {
       const std::size_t middle = fails + (count - fails) / 2;
       (dies_after(middle) ? count : fails) = middle;
     }
-    const std::vector<std::string> needed(predecessors.end() - static_cast<std::ptrdiff_t>(count), predecessors.end());
+    const std::vector<std::string> needed(predecessors.end() - static_cast<std::ptrdiff_t>(count),
+                                          predecessors.end());
     if (needed.size() <= 3) return fmt::format("passes alone, dies after {}", fmt::join(needed, ", "));
     return fmt::format("passes alone, dies after the {} tests from {} to {}", needed.size(), needed.front(),
                        needed.back());
@@ -355,9 +375,10 @@ class Run {
       result["tests"].push_back(found->second);
     }
     result["summary"] = summary;
-    for (const auto& [kind, extension] : {std::pair{"scratch", "jsonl"}, {"scratch", "txt"}, {"scratch", "json"}})
+    for (const auto& [kind, extension] :
+         {std::pair{"scratch", "jsonl"}, {"scratch", "txt"}, {"scratch", "json"}})
       fs::remove(file(kind, extension));
-    write_atomically(file("results", "json"), result.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+    write_atomically(file("results", "json"), to_text(result));
     return result;
   }
 
@@ -392,6 +413,10 @@ json list_tests(const fs::path& suite_program) {
     throw std::runtime_error(fmt::format("{} does not list its tests ({})", suite_program.string(),
                                          ending ? describe(*ending) : "no answer"));
   return tests;
+}
+
+std::string to_text(const json& result) {
+  return result.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 void write_atomically(const fs::path& path, const std::string& content) {

@@ -17,7 +17,7 @@ namespace evalcts {
 struct RunRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
-  std::string name;  // of the output: the implementation's, or the user's label
+  std::string name;      // of the output: the implementation's, or the user's label
   nlohmann::json tests;  // those to run: {"name", "requirements", "level"}
   std::string depth = "full";
   std::uint32_t seed = 1;
@@ -41,10 +41,14 @@ extern std::atomic<bool> interrupted;
 // log-NAME.txt holds what the library and the suite print. An implementation that cannot be started gives a
 // record with the status "not-started" and its reason. Throws std::runtime_error where the output folder
 // cannot be written.
-nlohmann::json run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress);
+nlohmann::json run_implementation(const RunRequest& request,
+                                  const std::function<void(const Progress&)>& progress);
 
 // All tests of the suite program: {"tests": [{"name", "requirements", "level"}]}. Throws std::runtime_error.
 nlohmann::json list_tests(const std::filesystem::path& suite_program);
+
+// A result record as the text of its file.
+std::string to_text(const nlohmann::json& result);
 
 // Writes the whole file or leaves the old one. Throws std::runtime_error.
 void write_atomically(const std::filesystem::path& path, const std::string& content);

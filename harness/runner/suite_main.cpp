@@ -45,7 +45,8 @@ class RecordFile {
   explicit RecordFile(const std::string& path) {
     if (path.empty()) return;
     descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) throw std::runtime_error(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+    if (descriptor_ < 0)
+      throw std::runtime_error(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
   }
   ~RecordFile() {
     if (descriptor_ >= 0) close(descriptor_);
@@ -58,8 +59,8 @@ class RecordFile {
     const std::string line = event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
     const ssize_t written = ::write(descriptor_, line.data(), line.size());
     if (written == static_cast<ssize_t>(line.size())) return;
-    std::cerr << "evalcts: cannot write the result of a test: " << (written < 0 ? std::strerror(errno) : "disk full")
-              << "\n";
+    std::cerr << "evalcts: cannot write the result of a test: "
+              << (written < 0 ? std::strerror(errno) : "disk full") << "\n";
     _exit(kOwnFault);
   }
 
@@ -109,7 +110,7 @@ class GoogleTestAdapter : public testing::Test {
       default:
         break;
     }
-    std::string text = fmt::format("{}: {} of {} cases; {}", name_of(record.verdict), record.failed_cases.size(),
+    std::string text = fmt::format("{}: {} of {} cases; {}", name_of(record.verdict), record.failed_cases,
                                    record.cases, record.message);
     if (!record.failures.empty()) {
       const Failure& failure = record.failures.front();
@@ -127,7 +128,8 @@ class GoogleTestAdapter : public testing::Test {
 json list_tests() {
   json tests = json::array();
   for (const TestInfo& info : all_tests())
-    tests.push_back({{"name", info.full_name()}, {"requirements", info.requirements}, {"level", name_of(info.level)}});
+    tests.push_back(
+        {{"name", info.full_name()}, {"requirements", info.requirements}, {"level", name_of(info.level)}});
   return {{"tests", tests}};
 }
 
@@ -135,9 +137,8 @@ json description_of(const Subject& subject) {
   const ImplementationInfo& info = subject.info;
   json captures = json::array();
   for (const auto& capture : all_captures()) captures.push_back(capture->name());
-  return {{"name", info.name},         {"library", info.library},
-          {"vendor", info.vendor},     {"renderer", info.renderer},
-          {"version", info.version},   {"max_eval_order", info.max_eval_order},
+  return {{"name", info.name},         {"library", info.library}, {"vendor", info.vendor},
+          {"renderer", info.renderer}, {"version", info.version}, {"max_eval_order", info.max_eval_order},
           {"all_captures", captures}};
 }
 
@@ -156,7 +157,8 @@ void answer(const Options& options, const json& value) {
 void prove_captures(Program& program) {
   for (auto& capture : all_captures()) {
     const auto& wanted = program.options.captures;
-    if (program.options.captures_given && std::find(wanted.begin(), wanted.end(), capture->name()) == wanted.end())
+    if (program.options.captures_given &&
+        std::find(wanted.begin(), wanted.end(), capture->name()) == wanted.end())
       continue;
     try {
       capture->prove(*program.implementation, program.subject.info);
@@ -201,20 +203,26 @@ std::vector<TestInfo> tests_to_register(const std::string& path) {
 }
 
 void parse(int argc, char** argv, Options& options) {
-  CLI::App app{"Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
-  app.add_option("--implementation", options.implementation.name, "what to judge, see 'evalcts list implementations'");
+  CLI::App app{
+      "Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
+  app.add_option("--implementation", options.implementation.name,
+                 "what to judge, see 'evalcts list implementations'");
   app.add_option("--library", options.implementation.library, "shared library instead of the usual one");
-  app.add_option("--depth", options.depth, "how many values")->check(CLI::IsMember({"quick", "full", "thorough"}));
+  app.add_option("--depth", options.depth, "how many values")
+      ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", options.seed, "seed of the random tests");
   auto* captures = app.add_option("--captures", options.captures, "use only these")->delimiter(',');
   app.add_option("--records", options.records, "append a line of JSON for each event");
-  app.add_option("--tests", options.tests, "file with the names of the tests to run, one a line, in this order");
-  app.add_option("--answer", options.answer, "file for the answer of the next three, instead of standard output");
+  app.add_option("--tests", options.tests,
+                 "file with the names of the tests to run, one a line, in this order");
+  app.add_option("--answer", options.answer,
+                 "file for the answer of the next three, instead of standard output");
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
-  app.add_flag("--die-with-parent", options.die_with_parent, "end when the process that started this one ends");
+  app.add_flag("--die-with-parent", options.die_with_parent,
+               "end when the process that started this one ends");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -253,9 +261,10 @@ int run(int argc, char** argv) {
     program.subject.seed = options.seed;
     if (options.trace_cases)
       program.subject.before_case = [](const gl::Case& script) {
-        program.records->write({{"event", "case"},
-                                {"case", script.identity()},
-                                {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
+        program.records->write(
+            {{"event", "case"},
+             {"case", script.identity()},
+             {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
       };
     if (options.describe || !options.prove.empty()) {
       answer(options, options.describe ? description_of(program.subject) : prove_one(program));
@@ -264,8 +273,9 @@ int run(int argc, char** argv) {
     prove_captures(program);
   }
   for (const TestInfo& info : tests)
-    testing::RegisterTest(info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                          [info]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new TestInfo(info), program); });
+    testing::RegisterTest(
+        info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [info]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new TestInfo(info), program); });
   const int status = RUN_ALL_TESTS();
   program.records->write({{"event", "end"}});
   return status;

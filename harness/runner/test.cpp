@@ -23,7 +23,8 @@ std::uint32_t hash(std::string_view text) {
 
 std::string list(const std::vector<double>& values) {
   std::string text;
-  for (std::size_t i = 0; i < values.size() && i < 16; ++i) text += fmt::format("{}{:.17g}", i ? ", " : "", values[i]);
+  for (std::size_t i = 0; i < values.size() && i < 16; ++i)
+    text += fmt::format("{}{:.17g}", i ? ", " : "", values[i]);
   if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
   return "{" + text + "}";
 }
@@ -31,6 +32,10 @@ std::string list(const std::vector<double>& values) {
 std::string numbers(const gl::Trace& trace, gl::Ref command) {
   return trace.has_output(command) ? fmt::format("{} values", trace.capacity(command))
                                    : std::to_string(trace.result(command));
+}
+
+auto all_calls(const gl::Case& script) {
+  return [&script] { return gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1); };
 }
 
 std::vector<TestInfo>& registry() {
@@ -73,11 +78,11 @@ void Played::fail(gl::Ref command, const std::string& message, const std::string
   Failure failure;
   failure.case_identity = script_.identity();
   failure.message = message;
-  failure.what = std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
+  failure.what =
+      std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
   failure.expected = expected;
   failure.captured = captured;
-  failure.calls = gl::to_c(script_, 0, command.index);
-  test_.fail(std::move(failure));
+  test_.fail(std::move(failure), [&] { return gl::to_c(script_, 0, command.index); });
 }
 
 void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
@@ -87,11 +92,13 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);
   // The command that the question was about is the one before GetError.
-  const gl::Command& subject = script_.commands().at(static_cast<std::size_t>(std::max(get_error.index - 1, 0)));
+  const gl::Command& subject =
+      script_.commands().at(static_cast<std::size_t>(std::max(get_error.index - 1, 0)));
   const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   fail(get_error,
-       fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured, expected),
+       fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
+                   expected),
        expected, captured);
 }
 
@@ -99,8 +106,8 @@ void Played::expect_result(gl::Ref command, std::int64_t expected) {
   const std::int64_t got = trace_.result(command);
   if (got == expected) return;
   fail(command,
-       fmt::format("{} returns {}, expected {}", gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4),
-                   got, expected),
+       fmt::format("{} returns {}, expected {}",
+                   gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4), got, expected),
        std::to_string(expected), std::to_string(got));
 }
 
@@ -118,8 +125,8 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
   for (std::size_t i = 0; same && i < expected.size(); ++i)
     same = all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i]);
   if (written > expected.size()) {
-    fail(query, fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
-         list(written_values(query)));
+    fail(query, fmt::format("{} writes {} values, expected {}", call, written, expected.size()),
+         list(expected), list(written_values(query)));
   } else if (!same) {
     fail(query, fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));
@@ -128,8 +135,9 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
 
 void Played::expect_nothing_written(gl::Ref query) {
   if (trace_.written(query) == 0) return;
-  fail(query, fmt::format("{} writes to its array in spite of the error",
-                          gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4)),
+  fail(query,
+       fmt::format("{} writes to its array in spite of the error",
+                   gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4)),
        "nothing written", list(written_values(query)));
 }
 
@@ -138,8 +146,9 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
   const bool array = trace_.has_output(before);
   const std::string was = array ? list(written_values(before)) : numbers(trace_, before);
   const std::string is = array ? list(written_values(after)) : numbers(trace_, after);
-  fail(after, fmt::format("{} answered {} before and answers {} now",
-                          gl::to_c(script_.commands()[static_cast<std::size_t>(after.index)], 4), was, is),
+  fail(after,
+       fmt::format("{} answered {} before and answers {} now",
+                   gl::to_c(script_.commands()[static_cast<std::size_t>(after.index)], 4), was, is),
        was, is);
 }
 
@@ -167,7 +176,8 @@ int Test::by_depth(int quick, int full, int thorough) const {
 void Test::require(int major, int minor, const std::string& or_extension) const {
   if (subject_.info.at_least(major, minor)) return;
   if (!or_extension.empty() && subject_.info.extensions.count(or_extension)) return;
-  throw NotSupported(fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
+  throw NotSupported(
+      fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
 }
 
 void Test::begin_case(const gl::Case& script) {
@@ -191,8 +201,7 @@ Played Test::play(const gl::Case& script) {
     failure.what = "glGetError";
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
-    failure.calls = gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1);
-    fail(std::move(failure));
+    fail(std::move(failure), all_calls(script));
   }
   return played;
 }
@@ -228,14 +237,16 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
     // The first shows all it can; the others cross-check what the test is about.
     const Attributes wanted = observations.empty() ? capture->attributes() : required;
     observations.emplace_back(capture, capture->observe(*subject_.implementation, script, wanted, count + 8));
-    if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) == record_.captures.end())
+    if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) ==
+        record_.captures.end())
       record_.captures.push_back(capture->name());
   }
   for (std::size_t i = 1; i < observations.size(); ++i) {
     const std::string differs = disagreement(observations[0].second, observations[i].second);
     if (!differs.empty())
-      throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}", observations[0].first->name(),
-                                      observations[i].first->name(), script.identity(), differs));
+      throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}",
+                                      observations[0].first->name(), observations[i].first->name(),
+                                      script.identity(), differs));
   }
 
   const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch) {
@@ -251,8 +262,7 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
       failure.condition_aware = mismatch.condition_aware;
     }
     failure.capture = capture.name();
-    failure.calls = gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1);
-    fail(std::move(failure));
+    fail(std::move(failure), all_calls(script));
   };
   const auto& [capture, observation] = observations.front();  // the others agree with it
   if (observation.error != prediction.error) {
@@ -260,7 +270,8 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
     mismatch.what = "glGetError";
     mismatch.expected = gl::error_name(prediction.error);
     mismatch.captured = gl::error_name(observation.error);
-    mismatch.message = fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
+    mismatch.message =
+        fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
     record_failure(*capture, mismatch);
   }
   const JudgeOptions options{.level = record_.level,
@@ -275,10 +286,13 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
   }
 }
 
-void Test::fail(Failure failure) {
-  const std::string identity = failure.case_identity + " " + failure.what;
-  record_.failed_cases.push_back(identity);
-  if (record_.failures.size() < kFailuresInFull) record_.failures.push_back(std::move(failure));
+void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls) {
+  record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
+  if (last_failed_case_ != record_.cases) ++record_.failed_cases;
+  last_failed_case_ = record_.cases;
+  if (record_.failures.size() >= kFailuresInFull) return;
+  if (calls) failure.calls = calls();
+  record_.failures.push_back(std::move(failure));
 }
 
 void Test::run(const std::function<void(Test&)>& body) {
@@ -301,7 +315,7 @@ void Test::run(const std::function<void(Test&)>& body) {
     otherwise = Verdict::internal_error;
     why = exception.what();
   }
-  if (otherwise == Verdict::internal_error || record_.failed_cases.empty()) {
+  if (otherwise == Verdict::internal_error || record_.mismatches.empty()) {
     record_.verdict = otherwise;
     record_.message = why;
   } else {
@@ -312,7 +326,7 @@ void Test::run(const std::function<void(Test&)>& body) {
     record_.verdict = Verdict::internal_error;
     record_.message = "the test played no case";
   }
-  std::sort(record_.failed_cases.begin(), record_.failed_cases.end());
+  std::sort(record_.mismatches.begin(), record_.mismatches.end());
 }
 
 // --- Registration ----------------------------------------------------------------------------------------

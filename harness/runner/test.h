@@ -72,7 +72,8 @@ class Played {
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   std::vector<double> written_values(gl::Ref query) const;
-  void fail(gl::Ref command, const std::string& message, const std::string& expected, const std::string& captured);
+  void fail(gl::Ref command, const std::string& message, const std::string& expected,
+            const std::string& captured);
 
   Test& test_;
   gl::Case script_;
@@ -107,7 +108,8 @@ class Test {
   // Observes through the first capture that sees `required`; the test judges by itself.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices);
 
-  void fail(Failure failure);
+  // `calls` is asked for those failures only that are kept in full.
+  void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {});
 
   // For the runner.
   void run(const std::function<void(Test&)>& body);
@@ -119,6 +121,7 @@ class Test {
 
   const Subject& subject_;
   Record& record_;
+  std::size_t last_failed_case_ = 0;
   std::mt19937 random_;
 };
 
@@ -152,25 +155,23 @@ struct Registration {
  private:
   static std::string parameter_name(GLenum target);
   template <class Parameter>
-    requires requires(const Parameter& p) { p.name; }
-  static std::string parameter_name(const Parameter& parameter) {
-    return std::string(parameter.name);
-  }
+  requires requires(const Parameter& p) { p.name; }
+  static std::string parameter_name(const Parameter& parameter) { return std::string(parameter.name); }
 };
 
 // A test: EVALCTS_TEST(Map1State, Copy, must, "EV-MAP1-COPY") { t.play(...); }
-#define EVALCTS_TEST(suite, name, level, ...)                                                              \
-  static void suite##_##name(::evalcts::Test& t);                                                          \
-  static const ::evalcts::Registration suite##_##name##_registration{                                      \
-      ::evalcts::TestInfo{#suite, #name, {__VA_ARGS__}, ::evalcts::Level::level, suite##_##name}};         \
+#define EVALCTS_TEST(suite, name, level, ...)                                                      \
+  static void suite##_##name(::evalcts::Test& t);                                                  \
+  static const ::evalcts::Registration suite##_##name##_registration{                              \
+      ::evalcts::TestInfo{#suite, #name, {__VA_ARGS__}, ::evalcts::Level::level, suite##_##name}}; \
   static void suite##_##name(::evalcts::Test& t)
 
 // The same rule for each of several parameters (targets, forms): one test each, "Suite.Name/PARAMETER".
 // EVALCTS_TESTS(Map1Errors, StrideBelowK, gl::kMap1Targets, GLenum target, must, "EV-MAP1-ERR-STRIDE") {...}
-#define EVALCTS_TESTS(suite, name, parameters, parameter, level, ...)                                      \
-  static void suite##_##name(::evalcts::Test& t, parameter);                                               \
-  static const ::evalcts::Registration suite##_##name##_registration{                                      \
-      #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name};                  \
+#define EVALCTS_TESTS(suite, name, parameters, parameter, level, ...)                     \
+  static void suite##_##name(::evalcts::Test& t, parameter);                              \
+  static const ::evalcts::Registration suite##_##name##_registration{                     \
+      #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
   static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
 
 }  // namespace evalcts

@@ -17,7 +17,8 @@ struct Scene {
   Observation exact;  // correctly rounded
 
   explicit Scene(GLenum extra = 0) {
-    script.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 4, std::vector<float>{1, -2, 3, 0.5, 7, -1, 2, 2, 2, -3, 1, 0.25});
+    script.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 4,
+                 std::vector<float>{1, -2, 3, 0.5, 7, -1, 2, 2, 2, -3, 1, 0.25});
     script.Enable(GL_MAP1_VERTEX_3);
     if (extra == GL_MAP1_COLOR_4) {
       script.Map1f(extra, 0, 1, 4, 2, std::vector<float>{-1, 0.25, 0.5, 1, 3, 0.25, 0.75, 1});
@@ -152,7 +153,8 @@ TEST(Captures, DisagreementIsSeenButNotForSubnormalsAndZeros) {
   EXPECT_EQ(disagreement(scene.exact, other), "");
   other.primitives[0].vertices[1].texture_coordinate[0][2] = 1e-39f;
   EXPECT_EQ(disagreement(scene.exact, other), "");
-  other.primitives[0].vertices[1].position[0] = std::nextafterf(other.primitives[0].vertices[1].position[0], 9.0f);
+  other.primitives[0].vertices[1].position[0] =
+      std::nextafterf(other.primitives[0].vertices[1].position[0], 9.0f);
   EXPECT_NE(disagreement(scene.exact, other), "");
   other = scene.exact;
   other.primitives[0].vertices.pop_back();

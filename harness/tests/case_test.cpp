@@ -84,6 +84,26 @@ TEST(Case, OverwrittenArraysHoldOtherValuesAfterTheCall) {
   EXPECT_EQ(read_points, kPoints);
 }
 
+TEST(Case, ArraysOfOneSlotAreTheSameMemoryWithNewContents) {
+  Case c;
+  for (const float value : {1.0f, 2.0f}) {
+    Input input = array({value, value, value, value});
+    input.slot = 0;
+    c.Map1f(GL_MAP1_INDEX, 0, 1, 2, 2, input);
+  }
+  static std::vector<std::pair<const GLfloat*, GLfloat>> seen;
+  seen.clear();
+  Table noting = table();
+  noting.Map1f = [](GLenum, GLfloat, GLfloat, GLint, GLint, const GLfloat* points) {
+    seen.emplace_back(points, points[0]);
+  };
+  play(c, noting);
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_EQ(seen[0].first, seen[1].first);
+  EXPECT_EQ(seen[0].second, 1.0f);
+  EXPECT_EQ(seen[1].second, 2.0f);
+}
+
 TEST(Case, QueriesFillArraysAndShowHowMuchTheyWrote) {
   Case c;
   const Ref roomy = c.GetMapfv(GL_MAP1_INDEX, GL_DOMAIN, out<GLfloat>(4));

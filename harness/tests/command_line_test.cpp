@@ -49,9 +49,9 @@ class CommandLine : public testing::Test {
   // `evalcts run` on the drill library.
   Outcome drill(const std::string& what, std::vector<std::string> more = {}) {
     setenv("EVALCTS_DRILL", what.c_str(), 1);
-    std::vector<std::string> arguments = {"run",    "--implementation", "osmesa", "--library", DRILL_LIBRARY,
-                                          "--name", "drill",            "--output", folder_.string(),
-                                          "--depth", "quick"};
+    std::vector<std::string> arguments = {
+        "run",   "--implementation", "osmesa",         "--library", DRILL_LIBRARY, "--name",
+        "drill", "--output",         folder_.string(), "--depth",   "quick"};
     if (more.empty()) more = {"--filter", "Map1State.Stride/*:Map1State.SmallestStride/*:InitialState.O*"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return evalcts(arguments);
@@ -74,9 +74,16 @@ constexpr const char* kVictim = "Map1State.Stride/MAP1_INDEX_f";  // defines IND
 
 TEST_F(CommandLine, WrongUseIsTwo) {
   for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{}, {"nonsense"}, {"run", "--nonsense"}, {"run", "--implementation", "nonsense"},
-        {"run", "--filter", "No.SuchTest"}, {"run", "--depth", "abysmal"}, {"list", "nonsense"}, {"explain", "nonsense"},
-        {"run", "--output", "/proc/evalcts"}, {"run", "--library", "x", "--implementation", "production"},
+       {std::vector<std::string>{},
+        {"nonsense"},
+        {"run", "--nonsense"},
+        {"run", "--implementation", "nonsense"},
+        {"run", "--filter", "No.SuchTest"},
+        {"run", "--depth", "abysmal"},
+        {"list", "nonsense"},
+        {"explain", "nonsense"},
+        {"run", "--output", "/proc/evalcts"},
+        {"run", "--library", "x", "--implementation", "production"},
         {"run", "--name", "../x", "--implementation", "production"},
         {"run", "--name", "x", "--implementation", "production", "--implementation", "reference"}}) {
     std::string typed;
@@ -93,20 +100,22 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_GE(tests["tests"].size(), 100u);
   const json requirements = json::parse(evalcts({"list", "requirements", "--json"}).text, nullptr, false);
   EXPECT_EQ(requirements["requirements"].size(), 395u);
-  const json implementations = json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
+  const json implementations =
+      json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
   EXPECT_EQ(implementations["implementations"].size(), 3u);
   const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
   EXPECT_EQ(coverage["requirements"].size(), 395u);
   EXPECT_TRUE(coverage["problems"].empty());
-  EXPECT_NE(evalcts({"explain", "EV-MAP1-COPY"}).text.find("Map1State.CopyOnCall/UNMAPPED"), std::string::npos);
-  EXPECT_NE(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text.find("EV-MAP1-COPY"), std::string::npos);
+  EXPECT_NE(evalcts({"explain", "EV-MAP1-COPY"}).text.find("Map1State.CopyOnCall/UNMAPPED"),
+            std::string::npos);
+  EXPECT_NE(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text.find("EV-MAP1-COPY"),
+            std::string::npos);
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
 }
 
 TEST_F(CommandLine, RunWritesEverything) {
-  const Outcome outcome =
-      evalcts({"run", "--implementation", "reference", "--implementation", "production", "--filter",
-               "InitialState.*:-*Domain", "--output", folder_.string()});
+  const Outcome outcome = evalcts({"run", "--implementation", "reference", "--implementation", "production",
+                                   "--filter", "InitialState.*:-*Domain", "--output", folder_.string()});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   for (const std::string name : {"reference", "production"}) {
     const json result = results(name);
@@ -128,6 +137,30 @@ TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
   EXPECT_EQ(test_named(results("drill"), kVictim)["verdict"], "pass");
 }
 
+// A library that breaks one rule: the verdict, the record and the summary say which, and with which calls.
+TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
+  const Outcome outcome = drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"});
+  EXPECT_EQ(outcome.code, 1);
+  const json result = results("drill");
+  EXPECT_EQ(test_named(result, "Map1Errors.StrideBelowK/MAP1_VERTEX_4_f")["verdict"], "pass");
+  const json test = test_named(result, "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_EQ(test["verdict"], "fail");
+  EXPECT_EQ(test["level"], "must");
+  EXPECT_EQ(test["requirements"][0], "EV-MAP1-ERR-STRIDE");
+  EXPECT_EQ(test["cases"], 5);
+  EXPECT_EQ(test["expected"], "GL_INVALID_VALUE");
+  EXPECT_EQ(test["captured"], "GL_NO_ERROR");
+  EXPECT_NE(test["message"].get<std::string>().find("missing error: after glMap1f(GL_MAP1_VERTEX_3"),
+            std::string::npos)
+      << test["message"];
+  const std::vector<std::string> calls = test["calls"];
+  EXPECT_EQ(calls.back(), "glGetError();");
+  EXPECT_NE(calls[calls.size() - 2].find("glMap1f(GL_MAP1_VERTEX_3, 0.0f, 1.0f, 2, 3"), std::string::npos);
+  // The map itself changed, too: that is a failure of its own.
+  EXPECT_NE(test["mismatches"].dump().find("glGetMapdv"), std::string::npos);
+  EXPECT_NE(outcome.text.find("EV-MAP1-ERR-STRIDE"), std::string::npos) << outcome.text;
+}
+
 class Deaths : public CommandLine, public testing::WithParamInterface<std::array<const char*, 3>> {};
 
 TEST_P(Deaths, CostOneTestAndNameItsCalls) {
@@ -140,7 +173,8 @@ TEST_P(Deaths, CostOneTestAndNameItsCalls) {
   ASSERT_FALSE(victim.is_null());
   EXPECT_EQ(victim["verdict"], verdict);
   EXPECT_NE(victim["message"].get<std::string>().find(message), std::string::npos) << victim["message"];
-  EXPECT_NE(victim["message"].get<std::string>().find("confirmed alone"), std::string::npos) << victim["message"];
+  EXPECT_NE(victim["message"].get<std::string>().find("confirmed alone"), std::string::npos)
+      << victim["message"];
   ASSERT_FALSE(victim["calls"].empty());
   EXPECT_NE(victim["calls"].dump().find("glMap1f(GL_MAP1_INDEX"), std::string::npos);
   for (const json& test : result["tests"]) {
@@ -151,16 +185,19 @@ TEST_P(Deaths, CostOneTestAndNameItsCalls) {
   EXPECT_GT(result["tests"].size(), 15u);
 }
 INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
-                         testing::Values(std::array{"crash", "crash", "SIGSEGV"}, std::array{"abort", "crash", "SIGABRT"},
-                                         std::array{"exit", "crash", "exit code 7"}, std::array{"kill", "crash", "SIGKILL"},
+                         testing::Values(std::array{"crash", "crash", "SIGSEGV"},
+                                         std::array{"abort", "crash", "SIGABRT"},
+                                         std::array{"exit", "crash", "exit code 7"},
+                                         std::array{"kill", "crash", "SIGKILL"},
                                          std::array{"hang", "timeout", "no answer within 2 seconds"}),
                          [](const auto& way) { return way.param[0]; });
 
 TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   // Orders above 5 come up in the tests of the other targets' largest orders, before INDEX gets to order 5.
-  const Outcome outcome = drill("second", {"--filter", "Map1State.EveryOrderAccepted/MAP1_COLOR_4_*:"
-                                                       "Map1State.EveryOrderAccepted/MAP1_NORMAL_d:"
-                                                       "Map1State.Stride/MAP1_INDEX_f"});
+  const Outcome outcome = drill("second", {"--filter",
+                                           "Map1State.EveryOrderAccepted/MAP1_COLOR_4_*:"
+                                           "Map1State.EveryOrderAccepted/MAP1_NORMAL_d:"
+                                           "Map1State.Stride/MAP1_INDEX_f"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   const std::string message = test_named(results("drill"), kVictim)["message"];
   EXPECT_NE(message.find("passes alone, dies after"), std::string::npos) << message;
@@ -182,8 +219,8 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
       {"libm.so.6", "it is not OSMesa"},
       {DRILL_WITHOUT_EVALUATORS_LIBRARY, "has no evaluators"}};
   for (const auto& [library, reason] : cases) {
-    const Outcome outcome = evalcts({"run", "--implementation", "osmesa", "--library", library, "--name", "drill",
-                                     "--output", folder_.string(), "--filter", "InitialState.*"});
+    const Outcome outcome = evalcts({"run", "--implementation", "osmesa", "--library", library, "--name",
+                                     "drill", "--output", folder_.string(), "--filter", "InitialState.*"});
     EXPECT_EQ(outcome.code, 2) << outcome.text;
     const json result = results("drill");
     EXPECT_EQ(result["status"], "not-started");
@@ -191,13 +228,16 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
     EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
   }
   // The kind is guessed from the library's symbols.
-  EXPECT_EQ(evalcts({"run", "--library", DRILL_LIBRARY, "--output", folder_.string(), "--filter", "InitialState.O*"}).code, 0);
+  EXPECT_EQ(evalcts({"run", "--library", DRILL_LIBRARY, "--output", folder_.string(), "--filter",
+                     "InitialState.O*"})
+                .code,
+            0);
   EXPECT_EQ(evalcts({"run", "--library", "libm.so.6", "--output", folder_.string()}).code, 2);
 }
 
 TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
-  const Outcome outcome = evalcts({"run", "--implementation", "reference", "--filter", "InitialState.Grid1", "--output",
-                                   folder_.string()});
+  const Outcome outcome = evalcts({"run", "--implementation", "reference", "--filter", "InitialState.Grid1",
+                                   "--output", folder_.string()});
   EXPECT_EQ(outcome.code, 0);
   // Stale files of an earlier run of the same name go first.
   drill("start");
@@ -208,21 +248,25 @@ TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
 // kill -9 of the child from outside: the test in flight gets its verdict, the rest is run.
 TEST_F(CommandLine, KilledChildIsReplaced) {
   setenv("EVALCTS_DRILL", "hang", 1);
-  const std::vector<std::string> arguments = {EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library",
-                                              DRILL_LIBRARY, "--name", "drill", "--output", folder_.string(),
-                                              "--filter", "Map1State.Stride/*:InitialState.O*"};
+  const std::vector<std::string> arguments = {
+      EVALCTS_PROGRAM,  "run",       "--implementation",
+      "osmesa",         "--library", DRILL_LIBRARY,
+      "--name",         "drill",     "--output",
+      folder_.string(), "--filter",  "Map1State.Stride/*:InitialState.O*"};
   ChildProcess run(arguments, (folder_ / "command.log").string());
   // Twice: the first child hangs in the test, the second confirms.
   pid_t killed = 0;
   for (int round = 0; round < 2; ++round) {
     for (int i = 0; i < 1000; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      std::ifstream children("/proc/" + std::to_string(run.id()) + "/task/" + std::to_string(run.id()) + "/children");
+      std::ifstream children("/proc/" + std::to_string(run.id()) + "/task/" + std::to_string(run.id()) +
+                             "/children");
       pid_t child = 0;
       std::ifstream records(folder_ / (round ? "scratch-drill.jsonl" : "records-drill.jsonl"));
       std::string last;
       for (std::string line; std::getline(records, line);) last = line;
-      if (children >> child && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
+      if (children >> child && child != killed &&
+          last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
           last.find("MAP1_INDEX") != std::string::npos) {
         std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it has reached the call that hangs
         kill(child, SIGKILL);
@@ -243,9 +287,10 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
 
 TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
   setenv("EVALCTS_DRILL", "hang", 1);
-  ChildProcess run({EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--name", "drill",
-                    "--output", folder_.string(), "--filter", "Map1State.Stride/*:InitialState.O*"},
-                   (folder_ / "command.log").string());
+  ChildProcess run(
+      {EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--name", "drill",
+       "--output", folder_.string(), "--filter", "Map1State.Stride/*:InitialState.O*"},
+      (folder_ / "command.log").string());
   for (int i = 0; i < 1000; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     std::ifstream records(folder_ / "records-drill.jsonl");

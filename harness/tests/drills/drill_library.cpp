@@ -2,8 +2,8 @@
 // command. It has no rasterizer, so no capture works on it; state and error tests run.
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
-//   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this process;
-//   "start": crash when a context is made.
+//   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
+//   process; "start": crash when a context is made; "lenient": strides below k are taken for k.
 #include <glevaluator.h>
 #include <unistd.h>
 
@@ -65,13 +65,21 @@ EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture
 EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
   if (order == 7) seven_was_seen = true;
   if (target == GL_MAP1_INDEX && order == 5) misbehave();
+  if (drill("lenient") && target == GL_MAP1_VERTEX_3 && stride < 3) stride = 3;
   glevMap1f(current, target, u1, u2, stride, order, points);
 }
-EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points) {
+EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                    const GLdouble* points) {
   glevMap1d(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glEvalCoord1f(GLfloat u) { glevEvalCoord1f(current, u); }
-EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) { glevGetMapfv(current, target, query, values); }
-EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) { glevGetMapdv(current, target, query, values); }
-EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) { glevGetMapiv(current, target, query, values); }
+EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) {
+  glevGetMapfv(current, target, query, values);
+}
+EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
+  glevGetMapdv(current, target, query, values);
+}
+EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
+  glevGetMapiv(current, target, query, values);
+}
 #endif

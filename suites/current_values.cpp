@@ -1,0 +1,222 @@
+// Section 11 of the requirements for one dimension: evaluation leaves current values, maps, grids and enables
+// alone.
+#include <fmt/format.h>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+Map1 random_map(Test& t, GLenum target, int order) {
+  return make_map1(target,
+                   random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
+}
+
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
+struct Query {
+  GLenum name;
+  std::size_t count;
+};
+
+// How the current value was set before: with every number of components that the commands have.
+using Setter = void (*)(gl::Case&, int variant);
+
+void set_color(gl::Case& c, int variant) {
+  if (variant % 2) {
+    c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  } else {
+    c.Color3f(0.9f, 0.8f, 0.7f);
+  }
+}
+void set_normal(gl::Case& c, int variant) { c.Normal3f(0.25f, static_cast<float>(variant), -0.5f); }
+void set_texture(gl::Case& c, int variant) {
+  switch (variant % 4) {
+    case 0:
+      c.TexCoord4f(5, 6, 7, 8);
+      return;
+    case 1:
+      c.TexCoord3f(5, 6, 7);
+      return;
+    case 2:
+      c.TexCoord2f(5, 6);
+      return;
+    default:
+      c.TexCoord1f(5);
+  }
+}
+
+// One vertex, evaluated or explicit.
+void emit(gl::Case& c, bool evaluated, float u) {
+  if (evaluated) {
+    c.EvalCoord1f(u);
+  } else {
+    c.Vertex3f(u, 0, 0);
+  }
+}
+
+// Sets the value, evaluates with the map on (short, and long enough to make an implementation flush in the
+// middle), and compares the query before and after. The control is the same with explicit vertices: where
+// that loses the value as well, evaluation is not to blame.
+void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter set, bool flush) {
+  int observed = 0;
+  for (int variant = 0; variant < 4; ++variant)
+    for (const int vertices : {1, 3, t.by_depth(300, 3000, 30000)}) {
+      for (const bool evaluated : {false, true}) {
+        gl::Case c(fmt::format("{}: setting {} then {} vertices{}", label(target), variant, vertices,
+                               evaluated ? "" : ", control"));
+        define(c, random_map(t, target, 4));
+        define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+        c.Enable(GL_MAP1_VERTEX_3);
+        c.Enable(target);
+        set(c, variant);
+        const gl::Ref before = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        c.Begin(GL_POINTS);
+        for (int i = 0; i < vertices; ++i)
+          emit(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
+        c.End();
+        if (flush) c.Flush();
+        const gl::Ref after = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        // Set inside the primitive, evaluated once more: the value of the command stays, not the map's.
+        c.Begin(GL_POINTS);
+        set(c, variant + 1);
+        emit(c, evaluated, 0.5f);
+        c.End();
+        const gl::Ref inside = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        set(c, variant + 1);
+        const gl::Ref again = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        Played played = t.play(c);
+        if (evaluated) {
+          played.expect_same(before, after);
+          played.expect_same(again, inside);
+          ++observed;
+        } else if (!played.trace().same(before, played.trace(), after) ||
+                   !played.trace().same(again, played.trace(), inside)) {
+          break;
+        }
+      }
+    }
+  if (observed == 0) throw NotObservable("explicit vertices lose the current value as well");
+}
+
+}  // namespace
+
+namespace {
+
+// Queried at once, and after a flush: a flush hides some defects and shows others.
+struct Moment {
+  const char* name;
+  bool flush;
+};
+constexpr Moment kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
+
+}  // namespace
+
+EVALCTS_TESTS(CurrentValues, Color, kMoments, const Moment& moment, must, "EV-CUR-COLOR/1-D") {
+  expect_current_untouched(t, GL_MAP1_COLOR_4, {GL_CURRENT_COLOR, 4}, set_color, moment.flush);
+}
+
+EVALCTS_TESTS(CurrentValues, Normal, kMoments, const Moment& moment, must, "EV-CUR-NORMAL/1-D") {
+  expect_current_untouched(t, GL_MAP1_NORMAL, {GL_CURRENT_NORMAL, 3}, set_normal, moment.flush);
+}
+
+EVALCTS_TESTS(CurrentValues, Index, kMoments, const Moment& moment, must, "EV-CUR-INDEX/1-D") {
+  const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
+  expect_current_untouched(t, GL_MAP1_INDEX, {GL_CURRENT_INDEX, 1}, set_index, moment.flush);
+}
+
+EVALCTS_TESTS(CurrentValues, TextureCoordinates, kMoments, const Moment& moment, must, "EV-CUR-TEX/1-D") {
+  for (const GLenum target :
+       {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4})
+    expect_current_untouched(t, target, {GL_CURRENT_TEXTURE_COORDS, 4}, set_texture, moment.flush);
+}
+
+EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {
+  for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
+    gl::Case c(flag ? "TRUE" : "FALSE");
+    for (const GLenum target : gl::kMap1Targets) {
+      define(c, random_map(t, target, 2));
+      c.Enable(target);
+    }
+    c.EdgeFlag(flag);
+    c.Begin(GL_TRIANGLES);
+    for (int i = 0; i < 6; ++i) c.EvalCoord1f(static_cast<float>(i) / 5);
+    c.End();
+    const gl::Ref after = c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1));
+    Played played = t.play(c);
+    played.expect_values(after, std::vector<GLboolean>{flag});
+  }
+}
+
+// With all maps on, everything that can be queried of the evaluators stays as it was.
+EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
+  gl::Case c("all nine maps enabled");
+  for (const GLenum target : gl::kMap1Targets) {
+    define(c, random_map(t, target, 5));
+    c.Enable(target);
+  }
+  const auto query = [&] {
+    std::vector<gl::Ref> refs = query_everything(c, t.max_order());
+    refs.push_back(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)));
+    refs.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
+    refs.push_back(c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4)));
+    refs.push_back(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)));
+    refs.push_back(c.IsEnabled(GL_AUTO_NORMAL));
+    return refs;
+  };
+  const std::vector<gl::Ref> before = query();
+  c.Begin(GL_LINE_STRIP);
+  for (int i = 0; i < 40; ++i) c.EvalCoord1f(static_cast<float>(i) / 20 - 0.5f);
+  c.EvalCoord1d(0.5);
+  c.End();
+  const std::vector<gl::Ref> after = query();
+  Played played = t.play(c);
+  expect_unchanged(played, before, after);
+}
+
+// Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
+EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D") {
+  gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  c.Enable(GL_MAP1_VERTEX_3);
+  const GLenum sequence[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_2,
+                             GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_1};
+  for (const GLenum target : sequence) define(c, random_map(t, target, 3));
+  for (int round = 0; round < 2; ++round)
+    for (const GLenum target : sequence) {
+      c.Enable(target);
+      c.Begin(GL_POINTS);
+      c.EvalCoord1f(0.375f);
+      c.Vertex3f(1, 2, 3);
+      c.EvalCoord1f(0.625f);
+      c.End();
+      c.Disable(target);
+      if (round) c.TexCoord4f(5, 6, 7, 8);
+    }
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+}
+
+EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  gl::Case c("every unit, TEXTURE_COORD_2 enabled");
+  define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
+  enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
+  const int units = std::min(t.gl().texture_units, 8);
+  for (int unit = 0; unit < units; ++unit)
+    c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 2, 3, 4);
+  c.Begin(GL_POINTS);
+  for (int i = 0; i < 5; ++i) c.EvalCoord1f(static_cast<float>(i) / 4);
+  c.End();
+  std::vector<gl::Ref> queries;
+  for (int unit = 0; unit < units; ++unit) {
+    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    queries.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
+  }
+  Played played = t.play(c);
+  for (int unit = 0; unit < units; ++unit)
+    played.expect_values(queries[static_cast<std::size_t>(unit)],
+                         std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
+}
+
+}  // namespace evalcts

@@ -1,0 +1,146 @@
+// Section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+std::vector<GLenum> all_caps() {
+  std::vector<GLenum> caps(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
+  caps.insert(caps.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
+  caps.push_back(GL_AUTO_NORMAL);
+  return caps;
+}
+
+// What IsEnabled says of all 19.
+std::vector<gl::Ref> query_enables(gl::Case& c) {
+  std::vector<gl::Ref> refs;
+  for (const GLenum cap : all_caps()) refs.push_back(c.IsEnabled(cap));
+  return refs;
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAPS") {
+  gl::Case c("off, on, on again, off");
+  std::vector<std::pair<gl::Ref, GLboolean>> answers;
+  std::vector<gl::Ref> errors;
+  const auto ask = [&](GLboolean expected) {
+    errors.push_back(c.GetError());
+    answers.emplace_back(c.IsEnabled(cap), expected);
+    errors.push_back(c.GetError());
+  };
+  ask(GL_FALSE);
+  c.Enable(cap);
+  ask(GL_TRUE);
+  c.Enable(cap);
+  ask(GL_TRUE);
+  c.Disable(cap);
+  ask(GL_FALSE);
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+  for (const auto& [query, expected] : answers) played.expect_result(query, expected);
+}
+
+EVALCTS_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+  // Alone on among eighteen off, then alone off among eighteen on; map contents make no difference.
+  for (const bool alone_on : {true, false}) {
+    gl::Case c(alone_on ? "alone on" : "alone off");
+    for (const GLenum other : all_caps()) {
+      if (!alone_on) c.Enable(other);
+    }
+    define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}));
+    if (alone_on) {
+      c.Enable(cap);
+    } else {
+      c.Disable(cap);
+    }
+    const std::vector<gl::Ref> refs = query_enables(c);
+    Played played = t.play(c);
+    const std::vector<GLenum> caps = all_caps();
+    for (std::size_t i = 0; i < caps.size(); ++i) played.expect_result(refs[i], (caps[i] == cap) == alone_on);
+  }
+}
+
+EVALCTS_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
+  for (const bool on : {false, true}) {
+    gl::Case c(on ? "on" : "off");
+    if (on) c.Enable(cap);
+    const gl::Ref boolean = c.GetBooleanv(cap, gl::out<GLboolean>(1));
+    const gl::Ref integer = c.GetIntegerv(cap, gl::out<GLint>(1));
+    const gl::Ref single = c.GetFloatv(cap, gl::out<GLfloat>(1));
+    const gl::Ref real = c.GetDoublev(cap, gl::out<GLdouble>(1));
+    Played played = t.play(c);
+    for (const gl::Ref query : {boolean, integer, single, real})
+      played.expect_values(query, std::vector<double>{on ? 1.0 : 0.0});
+  }
+}
+
+EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
+  gl::Case c("all 18, enabled from the last to the first");
+  const std::vector<GLenum> caps = all_caps();
+  for (std::size_t i = caps.size(); i-- > 0;) c.Enable(caps[i]);
+  const gl::Ref error = c.GetError();
+  const std::vector<gl::Ref> refs = query_enables(c);
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  for (const gl::Ref ref : refs) played.expect_result(ref, GL_TRUE);
+}
+
+EVALCTS_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
+  struct Attempt {
+    const char* name;
+    bool on_before;
+    gl::Ref (*call)(gl::Case&, GLenum);
+  };
+  for (const Attempt& attempt :
+       {Attempt{"Enable", false, [](gl::Case&c, GLenum which) { return c.Enable(which); }},
+        Attempt{"Disable", true, [](gl::Case&c, GLenum which) { return c.Disable(which); }},
+        Attempt{"IsEnabled", true, [](gl::Case&c, GLenum which) { return c.IsEnabled(which); }}}) {
+    gl::Case c(attempt.name);
+    if (attempt.on_before) c.Enable(cap);
+    c.Begin(GL_TRIANGLES);
+    const gl::Ref inside = attempt.call(c, cap);
+    c.End();
+    const gl::Ref error = c.GetError();
+    const gl::Ref after = c.IsEnabled(cap);
+    Played played = t.play(c);
+    played.expect_result(inside, 0);
+    played.expect_error(error, {GL_INVALID_OPERATION});
+    played.expect_result(after, attempt.on_before);
+  }
+}
+
+EVALCTS_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-NOTUNIT") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  gl::Case c("enabled on TEXTURE1, seen on TEXTURE0, disabled on TEXTURE0, seen on TEXTURE1");
+  c.ActiveTexture(GL_TEXTURE1);
+  c.Enable(cap);
+  const gl::Ref error = c.GetError();
+  c.ActiveTexture(GL_TEXTURE0);
+  const gl::Ref seen = c.IsEnabled(cap);
+  c.Disable(cap);
+  c.ActiveTexture(GL_TEXTURE1);
+  const gl::Ref gone = c.IsEnabled(cap);
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  played.expect_result(seen, GL_TRUE);
+  played.expect_result(gone, GL_FALSE);
+}
+
+// MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
+EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
+  gl::Case c("all MAP2 maps and MAP1_VERTEX_3 enabled");
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, 0.0f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+  for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
+  define(c, make_map1(GL_MAP1_VERTEX_3, random_values(t.random(), 12)));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
+  c.End();
+  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,457 @@
+// Sections 7 to 9 of the requirements for one dimension: what an evaluation command emits. The executable
+// specification says what each case has to emit; the cases choose what could go wrong.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+std::string label(GLenum target) { return gl::token_name(target).substr(3); }
+
+Map1 random_map(Test& t, GLenum target, int order) {
+  return make_map1(target,
+                   random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
+}
+
+// Current values unlike any default, so that a lost or replaced component shows.
+void set_current_values(gl::Case& c) {
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+}
+
+void evaluate_some(gl::Case& c) {
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
+  c.End();
+}
+
+std::vector<gl::Ref> query_current_values(gl::Case& c) {
+  return {
+      c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4)), c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3)),
+      c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)),
+      c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1)), c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1))};
+}
+
+const std::vector<GLenum>& attribute_targets() {
+  static const std::vector<GLenum> targets = {
+      GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
+      GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
+  return targets;
+}
+
+constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2,
+                                      GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
+
+}  // namespace
+
+// --- Section 7: evaluation commands ----------------------------------------------------------------------
+
+EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
+             "EV-PREC-PERKIND/1-D") {
+  gl::Case c("colour, index, normal, texture coordinate and vertex maps, each different at every u");
+  set_current_values(c);
+  for (const GLenum target :
+       {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3}) {
+    define(c, random_map(t, target, 4));
+    c.Enable(target);
+  }
+  c.Begin(GL_POINTS);
+  for (int i = 0; i <= 20; ++i) c.EvalCoord1f(static_cast<float>(i) / 20);
+  c.End();
+  t.expect_emission(c, kUnit0);
+}
+
+EVALCTS_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targets(), GLenum target, must,
+              "EV-COORD-VERTEXLAST/1-D") {
+  gl::Case c("first vertex of a primitive, then far jumps of u");
+  set_current_values(c);
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
+  c.Enable(GL_MAP1_VERTEX_3);
+  define(c, random_map(t, target, 2));
+  c.Enable(target);
+  for (int primitive = 0; primitive < 2; ++primitive) {
+    c.Begin(GL_POINTS);
+    for (const float u : {1.0f, 0.0f, 1.0f, 0.5f}) c.EvalCoord1f(u);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | attribute_of(target));
+}
+
+EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D") {
+  gl::Case c("Color, Normal and TexCoord between the evaluations of one primitive");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (int i = 0; i < 12; ++i) {
+    const float x = static_cast<float>(i) / 16;
+    if (i % 3 != 1) c.Color4f(x, 1 - x, 0.5f, 0.25f);
+    if (i % 2) c.Normal3f(x, -x, 1);
+    if (i % 3 == 0) c.TexCoord2f(x, 2 * x);  // r, q become 0, 1
+    if (i % 5 == 4) c.TexCoord4f(1, 2, 3, x);
+    c.EvalCoord1f(x);
+  }
+  c.End();
+  t.expect_emission(c, kUnit0);
+}
+
+// Without a vertex map nothing happens at all.
+EVALCTS_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum target, must,
+              "EV-COORD-NOVERTEX/1-D") {
+  gl::Case c("no vertex map enabled");
+  set_current_values(c);
+  c.Indexf(9);
+  c.EdgeFlag(GL_FALSE);
+  define(c, random_map(t, target, 3));
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));  // defined, not enabled
+  c.Enable(target);
+  const std::vector<gl::Ref> before = query_current_values(c);
+  evaluate_some(c);
+  const gl::Ref error = c.GetError();
+  const std::vector<gl::Ref> after = query_current_values(c);
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  expect_unchanged(played, before, after);
+
+  gl::Case drawing("nothing is drawn, and the Vertex between has the current values");
+  set_current_values(drawing);
+  define(drawing, random_map(t, target, 3));
+  drawing.Enable(target);
+  drawing.Begin(GL_POINTS);
+  drawing.EvalCoord1f(0.5f);
+  drawing.Vertex3f(1, 2, 3);
+  drawing.EvalCoord1f(0.25f);
+  drawing.End();
+  t.expect_emission(drawing, kUnit0);
+
+  gl::Case empty("nothing is drawn");
+  define(empty, random_map(t, target, 3));
+  empty.Enable(target);
+  evaluate_some(empty);
+  t.expect_emission(empty, kPosition);
+}
+
+EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D") {
+  gl::Case c("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
+  set_current_values(c);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_4);
+  define(c, random_map(t, GL_MAP1_COLOR_4, 3));
+  c.Enable(GL_MAP1_COLOR_4);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.Vertex2f(3, 4);
+  c.EvalCoord1d(0.25);
+  c.End();
+  t.expect_emission(c, kUnit0);
+}
+
+EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}),
+              GLenum target, must, "EV-COORD-INBEGIN/1-D") {
+  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
+    gl::Case c(gl::primitive_name(mode));
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+    c.Begin(mode);
+    for (int i = 0; i < 8; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
+    c.EvalCoord1d(0.5);
+    c.EvalCoord1fv(std::vector<float>{0.5f});
+    c.EvalCoord1dv(std::vector<double>{0.5});
+    c.End();
+    const gl::Ref error = c.GetError();
+    Played played = t.play(c);
+    played.expect_no_error(error);
+  }
+}
+
+EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D") {
+  for (const GLenum target : attribute_targets()) {
+    gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
+    set_current_values(c);
+    define(c, random_map(t, GL_MAP1_VERTEX_4, 3));
+    c.Enable(GL_MAP1_VERTEX_4);
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(0.25f);
+    c.Vertex3f(1, 2, 3);
+    c.EvalCoord1d(0.75);
+    c.Vertex2f(4, 5);
+    c.Vertex4f(6, 7, 8, 2);
+    c.EvalCoord1f(0.5f);
+    c.Vertex3f(9, 9, 9);
+    c.End();
+    t.expect_emission(c, kUnit0);
+  }
+}
+
+EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "EV-COORD-NOERR/1-D") {
+  gl::Case c("arguments over the whole range");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (int exponent = -149; exponent <= 127; exponent += 4)
+    for (const double sign : {1.0, -1.0}) evaluate(c, sign * std::ldexp(1.0, exponent), form.doubles);
+  if (form.doubles)
+    for (const double u : {1e300, -1e300, 1e-300, -0.0}) evaluate(c, u, true);
+  c.End();
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  played.expect_no_error(error);
+}
+
+// The same call on the same state: the same bits, in one primitive, in the next, after other calls.
+EVALCTS_TESTS(Evaluation, RepeatedCallSameBits, visible_targets(), GLenum target, must,
+              "EV-COORD-REPEAT/1-D") {
+  gl::Case c("each argument four times");
+  define(c, random_map(t, target, 7));
+  enable_visibly(c, target);
+  const std::vector<double> us = random_values(t.random(), 16);
+  for (int round = 0; round < 2; ++round) {
+    c.Begin(GL_POINTS);
+    for (const double u : us) {
+      c.EvalCoord1f(u);
+      c.EvalCoord1f(u);
+    }
+    c.End();
+  }
+  const std::size_t count = 4 * us.size();
+  const Observation seen = t.observe(c, attribute_of(target), count);
+  std::vector<ObservedVertex> vertices;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  const auto fail = [&](const std::string& message, const std::string& expected,
+                        const std::string& captured) {
+    Failure failure;
+    failure.case_identity = c.identity();
+    failure.what = attribute_of(target) == kPosition ? "position" : label(target);
+    failure.message = message;
+    failure.expected = expected;
+    failure.captured = captured;
+    t.fail(failure);
+  };
+  if (vertices.size() != count) {
+    fail("wrong number of vertices", std::to_string(count), std::to_string(vertices.size()));
+    return;
+  }
+  const auto same = [&](const ObservedVertex& a, const ObservedVertex& b) {
+    return std::memcmp(&a.position, &b.position, sizeof a.position) == 0 &&
+           std::memcmp(&a.color, &b.color, sizeof a.color) == 0 &&
+           std::memcmp(&a.normal, &b.normal, sizeof a.normal) == 0 &&
+           std::memcmp(&a.texture_coordinate[0], &b.texture_coordinate[0], sizeof a.texture_coordinate[0]) ==
+               0;
+  };
+  for (std::size_t i = 0; i < us.size(); ++i)
+    for (const std::size_t other : {2 * i + 1, 2 * us.size() + 2 * i, 2 * us.size() + 2 * i + 1})
+      if (!same(vertices[2 * i], vertices[other]))
+        fail(fmt::format("EvalCoord1f({:a}) gives different values when it is repeated (vertices {} and {})",
+                         us[i], 2 * i, other),
+             "the same bits", "other bits");
+}
+
+// --- Section 8: attributes produced ----------------------------------------------------------------------
+
+EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
+  gl::Case c("after vertices with other w");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.Vertex4f(1, 2, 3, 5);
+  c.EvalCoord1f(0.25f);
+  c.Vertex4f(1, 2, 3, 0.5f);
+  c.EvalCoord1f(0.75f);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+// A quarter circle: w varies, and the division comes later in the pipeline.
+EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D") {
+  gl::Case c("quarter circle, weights 1, 1, 2");
+  define(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
+  c.Enable(GL_MAP1_VERTEX_4);
+  c.Begin(GL_POINTS);
+  for (int i = 0; i <= 64; ++i) c.EvalCoord1f(static_cast<float>(i) / 64);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") {
+  gl::Case c("w from 2 to -2");
+  define(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
+  c.Enable(GL_MAP1_VERTEX_4);
+  c.Begin(GL_POINTS);
+  for (int i = 0; i <= 8; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), GLenum target, must,
+              "EV-ATTR-RATIONAL-ONLYVTX/1-D") {
+  gl::Case c("w from 1 to 4");
+  define(c, make_map1(GL_MAP1_VERTEX_4, {0, 0, 0, 1, 4, 0, 0, 4}));
+  c.Enable(GL_MAP1_VERTEX_4);
+  if (target == GL_MAP1_INDEX) throw NotObservable("INDEX maps show in colour-index contexts only");
+  define(c, random_map(t, target, 2));
+  c.Enable(target);
+  evaluate_some(c);
+  t.expect_emission(c, kPosition | attribute_of(target));
+}
+
+EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D") {
+  gl::Case c("alpha from 0.25 to 0.75, current alpha 0.4");
+  set_current_values(c);
+  define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
+  enable_visibly(c, GL_MAP1_COLOR_4);
+  evaluate_some(c);
+  t.expect_emission(c, kColor);
+}
+
+EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D") {
+  gl::Case c("components from -1 to 2");
+  define(c, make_map1(GL_MAP1_COLOR_4, {-1, 2, 0.5, 3, 2, -1, 0.25, -2}));
+  enable_visibly(c, GL_MAP1_COLOR_4);
+  evaluate_some(c);
+  const Observation probe = t.observe(c, kColor, 8);
+  if (probe.clamped_colors) throw NotObservable("this implementation shows colours after their clamp only");
+  t.expect_emission(c, kColor);
+}
+
+EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D") {
+  gl::Case c("INDEX map enabled");
+  set_current_values(c);
+  c.Indexf(9);
+  define(c, make_map1(GL_MAP1_INDEX, {3, 4, 5}));
+  enable_visibly(c, GL_MAP1_COLOR_4);
+  c.Disable(GL_MAP1_COLOR_4);
+  c.Enable(GL_MAP1_INDEX);
+  evaluate_some(c);
+  t.expect_emission(c, kPosition | kColor);
+  const gl::Ref index = c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1));
+  Played played = t.play(c);
+  played.expect_values(index, std::vector<GLfloat>{9});
+}
+
+EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D") {
+  gl::Case c("lengths from 0.1 to 300");
+  define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, 0, 0.1f}));
+  enable_visibly(c, GL_MAP1_NORMAL);
+  evaluate_some(c);
+  t.expect_emission(c, kNormal);
+}
+
+namespace {
+
+// TexCoord4(5,6,7,8) first: what the map does not give is 0, 0, 1, not the current value.
+void expect_texture_defaults(Test& t, GLenum target) {
+  gl::Case c("after TexCoord4(5,6,7,8) and a vertex with them");
+  define(c, random_map(t, target, 3));
+  enable_visibly(c, target);
+  c.TexCoord4f(5, 6, 7, 8);
+  c.Begin(GL_POINTS);
+  c.Vertex2f(1, 1);
+  c.EvalCoord1f(0.125f);
+  c.EvalCoord1f(0.75f);
+  c.End();
+  t.expect_emission(c, kTextureCoordinate0);
+}
+
+}  // namespace
+
+EVALCTS_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D") {
+  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1);
+}
+EVALCTS_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D") {
+  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_2);
+}
+EVALCTS_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D") {
+  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_3);
+}
+EVALCTS_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D") {
+  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_4);
+}
+
+EVALCTS_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenum target, must, "EV-ATTR-UNIT0/1-D",
+              "EV-ATTR-OTHERUNITS/1-D") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  gl::Case c("evaluated with TEXTURE1 active; units 1 and up hold current values");
+  define(c, random_map(t, target, 3));
+  enable_visibly(c, target);
+  for (int unit = 0; unit < t.gl().texture_units && unit < 8; ++unit)
+    c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 0.5f, 0.25f,
+                      2.0f);
+  c.ActiveTexture(GL_TEXTURE1);
+  evaluate_some(c);
+  t.expect_emission(c, kTextureCoordinate0 | kTextureCoordinatesOther);
+}
+
+// --- Section 9: precedence -------------------------------------------------------------------------------
+
+EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-PREC-ORDERFREE/1-D") {
+  for (const bool four_first : {false, true}) {
+    gl::Case c(four_first ? "VERTEX_4 defined and enabled first" : "VERTEX_3 defined and enabled first");
+    const Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3), four = random_map(t, GL_MAP1_VERTEX_4, 4);
+    for (const Map1* map : {four_first ? &four : &three, four_first ? &three : &four}) {
+      define(c, *map);
+      c.Enable(map->target);
+    }
+    evaluate_some(c);
+    t.expect_emission(c, kPosition);
+  }
+}
+
+// All 15 subsets of the texture maps, defined and enabled upwards and downwards.
+EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
+             "EV-PREC-ORDERFREE/1-D") {
+  for (const bool upwards : {true, false}) {
+    gl::Case c(upwards ? "all subsets, enabled upwards" : "all subsets, enabled downwards");
+    c.TexCoord4f(5, 6, 7, 8);
+    define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
+    c.Enable(GL_MAP1_VERTEX_3);
+    for (const GLenum target : kTextureTargets) define(c, random_map(t, target, 3));
+    for (unsigned subset = 1; subset < 16; ++subset) {
+      for (unsigned i = 0; i < 4; ++i) c.Disable(kTextureTargets[i]);
+      for (unsigned i = 0; i < 4; ++i) {
+        const unsigned which = upwards ? i : 3 - i;
+        if (subset >> which & 1u) c.Enable(kTextureTargets[which]);
+      }
+      evaluate_some(c);
+    }
+    t.expect_emission(c, kTextureCoordinate0);
+  }
+}
+
+EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
+  gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
+  for (const GLenum target : visible_targets()) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+  evaluate_some(c);
+  for (const GLenum target : {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_2,
+                              GL_MAP1_TEXTURE_COORD_1, GL_MAP1_VERTEX_4}) {
+    c.Disable(target);
+    evaluate_some(c);
+  }
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+}
+
+EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D") {
+  gl::Case c("VERTEX_3 and TEXTURE_COORD_1 defined, VERTEX_4 and TEXTURE_COORD_4 only enabled");
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1}) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+  c.Enable(GL_MAP1_VERTEX_4);
+  c.Enable(GL_MAP1_TEXTURE_COORD_4);
+  evaluate_some(c);
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,249 @@
+// Section 18 of the requirements as far as one-dimensional maps go: GetMap in its three forms, and Get.
+#include <fmt/format.h>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+Map1 random_map(Test& t, GLenum target, int order, int stride) {
+  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
+  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
+}
+
+// One of the three forms; `room` elements to write to.
+struct Getter {
+  const char* name;
+  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
+};
+constexpr Getter kGetters[] = {
+    {"GetMapfv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapfv(target, query, gl::out<GLfloat>(room)); }},
+    {"GetMapdv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapdv(target, query, gl::out<GLdouble>(room)); }},
+    {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapiv(target, query, gl::out<GLint>(room));
+     }}};
+
+// Maps whose integer queries are plainly rounded, whatever one reads (C-GETMAPIV-NORM).
+const std::vector<GLenum>& plain_targets() {
+  static const std::vector<GLenum> targets = {
+      GL_MAP1_INDEX,           GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
+      GL_MAP1_TEXTURE_COORD_4, GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4};
+  return targets;
+}
+
+}  // namespace
+
+// The array ends with the answer: one value more would land in the guard behind it and be seen.
+EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-ORDER1",
+              "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1", "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D") {
+  const int k = gl::components_of(target);
+  for (const int order : {1, 3, t.max_order()})
+    for (const Form& form : kForms) {
+      Map1 map = random_map(t, target, order, k + 2);
+      map.u1 = 5, map.u2 = -2.25;
+      gl::Case c(fmt::format("order {} form {}, domain (5, -2.25), stride k+2", order, form.name));
+      define(c, map, form.doubles);
+      const auto count = static_cast<std::size_t>(order * k);
+      const gl::Ref orders[] = {c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(1)),
+                                c.GetMapdv(target, GL_ORDER, gl::out<GLdouble>(1)),
+                                c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1))};
+      const gl::Ref domains[] = {c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2)),
+                                 c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2))};
+      const gl::Ref points[] = {c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count)),
+                                c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count))};
+      Played played = t.play(c);
+      for (const gl::Ref query : orders)
+        played.expect_values(query, std::vector<double>{static_cast<double>(order)});
+      for (const gl::Ref query : domains)
+        played.expect_values_near(query, std::vector<double>{5, -2.25}, 1e-5);
+      for (const gl::Ref query : points) played.expect_values_near(query, map.coefficients(), 1e-5);
+    }
+}
+
+// Float data come back as they were: more than the sources promise of a conversion.
+EVALCTS_TESTS(GetMap, FloatDataUnchanged, gl::kMap1Targets, GLenum target, quality, "EV-GETMAP-FLOAT/1-D") {
+  const Map1 map = random_map(t, target, 6, gl::components_of(target));
+  gl::Case c("random data of 24 bits");
+  define(c, map);
+  const std::size_t count = map.coefficients().size();
+  const gl::Ref single = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count));
+  const gl::Ref real = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count));
+  Played played = t.play(c);
+  played.expect_values(single, map.coefficients());
+  played.expect_values(real, map.coefficients());
+}
+
+EVALCTS_TESTS(GetMap, DoubleData, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DOUBLE/1-D") {
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  std::vector<double> thirds;
+  for (std::size_t i = 0; i < 2 * k; ++i) thirds.push_back(1.0 / static_cast<double>(i + 3));
+  const Map1 map = make_map1(target, 1.0 / 3, 2.0 / 3, static_cast<int>(k), thirds);
+  gl::Case c("thirds, quarters, fifths");
+  define(c, map, true);
+  const MapQuery query = query_map1(c, target, t.max_order(), true);
+  Played played = t.play(c);
+  expect_map1(played, query, map, true);
+}
+
+EVALCTS_TESTS(GetMap, IntegersAreRounded, plain_targets(), GLenum target, must, "EV-GETMAP-ROUND/1-D") {
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  const double values[] = {1.4, -1.6, 2.51, -0.3, 7.0, -100.75, 1000.499, 0.0};
+  const int rounded[] = {1, -2, 3, 0, 7, -101, 1000, 0};
+  std::vector<double> points;
+  std::vector<GLint> expected;
+  for (std::size_t i = 0; i < 8 * k; ++i) {
+    points.push_back(values[i % 8]);
+    expected.push_back(rounded[i % 8]);
+  }
+  Map1 map = make_map1(target, points);
+  map.u1 = -1.6, map.u2 = 2.4;
+  for (const Form& form : kForms) {
+    gl::Case c(fmt::format("values away from halves, form {}", form.name));
+    define(c, map, form.doubles);
+    const gl::Ref domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2));
+    const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
+    Played played = t.play(c);
+    played.expect_values(domain, std::vector<GLint>{-2, 2});
+    played.expect_values(coefficients, expected);
+  }
+}
+
+EVALCTS_TESTS(GetMap, IntegersSaturate, plain_targets(), GLenum target, must, "EV-GETMAP-SATURATE/1-D") {
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  std::vector<double> points;
+  std::vector<GLint> expected;
+  for (std::size_t i = 0; i < 2 * k; ++i) {
+    points.push_back(i % 2 ? -1e20 : 1e20);
+    expected.push_back(i % 2 ? std::numeric_limits<GLint>::min() : std::numeric_limits<GLint>::max());
+  }
+  gl::Case c("1e20 and -1e20");
+  define(c, make_map1(target, points));
+  const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
+  Played played = t.play(c);
+  played.expect_values(coefficients, expected);
+}
+
+EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DISABLED/1-D") {
+  gl::Case c("never defined; defined and never enabled; enabled and disabled again");
+  std::vector<gl::Ref> errors, orders;
+  const auto ask = [&] {
+    orders.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1)));
+    errors.push_back(c.GetError());
+    c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(16));
+    errors.push_back(c.GetError());
+  };
+  ask();
+  define(c, random_map(t, target, 2, 4));
+  ask();
+  c.Enable(target);
+  c.Disable(target);
+  ask();
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    played.expect_values(orders[i], std::vector<GLint>{i == 0 ? 1 : 2});
+}
+
+namespace {
+
+void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, GLenum error,
+                    bool inside = false) {
+  gl::Case c(gl::token_name(target) + " " + gl::token_name(query));
+  if (inside) c.Begin(GL_POINTS);
+  const gl::Ref get = getter.get(c, target, query, 256);
+  if (inside) c.End();
+  const gl::Ref first = c.GetError();
+  const gl::Ref second = c.GetError();
+  Played played = t.play(c);
+  played.expect_error(first, {error});
+  played.expect_no_error(second);
+  played.expect_nothing_written(get);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(GetMap, BadTarget, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-TARGET",
+              "EV-GETMAP-ERR-NOWRITE") {
+  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DAFu, 0x0DB9u, static_cast<GLenum>(GL_TEXTURE_2D),
+                              static_cast<GLenum>(GL_AUTO_NORMAL), static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
+      expect_refused(t, getter, target, query, GL_INVALID_ENUM);
+}
+
+EVALCTS_TESTS(GetMap, BadQuery, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-QUERY",
+              "EV-GETMAP-ERR-NOWRITE") {
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_INDEX, GL_MAP2_COLOR_4})
+    for (const GLenum query : {0u, 0x09FFu, 0x0A03u, static_cast<GLenum>(GL_MAX_EVAL_ORDER),
+                               static_cast<GLenum>(GL_MAP1_VERTEX_3)})
+      expect_refused(t, getter, target, query, GL_INVALID_ENUM);
+}
+
+EVALCTS_TESTS(GetMap, BetweenBeginAndEnd, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-BEGINEND",
+              "EV-GETMAP-ERR-NOWRITE") {
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_INDEX})
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
+      expect_refused(t, getter, target, query, GL_INVALID_OPERATION, true);
+}
+
+EVALCTS_TESTS(GetMap, AnyTextureUnit, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOUNIT/1-D") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  const Map1 map = random_map(t, target, 3, 4);
+  gl::Case c("TEXTURE1 active");
+  define(c, map);
+  c.ActiveTexture(GL_TEXTURE1);
+  const MapQuery query = query_map1(c, target, t.max_order());
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  expect_map1(played, query, map);
+}
+
+EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE/1-D") {
+  gl::Case c("all queries of all maps between two snapshots");
+  for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3, 4));
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  for (const GLenum target : gl::kMap1Targets)
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) getter.get(c, target, query, 32);
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  expect_unchanged(played, before, after);
+}
+
+EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER") {
+  gl::Case c("every form, before and after maps are defined");
+  std::vector<gl::Ref> queries;
+  for (int round = 0; round < 2; ++round) {
+    queries.push_back(c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1)));
+    queries.push_back(c.GetFloatv(GL_MAX_EVAL_ORDER, gl::out<GLfloat>(1)));
+    queries.push_back(c.GetDoublev(GL_MAX_EVAL_ORDER, gl::out<GLdouble>(1)));
+    for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, t.max_order(), 4));
+  }
+  const gl::Ref boolean = c.GetBooleanv(GL_MAX_EVAL_ORDER, gl::out<GLboolean>(1));
+  Played played = t.play(c);
+  for (const gl::Ref query : queries)
+    played.expect_values(query, std::vector<double>{static_cast<double>(t.gl().max_eval_order)});
+  played.expect_values(boolean, std::vector<GLboolean>{GL_TRUE});
+}
+
+EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND") {
+  for (const GLenum name : {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
+                            GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_MAP1_VERTEX_3, GL_AUTO_NORMAL})
+    for (int form = 0; form < 4; ++form) {
+      gl::Case c(fmt::format("{} form {}", gl::token_name(name), "bifd"[form]));
+      c.Begin(GL_LINES);
+      const gl::Ref get = form == 0   ? c.GetBooleanv(name, gl::out<GLboolean>(8))
+                          : form == 1 ? c.GetIntegerv(name, gl::out<GLint>(8))
+                          : form == 2 ? c.GetFloatv(name, gl::out<GLfloat>(8))
+                                      : c.GetDoublev(name, gl::out<GLdouble>(8));
+      c.End();
+      const gl::Ref error = c.GetError();
+      Played played = t.play(c);
+      played.expect_error(error, {GL_INVALID_OPERATION});
+      played.expect_nothing_written(get);
+    }
+}
+
+}  // namespace evalcts
