@@ -72,6 +72,12 @@ EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint
                     const GLdouble* points) {
   glevMap1d(current, target, u1, u2, stride, order, points);
 }
+EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+  glevColor4f(current, red, green, blue, alpha);
+}
+EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, x, y, z); }
+EXPORT void glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { glevTexCoord4f(current, s, t, r, q); }
+EXPORT void glGetDoublev(GLenum name, GLdouble* values) { glevGetDoublev(current, name, values); }
 EXPORT void glEvalCoord1f(GLfloat u) { glevEvalCoord1f(current, u); }
 EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) {
   glevGetMapfv(current, target, query, values);
