@@ -58,7 +58,7 @@ class Object {
 
   // One of `words`, or empty.
   std::string word(const std::string& key, std::initializer_list<std::string_view> words) const {
-    const std::string found = text(key);
+    std::string found = text(key);
     for (const std::string_view candidate : words) {
       if (found == candidate) return found;
     }

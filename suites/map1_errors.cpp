@@ -143,7 +143,7 @@ EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& 
                      [&](gl::Case& c) {
                        c.Begin(mode);
                        if (after[0] == 'V') c.Vertex3f(1, 2, 3);
-                                  define(c, legal_map(form.target), form.doubles);
+                       define(c, legal_map(form.target), form.doubles);
                        c.End();
                      },
                      {GL_INVALID_OPERATION});

@@ -110,8 +110,9 @@ constexpr NamedDomain kReversedDomains[] = {{"1_TO_0", 1, 0}, {"5_TO_-2", 5, -2}
 void expect_over_domain(Test& t, const NamedDomain& named) {
   const Domain domain{named.u1, named.u2};
   // All kinds of data in one primitive: each attribute has a map of its own.
+  using Pair = std::pair<GLenum, GLenum>;
   for (const auto& [vertex, texture] :
-       {std::pair{GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_3}, {GL_MAP1_VERTEX_4, GL_MAP1_TEXTURE_COORD_4}}) {
+       {Pair{GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_3}, Pair{GL_MAP1_VERTEX_4, GL_MAP1_TEXTURE_COORD_4}}) {
     const std::array<GLenum, 4> targets = {vertex, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, texture};
     gl::Case c(fmt::format("{}, COLOR_4, NORMAL and {}", label(vertex), label(texture)));
     for (const GLenum target : targets) c.Enable(target);

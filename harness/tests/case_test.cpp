@@ -73,7 +73,10 @@ TEST_P(CaseDeathTest, ReadingAfterTheCallCrashes) {
   reader.EvalCoord1f = late_reader;
   EXPECT_DEATH(play(read_later(GetParam()), reader), "");
 }
-INSTANTIATE_TEST_SUITE_P(Fates, CaseDeathTest, testing::Values(AfterCall::unmap, AfterCall::protect));
+INSTANTIATE_TEST_SUITE_P(Fates, CaseDeathTest, testing::Values(AfterCall::unmap, AfterCall::protect),
+                         [](const auto& fate) {
+                           return fate.param == AfterCall::unmap ? "unmap" : "protect";
+                         });
 
 TEST(Case, OverwrittenArraysHoldOtherValuesAfterTheCall) {
   Table reader = table();

@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -161,7 +160,14 @@ TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   EXPECT_NE(outcome.text.find("EV-MAP1-ERR-STRIDE"), std::string::npos) << outcome.text;
 }
 
-class Deaths : public CommandLine, public testing::WithParamInterface<std::array<const char*, 3>> {};
+struct Way {
+  const char* what;
+  const char* verdict;
+  const char* message;
+  friend void PrintTo(const Way& way, std::ostream* out) { *out << way.what; }
+};
+
+class Deaths : public CommandLine, public testing::WithParamInterface<Way> {};
 
 TEST_P(Deaths, CostOneTestAndNameItsCalls) {
   const auto [what, verdict, message] = GetParam();
@@ -185,12 +191,10 @@ TEST_P(Deaths, CostOneTestAndNameItsCalls) {
   EXPECT_GT(result["tests"].size(), 15u);
 }
 INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
-                         testing::Values(std::array{"crash", "crash", "SIGSEGV"},
-                                         std::array{"abort", "crash", "SIGABRT"},
-                                         std::array{"exit", "crash", "exit code 7"},
-                                         std::array{"kill", "crash", "SIGKILL"},
-                                         std::array{"hang", "timeout", "no answer within 2 seconds"}),
-                         [](const auto& way) { return way.param[0]; });
+                         testing::Values(Way{"crash", "crash", "SIGSEGV"}, Way{"abort", "crash", "SIGABRT"},
+                                         Way{"exit", "crash", "exit code 7"}, Way{"kill", "crash", "SIGKILL"},
+                                         Way{"hang", "timeout", "no answer within 2 seconds"}),
+                         [](const auto& way) { return way.param.what; });
 
 TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   // Orders above 5 come up in the tests of the other targets' largest orders, before INDEX gets to order 5.

@@ -313,7 +313,7 @@ class TexCoordForms : public ContextTest {
  protected:
   Floats Unit(glev_enum unit) {
     glevActiveTexture(gl, GLEV_TEXTURE0 + unit);
-    const Floats values = Get(gl, GLEV_CURRENT_TEXTURE_COORDS, 4).floats;
+    Floats values = Get(gl, GLEV_CURRENT_TEXTURE_COORDS, 4).floats;
     glevActiveTexture(gl, GLEV_TEXTURE0);
     return values;
   }

@@ -153,9 +153,9 @@ std::string junit(const nlohmann::json& result) {
     time += test.seconds.value_or(0);
     // "Theme.Rule/parameters"; a name without a theme is its own theme.
     const std::size_t dot = test.name.find('.');
-    const std::string theme = test.name.substr(0, dot);
+    const std::string theme = suite + "." + test.name.substr(0, dot);
     const std::string name = dot == std::string::npos ? test.name : test.name.substr(dot + 1);
-    testcases << testcase(suite + "." + theme, name, test.seconds.value_or(0), outcome, output_of(test));
+    testcases << testcase(theme, name, test.seconds.value_or(0), outcome, output_of(test));
   }
 
   page.set("suite", suite);
