@@ -100,7 +100,8 @@ class Test {
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
-  // Observes what the case emits through every capture that can see it, and judges it against the executable
+  // Observes what the case emits through the first capture that can see it (in one test of four, at thorough
+  // depth in all, through the others as well: they have to agree), and judges it against the executable
   // specification at the level of the test. `required` attributes must be observed, or the test is
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
@@ -117,6 +118,7 @@ class Test {
  private:
   friend class Played;
   void begin_case(const gl::Case& script);
+  bool cross_checked() const;
   std::vector<Capture*> captures_for(Attributes required, bool nonpositive_w) const;
 
   const Subject& subject_;
