@@ -253,7 +253,7 @@ void measure(Test& t, GLenum target, int values_per_map) {
 
 // One test to fail where a result leaves the acceptance interval ...
 EVALCTS_TESTS(Map1Accuracy, Acceptable, visible_targets(), GLenum target, must, "EV-NUM-ACCURACY/1-D") {
-  measure(t, target, t.by_depth(20, 50, 2000));
+  measure(t, target, t.by_depth(20, 40, 2000));
 }
 
 // ... and one to warn where it is worse than good single precision.
