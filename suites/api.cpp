@@ -176,11 +176,7 @@ EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, m
   c.Begin(GL_POINTS);
   for (const double u : {0.0, 0.125, 0.3, 0.77, 1.0}) {
     evaluate(c, u, form.doubles);
-    if (form.doubles) {
-      c.EvalCoord1dv(std::vector<double>{u});
-    } else {
-      c.EvalCoord1fv(std::vector<float>{static_cast<float>(u)});
-    }
+    evaluate_vector(c, u, form.doubles);
   }
   c.End();
   t.expect_emission(c, attribute_of(form.target));
@@ -194,11 +190,7 @@ EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-AP
   c.Begin(GL_POINTS);
   for (const double u : us) {
     evaluate(c, u, form.doubles);
-    if (form.doubles) {
-      c.EvalCoord1dv(std::vector<double>{u});
-    } else {
-      c.EvalCoord1fv(std::vector<float>{static_cast<float>(u)});
-    }
+    evaluate_vector(c, u, form.doubles);
   }
   c.End();
   const Observation seen = t.observe(c, kPosition, 2 * us.size());

@@ -7,13 +7,6 @@
 namespace evalcts {
 namespace {
 
-Map1 random_map(Test& t, GLenum target, int order) {
-  return make_map1(target,
-                   random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
-}
-
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
-
 struct Query {
   GLenum name;
   std::size_t count;

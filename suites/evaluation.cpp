@@ -12,13 +12,6 @@ namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
-
-Map1 random_map(Test& t, GLenum target, int order) {
-  return make_map1(target,
-                   random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
-}
-
 // Current values unlike any default, so that a lost or replaced component shows.
 void set_current_values(gl::Case& c) {
   c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);

@@ -6,11 +6,6 @@
 namespace evalcts {
 namespace {
 
-Map1 random_map(Test& t, GLenum target, int order, int stride) {
-  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
-  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
-}
-
 // One of the three forms; `room` elements to write to.
 struct Getter {
   const char* name;

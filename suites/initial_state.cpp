@@ -12,8 +12,6 @@ std::vector<GLenum> both(const std::array<GLenum, 9>& first, const std::array<GL
 
 std::vector<GLenum> all_targets() { return both(gl::kMap1Targets, gl::kMap2Targets); }
 
-std::string label(GLenum token) { return gl::token_name(token).substr(3); }
-
 // The single initial control point.
 std::vector<double> initial_point(GLenum target) {
   switch (target) {

@@ -14,13 +14,6 @@ constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
                            {"UNMAPPED", gl::AfterCall::unmap},
                            {"PROTECTED", gl::AfterCall::protect}};
 
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
-
-Map1 random_map(Test& t, GLenum target, int order, int stride) {
-  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
-  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
-}
-
 void evaluate_some(gl::Case& c) {
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);

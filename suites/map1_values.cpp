@@ -14,11 +14,12 @@ struct Domain {
   double u1, u2;
 };
 
-// A map of the order with random points.
-Map1 random_map(Test& t, GLenum target, int order, Domain domain = {0, 1}) {
-  const int k = gl::components_of(target);
-  return make_map1(target, domain.u1, domain.u2, k,
-                   random_values(t.random(), static_cast<std::size_t>(order * k)));
+// A map of the order with random points over the domain.
+Map1 random_map(Test& t, GLenum target, int order, Domain domain) {
+  Map1 map = random_map(t, target, order);
+  map.u1 = domain.u1;
+  map.u2 = domain.u2;
+  return map;
 }
 
 // Points: the ends, what is next to them, and values in between.
@@ -35,8 +36,6 @@ void evaluate_all(gl::Case& c, const std::vector<double>& us, bool doubles = fal
   for (const double u : us) evaluate(c, u, doubles);
   c.End();
 }
-
-std::string label(GLenum target) { return gl::token_name(target).substr(3); }
 
 }  // namespace
 

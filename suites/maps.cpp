@@ -55,6 +55,17 @@ std::vector<double> random_values(std::mt19937& random, std::size_t count) {
   return values;
 }
 
+Map1 random_map(Test& t, GLenum target, int order) {
+  return random_map(t, target, order, gl::components_of(target));
+}
+
+Map1 random_map(Test& t, GLenum target, int order, int stride) {
+  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
+  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
+}
+
+std::string label(GLenum token) { return gl::token_name(token).substr(3); }
+
 const std::vector<TargetForm>& target_forms() {
   static const std::vector<TargetForm> all = make_target_forms(true);
   return all;
@@ -90,6 +101,11 @@ gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot) {
 
 gl::Ref evaluate(gl::Case& c, double u, bool doubles) {
   return doubles ? c.EvalCoord1d(u) : c.EvalCoord1f(u);
+}
+
+gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles) {
+  if (doubles) return c.EvalCoord1dv(std::vector<double>{u});
+  return c.EvalCoord1fv(std::vector<float>{static_cast<float>(u)});
 }
 
 Attributes attribute_of(GLenum target) {

@@ -34,6 +34,13 @@ Map1 make_map1(GLenum target, const std::vector<double>& coefficients);
 // `count` numbers in [-1,1], exactly representable in single precision.
 std::vector<double> random_values(std::mt19937& random, std::size_t count);
 
+// A map over [0,1] with random points, tightly packed or with the stride.
+Map1 random_map(Test& t, GLenum target, int order);
+Map1 random_map(Test& t, GLenum target, int order, int stride);
+
+// "MAP1_VERTEX_3"
+std::string label(GLenum token);
+
 // The two forms of a command.
 struct Form {
   const char* name;
@@ -56,6 +63,9 @@ const std::vector<GLenum>& visible_targets();
 gl::Ref define(gl::Case& c, const Map1& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
 // EvalCoord1f or EvalCoord1d.
 gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
+
+// EvalCoord1fv or EvalCoord1dv; the array ends before an inaccessible page.
+gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
 
 // What has to be observed to see the values of a target.
 Attributes attribute_of(GLenum target);
