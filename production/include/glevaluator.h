@@ -425,7 +425,9 @@ typedef struct glev_output {
 } glev_output;
 
 /* `count` arguments of type u_type (GLEV_FLOAT or GLEV_DOUBLE); argument i lies at u + i*u_stride bytes.
- * u_stride: any, 0 included. u_size: bytes at u that may be read. An output that is null is not computed. */
+ * u_stride: any, 0 included. u_size: bytes at u that may be read. An output that is null is not computed.
+ * scratch: scratch_size bytes of the caller's, at least what glevGetScratchSize1 says; contents do not
+ * matter. Null with size 0 where none is needed. Concurrent calls need scratch of their own. */
 typedef struct glev_batch1 {
   size_t size;
   size_t count;
@@ -437,7 +439,14 @@ typedef struct glev_batch1 {
   const glev_output* color;
   const glev_output* normal;
   const glev_output* texcoord;
+  void* scratch;
+  size_t scratch_size;
 } glev_batch1;
+
+/* The bytes of scratch memory that glevEvaluate1 needs for this batch: evaluation never allocates. 0 for a
+ * batch that glevEvaluate1 refuses. Scalar evaluation works in registers, so this version answers 0 for every
+ * batch; ask all the same, later versions need some. */
+GLEV_API size_t glevGetScratchSize1(const glev_plan* plan, const glev_batch1* batch);
 
 /* Evaluates the maps of a one-dimensional plan at each argument. The values are those of EvalCoord1, bit for
  * bit. Unlike there, no vertex map is needed for the others to be evaluated. Everything is checked before
@@ -445,7 +454,7 @@ typedef struct glev_batch1 {
  * Returns SUCCESS or
  * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride or number of components.
  * NO_MAP: an output for an attribute without a map.
- * BUFFER_TOO_SMALL: u_size or a data_size.
+ * BUFFER_TOO_SMALL: u_size, a data_size or scratch_size.
  * OVERLAP: bytes of an output belong to another output or to the input as well. Interleaving in one block is
  *   recognised if the strides are equal; with different strides the blocks must be apart. */
 GLEV_API glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* batch);

@@ -78,11 +78,14 @@ void EvaluateAll(const glev_plan& plan, const Stream& u, const std::array<Output
 
 }  // namespace
 
+size_t glevGetScratchSize1(const glev_plan*, const glev_batch1*) { return 0; }
+
 glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* given) {
   glev_batch1 batch;
   if (plan == nullptr || !glev::ReadStruct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (batch.u_type != GLEV_FLOAT && batch.u_type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
   if (batch.u == nullptr && batch.count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (batch.scratch == nullptr && batch.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   const Stream u = {static_cast<const std::byte*>(batch.u), batch.count, batch.u_stride,
                     batch.u_type == GLEV_FLOAT ? sizeof(float) : sizeof(double)};
 

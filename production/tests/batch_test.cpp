@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "production/tests/fixture.h"
 
@@ -297,6 +298,27 @@ TEST_F(Batch, OverlapsAreRefused) {
   ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
   batch.u_stride = 0;
   ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
+}
+
+TEST_F(Batch, ScratchIsTheCallersAndOfTheSizeAskedFor) {
+  const glev_output vertex = Output(0, 16, 3);
+  glev_batch1 batch = Arguments();
+  batch.vertex = &vertex;
+  std::vector<unsigned char> scratch(glevGetScratchSize1(plan_, &batch) + 1, kPoison);
+  batch.scratch = scratch.data();
+  batch.scratch_size = scratch.size() - 1;
+  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  EXPECT_EQ(scratch.back(), kPoison);
+  EXPECT_EQ(glevGetScratchSize1(nullptr, nullptr), 0u);
+}
+
+TEST_F(Batch, ScratchWithASizeButNoMemoryIsMisuse) {
+  const glev_output vertex = Output(0, 16, 3);
+  glev_batch1 batch = Arguments();
+  batch.vertex = &vertex;
+  batch.scratch = nullptr;
+  batch.scratch_size = 64;
+  ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
 }
 
 }  // namespace
