@@ -247,7 +247,9 @@ data outcome_view(const TestResult& test, const Column& column, bool several) {
 }
 
 data requirement_view(const std::string& id, const Requirements& catalogue) {
-  const auto it = catalogue.find(id);
+  auto it = catalogue.find(id);
+  // "ID/1-D" is one half of a requirement.
+  if (it == catalogue.end()) it = catalogue.find(id.substr(0, id.find('/')));
   const Requirement requirement = it == catalogue.end() ? Requirement{} : it->second;
   data out;
   out.set("id", id);

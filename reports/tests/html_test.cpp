@@ -39,6 +39,15 @@ TEST(Html, HostileTextIsEscaped) {
   EXPECT_FALSE(contains(page, "\x1b"));
 }
 
+TEST(Html, HalfOfARequirementShowsItsText) {
+  const json requirements = {
+      {"requirements", {{{"id", "EV-X"}, {"text", "the rule itself"}, {"source", "GL 1.0"}}}}};
+  const json record = named("x", {{{"name", "A.b"}, {"verdict", "pass"}, {"requirements", {"EV-X/1-D"}}}});
+  const std::string page = html({record}, requirements);
+  EXPECT_TRUE(contains(page, "EV-X/1-D"));
+  EXPECT_TRUE(contains(page, "the rule itself"));
+}
+
 TEST(Html, NoRecords) {
   const std::string page = html({}, nullptr);
   EXPECT_TRUE(contains(page, "No result record was given."));
