@@ -115,7 +115,7 @@ class FeedbackBuffer final : public Capture {
     const gl::Ref count = wrapped.commands.RenderMode(GL_RENDER);
 
     const std::unique_ptr<Context> context = implementation.create_context();
-    const gl::Trace trace = gl::play(wrapped.commands, context->table());
+    const gl::Trace trace = context->play(wrapped.commands);
     if (trace.error(wrapped.error_before) != GL_NO_ERROR)
       throw NotObservable("feedback mode cannot be set up");
 

@@ -21,7 +21,7 @@ class Sink final : public Capture {
     const std::unique_ptr<Context> context = implementation.create_context();
     const WrappedCase wrapped = begin_wrapping({}, script);
     Observation observation;
-    const gl::Trace trace = gl::play(wrapped.commands, context->table());
+    const gl::Trace trace = context->play(wrapped.commands);
     observation.error = trace.error(wrapped.error_after);
     observation.attributes = kAllAttributes;
     observation.units = kTextureUnits;

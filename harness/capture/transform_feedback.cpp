@@ -88,7 +88,7 @@ class TransformFeedback final : public Capture {
         c.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, gl::out<GLfloat>(room * layout_.floats()));
 
     const std::unique_ptr<Context> context = implementation.create_context();
-    const gl::Trace trace = gl::play(c, context->table());
+    const gl::Trace trace = context->play(c);
     if (trace.values<GLint>(linked)[0] != GL_TRUE) throw NotObservable("the capturing shader does not link");
     if (trace.error(wrapped.error_before) != GL_NO_ERROR)
       throw NotObservable("transform feedback cannot be set up");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/capture/observation.h"
+#include "harness/gl/player.h"
 #include "harness/gl/table.h"
 
 namespace evalcts {
@@ -23,6 +24,8 @@ class Context {
  public:
   virtual ~Context() = default;
   virtual const gl::Table& table() const = 0;
+  // Plays the case on this context; every case of a test or capture goes through here.
+  virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
   // Whether vertices come straight out of the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
   // The primitives emitted since the last call; meaningful where has_sink().

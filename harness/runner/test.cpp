@@ -192,7 +192,7 @@ void Test::begin_case(const gl::Case& script) {
 Played Test::play(const gl::Case& script) {
   begin_case(script);
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
-  gl::Trace trace = gl::play(script, context->table());
+  gl::Trace trace = context->play(script);
   const std::vector<GLenum> left_over = trace.left_over_errors();
   Played played(*this, script, std::move(trace));
   if (!left_over.empty()) {
