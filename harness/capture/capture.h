@@ -18,6 +18,13 @@ struct NotObservable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What is asked of a capture.
+struct Wanted {
+  Attributes attributes = 0;       // to be observed at least
+  std::size_t most_vertices = 0;   // as they come out; where more come, Observation::overflow is set
+  PrimitiveKinds kinds = kPoints;  // that the case draws
+};
+
 class Capture {
  public:
   virtual ~Capture() = default;
@@ -34,11 +41,13 @@ class Capture {
   // Whether vertices with w <= 0 are lost on the way; valid after prove().
   virtual bool loses_nonpositive_w() const { return false; }
 
-  // Plays the case, which draws points only, and returns its vertices with at least the wanted attributes.
-  // `most_vertices`: how many are expected at most; where more come, Observation::overflow is set. Throws
-  // NotObservable, and whatever gl::play throws.
-  virtual Observation observe(Implementation& implementation, const gl::Case& script, Attributes wanted,
-                              std::size_t most_vertices) const = 0;
+  // Whether it can see a case that draws these kinds of primitives.
+  virtual bool takes(PrimitiveKinds) const { return true; }
+
+  // Plays the case and returns what came out, with at least the wanted attributes. Throws NotObservable, and
+  // whatever gl::play throws.
+  virtual Observation observe(Implementation& implementation, const gl::Case& script,
+                              const Wanted& wanted) const = 0;
 };
 
 // Sink, TransformFeedback, FeedbackBuffer, in order of preference.

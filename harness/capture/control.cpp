@@ -39,7 +39,7 @@ std::string try_control(const Capture& capture, Implementation& implementation, 
                         Attributes attributes) {
   const Control control = make_control(options);
   const Observation observation =
-      capture.observe(implementation, control.commands, attributes, control.vertices.size());
+      capture.observe(implementation, control.commands, {attributes, control.vertices.size()});
   if (observation.error != GL_NO_ERROR)
     return fmt::format("the control of explicit vertices raised {}", gl::error_name(observation.error));
   return compare(control, observation, attributes);

@@ -83,11 +83,12 @@ class FeedbackBuffer final : public Capture {
   Attributes attributes() const override { return attributes_; }
   bool loses_nonpositive_w() const override { return keep_w_; }
 
-  Observation observe(Implementation& implementation, const gl::Case& script, Attributes wanted,
-                      std::size_t most_vertices) const override {
+  Observation observe(Implementation& implementation, const gl::Case& script,
+                      const Wanted& asked) const override {
+    const Attributes wanted = asked.attributes;
     std::optional<Observation> observation;
     const auto pass = [&](TextureCoordinatesHold hold, Attributes gives) {
-      Observation seen = play_pass(implementation, script, hold, most_vertices);
+      Observation seen = play_pass(implementation, script, hold, asked.most_vertices);
       seen.attributes = gives;
       if (!observation) {
         observation = std::move(seen);
@@ -107,7 +108,8 @@ class FeedbackBuffer final : public Capture {
  private:
   Observation play_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
                         std::size_t most_vertices) const {
-    const std::size_t room = (most_vertices + 1) * 13;  // token, x y z w, R G B A, s t r q
+    // x y z w, R G B A, s t r q, and a token; a polygon of three or more vertices has a number, too.
+    const std::size_t room = (most_vertices + 1) * 13;
     gl::Case prologue = setup(hold, keep_w_, unclamp_);
     const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
     prologue.RenderMode(GL_FEEDBACK);
@@ -122,48 +124,68 @@ class FeedbackBuffer final : public Capture {
     Observation observation;
     observation.error = trace.error(wrapped.error_after);
     const std::vector<GLfloat> values = trace.values<GLfloat>(buffer);
-    // A negative answer: more came than there was room for; what is there is whole.
     const auto returned = static_cast<GLint>(trace.result(count));
-    const std::size_t valid =
-        returned < 0 ? room / 13 * 13 : std::min<std::size_t>(room, static_cast<std::size_t>(returned));
-    decode(values, valid, hold, observation);
+    decode(values, returned < 0 ? room : std::min<std::size_t>(room, static_cast<std::size_t>(returned)),
+           hold, observation);
     observation.overflow = returned < 0 || observation.vertex_count() > most_vertices;
     return observation;
   }
 
+  // Primitives that are whole; a buffer that was too small may end within one.
   static void decode(const std::vector<GLfloat>& values, std::size_t count, TextureCoordinatesHold hold,
                      Observation& observation) {
-    ObservedPrimitive& points = observation.primitives.emplace_back();
-    for (std::size_t i = 0; i + 13 <= count; i += 13) {
-      if (values[i] != static_cast<GLfloat>(GL_POINT_TOKEN))
-        throw NotObservable("something other than points came back in feedback mode");
-      const GLfloat* const data = &values[i + 1];
-      ObservedVertex& vertex = points.vertices.emplace_back();
-      std::copy_n(data + 4, 4, vertex.color.begin());
-      const GLfloat* const texture = data + 8;
-      switch (hold) {
-        case TextureCoordinatesHold::texture:
-          std::copy_n(texture, 4, vertex.texture_coordinate[0].begin());
-          break;
-        case TextureCoordinatesHold::position:
-          std::copy_n(texture, 4, vertex.position.begin());
-          break;
-        case TextureCoordinatesHold::normal:
-          std::copy_n(texture, 3, vertex.normal.begin());
-          break;
+    for (std::size_t i = 0; i < count;) {
+      const auto token = static_cast<GLenum>(values[i++]);
+      std::size_t vertices = 1;
+      GLenum mode = GL_POINTS;
+      if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) {
+        mode = GL_LINES;  // whether the stipple starts anew is for other tests
+        vertices = 2;
+      } else if (token == GL_POLYGON_TOKEN && i < count) {
+        mode = GL_POLYGON;
+        vertices = static_cast<std::size_t>(values[i++]);
+      } else if (token != GL_POINT_TOKEN) {
+        throw NotObservable("something other than points, lines and polygons came back in feedback mode");
       }
+      if (vertices > (count - i) / 12) return;
+      std::vector<ObservedPrimitive>& primitives = observation.primitives;
+      if (mode != GL_POINTS || primitives.empty() || primitives.back().mode != GL_POINTS)
+        primitives.push_back({mode, {}});
+      ObservedPrimitive& primitive = primitives.back();
+      for (; vertices > 0; --vertices, i += 12) primitive.vertices.push_back(vertex(&values[i], hold));
     }
   }
 
-  // Passes replay the same case; where they do not even agree on the number of vertices, nothing can be said.
+  static ObservedVertex vertex(const GLfloat* data, TextureCoordinatesHold hold) {
+    ObservedVertex vertex;
+    std::copy_n(data + 4, 4, vertex.color.begin());
+    const GLfloat* const texture = data + 8;
+    switch (hold) {
+      case TextureCoordinatesHold::texture:
+        std::copy_n(texture, 4, vertex.texture_coordinate[0].begin());
+        break;
+      case TextureCoordinatesHold::position:
+        std::copy_n(texture, 4, vertex.position.begin());
+        break;
+      case TextureCoordinatesHold::normal:
+        std::copy_n(texture, 3, vertex.normal.begin());
+        break;
+    }
+    return vertex;
+  }
+
+  // Passes replay the same case; where they do not even agree on the primitives, nothing can be said.
   static void merge(Observation& whole, const Observation& pass, Attributes gives) {
-    if (whole.vertex_count() != pass.vertex_count())
-      throw NotObservable("two feedback passes over the same commands gave different numbers of vertices");
-    auto& vertices = whole.primitives.front().vertices;
-    const auto& more = pass.primitives.front().vertices;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (gives & kPosition) vertices[i].position = more[i].position;
-      if (gives & kNormal) vertices[i].normal = more[i].normal;
+    const char* const kDiffer = "two feedback passes over the same commands gave different primitives";
+    if (whole.primitives.size() != pass.primitives.size()) throw NotObservable(kDiffer);
+    for (std::size_t p = 0; p < whole.primitives.size(); ++p) {
+      auto& vertices = whole.primitives[p].vertices;
+      const auto& more = pass.primitives[p].vertices;
+      if (vertices.size() != more.size()) throw NotObservable(kDiffer);
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (gives & kPosition) vertices[i].position = more[i].position;
+        if (gives & kNormal) vertices[i].normal = more[i].normal;
+      }
     }
     whole.attributes |= gives;
     if (whole.error == GL_NO_ERROR) whole.error = pass.error;

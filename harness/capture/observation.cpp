@@ -17,6 +17,19 @@ std::string describe(Attributes attributes) {
   return text.empty() ? "nothing" : text;
 }
 
+PrimitiveKind kind_of(GLenum mode) {
+  switch (mode) {
+    case GL_POINTS:
+      return kPoints;
+    case GL_LINES:
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP:
+      return kLines;
+    default:
+      return kPolygons;
+  }
+}
+
 std::size_t Observation::vertex_count() const {
   std::size_t count = 0;
   for (const ObservedPrimitive& primitive : primitives) count += primitive.vertices.size();

@@ -33,6 +33,16 @@ struct ObservedVertex {
   std::array<std::array<float, 4>, kTextureUnits> texture_coordinate{};
 };
 
+// Kinds of primitives, as a set.
+enum PrimitiveKind : std::uint32_t {
+  kPoints = 1u << 0,
+  kLines = 1u << 1,     // LINES, LINE_STRIP, LINE_LOOP
+  kPolygons = 1u << 2,  // everything that is filled
+};
+using PrimitiveKinds = std::uint32_t;
+PrimitiveKind kind_of(GLenum mode);
+
+// A primitive as it came out: an implementation may have taken a strip, a quad or a polygon apart.
 struct ObservedPrimitive {
   GLenum mode = GL_POINTS;
   std::vector<ObservedVertex> vertices;

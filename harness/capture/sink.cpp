@@ -16,8 +16,8 @@ class Sink final : public Capture {
   }
   Attributes attributes() const override { return kAllAttributes; }
 
-  Observation observe(Implementation& implementation, const gl::Case& script, Attributes,
-                      std::size_t most_vertices) const override {
+  Observation observe(Implementation& implementation, const gl::Case& script,
+                      const Wanted& wanted) const override {
     const std::unique_ptr<Context> context = implementation.create_context();
     const WrappedCase wrapped = begin_wrapping({}, script);
     Observation observation;
@@ -26,7 +26,7 @@ class Sink final : public Capture {
     observation.attributes = kAllAttributes;
     observation.units = kTextureUnits;
     observation.primitives = context->take_emitted();
-    if (observation.vertex_count() > most_vertices) observation.overflow = true;
+    observation.overflow = observation.vertex_count() > wanted.most_vertices;
     return observation;
   }
 };

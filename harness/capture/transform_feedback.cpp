@@ -1,35 +1,29 @@
-// A vertex shader copies the built-in attributes to varyings, transform feedback records them (GL 3.0 §2.15):
-// exact, bit for bit. A vertex shader changes AUTO_NORMAL (EV-AUTON-SHADER), nothing else of evaluation.
+// A vertex shader copies the built-in attributes to varyings, transform feedback records them. A vertex
+// shader changes AUTO_NORMAL (EV-AUTON-SHADER), nothing else of evaluation.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "harness/capture/control.h"
+#include "harness/capture/varyings.h"
 
 namespace evalcts {
 namespace {
 
-struct Layout {
-  std::size_t units;
-  std::size_t floats() const { return 4 + 4 + 3 + 4 * units; }
-};
-
-std::string shader_source(const Layout& layout) {
+VaryingShader copying_shader(std::size_t units) {
+  VaryingShader shader;
   std::string declarations =
       "#version 120\nvarying vec4 seen_position;\nvarying vec4 seen_color;\nvarying vec3 seen_normal;\n";
   std::string body = "  seen_position = gl_Vertex;\n  seen_color = gl_Color;\n  seen_normal = gl_Normal;\n";
-  for (std::size_t unit = 0; unit < layout.units; ++unit) {
+  shader.varyings = {"seen_position", "seen_color", "seen_normal"};
+  for (std::size_t unit = 0; unit < units; ++unit) {
     declarations += fmt::format("varying vec4 seen_texture{};\n", unit);
     body += fmt::format("  seen_texture{0} = gl_MultiTexCoord{0};\n", unit);
+    shader.varyings.push_back(fmt::format("seen_texture{}", unit));
   }
-  return declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}\n";
-}
-
-gl::Strings varyings(const Layout& layout) {
-  gl::Strings names{{"seen_position", "seen_color", "seen_normal"}};
-  for (std::size_t unit = 0; unit < layout.units; ++unit)
-    names.values.push_back(fmt::format("seen_texture{}", unit));
-  return names;
+  shader.source = declarations + "void main() {\n" + body + "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}\n";
+  shader.floats = 4 + 4 + 3 + 4 * units;
+  return shader;
 }
 
 class TransformFeedback final : public Capture {
@@ -38,8 +32,9 @@ class TransformFeedback final : public Capture {
 
   void prove(Implementation& implementation, const ImplementationInfo& info) override {
     if (!info.at_least(3, 0)) throw NotObservable("needs GL 3.0, this is GL " + info.version);
-    layout_.units =
+    units_ =
         std::clamp<std::size_t>(static_cast<std::size_t>(std::max(info.texture_units, 1)), 1, kTextureUnits);
+    shader_ = copying_shader(units_);
     std::string wrong;
     try {
       wrong = try_control(*this, implementation, {true, true}, attributes());
@@ -50,77 +45,46 @@ class TransformFeedback final : public Capture {
   }
 
   Attributes attributes() const override {
-    return kPosition | kColor | kNormal | kTextureCoordinate0 |
-           (layout_.units > 1 ? kTextureCoordinatesOther : 0u);
+    return kPosition | kColor | kNormal | kTextureCoordinate0 | (units_ > 1 ? kTextureCoordinatesOther : 0u);
   }
 
-  Observation observe(Implementation& implementation, const gl::Case& script, Attributes,
-                      std::size_t most_vertices) const override {
-    const std::size_t room = most_vertices + 1;  // one more, to see that more came
-    const std::size_t bytes = room * layout_.floats() * sizeof(GLfloat);
+  bool takes(PrimitiveKinds kinds) const override { return can_record(kinds); }
 
-    gl::Case prologue;
-    const gl::Ref shader = prologue.CreateShader(GL_VERTEX_SHADER);
-    prologue.ShaderSource(shader, 1, gl::Strings{{shader_source(layout_)}}, nullptr);
-    prologue.CompileShader(shader);
-    const gl::Ref program = prologue.CreateProgram();
-    prologue.AttachShader(program, shader);
-    const gl::Strings names = varyings(layout_);
-    prologue.TransformFeedbackVaryings(program, names.values.size(), names, GL_INTERLEAVED_ATTRIBS);
-    prologue.LinkProgram(program);
-    const gl::Ref linked = prologue.GetProgramiv(program, GL_LINK_STATUS, gl::out<GLint>(1));
-    prologue.UseProgram(program);
-    const gl::ResultOf buffer{prologue.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
-    prologue.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
-    prologue.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STATIC_READ);
-    prologue.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
-    prologue.Enable(GL_RASTERIZER_DISCARD);
-    const gl::ResultOf query{prologue.GenQueries(1, gl::out<GLuint>(1)).index, 0};
-    prologue.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
-    prologue.BeginTransformFeedback(GL_POINTS);
-
-    WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
-    gl::Case& c = wrapped.commands;
-    c.EndTransformFeedback();
-    c.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-    const gl::Ref written = c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1));
-    const gl::Ref data =
-        c.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, gl::out<GLfloat>(room * layout_.floats()));
-
-    const std::unique_ptr<Context> context = implementation.create_context();
-    const gl::Trace trace = context->play(c);
-    if (trace.values<GLint>(linked)[0] != GL_TRUE) throw NotObservable("the capturing shader does not link");
-    if (trace.error(wrapped.error_before) != GL_NO_ERROR)
-      throw NotObservable("transform feedback cannot be set up");
-
+  Observation observe(Implementation& implementation, const gl::Case& script,
+                      const Wanted& wanted) const override {
+    const auto kind = static_cast<PrimitiveKind>(wanted.kinds);
+    const RecordedVaryings recorded =
+        record_varyings(implementation, shader_, script, kind, wanted.most_vertices);
     Observation observation;
     observation.attributes = attributes();
-    observation.units = layout_.units;
-    observation.error = trace.error(wrapped.error_after);
-    const std::size_t count = std::min<std::size_t>(trace.values<GLuint>(written)[0], room);
-    observation.overflow = count > most_vertices;
-    decode(trace.values<GLfloat>(data), count, observation);
+    observation.units = units_;
+    observation.error = recorded.error;
+    observation.overflow = recorded.overflow;
+    decode(recorded, kind, observation);
     return observation;
   }
 
  private:
-  void decode(const std::vector<GLfloat>& data, std::size_t count, Observation& observation) const {
-    ObservedPrimitive& points = observation.primitives.emplace_back();
-    auto next = data.begin();
+  void decode(const RecordedVaryings& recorded, PrimitiveKind kind, Observation& observation) const {
+    auto next = recorded.values.begin();
     const auto take = [&next](auto& values) {
       std::copy_n(next, values.size(), values.begin());
       next += static_cast<std::ptrdiff_t>(values.size());
     };
-    for (std::size_t i = 0; i < count; ++i) {
-      ObservedVertex& vertex = points.vertices.emplace_back();
+    const std::size_t size = vertices_of_recorded(kind);
+    const GLenum mode = kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_TRIANGLES;
+    for (std::size_t i = 0; i < recorded.vertices; ++i) {
+      if (kind == kPoints ? i == 0 : i % size == 0) observation.primitives.emplace_back().mode = mode;
+      ObservedVertex& vertex = observation.primitives.back().vertices.emplace_back();
       take(vertex.position);
       take(vertex.color);
       take(vertex.normal);
-      for (std::size_t unit = 0; unit < layout_.units; ++unit) take(vertex.texture_coordinate[unit]);
+      for (std::size_t unit = 0; unit < units_; ++unit) take(vertex.texture_coordinate[unit]);
     }
   }
 
-  Layout layout_{1};
+  std::size_t units_ = 1;
+  VaryingShader shader_;
 };
 
 }  // namespace

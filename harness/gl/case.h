@@ -107,6 +107,11 @@ Input array(std::initializer_list<T> values, AfterCall after = AfterCall::keep) 
   return array(std::span<const T>(values.begin(), values.size()), after);
 }
 
+// A string of characters with its terminator.
+inline Input text(const std::string& characters) {
+  return array(std::span<const char>(characters.c_str(), characters.size() + 1));
+}
+
 class Case {
  public:
   Case() = default;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "harness/gl/tokens.h"
 
@@ -172,6 +173,15 @@ std::vector<const ObservedVertex*> flat(const Observation& observation) {
   return vertices;
 }
 
+// What came out for each vertex of the case, where it came out at all; of several times the first.
+std::map<std::size_t, const ObservedVertex*> by_vertex(const Seen& seen) {
+  std::map<std::size_t, const ObservedVertex*> vertices;
+  const auto all = flat(seen.observation);
+  for (std::size_t i = 0; i < std::min(all.size(), seen.topology.vertices.size()); ++i)
+    vertices.emplace(seen.topology.vertices[i], all[i]);
+  return vertices;
+}
+
 bool same_value(float a, float b) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return true;
   constexpr float kTiny = std::numeric_limits<float>::min();
@@ -180,54 +190,63 @@ bool same_value(float a, float b) {
 
 }  // namespace
 
-Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {
+Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
+                const JudgeOptions& options) {
   Judgement judgement;
-  const std::vector<const ObservedVertex*> got = flat(observation);
-  std::size_t expected_count = prediction.vertex_count();
-  if (got.size() != expected_count) {
+  const Shape shape = shape_of(observation);
+  if (shape != topology.shape) {
     Mismatch mismatch;
-    mismatch.what = "number of vertices";
-    mismatch.expected = std::to_string(expected_count);
-    mismatch.captured = std::to_string(got.size()) + (observation.overflow ? " or more" : "");
-    mismatch.message =
-        fmt::format("{} vertices came out, {} should have", mismatch.captured, mismatch.expected);
+    mismatch.what = topology.only_points() ? "number of vertices" : "primitives";
+    mismatch.expected = describe(topology.shape);
+    mismatch.captured = describe(shape) + (observation.overflow ? " or more" : "");
+    mismatch.message = fmt::format("{} came out, {} should have", mismatch.captured, mismatch.expected);
     judgement.mismatches.push_back(std::move(mismatch));
     return judgement;  // which vertex is missing or too many is not known: comparing the rest would mislead
   }
-  VertexJudge vertex_judge(options, observation, judgement);
-  std::size_t index = 0;
+  std::vector<const reference::Vertex*> expected;
   for (const reference::Primitive& primitive : prediction.primitives)
-    for (const reference::Vertex& vertex : primitive.vertices) {
-      vertex_judge.vertex(index, vertex, *got[index]);
-      ++index;
-    }
+    for (const reference::Vertex& vertex : primitive.vertices) expected.push_back(&vertex);
+  const std::vector<const ObservedVertex*> got = flat(observation);
+  VertexJudge vertex_judge(options, observation, judgement);
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const std::size_t vertex = topology.vertices[i];
+    vertex_judge.vertex(vertex, *expected[vertex], *got[i]);
+  }
   return judgement;
 }
 
-std::string disagreement(const Observation& a, const Observation& b) {
-  const auto first = flat(a);
-  const auto second = flat(b);
+Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options) {
+  return judge(prediction, Topology::points(prediction.vertex_count()), observation, options);
+}
+
+std::string disagreement(const Seen& a, const Seen& b) {
+  const auto first = by_vertex(a);
+  const auto second = by_vertex(b);
   if (first.size() != second.size())
     return fmt::format("one capture saw {} vertices, the other {}", first.size(), second.size());
-  const Attributes both = a.attributes & b.attributes;
+  const Attributes both = a.observation.attributes & b.observation.attributes;
   const auto clamp = [&](float color) {
-    return a.clamped_colors || b.clamped_colors ? std::clamp(color, 0.0f, 1.0f) : color;
+    return a.observation.clamped_colors || b.observation.clamped_colors ? std::clamp(color, 0.0f, 1.0f)
+                                                                        : color;
   };
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const auto same = [](const auto& x, const auto& y) {
-      return std::equal(x.begin(), x.end(), y.begin(), same_value);
-    };
+  const auto same = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), same_value);
+  };
+  for (const auto& [index, one] : first) {
+    const auto found = second.find(index);
+    if (found == second.end()) return fmt::format("only one capture saw vertex {}", index);
+    const ObservedVertex* const other = found->second;
     const char* differs = nullptr;
-    if ((both & kPosition) && !same(first[i]->position, second[i]->position)) differs = "position";
+    if ((both & kPosition) && !same(one->position, other->position)) differs = "position";
     if (both & kColor)
       for (std::size_t k = 0; k < 4; ++k)
-        if (!same_value(clamp(first[i]->color[k]), clamp(second[i]->color[k]))) differs = "colour";
-    if ((both & kNormal) && !same(first[i]->normal, second[i]->normal)) differs = "normal";
-    for (std::size_t unit = 0; unit < std::min(a.units, b.units); ++unit)
+        if (!same_value(clamp(one->color[k]), clamp(other->color[k]))) differs = "colour";
+    if ((both & kNormal) && !same(one->normal, other->normal)) differs = "normal";
+    for (std::size_t unit = 0; unit < std::min(a.observation.units, b.observation.units); ++unit)
       if ((both & (unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther)) &&
-          !same(first[i]->texture_coordinate[unit], second[i]->texture_coordinate[unit]))
+          !same(one->texture_coordinate[unit], other->texture_coordinate[unit]))
         differs = "texture coordinates";
-    if (differs) return fmt::format("the {} of vertex {} differs", differs, i);
+    if (differs) return fmt::format("the {} of vertex {} differs", differs, index);
   }
   return {};
 }

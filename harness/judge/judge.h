@@ -7,6 +7,7 @@
 #include "harness/capture/observation.h"
 #include "harness/judge/accuracy.h"
 #include "harness/judge/prediction.h"
+#include "harness/judge/topology.h"
 
 namespace evalcts {
 
@@ -34,12 +35,21 @@ struct JudgeOptions {
   std::string where = {};                  // the case's identity, for Accuracy
 };
 
-// Compares vertex by vertex, in order. A value that was given (not evaluated) has to come back bit for bit,
-// -0 counting as +0.
+// Compares what came out with the prediction, taken apart as the topology says, vertex by vertex, in order. A
+// value that was given (not evaluated) has to come back bit for bit, -0 counting as +0.
+Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
+                const JudgeOptions& options);
+// The same for a case that draws points only.
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options);
+
+// An observation and how the capture that made it takes primitives apart.
+struct Seen {
+  const Observation& observation;
+  const Topology& topology;
+};
 
 // Whether two observations of the same case are the same in the attributes that both have: bit for bit, but
 // -0 and subnormals as real numbers to 2^-126. Empty, or what differs.
-std::string disagreement(const Observation& a, const Observation& b);
+std::string disagreement(const Seen& a, const Seen& b);
 
 }  // namespace evalcts

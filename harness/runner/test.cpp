@@ -184,13 +184,16 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
 // case costs a library far more than the case.
 bool Test::cross_checked() const { return subject_.depth == Depth::thorough || hash(record_.name) % 4 == 0; }
 
-void Test::begin_case(const gl::Case& script) {
+// Counts the case and returns it as it is delivered.
+gl::Case Test::begin_case(const gl::Case& script) {
   ++record_.cases;
-  if (subject_.before_case) subject_.before_case(script);
+  gl::Case delivered = delivery_ ? delivery_->apply(script) : script;
+  if (subject_.before_case) subject_.before_case(delivered);
+  return delivered;
 }
 
-Played Test::play(const gl::Case& script) {
-  begin_case(script);
+Played Test::play(const gl::Case& written) {
+  const gl::Case script = begin_case(written);
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
   gl::Trace trace = context->play(script);
   const std::vector<GLenum> left_over = trace.left_over_errors();
@@ -210,10 +213,12 @@ Played Test::play(const gl::Case& script) {
   return played;
 }
 
-std::vector<Capture*> Test::captures_for(Attributes required, bool nonpositive_w) const {
+std::vector<Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds,
+                                         bool nonpositive_w) const {
   std::vector<Capture*> captures;
   for (Capture* capture : subject_.captures) {
     if (nonpositive_w && capture->loses_nonpositive_w()) continue;
+    if (!capture->takes(kinds)) continue;
     if ((capture->attributes() & required) == required) captures.push_back(capture);
   }
   if (captures.empty())
@@ -222,36 +227,67 @@ std::vector<Capture*> Test::captures_for(Attributes required, bool nonpositive_w
   return captures;
 }
 
-Observation Test::observe(const gl::Case& script, Attributes required, std::size_t most_vertices) {
-  begin_case(script);
-  Capture* capture = captures_for(required, false).front();
-  if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) == record_.captures.end())
-    record_.captures.push_back(capture->name());
-  return capture->observe(*subject_.implementation, script, required, most_vertices);
+void Test::note_capture(const Capture& capture) {
+  if (std::find(record_.captures.begin(), record_.captures.end(), capture.name()) == record_.captures.end())
+    record_.captures.push_back(capture.name());
 }
 
-void Test::expect_emission(const gl::Case& script, Attributes required) {
-  begin_case(script);
-  const Prediction prediction = predict(script, max_order());
-  const std::size_t count = prediction.vertex_count();
-  const std::vector<Capture*> captures = captures_for(required, prediction.has_nonpositive_w());
+Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices) {
+  const gl::Case script = begin_case(written);
+  const Capture* capture = captures_for(required, kPoints, false).front();
+  note_capture(*capture);
+  return capture->observe(*subject_.implementation, script, {required, most_vertices, kPoints});
+}
 
-  std::vector<std::pair<const Capture*, Observation>> observations;
-  for (const Capture* capture : captures) {
-    if (!observations.empty() && !cross_checked()) break;
+RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingShader& shader,
+                                       std::size_t most_vertices) {
+  const gl::Case script = begin_case(written);
+  return evalcts::record_varyings(*subject_.implementation, shader, script, kPoints, most_vertices);
+}
+
+// How the capture shows the primitives that the case draws.
+Topology Test::topology_of(const Prediction& prediction, const Capture& capture) const {
+  const PrimitiveKinds kinds = kinds_of(prediction);
+  if (kinds == kPoints) return Topology::points(prediction.vertex_count());
+  const Attributes numbered = capture.attributes() & (kPosition | kTextureCoordinate0);
+  const Observation control = capture.observe(*subject_.implementation, explicit_primitives(prediction),
+                                              {numbered, most_vertices_of(prediction), kinds});
+  std::optional<Topology> topology = read_topology(prediction, control);
+  if (!topology || control.error != GL_NO_ERROR)
+    throw NotObservable(fmt::format(
+        "pipeline: {} does not show these primitives with explicit vertices, either", capture.name()));
+  return *std::move(topology);
+}
+
+void Test::expect_emission(const gl::Case& written, Attributes required) {
+  const gl::Case script = begin_case(written);
+  const Prediction prediction = predict(script, max_order());
+  const PrimitiveKinds kinds = kinds_of(prediction);
+  // Some room beyond what is right, so that the message can say how many came.
+  const std::size_t room = most_vertices_of(prediction) + 8;
+
+  struct Look {
+    const Capture* capture;
+    Topology topology;
+    Observation observation;
+  };
+  std::vector<Look> looks;
+  for (const Capture* capture : captures_for(required, kinds, prediction.has_nonpositive_w())) {
+    if (!looks.empty() && !cross_checked()) break;
     // The first shows all it can; the others cross-check what the test is about.
-    const Attributes wanted = observations.empty() ? capture->attributes() : required;
-    observations.emplace_back(capture, capture->observe(*subject_.implementation, script, wanted, count + 8));
-    if (std::find(record_.captures.begin(), record_.captures.end(), capture->name()) ==
-        record_.captures.end())
-      record_.captures.push_back(capture->name());
+    const Attributes wanted = looks.empty() ? capture->attributes() : required;
+    Topology topology = topology_of(prediction, *capture);
+    looks.push_back({capture, std::move(topology),
+                     capture->observe(*subject_.implementation, script, {wanted, room, kinds})});
+    note_capture(*capture);
   }
-  for (std::size_t i = 1; i < observations.size(); ++i) {
-    const std::string differs = disagreement(observations[0].second, observations[i].second);
+  for (std::size_t i = 1; i < looks.size(); ++i) {
+    const std::string differs =
+        disagreement({looks[0].observation, looks[0].topology}, {looks[i].observation, looks[i].topology});
     if (!differs.empty())
       throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}",
-                                      observations[0].first->name(), observations[i].first->name(),
-                                      script.identity(), differs));
+                                      looks[0].capture->name(), looks[i].capture->name(), script.identity(),
+                                      differs));
   }
 
   const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch) {
@@ -269,7 +305,7 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
     failure.capture = capture.name();
     fail(std::move(failure), all_calls(script));
   };
-  const auto& [capture, observation] = observations.front();  // the others agree with it
+  const auto& [capture, topology, observation] = looks.front();  // the others agree with it
   if (observation.error != prediction.error) {
     Mismatch mismatch;
     mismatch.what = "glGetError";
@@ -283,7 +319,7 @@ void Test::expect_emission(const gl::Case& script, Attributes required) {
                              .measured = required,
                              .version = 10 * gl().major + gl().minor,
                              .where = script.identity()};
-  const Judgement judgement = judge(prediction, observation, options);
+  const Judgement judgement = judge(prediction, topology, observation, options);
   for (const Mismatch& mismatch : judgement.mismatches) record_failure(*capture, mismatch);
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();

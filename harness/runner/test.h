@@ -10,11 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/capture/capture.h"
+#include "harness/capture/varyings.h"
 #include "harness/gl/case.h"
+#include "harness/gl/delivery.h"
 #include "harness/gl/player.h"
 #include "harness/gl/tokens.h"
 #include "harness/implementations/implementation.h"
+#include "harness/judge/topology.h"
 #include "harness/runner/record.h"
 
 namespace evalcts {
@@ -97,6 +99,9 @@ class Test {
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
 
+  // From now on each case goes through this delivery; it has to outlive the test.
+  void deliver_by(const gl::Delivery& delivery) { delivery_ = &delivery; }
+
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
@@ -106,8 +111,12 @@ class Test {
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
 
-  // Observes through the first capture that sees `required`; the test judges by itself.
+  // Observes a case that draws points through the first capture that sees `required`; the test judges by
+  // itself.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices);
+  // The same through a vertex shader of the test's own. Throws NotObservable.
+  RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
+                                   std::size_t most_vertices);
 
   // `calls` is asked for those failures only that are kept in full.
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {});
@@ -117,12 +126,15 @@ class Test {
 
  private:
   friend class Played;
-  void begin_case(const gl::Case& script);
+  gl::Case begin_case(const gl::Case& script);
   bool cross_checked() const;
-  std::vector<Capture*> captures_for(Attributes required, bool nonpositive_w) const;
+  std::vector<Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) const;
+  void note_capture(const Capture& capture);
+  Topology topology_of(const Prediction& prediction, const Capture& capture) const;
 
   const Subject& subject_;
   Record& record_;
+  const gl::Delivery* delivery_ = nullptr;
   std::size_t last_failed_case_ = 0;
   std::mt19937 random_;
 };
@@ -153,6 +165,28 @@ struct Registration {
                             [body, copy](Test& t) { body(t, copy); }});
     }
   }
+  // One test for each delivery, and for each parameter and delivery.
+  template <class Body>
+  Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
+               std::initializer_list<std::string_view> requirements, Body body) {
+    for (const gl::Delivery& delivery : deliveries)
+      Registration(TestInfo{suite, std::string(name) + "/" + delivery.name, requirements, level,
+                            [body, &delivery](Test& t) {
+                              t.deliver_by(delivery);
+                              body(t);
+                            }});
+  }
+  template <class Parameters, class Body>
+  Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name,
+               const Parameters& parameters, Level level,
+               std::initializer_list<std::string_view> requirements, Body body) {
+    for (const auto& parameter : parameters) {
+      const auto copy = parameter;
+      const std::string with_parameter = std::string(name) + "/" + parameter_name(copy);
+      Registration(deliveries, suite, with_parameter.c_str(), level, requirements,
+                   [body, copy](Test& t) { body(t, copy); });
+    }
+  }
 
  private:
   static std::string parameter_name(GLenum target);
@@ -174,6 +208,22 @@ struct Registration {
   static void suite##_##name(::evalcts::Test& t, parameter);                              \
   static const ::evalcts::Registration suite##_##name##_registration{                     \
       #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
+  static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
+
+// The same through each delivery: the case is written with Map1f and EvalCoord1f. One test each,
+// "Suite.Name/EvalCoord1dv".
+#define EVALCTS_DELIVERED_TEST(suite, name, level, ...)                                                    \
+  static void suite##_##name(::evalcts::Test& t);                                                          \
+  static const ::evalcts::Registration suite##_##name##_registration{                                      \
+      ::evalcts::gl::deliveries(), #suite, #name, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
+  static void suite##_##name(::evalcts::Test& t)
+
+// "Suite.Name/PARAMETER/EvalCoord1dv".
+#define EVALCTS_DELIVERED_TESTS(suite, name, parameters, parameter, level, ...) \
+  static void suite##_##name(::evalcts::Test& t, parameter);                    \
+  static const ::evalcts::Registration suite##_##name##_registration{           \
+      ::evalcts::gl::deliveries(), #suite,        #name,         parameters,    \
+      ::evalcts::Level::level,     {__VA_ARGS__}, suite##_##name};              \
   static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
 
 }  // namespace evalcts

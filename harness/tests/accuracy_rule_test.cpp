@@ -150,15 +150,16 @@ TEST(Judge, MakesNoDemandBeyondThePromisedRange) {
 TEST(Captures, DisagreementIsSeenButNotForSubnormalsAndZeros) {
   Scene scene;
   Observation other = scene.exact;
-  EXPECT_EQ(disagreement(scene.exact, other), "");
+  const Topology points = Topology::points(scene.prediction.vertex_count());
+  EXPECT_EQ(disagreement({scene.exact, points}, {other, points}), "");
   other.primitives[0].vertices[1].texture_coordinate[0][2] = 1e-39f;
-  EXPECT_EQ(disagreement(scene.exact, other), "");
+  EXPECT_EQ(disagreement({scene.exact, points}, {other, points}), "");
   other.primitives[0].vertices[1].position[0] =
       std::nextafterf(other.primitives[0].vertices[1].position[0], 9.0f);
-  EXPECT_NE(disagreement(scene.exact, other), "");
+  EXPECT_NE(disagreement({scene.exact, points}, {other, points}), "");
   other = scene.exact;
   other.primitives[0].vertices.pop_back();
-  EXPECT_NE(disagreement(scene.exact, other), "");
+  EXPECT_NE(disagreement({scene.exact, points}, {other, points}), "");
 }
 
 TEST(Accuracy, KeepsTheWorst) {

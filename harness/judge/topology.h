@@ -1,0 +1,43 @@
+// How primitives are taken apart on their way to a capture: into separate lines, triangles or polygons, in
+// an order and by diagonals that are the implementation's own. It is learned from explicit vertices, so that
+// only what evaluation adds is judged.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "harness/capture/observation.h"
+#include "harness/gl/case.h"
+#include "harness/judge/prediction.h"
+
+namespace evalcts {
+
+// The primitives that come out: mode and number of vertices. Points that follow each other are one.
+using Shape = std::vector<std::pair<GLenum, std::size_t>>;
+Shape shape_of(const Observation& observation);
+std::string describe(const Shape& shape);  // "8 vertices", "3 LINES and 1 POLYGON of 4 vertices"
+
+struct Topology {
+  Shape shape;
+  std::vector<std::size_t> vertices;  // which vertex of the case each one is that comes out
+
+  // What draws only points comes out as it is.
+  static Topology points(std::size_t count);
+  bool only_points() const;
+};
+
+PrimitiveKinds kinds_of(const Prediction& prediction);
+
+// The most vertices that can come out: triangles of a strip share none.
+std::size_t most_vertices_of(const Prediction& prediction);
+
+// The primitives of the prediction with explicit vertices, each of which has its number as x and s.
+gl::Case explicit_primitives(const Prediction& prediction);
+
+// Reads the numbers back. Empty where they do not come back, or where a vertex of a complete primitive is
+// missing: then the implementation does not draw such primitives at all, evaluated or not.
+std::optional<Topology> read_topology(const Prediction& prediction, const Observation& observation);
+
+}  // namespace evalcts

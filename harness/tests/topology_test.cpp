@@ -1,0 +1,71 @@
+// Topology: what comes out of lines and polygons is learned from explicit vertices.
+#include <gtest/gtest.h>
+
+#include "harness/judge/judge.h"
+
+namespace evalcts {
+namespace {
+
+Prediction predicted(GLenum mode, int vertices) {
+  gl::Case c;
+  c.Begin(mode);
+  for (int i = 0; i < vertices; ++i) c.Vertex2f(static_cast<float>(10 + i), 1);
+  c.End();
+  return predict(c, 8);
+}
+
+// Primitives whose vertices have these numbers as x.
+Observation observed(GLenum mode, const std::vector<std::vector<float>>& primitives) {
+  Observation observation;
+  observation.attributes = kPosition;
+  for (const std::vector<float>& numbers : primitives) {
+    ObservedPrimitive& primitive = observation.primitives.emplace_back();
+    primitive.mode = mode;
+    for (const float x : numbers) {
+      primitive.vertices.emplace_back().position = {x, x < 10 ? 0.0f : 1.0f, 0, 1};
+    }
+  }
+  return observation;
+}
+
+TEST(Topology, LearnsTrianglesOfAQuad) {
+  const Prediction quad = predicted(GL_QUADS, 5);  // the fifth is left over
+  const auto topology = read_topology(quad, observed(GL_TRIANGLES, {{0, 1, 3}, {1, 2, 3}}));
+  ASSERT_TRUE(topology);
+  EXPECT_EQ(topology->vertices, (std::vector<std::size_t>{0, 1, 3, 1, 2, 3}));
+  EXPECT_TRUE(
+      judge(quad, *topology, observed(GL_TRIANGLES, {{10, 11, 13}, {11, 12, 13}}), {}).mismatches.empty());
+  EXPECT_EQ(
+      judge(quad, *topology, observed(GL_TRIANGLES, {{10, 11, 13}, {11, 13, 12}}), {}).mismatches.size(), 2u);
+}
+
+TEST(Topology, AnotherShapeIsAMismatch) {
+  const Prediction loop = predicted(GL_LINE_LOOP, 3);
+  const auto topology = read_topology(loop, observed(GL_LINES, {{0, 1}, {1, 2}, {2, 0}}));
+  ASSERT_TRUE(topology);
+  const Judgement judgement = judge(loop, *topology, observed(GL_LINES, {{10, 11}, {11, 12}}), {});
+  ASSERT_EQ(judgement.mismatches.size(), 1u);
+  EXPECT_EQ(judgement.mismatches[0].what, "primitives");
+  EXPECT_EQ(judgement.mismatches[0].expected, "3 LINES of 2 vertices");
+}
+
+TEST(Topology, IsUnknownWhereExplicitVerticesAreLost) {
+  const Prediction strip = predicted(GL_LINE_STRIP, 3);
+  EXPECT_FALSE(read_topology(strip, observed(GL_LINES, {{0, 1}})));
+  EXPECT_FALSE(read_topology(strip, observed(GL_LINES, {{0, 1}, {1, 2.5f}})));
+  EXPECT_FALSE(read_topology(strip, observed(GL_LINES, {{0, 1}, {1, 3}})));
+  EXPECT_TRUE(read_topology(predicted(GL_LINE_STRIP, 1), observed(GL_LINES, {})));
+  EXPECT_TRUE(read_topology(predicted(GL_TRIANGLES, 4), observed(GL_TRIANGLES, {{0, 1, 2}})));
+}
+
+TEST(Topology, CapturesThatTakeApartDifferentlyAgree) {
+  const Prediction quad = predicted(GL_QUADS, 4);
+  const auto triangles = read_topology(quad, observed(GL_TRIANGLES, {{0, 1, 3}, {1, 2, 3}}));
+  const auto polygon = read_topology(quad, observed(GL_POLYGON, {{0, 1, 2, 3}}));
+  const Observation two = observed(GL_TRIANGLES, {{10, 11, 13}, {11, 12, 13}});
+  EXPECT_EQ(disagreement({two, *triangles}, {observed(GL_POLYGON, {{10, 11, 12, 13}}), *polygon}), "");
+  EXPECT_NE(disagreement({two, *triangles}, {observed(GL_POLYGON, {{10, 11, 12, 14}}), *polygon}), "");
+}
+
+}  // namespace
+}  // namespace evalcts
