@@ -105,26 +105,27 @@ constexpr Moment kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 }  // namespace
 
-EVALCTS_TESTS(CurrentValues, Color, kMoments, const Moment& moment, must, "EV-CUR-COLOR/1-D") {
+EVALCTS_DELIVERED_TESTS(CurrentValues, Color, kMoments, const Moment& moment, must, "EV-CUR-COLOR/1-D") {
   expect_current_untouched(t, GL_MAP1_COLOR_4, {GL_CURRENT_COLOR, 4}, set_color, moment.flush);
 }
 
-EVALCTS_TESTS(CurrentValues, Normal, kMoments, const Moment& moment, must, "EV-CUR-NORMAL/1-D") {
+EVALCTS_DELIVERED_TESTS(CurrentValues, Normal, kMoments, const Moment& moment, must, "EV-CUR-NORMAL/1-D") {
   expect_current_untouched(t, GL_MAP1_NORMAL, {GL_CURRENT_NORMAL, 3}, set_normal, moment.flush);
 }
 
-EVALCTS_TESTS(CurrentValues, Index, kMoments, const Moment& moment, must, "EV-CUR-INDEX/1-D") {
+EVALCTS_DELIVERED_TESTS(CurrentValues, Index, kMoments, const Moment& moment, must, "EV-CUR-INDEX/1-D") {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
   expect_current_untouched(t, GL_MAP1_INDEX, {GL_CURRENT_INDEX, 1}, set_index, moment.flush);
 }
 
-EVALCTS_TESTS(CurrentValues, TextureCoordinates, kMoments, const Moment& moment, must, "EV-CUR-TEX/1-D") {
+EVALCTS_DELIVERED_TESTS(CurrentValues, TextureCoordinates, kMoments, const Moment& moment, must,
+                        "EV-CUR-TEX/1-D") {
   for (const GLenum target :
        {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4})
     expect_current_untouched(t, target, {GL_CURRENT_TEXTURE_COORDS, 4}, set_texture, moment.flush);
 }
 
-EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {
+EVALCTS_DELIVERED_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     gl::Case c(flag ? "TRUE" : "FALSE");
     for (const GLenum target : gl::kMap1Targets) {
@@ -168,7 +169,7 @@ EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
 }
 
 // Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
-EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D") {
+EVALCTS_DELIVERED_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D") {
   gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -189,7 +190,7 @@ EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D") {
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 }
 
-EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D") {
+EVALCTS_DELIVERED_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   gl::Case c("every unit, TEXTURE_COORD_2 enabled");

@@ -46,8 +46,8 @@ constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_C
 
 // --- Section 7: evaluation commands ----------------------------------------------------------------------
 
-EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
-             "EV-PREC-PERKIND/1-D") {
+EVALCTS_DELIVERED_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
+                       "EV-PREC-PERKIND/1-D") {
   gl::Case c("colour, index, normal, texture coordinate and vertex maps, each different at every u");
   set_current_values(c);
   for (const GLenum target :
@@ -61,8 +61,8 @@ EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targets(), GLenum target, must,
-              "EV-COORD-VERTEXLAST/1-D") {
+EVALCTS_DELIVERED_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targets(), GLenum target, must,
+                        "EV-COORD-VERTEXLAST/1-D") {
   gl::Case c("first vertex of a primitive, then far jumps of u");
   set_current_values(c);
   define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
@@ -77,7 +77,7 @@ EVALCTS_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targets(), GLen
   t.expect_emission(c, kPosition | attribute_of(target));
 }
 
-EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D") {
+EVALCTS_DELIVERED_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D") {
   gl::Case c("Color, Normal and TexCoord between the evaluations of one primitive");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -95,8 +95,8 @@ EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D")
 }
 
 // Without a vertex map nothing happens at all.
-EVALCTS_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum target, must,
-              "EV-COORD-NOVERTEX/1-D") {
+EVALCTS_DELIVERED_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum target, must,
+                        "EV-COORD-NOVERTEX/1-D") {
   gl::Case c("no vertex map enabled");
   set_current_values(c);
   c.Indexf(9);
@@ -130,7 +130,8 @@ EVALCTS_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum t
   t.expect_emission(empty, kPosition);
 }
 
-EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D") {
+EVALCTS_DELIVERED_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must,
+                       "EV-COORD-NOVERTEX-OTHERDIM/1-D") {
   gl::Case c("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
   set_current_values(c);
   c.Enable(GL_MAP2_VERTEX_3);
@@ -163,7 +164,7 @@ EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VE
   }
 }
 
-EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D") {
+EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D") {
   for (const GLenum target : attribute_targets()) {
     gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
     set_current_values(c);
@@ -200,8 +201,8 @@ EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "
 }
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
-EVALCTS_TESTS(Evaluation, RepeatedCallSameBits, visible_targets(), GLenum target, must,
-              "EV-COORD-REPEAT/1-D") {
+EVALCTS_DELIVERED_TESTS(Evaluation, RepeatedCallSameBits, visible_targets(), GLenum target, must,
+                        "EV-COORD-REPEAT/1-D") {
   gl::Case c("each argument four times");
   define(c, random_map(t, target, 7));
   enable_visibly(c, target);
@@ -250,7 +251,7 @@ EVALCTS_TESTS(Evaluation, RepeatedCallSameBits, visible_targets(), GLenum target
 
 // --- Section 8: attributes produced ----------------------------------------------------------------------
 
-EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
   gl::Case c("after vertices with other w");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -264,7 +265,7 @@ EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
 }
 
 // A quarter circle: w varies, and the division comes later in the pipeline.
-EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D") {
   gl::Case c("quarter circle, weights 1, 1, 2");
   define(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -274,7 +275,7 @@ EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D") {
   t.expect_emission(c, kPosition);
 }
 
-EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") {
   gl::Case c("w from 2 to -2");
   define(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -284,8 +285,8 @@ EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") {
   t.expect_emission(c, kPosition);
 }
 
-EVALCTS_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), GLenum target, must,
-              "EV-ATTR-RATIONAL-ONLYVTX/1-D") {
+EVALCTS_DELIVERED_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), GLenum target, must,
+                        "EV-ATTR-RATIONAL-ONLYVTX/1-D") {
   gl::Case c("w from 1 to 4");
   define(c, make_map1(GL_MAP1_VERTEX_4, {0, 0, 0, 1, 4, 0, 0, 4}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -296,7 +297,7 @@ EVALCTS_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), GLenum targ
   t.expect_emission(c, kPosition | attribute_of(target));
 }
 
-EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D") {
   gl::Case c("alpha from 0.25 to 0.75, current alpha 0.4");
   set_current_values(c);
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
@@ -305,7 +306,7 @@ EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D") {
   t.expect_emission(c, kColor);
 }
 
-EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D") {
   gl::Case c("components from -1 to 2");
   define(c, make_map1(GL_MAP1_COLOR_4, {-1, 2, 0.5, 3, 2, -1, 0.25, -2}));
   enable_visibly(c, GL_MAP1_COLOR_4);
@@ -315,7 +316,8 @@ EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D") {
   t.expect_emission(c, kColor);
 }
 
-EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D",
+                       "EV-CUR-INDEX/1-D") {
   gl::Case c("INDEX map enabled");
   set_current_values(c);
   c.Indexf(9);
@@ -330,7 +332,7 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D",
   played.expect_values(index, std::vector<GLfloat>{9});
 }
 
-EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D") {
   gl::Case c("lengths from 0.1 to 300");
   define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, 0, 0.1f}));
   enable_visibly(c, GL_MAP1_NORMAL);
@@ -356,21 +358,21 @@ void expect_texture_defaults(Test& t, GLenum target) {
 
 }  // namespace
 
-EVALCTS_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D") {
   expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1);
 }
-EVALCTS_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D") {
   expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_2);
 }
-EVALCTS_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D") {
   expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_3);
 }
-EVALCTS_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D") {
+EVALCTS_DELIVERED_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D") {
   expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_4);
 }
 
-EVALCTS_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenum target, must, "EV-ATTR-UNIT0/1-D",
-              "EV-ATTR-OTHERUNITS/1-D") {
+EVALCTS_DELIVERED_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenum target, must,
+                        "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   gl::Case c("evaluated with TEXTURE1 active; units 1 and up hold current values");
@@ -386,7 +388,8 @@ EVALCTS_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenum target, 
 
 // --- Section 9: precedence -------------------------------------------------------------------------------
 
-EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-PREC-ORDERFREE/1-D") {
+EVALCTS_DELIVERED_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D",
+                       "EV-PREC-ORDERFREE/1-D") {
   for (const bool four_first : {false, true}) {
     gl::Case c(four_first ? "VERTEX_4 defined and enabled first" : "VERTEX_3 defined and enabled first");
     const Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3), four = random_map(t, GL_MAP1_VERTEX_4, 4);
@@ -400,8 +403,8 @@ EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-P
 }
 
 // All 15 subsets of the texture maps, defined and enabled upwards and downwards.
-EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
-             "EV-PREC-ORDERFREE/1-D") {
+EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D",
+                       "EV-PREC-LOSER-IGNORED/1-D", "EV-PREC-ORDERFREE/1-D") {
   for (const bool upwards : {true, false}) {
     gl::Case c(upwards ? "all subsets, enabled upwards" : "all subsets, enabled downwards");
     c.TexCoord4f(5, 6, 7, 8);
@@ -420,7 +423,7 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PR
   }
 }
 
-EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
+EVALCTS_DELIVERED_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
   gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
   for (const GLenum target : visible_targets()) {
     define(c, random_map(t, target, 3));
@@ -435,7 +438,7 @@ EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 }
 
-EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D") {
+EVALCTS_DELIVERED_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D") {
   gl::Case c("VERTEX_3 and TEXTURE_COORD_1 defined, VERTEX_4 and TEXTURE_COORD_4 only enabled");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1}) {
     define(c, random_map(t, target, 3));

@@ -31,29 +31,29 @@ std::vector<double> arguments(Test& t, Domain domain, int count) {
   return us;
 }
 
-void evaluate_all(gl::Case& c, const std::vector<double>& us, bool doubles = false) {
+void evaluate_all(gl::Case& c, const std::vector<double>& us) {
   c.Begin(GL_POINTS);
-  for (const double u : us) evaluate(c, u, doubles);
+  for (const double u : us) evaluate(c, u);
   c.End();
 }
 
 }  // namespace
 
 // All orders of one target in one case: the map is defined anew before each Begin.
-EVALCTS_TESTS(Map1Values, AllOrders, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-BEZIER",
-              "EV-NUM-ACCURACY/1-D") {
-  gl::Case c(fmt::format("orders 1 to MAX, {} form", form.doubles ? "d" : "f"));
-  enable_visibly(c, form.target);
+EVALCTS_DELIVERED_TESTS(Map1Values, AllOrders, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
+                        "EV-NUM-ACCURACY/1-D") {
+  gl::Case c(fmt::format("orders 1 to MAX, {} form" ? "d" : "f"));
+  enable_visibly(c, target);
   for (int order = 1; order <= t.max_order(); ++order) {
-    define(c, random_map(t, form.target, order), form.doubles);
-    evaluate_all(c, arguments(t, {0, 1}, t.by_depth(8, order <= 32 ? 32 : 8, 400)), form.doubles);
+    define(c, random_map(t, target, order));
+    evaluate_all(c, arguments(t, {0, 1}, t.by_depth(8, order <= 32 ? 32 : 8, 400)));
   }
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(c, attribute_of(target));
 }
 
 // Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
-EVALCTS_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
-              "EV-NUM-ACCURACY/1-D") {
+EVALCTS_DELIVERED_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
+                        "EV-NUM-ACCURACY/1-D") {
   gl::Case c("alternating, step, line, offset, one spike");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
@@ -75,7 +75,7 @@ EVALCTS_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum target, must, "
 }
 
 // At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
-EVALCTS_TESTS(Map1Values, Ends, visible_targets(), GLenum target, must, "EV-MAP1-ZEROPOW") {
+EVALCTS_DELIVERED_TESTS(Map1Values, Ends, visible_targets(), GLenum target, must, "EV-MAP1-ZEROPOW") {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
   enable_visibly(c, target);
   const auto k = static_cast<std::size_t>(gl::components_of(target));
@@ -115,47 +115,47 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
     const std::array<GLenum, 4> targets = {vertex, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, texture};
     gl::Case c(fmt::format("{}, COLOR_4, NORMAL and {}", label(vertex), label(texture)));
     for (const GLenum target : targets) c.Enable(target);
-    for (const Form& form : kForms)
-      for (const int order : {1, 2, 3, 4, 6, 8, 20}) {
-        if (order > t.max_order()) continue;
-        for (const GLenum target : targets) define(c, random_map(t, target, order, domain), form.doubles);
-        evaluate_all(c, arguments(t, domain, t.by_depth(6, 12, 200)), form.doubles);
-      }
+    for (const int order : {1, 2, 3, 4, 6, 8, 20}) {
+      if (order > t.max_order()) continue;
+      for (const GLenum target : targets) define(c, random_map(t, target, order, domain));
+      evaluate_all(c, arguments(t, domain, t.by_depth(6, 12, 200)));
+    }
     t.expect_emission(c, kPosition | kTextureCoordinate0);
   }
 }
 
 }  // namespace
 
-EVALCTS_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain, must, "EV-MAP1-DOMAIN") {
+EVALCTS_DELIVERED_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain, must, "EV-MAP1-DOMAIN") {
   expect_over_domain(t, domain);
 }
 
-EVALCTS_TESTS(Map1Values, ReversedDomain, kReversedDomains, const NamedDomain& domain, must,
-              "EV-MAP1-REVERSED") {
+EVALCTS_DELIVERED_TESTS(Map1Values, ReversedDomain, kReversedDomains, const NamedDomain& domain, must,
+                        "EV-MAP1-REVERSED") {
   expect_over_domain(t, domain);
 }
 
-EVALCTS_TESTS(Map1Values, OutsideDomain, visible_target_forms(), const TargetForm& form, must,
-              "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D") {
+EVALCTS_DELIVERED_TESTS(Map1Values, OutsideDomain, visible_targets(), GLenum target, must,
+                        "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D") {
   gl::Case c("every order, to the left and to the right of the domain");
-  enable_visibly(c, form.target);
+  enable_visibly(c, target);
   for (const Domain domain : {Domain{0, 1}, Domain{2, 5}, Domain{1, 0}}) {
     for (int order = 2; order <= t.max_order(); ++order) {
-      define(c, random_map(t, form.target, order, domain), form.doubles);
+      define(c, random_map(t, target, order, domain));
       std::vector<double> us;
       for (const double t_outside : {-1.5, 2.5, -0.001, 1.001, -3.0, 4.0, -0.125, 1.125}) {
         // High orders are judged near the domain only: further out the GL promises no range.
         if (order > 8 && std::abs(t_outside - 0.5) > 0.7) continue;
         us.push_back(static_cast<float>(domain.u1 + (domain.u2 - domain.u1) * t_outside));
       }
-      evaluate_all(c, us, form.doubles);
+      evaluate_all(c, us);
     }
   }
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(c, attribute_of(target));
 }
 
-EVALCTS_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, must, "EV-MAP1-ORDER-ONE") {
+EVALCTS_DELIVERED_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, must,
+                        "EV-MAP1-ORDER-ONE") {
   gl::Case c("one point, arguments in and outside the domain");
   enable_visibly(c, target);
   for (const int stride : {4, 9}) {
@@ -170,7 +170,8 @@ EVALCTS_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, 
 }
 
 // Values that differ in every component, so that no permutation of them goes unseen.
-EVALCTS_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum target, must, "EV-MAP1-COMPORDER") {
+EVALCTS_DELIVERED_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum target, must,
+                        "EV-MAP1-COMPORDER") {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   std::vector<double> points;
@@ -183,34 +184,33 @@ EVALCTS_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum target, must
   t.expect_emission(c, attribute_of(target));
 }
 
-EVALCTS_TESTS(Map1Values, Stride, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
-              "EV-MAP1-PADDING") {
+EVALCTS_DELIVERED_TESTS(Map1Values, Stride, visible_targets(), GLenum target, must, "EV-MAP1-STRIDE",
+                        "EV-MAP1-PADDING") {
   gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
-  enable_visibly(c, form.target);
-  const int k = gl::components_of(form.target);
+  enable_visibly(c, target);
+  const int k = gl::components_of(target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
     for (const int order : {1, 2, 5}) {
-      const Map1 tight = random_map(t, form.target, order);
-      define(c, make_map1(form.target, 0, 1, stride, tight.coefficients()), form.doubles);
-      evaluate_all(c, {0, 0.25, 0.625, 1}, form.doubles);
+      const Map1 tight = random_map(t, target, order);
+      define(c, make_map1(target, 0, 1, stride, tight.coefficients()));
+      evaluate_all(c, {0, 0.25, 0.625, 1});
     }
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(c, attribute_of(target));
 }
 
-EVALCTS_TESTS(Map1Values, PaddingNaN, visible_target_forms(), const TargetForm& form, must,
-              "EV-MAP1-PADDING") {
+EVALCTS_DELIVERED_TESTS(Map1Values, PaddingNaN, visible_targets(), GLenum target, must, "EV-MAP1-PADDING") {
   gl::Case c("padding of NaN and infinity");
-  enable_visibly(c, form.target);
-  const int k = gl::components_of(form.target);
+  enable_visibly(c, target);
+  const int k = gl::components_of(target);
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    const Map1 tight = random_map(t, form.target, 4);
-    Map1 map = make_map1(form.target, 0, 1, k + 3, tight.coefficients());
+    const Map1 tight = random_map(t, target, 4);
+    Map1 map = make_map1(target, 0, 1, k + 3, tight.coefficients());
     for (double& value : map.points)
       if (value == kPoison) value = padding;
-    define(c, map, form.doubles);
-    evaluate_all(c, {0, 0.25, 0.625, 1}, form.doubles);
+    define(c, map);
+    evaluate_all(c, {0, 0.25, 0.625, 1});
   }
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(c, attribute_of(target));
 }
 
 namespace {

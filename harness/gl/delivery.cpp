@@ -11,7 +11,8 @@ double number(const Value& value) {
 }
 
 Value real(double value, bool as_double) {
-  return as_double ? Value(value) : Value(static_cast<float>(value));
+  if (as_double) return value;
+  return static_cast<float>(value);
 }
 
 std::vector<double> elements(const Input& input) {
@@ -48,9 +49,15 @@ Command map1(const Command& command, bool doubles) {
 }
 
 Command eval_coord1(double u, bool doubles, bool arrays) {
-  if (arrays)
-    return {doubles ? EntryPoint::EvalCoord1dv : EntryPoint::EvalCoord1fv, {Value(reals({u}, doubles))}};
-  return {doubles ? EntryPoint::EvalCoord1d : EntryPoint::EvalCoord1f, {real(u, doubles)}};
+  Command command;
+  if (arrays) {
+    command.entry = doubles ? EntryPoint::EvalCoord1dv : EntryPoint::EvalCoord1fv;
+    command.arguments.emplace_back(reals({u}, doubles));
+  } else {
+    command.entry = doubles ? EntryPoint::EvalCoord1d : EntryPoint::EvalCoord1f;
+    command.arguments.push_back(real(u, doubles));
+  }
+  return command;
 }
 
 }  // namespace
