@@ -2,6 +2,8 @@
 // alone.
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "suites/maps.h"
 
 namespace evalcts {
@@ -91,10 +93,6 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
     }
   if (observed == 0) throw NotObservable("explicit vertices lose the current value as well");
 }
-
-}  // namespace
-
-namespace {
 
 // Queried at once, and after a flush: a flush hides some defects and shows others.
 struct Moment {
@@ -211,6 +209,92 @@ EVALCTS_DELIVERED_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D")
   for (int unit = 0; unit < units; ++unit)
     played.expect_values(queries[static_cast<std::size_t>(unit)],
                          std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
+}
+
+namespace {
+
+// The same commands twice, with EvalCoord and, as the control, with Vertex; whatever the queries answer, it
+// has to be the same.
+void expect_same_as_explicit(Test& t, const std::string& identity,
+                             const std::function<std::vector<gl::Ref>(gl::Case&, bool evaluated)>& write) {
+  std::vector<gl::Ref> refs;
+  gl::Case with_vertex(identity + ", control"), with_evaluation(identity);
+  write(with_vertex, false);
+  refs = write(with_evaluation, true);
+  const Played control = t.play(with_vertex);
+  Played played = t.play(with_evaluation);
+  for (const gl::Ref ref : refs)
+    played.expect(played.trace().same(ref, control.trace(), ref), ref,
+                  "after an evaluation the query answers otherwise than after explicit vertices",
+                  "the answer after explicit vertices", "another answer");
+}
+
+}  // namespace
+
+// Secondary colour, fog coordinate and generic attributes have no maps.
+EVALCTS_DELIVERED_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D") {
+  t.require(2, 0);
+  gl::Case c("all nine maps enabled");
+  for (const GLenum target : gl::kMap1Targets) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+  c.SecondaryColor3f(0.25f, 0.5f, 0.75f);
+  c.FogCoordf(3.5f);
+  c.VertexAttrib4f(6, 1, 2, 3, 4);
+  const auto query = [&] {
+    return std::vector<gl::Ref>{c.GetFloatv(GL_CURRENT_SECONDARY_COLOR, gl::out<GLfloat>(4)),
+                                c.GetFloatv(GL_CURRENT_FOG_COORD, gl::out<GLfloat>(1)),
+                                c.GetVertexAttribfv(6, GL_CURRENT_VERTEX_ATTRIB, gl::out<GLfloat>(4))};
+  };
+  const std::vector<gl::Ref> before = query();
+  c.Begin(GL_POINTS);
+  for (int i = 0; i < 7; ++i) c.EvalCoord1f(static_cast<float>(i) / 6);
+  c.End();
+  std::vector<gl::Ref> after = query();
+  c.Flush();
+  const std::vector<gl::Ref> flushed = query();
+  Played played = t.play(c);
+  expect_unchanged(played, before, after);
+  expect_unchanged(played, before, flushed);
+  // The values themselves: a query that answers nothing would be the same before and after.
+  played.expect_values(after[1], std::vector<GLfloat>{3.5f});
+  played.expect_values(after[2], std::vector<GLfloat>{1, 2, 3, 4});
+}
+
+EVALCTS_DELIVERED_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D") {
+  const std::pair<GLenum, std::size_t> queries[] = {{GL_CURRENT_RASTER_POSITION, 4},
+                                                    {GL_CURRENT_RASTER_COLOR, 4},
+                                                    {GL_CURRENT_RASTER_TEXTURE_COORDS, 4},
+                                                    {GL_CURRENT_RASTER_DISTANCE, 1}};
+  const auto query = [&](gl::Case& c, std::vector<gl::Ref>& refs) {
+    for (const auto& [name, count] : queries) refs.push_back(c.GetFloatv(name, gl::out<GLfloat>(count)));
+  };
+  std::vector<Map1> maps;
+  for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
+  const auto draw = [&](gl::Case& c, bool evaluated) {
+    c.Begin(GL_POINTS);
+    for (int i = 0; i < 5; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
+    c.End();
+  };
+  expect_same_as_explicit(t, "RasterPos before and after", [&](gl::Case& c, bool evaluated) {
+    for (const Map1& map : maps) {
+      define(c, map);
+      c.Enable(map.target);
+    }
+    std::vector<gl::Ref> refs;
+    c.Color4f(0.75f, 0.5f, 0.25f, 1);
+    c.TexCoord4f(5, 6, 7, 8);
+    c.RasterPos3f(0.25f, 0.5f, 0.125f);
+    draw(c, evaluated);
+    query(c, refs);
+    c.Color4f(0.5f, 0.25f, 0.75f, 1);
+    c.TexCoord4f(1, 2, 3, 4);
+    draw(c, evaluated);
+    c.RasterPos3f(-0.25f, 0.25f, 0);  // takes the current values
+    query(c, refs);
+    return refs;
+  });
 }
 
 }  // namespace evalcts

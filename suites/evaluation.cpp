@@ -164,6 +164,67 @@ EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VE
   }
 }
 
+namespace {
+
+struct Mode {
+  const char* name;
+  GLenum mode;
+};
+constexpr Mode kModes[] = {{"POINTS", GL_POINTS},
+                           {"LINES", GL_LINES},
+                           {"LINE_LOOP", GL_LINE_LOOP},
+                           {"LINE_STRIP", GL_LINE_STRIP},
+                           {"TRIANGLES", GL_TRIANGLES},
+                           {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
+                           {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
+                           {"QUADS", GL_QUADS},
+                           {"QUAD_STRIP", GL_QUAD_STRIP},
+                           {"POLYGON", GL_POLYGON}};
+
+}  // namespace
+
+// Primitives of 0 to 9 vertices, complete or not.
+EVALCTS_DELIVERED_TESTS(Evaluation, Primitives, kModes, const Mode& mode, must, "EV-COORD-PRIMS/1-D") {
+  gl::Case c("0 to 9 vertices");
+  for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
+    Map1 map = random_map(t, target, 4);
+    if (target == GL_MAP1_VERTEX_4)
+      for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
+    define(c, map);
+    c.Enable(target);
+  }
+  float u = 0;
+  for (int vertices = 0; vertices < 10; ++vertices) {
+    c.Begin(mode.mode);
+    for (int i = 0; i < vertices; ++i, u += 0.015625f) c.EvalCoord1f(u);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+}
+
+// The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
+// primitive is at stake.
+EVALCTS_DELIVERED_TESTS(Evaluation, MixedPrimitives, kModes, const Mode& mode, must, "EV-COORD-PRIMS/1-D",
+                        "EV-COORD-MIX/1-D") {
+  gl::Case c("0 to 9 vertices, every third explicit");
+  set_current_values(c);
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  float u = 0;
+  for (int vertices = 0; vertices < 10; ++vertices) {
+    c.Begin(mode.mode);
+    for (int i = 0; i < vertices; ++i, u += 0.015625f) {
+      if (i % 3 == 1) {
+        c.Vertex3f(u, 1 - u, 0.5f);
+      } else {
+        c.EvalCoord1f(u);
+      }
+    }
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kTextureCoordinate0);
+}
+
 EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D") {
   for (const GLenum target : attribute_targets()) {
     gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");

@@ -207,6 +207,60 @@ EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-
   expect_unchanged(played, before, after);
 }
 
+EVALCTS_TESTS(GetMap, PackBufferIgnored, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOPBO/1-D") {
+  t.require(2, 1, "GL_ARB_pixel_buffer_object");
+  const Map1 map = random_map(t, target, 3, 4);
+  gl::Case c("a buffer bound to PIXEL_PACK_BUFFER");
+  define(c, map);
+  const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
+  c.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  c.BufferData(GL_PIXEL_PACK_BUFFER, 4096, std::vector<GLubyte>(4096, 0x5A), GL_STREAM_READ);
+  const gl::Ref none = c.GetError();
+  const MapQuery single = query_map1(c, target, t.max_order());
+  const MapQuery real = query_map1(c, target, t.max_order(), true);
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  played.expect_no_error(none);
+  played.expect_no_error(error);
+  expect_map1(played, single, map);
+  expect_map1(played, real, map, true);
+}
+
+// Values away from halves, so that rounding to integers is the same whatever one reads.
+EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D") {
+  struct Grid {
+    GLint segments;
+    float u1, u2;
+    GLint rounded[2];
+  };
+  const Grid grids[] = {{1, 0, 1, {0, 1}}, {5, 2.25f, -1.75f, {2, -2}}, {1000, -7.125f, 0, {-7, 0}}};
+  for (const Grid& grid : grids)
+    for (const bool defined : {true, false}) {
+      if (!defined && grid.segments != 1) continue;  // the initial grid is the first of them
+      gl::Case c(fmt::format("MapGrid1f({}, {}, {}){}", grid.segments, grid.u1, grid.u2,
+                             defined ? "" : ", the initial grid"));
+      if (defined) c.MapGrid1f(grid.segments, grid.u1, grid.u2);
+      const gl::Ref domain_f = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+      const gl::Ref domain_d = c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
+      const gl::Ref domain_i = c.GetIntegerv(GL_MAP1_GRID_DOMAIN, gl::out<GLint>(2));
+      const gl::Ref domain_b = c.GetBooleanv(GL_MAP1_GRID_DOMAIN, gl::out<GLboolean>(2));
+      const gl::Ref segments_f = c.GetFloatv(GL_MAP1_GRID_SEGMENTS, gl::out<GLfloat>(1));
+      const gl::Ref segments_d = c.GetDoublev(GL_MAP1_GRID_SEGMENTS, gl::out<GLdouble>(1));
+      const gl::Ref segments_i = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+      const gl::Ref segments_b = c.GetBooleanv(GL_MAP1_GRID_SEGMENTS, gl::out<GLboolean>(1));
+      Played played = t.play(c);
+      const std::vector<double> domain = {grid.u1, grid.u2};
+      played.expect_values_near(domain_f, domain, 1e-5);
+      played.expect_values_near(domain_d, domain, 1e-5);
+      played.expect_values(domain_i, std::vector<GLint>{grid.rounded[0], grid.rounded[1]});
+      played.expect_values(domain_b, std::vector<GLboolean>{static_cast<GLboolean>(grid.u1 != 0),
+                                                            static_cast<GLboolean>(grid.u2 != 0)});
+      const std::vector<double> segments = {static_cast<double>(grid.segments)};
+      for (const gl::Ref query : {segments_f, segments_d, segments_i}) played.expect_values(query, segments);
+      played.expect_values(segments_b, std::vector<GLboolean>{GL_TRUE});
+    }
+}
+
 EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER") {
   gl::Case c("every form, before and after maps are defined");
   std::vector<gl::Ref> queries;

@@ -16,6 +16,13 @@ constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
 #undef GL_ENTRY
 }};
 
+const char* other_name(std::string_view name) {
+  if (name == "glGetnMapfv") return "glGetnMapfvARB";
+  if (name == "glGetnMapdv") return "glGetnMapdvARB";
+  if (name == "glGetnMapiv") return "glGetnMapivARB";
+  return nullptr;
+}
+
 }  // namespace
 
 std::string_view name_of(EntryPoint entry) { return kDescriptions[static_cast<std::size_t>(entry)].name; }
@@ -35,9 +42,18 @@ bool has(const Table& table, EntryPoint entry) {
   return false;
 }
 
-Table load_table(const std::function<void*(const char*)>& address_of) {
+Table load_table(std::initializer_list<AddressOf> sources) {
+  // Names of the same command; the second one before it became part of the GL.
+  const auto address = [&](const char* name, const char* other) -> void* {
+    for (const AddressOf& source : sources)
+      for (const char* const candidate : {name, other})
+        if (candidate)
+          if (void* const found = source(candidate)) return found;
+    return nullptr;
+  };
   Table table;
-#define GL_ENTRY(name, kinds) table.name = reinterpret_cast<decltype(table.name)>(address_of("gl" #name));
+#define GL_ENTRY(name, kinds) \
+  table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name, other_name("gl" #name)));
 #include "harness/gl/entry_points.def"
 #undef GL_ENTRY
   return table;

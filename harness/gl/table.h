@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <string_view>
 
 namespace evalcts::gl {
@@ -39,8 +40,12 @@ std::string_view parameter_kinds(EntryPoint entry);
 // True where the table has an address for the command.
 bool has(const Table& table, EntryPoint entry);
 
-// Fills a table by name ("glMap1f" -> address or null). A non-null address proves nothing: GL libraries hand
-// out addresses for any name, so implementations are probed for effect afterwards.
-Table load_table(const std::function<void*(const char*)>& address_of);
+using AddressOf = std::function<void*(const char* name)>;
+
+// Fills a table by name ("glMap1f" -> address or null) from the first source that has the command under its
+// name or the one that it had as an extension. To be asked first are symbols that a library exports: a
+// get-proc-address function makes up an address for any name, so a non-null address proves nothing, and
+// implementations are probed for effect afterwards.
+Table load_table(std::initializer_list<AddressOf> sources);
 
 }  // namespace evalcts::gl

@@ -61,12 +61,10 @@ class OSMesa final : public Implementation {
     entry_.create = reinterpret_cast<CreateContextExt>(required("OSMesaCreateContextExt"));
     entry_.make_current = reinterpret_cast<MakeCurrent>(required("OSMesaMakeCurrent"));
     entry_.destroy = reinterpret_cast<DestroyContext>(required("OSMesaDestroyContext"));
-    // Exported symbols first: OSMesaGetProcAddress makes up an address for any name.
     const auto get = library_.find_as<GetProcAddress>("OSMesaGetProcAddress");
-    entry_.table = gl::load_table([&](const char* name) {
-      void* exported = library_.find(name);
-      return exported ? exported : (get && library_.find("glMap1f") ? get(name) : nullptr);
-    });
+    entry_.table = gl::load_table(
+        {[&](const char* name) { return library_.find(name); },
+         [&](const char* name) { return get && library_.find("glMap1f") ? get(name) : nullptr; }});
   }
 
   std::string name() const override { return "osmesa"; }

@@ -43,4 +43,23 @@ Prediction predict(const gl::Case& script, int max_eval_order) {
   return prediction;
 }
 
+gl::Case as_explicit_commands(const Prediction& prediction) {
+  gl::Case c("explicit vertices");
+  for (const reference::Primitive& primitive : prediction.primitives) {
+    c.Begin(primitive.mode);
+    for (const reference::Vertex& vertex : primitive.vertices) {
+      const auto value = [](const reference::Component& component) { return reference::rounded(component); };
+      const auto& [position, color, normal, textures, index, edge_flag] = vertex;
+      const auto& texture = textures[0];
+      c.Color4f(value(color[0]), value(color[1]), value(color[2]), value(color[3]));
+      c.Normal3f(value(normal[0]), value(normal[1]), value(normal[2]));
+      c.TexCoord4f(value(texture[0]), value(texture[1]), value(texture[2]), value(texture[3]));
+      c.EdgeFlag(edge_flag);
+      c.Vertex4f(value(position[0]), value(position[1]), value(position[2]), value(position[3]));
+    }
+    c.End();
+  }
+  return c;
+}
+
 }  // namespace evalcts

@@ -21,4 +21,9 @@ struct Prediction {
 // and are left out.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
+// The primitives of the prediction with explicit vertices: each value correctly rounded, colour, normal and
+// texture coordinates of unit 0 before each vertex. What evaluation has to be like (EV-COORD-ASIF), up to the
+// accuracy rule.
+gl::Case as_explicit_commands(const Prediction& prediction);
+
 }  // namespace evalcts

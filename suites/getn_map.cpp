@@ -1,0 +1,156 @@
+// Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
+#include <fmt/format.h>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+// One of the three forms, with the GetMap command that it has to agree with. `room`: elements that there is
+// memory for; `bytes`: what the command is told.
+struct Getter {
+  const char* name;
+  std::size_t element;
+  gl::Ref (*getn)(gl::Case&, GLenum target, GLenum query, GLsizei bytes, std::size_t room);
+  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
+};
+constexpr Getter kGetters[] = {
+    {"GetnMapfv", sizeof(GLfloat),
+     [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
+       return c.GetnMapfv(target, query, bytes, gl::out<GLfloat>(room));
+     },
+     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapfv(target, query, gl::out<GLfloat>(room));
+     }},
+    {"GetnMapdv", sizeof(GLdouble),
+     [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
+       return c.GetnMapdv(target, query, bytes, gl::out<GLdouble>(room));
+     },
+     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapdv(target, query, gl::out<GLdouble>(room));
+     }},
+    {"GetnMapiv", sizeof(GLint),
+     [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
+       return c.GetnMapiv(target, query, bytes, gl::out<GLint>(room));
+     },
+     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapiv(target, query, gl::out<GLint>(room));
+     }}};
+
+struct Answer {
+  GLenum query;
+  std::size_t values;
+};
+// Of a one-dimensional map.
+std::vector<Answer> answers(GLenum target, int order) {
+  return {
+      {GL_ORDER, 1}, {GL_DOMAIN, 2}, {GL_COEFF, static_cast<std::size_t>(order * gl::components_of(target))}};
+}
+
+constexpr int kOrder = 3;
+// Enough for every answer here, and for what a wrong implementation may write.
+constexpr std::size_t kRoom = 64;
+
+// Every target with a map of its own.
+gl::Case with_maps(Test& t, const std::string& identity) {
+  t.require(4, 5, "GL_ARB_robustness");
+  gl::Case c(identity);
+  for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, kOrder));
+  return c;
+}
+
+GLsizei bytes_of(const Getter& getter, const Answer& answer) {
+  return static_cast<GLsizei>(answer.values * getter.element);
+}
+
+// A call that has to fail with one of these errors and to write nothing.
+void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
+                    GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
+  gl::Case c = with_maps(t, identity);
+  if (inside) c.Begin(GL_POINTS);
+  const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
+  if (inside) c.End();
+  const gl::Ref first = c.GetError();
+  const gl::Ref second = c.GetError();
+  Played played = t.play(c);
+  played.expect_error(first, errors);
+  played.expect_no_error(second);
+  played.expect_nothing_written(get);
+}
+
+std::string named(GLenum target, GLenum query) {
+  return gl::token_name(target) + " " + gl::token_name(query);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(GetnMap, SameAsGetMap, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
+  gl::Case c = with_maps(t, "every target and query, room to spare");
+  std::vector<std::pair<gl::Ref, gl::Ref>> pairs;
+  for (const GLenum target : gl::kMap1Targets)
+    for (const Answer& answer : answers(target, kOrder))
+      pairs.emplace_back(
+          getter.get(c, target, answer.query, kRoom),
+          getter.getn(c, target, answer.query, static_cast<GLsizei>(kRoom * getter.element), kRoom));
+  Played played = t.play(c);
+  for (const auto& [get, getn] : pairs) {
+    // The answer of GetMap shows that something was written at all.
+    played.expect(played.trace().written(get) > 0, get, "the query of the control writes nothing",
+                  "an answer", "nothing");
+    played.expect_same(get, getn);
+  }
+}
+
+EVALCTS_TESTS(GetnMap, ExactSizeIsEnough, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
+  gl::Case c = with_maps(t, "every target and query, exactly as many bytes as the answer has");
+  struct Asked {
+    gl::Ref get, getn, error;
+  };
+  std::vector<Asked> all;
+  for (const GLenum target : gl::kMap1Targets)
+    for (const Answer& answer : answers(target, kOrder)) {
+      Asked asked;
+      asked.get = getter.get(c, target, answer.query, answer.values);
+      asked.getn = getter.getn(c, target, answer.query, bytes_of(getter, answer), answer.values);
+      asked.error = c.GetError();
+      all.push_back(asked);
+    }
+  Played played = t.play(c);
+  for (const Asked& asked : all) {
+    played.expect_no_error(asked.error);
+    played.expect_same(asked.get, asked.getn);
+  }
+}
+
+EVALCTS_TESTS(GetnMap, TooSmall, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
+  for (const GLenum target : gl::kMap1Targets)
+    for (const Answer& answer : answers(target, kOrder)) {
+      const GLsizei exact = bytes_of(getter, answer);
+      for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
+        expect_refused(t, getter, fmt::format("{} {} of {} bytes", named(target, answer.query), bytes, exact),
+                       target, answer.query, bytes, {GL_INVALID_OPERATION});
+    }
+}
+
+EVALCTS_TESTS(GetnMap, NegativeSize, kGetters, const Getter& getter, must, "EV-GETN-NEGATIVE") {
+  for (const GLenum target : gl::kMap1Targets)
+    for (const Answer& answer : answers(target, kOrder))
+      for (const GLsizei bytes : {-1, -1000})
+        expect_refused(t, getter, fmt::format("{} {} bytes", named(target, answer.query), bytes), target,
+                       answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+}
+
+EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV-GETN-ERRORS") {
+  const auto bytes = static_cast<GLsizei>(kRoom * getter.element);
+  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, static_cast<GLenum>(GL_AUTO_NORMAL)})
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
+      expect_refused(t, getter, named(target, query), target, query, bytes, {GL_INVALID_ENUM});
+  for (const GLenum query : {0u, 0x0A03u, static_cast<GLenum>(GL_MAX_EVAL_ORDER)})
+    expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query), GL_MAP1_VERTEX_3, query, bytes,
+                   {GL_INVALID_ENUM});
+  for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
+    expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query) + " between Begin and End", GL_MAP1_VERTEX_3,
+                   query, bytes, {GL_INVALID_OPERATION}, true);
+}
+
+}  // namespace evalcts

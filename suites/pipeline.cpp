@@ -1,0 +1,334 @@
+// Section 7 of the requirements, what follows the evaluation: evaluated vertices go through the pipeline like
+// explicit ones, under whatever state and whatever commands stand between them. Both are drawn in the same
+// implementation under the same state; only the evaluation itself may differ, by the accuracy rule.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/judge/prediction.h"
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+// Window coordinates, colours and texture coordinates of well-conditioned maps of low order: what the
+// accuracy rule leaves to an evaluation (1e-5 a step, some ten steps) times the gain of the stages below, at
+// most 64. A stage that is left out shows by far more: see require_an_effect().
+constexpr double kTolerance = 0.02;
+constexpr double kEffect = 10 * kTolerance;
+
+constexpr std::size_t kRoom = 4096;
+
+bool differs(double a, double b, double tolerance) {
+  return !(std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b)));
+}
+
+// Where two lists differ; their common length where neither does.
+std::size_t first_difference(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+  const std::size_t size = std::min(a.size(), b.size());
+  std::size_t i = 0;
+  while (i < size && !differs(a[i], b[i], tolerance)) ++i;
+  return i;
+}
+bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+  return a.size() == b.size() && first_difference(a, b, tolerance) == a.size();
+}
+
+// How to look at a drawing.
+enum class View {
+  feedback,  // window coordinates, colours and texture coordinates of what is drawn
+  pixel,     // one pixel in the middle, for what feedback does not show
+};
+
+struct Picture {
+  Played played;
+  gl::Ref shown;
+  std::vector<double> values;
+};
+
+// Draws under the state.
+Picture look(Test& t, View view, const std::string& identity, const gl::Case& state,
+             const gl::Case& drawing) {
+  gl::Case c(identity);
+  c.append(state);
+  if (view == View::pixel) {
+    c.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    c.Clear(GL_COLOR_BUFFER_BIT);
+    c.PointSize(16.0f);
+    c.append(drawing);
+    const gl::Ref pixel = c.ReadPixels(32, 32, 1, 1, GL_RGBA, GL_FLOAT, gl::out<GLfloat>(4));
+    Played played = t.play(c);
+    const std::vector<GLfloat> values = played.trace().values<GLfloat>(pixel);
+    return {std::move(played), pixel, {values.begin(), values.end()}};
+  }
+  const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(kRoom));
+  c.RenderMode(GL_FEEDBACK);
+  c.append(drawing);
+  const gl::Ref count = c.RenderMode(GL_RENDER);
+  Played played = t.play(c);
+  const auto returned = static_cast<GLint>(played.trace().result(count));
+  if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
+  std::vector<GLfloat> values = played.trace().values<GLfloat>(buffer);
+  values.resize(std::min(values.size(), static_cast<std::size_t>(returned)));
+  // Whether a stipple starts anew is for other tests.
+  for (GLfloat& value : values)
+    if (value == GL_LINE_RESET_TOKEN) value = GL_LINE_TOKEN;
+  return {std::move(played), buffer, {values.begin(), values.end()}};
+}
+
+// The explicit commands have to show the stage, or nothing can be said of it.
+void require_an_effect(const Picture& with, const Picture& without) {
+  if (with.values.empty()) throw NotObservable("pipeline: nothing comes out of explicit vertices");
+  if (alike(with.values, without.values, kEffect))
+    throw NotObservable("pipeline: the stage does not show with explicit vertices");
+}
+
+void expect_like_explicit(Test& t, View view, const std::string& identity, const gl::Case& state,
+                          const gl::Case& evaluated, const Picture& control) {
+  Picture picture = look(t, view, identity, state, evaluated);
+  const std::size_t where = first_difference(picture.values, control.values, kTolerance);
+  const auto text = [&](const std::vector<double>& values) {
+    if (where >= values.size()) return fmt::format("{} values", values.size());
+    return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
+  };
+  picture.played.expect(alike(picture.values, control.values, kTolerance), picture.shown,
+                        fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {}",
+                                    text(picture.values), text(control.values)),
+                        text(control.values), text(picture.values));
+}
+
+// --- Stages ----------------------------------------------------------------------------------------------
+
+const std::vector<float> kRotation = {0.48f, 0.36f, 0.0f, 0.0f, -0.36f, 0.48f, 0.0f,  0.0f,
+                                      0.0f,  0.0f,  0.5f, 0.0f, 0.1f,   -0.2f, 0.15f, 1.0f};
+const std::vector<float> kPerspective = {0.8f, 0.0f, 0.0f, 0.0f,  0.0f, 0.7f, 0.0f, 0.0f,
+                                         0.0f, 0.0f, 0.5f, 0.25f, 0.0f, 0.0f, 0.1f, 1.0f};
+
+void light(gl::Case& c) {
+  c.Enable(GL_LIGHTING);
+  c.Enable(GL_LIGHT0);
+  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.3f, 0.4f, 1.0f, 0.0f});
+}
+
+struct Stage {
+  const char* name;
+  GLenum mode;
+  View view;
+  void (*set)(gl::Case&);
+};
+constexpr Stage kStages[] = {
+    {"MODEL_VIEW", GL_POINTS, View::feedback, [](gl::Case& c) { c.LoadMatrixf(kRotation); }},
+    {"PROJECTION", GL_POINTS, View::feedback,
+     [](gl::Case& c) {
+       c.MatrixMode(GL_PROJECTION);
+       c.LoadMatrixf(kPerspective);
+     }},
+    {"TEXTURE_MATRIX", GL_POINTS, View::feedback,
+     [](gl::Case& c) {
+       c.MatrixMode(GL_TEXTURE);
+       c.LoadMatrixf(kRotation);
+     }},
+    {"TEXTURE_GENERATION", GL_POINTS, View::feedback,
+     [](gl::Case& c) {
+       c.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+       c.TexGenfv(GL_S, GL_OBJECT_PLANE, std::vector<float>{2, 1, -1, 0.5f});
+       c.Enable(GL_TEXTURE_GEN_S);
+       c.TexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
+       c.Enable(GL_TEXTURE_GEN_T);
+     }},
+    {"LIGHTING", GL_POINTS, View::feedback, light},
+    {"FOG", GL_POINTS, View::pixel,
+     [](gl::Case& c) {
+       c.Enable(GL_FOG);
+       c.Fogi(GL_FOG_MODE, GL_LINEAR);
+       c.Fogf(GL_FOG_START, -2.0f);
+       c.Fogf(GL_FOG_END, 2.0f);
+       c.Fogfv(GL_FOG_COLOR, std::vector<float>{0, 1, 1, 0});
+     }},
+    {"CLIPPING", GL_LINE_STRIP, View::feedback,
+     [](gl::Case& c) {
+       c.LoadMatrixf(std::vector<float>{3, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+     }},
+    {"CLIP_PLANE", GL_LINE_STRIP, View::feedback, [](gl::Case& c) {
+       c.ClipPlane(GL_CLIP_PLANE0, std::vector<double>{1, 0.25, 0, 0.0625});
+       c.Enable(GL_CLIP_PLANE0);
+     }}};
+
+// A complete texture: some implementations skip texture coordinates and their generation without one.
+void set_up_texture(gl::Case& c) {
+  c.BindTexture(GL_TEXTURE_2D, 1);
+  c.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, std::vector<GLubyte>(4, 255));
+  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  c.Enable(GL_TEXTURE_2D);
+}
+
+// Maps of all kinds, well inside the view volume.
+void define_maps(gl::Case& c) {
+  define(c, make_map1(GL_MAP1_VERTEX_4, {-0.5, -0.25, -0.5, 1, 0.25, 0.875, 0.25, 1.25, 0.75, -0.5, 0.5, 1}));
+  define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.875, 0.25, 1, 0.75, 0.25, 1, 0.5}));
+  define(c, make_map1(GL_MAP1_NORMAL, {0.6, 0, 0.8, -0.28, 0.96, 0}));
+  define(c, make_map1(GL_MAP1_TEXTURE_COORD_4, {0, 1, 0.5, 1, 1, 0.25, -0.5, 2}));
+  for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
+    c.Enable(target);
+}
+
+}  // namespace
+
+EVALCTS_DELIVERED_TESTS(Pipeline, Stage, kStages, const Stage& stage, must, "EV-COORD-TRANSFORM/1-D") {
+  const View view = stage.view;
+  gl::Case plain, staged;
+  // A pixel shows one vertex, in the middle; it has no texture, which would hide the colour.
+  if (view == View::feedback) {
+    set_up_texture(plain);
+    set_up_texture(staged);
+  }
+  stage.set(staged);
+
+  gl::Case evaluated;
+  if (view == View::pixel) {
+    define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0.5, 0.5, 0.5, 0.5}));
+    define(evaluated, make_map1(GL_MAP1_COLOR_4, {1, 0.5, 0, 1, 1, 0, 0.5, 1}));
+    evaluated.Enable(GL_MAP1_VERTEX_3);
+    evaluated.Enable(GL_MAP1_COLOR_4);
+  } else {
+    define_maps(evaluated);
+  }
+  evaluated.Begin(stage.mode);
+  for (const float u : view == View::pixel ? std::vector<float>{0.5f}
+                                           : std::vector<float>{0.0f, 0.125f, 0.375f, 0.625f, 0.875f, 1.0f})
+    evaluated.EvalCoord1f(u);
+  evaluated.End();
+
+  const gl::Case explicit_commands = as_explicit_commands(predict(evaluated, t.max_order()));
+  const Picture control = look(t, view, "control: explicit vertices", staged, explicit_commands);
+  require_an_effect(control, look(t, view, "control: without the stage", plain, explicit_commands));
+  expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
+}
+
+namespace {
+
+// Commands that are legal between Begin and End, each before one vertex.
+struct Between {
+  const char* name;
+  bool lit;
+  void (*command)(gl::Case&);
+};
+constexpr GLuint kList = 7;
+constexpr Between kBetween[] = {
+    {"MATERIAL", true,
+     [](gl::Case& c) {
+       c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0.9f, 0, 0.4f, 1});
+     }},
+    {"NORMAL", true, [](gl::Case& c) { c.Normal3f(0.9f, 0.1f, -0.4f); }},
+    {"COLOR", false, [](gl::Case& c) { c.Color4f(0.1f, 0.9f, 0.3f, 0.25f); }},
+    {"TEX_COORD", false, [](gl::Case& c) { c.TexCoord4f(3, 2, -1, 1); }},
+    {"INDEX_AND_EDGE_FLAG", false,
+     [](gl::Case& c) {
+       c.Indexf(5.0f);
+       c.EdgeFlag(GL_FALSE);
+       c.Color4f(0.75f, 0.5f, 0.25f, 0.5f);
+     }},
+    {"CALL_LIST", false, [](gl::Case& c) { c.CallList(kList); }}};
+
+}  // namespace
+
+EVALCTS_DELIVERED_TESTS(Pipeline, BetweenEvaluations, kBetween, const Between& between, must,
+                        "EV-COORD-MATERIAL/1-D") {
+  constexpr View view = View::feedback;
+  gl::Case state;
+  set_up_texture(state);
+  if (between.lit) light(state);
+  state.NewList(kList, GL_COMPILE);
+  state.Color4f(0.9f, 0.2f, 0.6f, 1.0f);
+  state.TexCoord2f(4, -2);
+  state.EndList();
+
+  gl::Case map;
+  define(map, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
+  map.Enable(GL_MAP1_VERTEX_3);
+  const float us[] = {0.0f, 0.25f, 0.75f, 1.0f};
+  gl::Case positions = map;
+  positions.Begin(GL_POINTS);
+  for (const float u : us) positions.EvalCoord1f(u);
+  positions.End();
+  const Prediction prediction = predict(positions, t.max_order());
+
+  const auto draw = [&](bool evaluated, bool with_command) {
+    gl::Case c = map;
+    c.Begin(GL_POINTS);
+    for (std::size_t i = 0; i < std::size(us); ++i) {
+      if (i == 2 && with_command) between.command(c);
+      if (evaluated) {
+        c.EvalCoord1f(us[i]);
+      } else {
+        const auto& position = prediction.primitives.at(0).vertices.at(i).position;
+        c.Vertex3f(reference::rounded(position[0]), reference::rounded(position[1]),
+                   reference::rounded(position[2]));
+      }
+    }
+    c.End();
+    return c;
+  };
+  const Picture control = look(t, view, "control: explicit vertices", state, draw(false, true));
+  require_an_effect(control, look(t, view, "control: without the command", state, draw(false, false)));
+  expect_like_explicit(t, view, "evaluated", state, draw(true, true), control);
+}
+
+// The edge flag has no map: the current one counts, at each vertex.
+EVALCTS_DELIVERED_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
+  constexpr View view = View::feedback;
+  gl::Case state;
+  state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
+
+  gl::Case evaluated;
+  define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0, 0.75, -0.25, 0, 0.5, 0.75, 0}));
+  evaluated.Enable(GL_MAP1_VERTEX_3);
+  evaluated.Begin(GL_TRIANGLES);
+  for (std::size_t i = 0; i < 6; ++i) {
+    evaluated.EdgeFlag(flag(i));
+    evaluated.EvalCoord1f(static_cast<float>(i % 3) / 2);
+  }
+  evaluated.End();
+  const Prediction prediction = predict(evaluated, t.max_order());
+  gl::Case flags = as_explicit_commands(prediction);
+  gl::Case all_edges;
+  for (const gl::Command& command : flags.commands())
+    if (command.entry != gl::EntryPoint::EdgeFlag) all_edges.add(command);
+
+  const Picture control = look(t, view, "control: explicit vertices", state, flags);
+  require_an_effect(control, look(t, view, "control: all edges", state, all_edges));
+  expect_like_explicit(t, view, "evaluated", state, evaluated, control);
+}
+
+// Client arrays are for DrawArrays and its like; evaluation takes what no map gives from the current values.
+EVALCTS_DELIVERED_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D") {
+  gl::Case c("vertex, colour, normal and texture coordinate arrays enabled");
+  const std::vector<float> wrong(64, 0.625f);
+  c.VertexPointer(4, GL_FLOAT, 0, wrong);
+  c.ColorPointer(4, GL_FLOAT, 0, wrong);
+  c.NormalPointer(GL_FLOAT, 0, wrong);
+  c.TexCoordPointer(4, GL_FLOAT, 0, wrong);
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    c.EnableClientState(array);
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  const auto evaluate_some = [&] {
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
+    c.End();
+  };
+  evaluate_some();
+  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2}) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+  evaluate_some();
+  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
+}  // namespace evalcts

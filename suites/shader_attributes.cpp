@@ -1,0 +1,157 @@
+// Section 8 of the requirements, what only a vertex shader sees: attributes without maps, and generic
+// attribute 0.
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "suites/maps.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kVertices = 9;
+
+// Every map on, so that a map that fed the wrong attribute would show.
+void enable_all_maps(Test& t, gl::Case& c) {
+  for (const GLenum target : gl::kMap1Targets) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+}
+
+float argument(std::size_t vertex) { return static_cast<float>(vertex) / (kVertices - 1); }
+
+void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) {
+  if (recorded.vertices == kVertices && !recorded.overflow) return;
+  Failure failure;
+  failure.case_identity = c.identity();
+  failure.what = "number of vertices";
+  failure.expected = std::to_string(kVertices);
+  failure.captured = std::to_string(recorded.vertices);
+  failure.message = fmt::format("{} vertices came out, {} should have", failure.captured, failure.expected);
+  t.fail(std::move(failure));
+}
+
+}  // namespace
+
+// Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
+// vertices of one primitive.
+EVALCTS_DELIVERED_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D") {
+  t.require(3, 0);
+  const VaryingShader shader = {
+      "#version 120\nattribute vec4 six;\nattribute vec4 seven;\nvarying vec3 secondary;\nvarying float "
+      "fog;\nvarying vec4 seen_six;\nvarying vec4 seen_seven;\nvoid main() {\n  secondary = "
+      "gl_SecondaryColor.rgb;\n  fog = gl_FogCoord;\n  seen_six = six;\n  seen_seven = seven;\n  gl_Position "
+      "= gl_Vertex;\n}\n",
+      {"secondary", "fog", "seen_six", "seen_seven"},
+      12,
+      {{6, "six"}, {7, "seven"}}};
+  const auto given = [](std::size_t vertex) {
+    const float x = static_cast<float>(vertex) / 16;
+    return std::vector<float>{x, 0.5f - x / 2, 0.25f, 3 + x, x, -x, 7, 2, 1 - x, 4, x / 2, -3};
+  };
+  const auto draw = [&](const char* identity, bool evaluated) {
+    gl::Case c(identity);
+    enable_all_maps(t, c);
+    c.Begin(GL_POINTS);
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      const std::vector<float> values = given(i);
+      c.SecondaryColor3f(values[0], values[1], values[2]);
+      c.FogCoordf(values[3]);
+      c.VertexAttrib4f(6, values[4], values[5], values[6], values[7]);
+      c.VertexAttrib4f(7, values[8], values[9], values[10], values[11]);
+      if (evaluated) {
+        c.EvalCoord1f(argument(i));
+      } else {
+        c.Vertex3f(argument(i), 0, 0);
+      }
+    }
+    c.End();
+    return c;
+  };
+  const auto mismatch = [&](const RecordedVaryings& recorded) {
+    for (std::size_t i = 0; i < recorded.vertices; ++i) {
+      const std::vector<float> values = given(i);
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (recorded.values[i * values.size() + k] != values[k]) return std::pair{i, k};
+    }
+    return std::pair{kVertices, std::size_t{0}};
+  };
+  const RecordedVaryings control =
+      t.record_varyings(draw("control: explicit vertices", false), shader, kVertices);
+  if (control.vertices != kVertices || mismatch(control).first != kVertices)
+    throw NotObservable("pipeline: these attributes do not reach the shader with explicit vertices, either");
+
+  const gl::Case c = draw("evaluated, every map on", true);
+  const RecordedVaryings recorded = t.record_varyings(c, shader, kVertices);
+  expect_count(t, c, recorded);
+  const auto [vertex, component] = mismatch(recorded);
+  if (vertex == kVertices) return;
+  const char* const names[] = {"secondary colour", "fog coordinate", "generic attribute 6",
+                               "generic attribute 7"};
+  Failure failure;
+  failure.case_identity = c.identity();
+  failure.what = names[component < 3 ? 0 : component < 4 ? 1 : component < 8 ? 2 : 3];
+  failure.expected = fmt::format("{}", given(vertex)[component]);
+  failure.captured = fmt::format("{}", recorded.values[vertex * 12 + component]);
+  failure.message = fmt::format("the {} of vertex {} is {}, the current value is {}", failure.what, vertex,
+                                failure.captured, failure.expected);
+  t.fail(std::move(failure));
+}
+
+// Vertex and VertexAttrib 0 are the same command: what gl_Vertex gives, generic attribute 0 gives bit for
+// bit.
+EVALCTS_DELIVERED_TESTS(ShaderAttributes, GenericZero,
+                        (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}), GLenum target, must,
+                        "EV-ATTR-GENERIC0/1-D") {
+  t.require(3, 0);
+  const auto shader_with = [](const char* declaration, const char* source) {
+    return VaryingShader{fmt::format("#version 120\n{}varying vec4 seen;\nvoid main() {{\n  seen = {};\n  "
+                                     "gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}}\n",
+                                     declaration, source),
+                         {"seen"},
+                         4,
+                         {}};
+  };
+  const VaryingShader conventional = shader_with("", "gl_Vertex");
+  VaryingShader generic = shader_with("attribute vec4 zero;\n", "zero");
+  generic.locations = {{0, "zero"}};
+
+  const auto draw = [&](const char* identity, bool evaluated) {
+    gl::Case c(identity);
+    c.Begin(GL_POINTS);
+    for (std::size_t i = 0; i < kVertices; ++i) {
+      if (evaluated) {
+        c.EvalCoord1f(argument(i));
+      } else {
+        c.Vertex4f(argument(i), 2, 3, 4);
+      }
+    }
+    c.End();
+    return c;
+  };
+  const auto both = [&](const gl::Case& c) {
+    return std::pair{t.record_varyings(c, conventional, kVertices), t.record_varyings(c, generic, kVertices)};
+  };
+  const auto [control, generic_control] = both(draw("control: explicit vertices", false));
+  if (control.vertices != kVertices || control.values != generic_control.values)
+    throw NotObservable("pipeline: generic attribute 0 is not the vertex with explicit vertices, either");
+
+  gl::Case c("evaluated");
+  define(c, random_map(t, target, 5));
+  c.Enable(target);
+  c.append(draw("", true));
+  const auto [seen, generic_seen] = both(c);
+  expect_count(t, c, seen);
+  expect_count(t, c, generic_seen);
+  if (seen.values == generic_seen.values) return;
+  Failure failure;
+  failure.case_identity = c.identity();
+  failure.what = "generic attribute 0";
+  failure.expected = "gl_Vertex, bit for bit";
+  failure.captured = "other values";
+  failure.message = "generic attribute 0 of an evaluated vertex is not its position";
+  t.fail(std::move(failure));
+}
+
+}  // namespace evalcts
