@@ -2,7 +2,10 @@
 // alone.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <tuple>
 
 #include "suites/maps.h"
 
@@ -121,6 +124,88 @@ EVALCTS_DELIVERED_TESTS(CurrentValues, TextureCoordinates, kMoments, const Momen
   for (const GLenum target :
        {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4})
     expect_current_untouched(t, target, {GL_CURRENT_TEXTURE_COORDS, 4}, set_texture, moment.flush);
+}
+
+namespace {
+
+struct Queried {
+  const char* name;
+  GLenum query;
+  std::size_t count;
+};
+constexpr Queried kQueried[] = {{"COLOR", GL_CURRENT_COLOR, 4},
+                                {"NORMAL", GL_CURRENT_NORMAL, 3},
+                                {"TEXTURE_COORDS", GL_CURRENT_TEXTURE_COORDS, 4}};
+
+// One order of Color, Normal and TexCoord, with these numbers of components.
+struct Setting {
+  std::array<int, 3> order;
+  int color, texture;
+};
+
+std::vector<Setting> settings(Test& t) {
+  std::vector<Setting> all;
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    for (const int color : {3, 4})
+      for (int texture = 1; texture <= 4; ++texture) all.push_back({order, color, texture});
+  } while (std::next_permutation(order.begin(), order.end()));
+  // Steps that have no factor in common with the numbers of components leave something of each.
+  std::vector<Setting> chosen;
+  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(t.by_depth(11, 5, 1)))
+    chosen.push_back(all[i]);
+  return chosen;
+}
+
+void set_all(gl::Case& c, const Setting& setting) {
+  for (const int which : setting.order) {
+    if (which == 0) {
+      set_color(c, setting.color == 4 ? 1 : 0);
+    } else if (which == 1) {
+      set_normal(c, 2);
+    } else {
+      set_texture(c, 4 - setting.texture);
+    }
+  }
+}
+
+}  // namespace
+
+// Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
+// map on, after every order of setting.
+EVALCTS_DELIVERED_TESTS(CurrentValues, EveryOrderOfSetting, kQueried, const Queried& queried, must,
+                        "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D") {
+  std::vector<Map1> maps;
+  for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
+  int observed = 0;
+  for (const Setting& setting : settings(t)) {
+    const auto written = [&](bool evaluated) {
+      gl::Case c(fmt::format("order {}{}{} with {} colour and {} texture components{}", setting.order[0],
+                             setting.order[1], setting.order[2], setting.color, setting.texture,
+                             evaluated ? "" : ", control"));
+      for (const Map1& map : maps) {
+        define(c, map);
+        c.Enable(map.target);
+      }
+      set_all(c, setting);
+      const gl::Ref before = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      c.Begin(GL_TRIANGLE_STRIP);
+      emit(c, evaluated, 0.25f);
+      set_all(c, setting);
+      for (int i = 0; i < 4; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
+      c.End();
+      const gl::Ref after = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      return std::tuple{c, before, after};
+    };
+    const auto [control, control_before, control_after] = written(false);
+    const Played explicit_vertices = t.play(control);
+    if (!explicit_vertices.trace().same(control_before, explicit_vertices.trace(), control_after)) continue;
+    ++observed;
+    const auto [script, before, after] = written(true);
+    Played played = t.play(script);
+    played.expect_same(before, after);
+  }
+  if (observed == 0) throw NotObservable("explicit vertices lose the current value as well");
 }
 
 EVALCTS_DELIVERED_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {

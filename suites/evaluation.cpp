@@ -484,6 +484,36 @@ EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-
   }
 }
 
+// All subsets of the nine enables with a vertex map, in Gray code: one flag changes at a time. INDEX is among
+// them, though its values do not show. What happens without a vertex map has tests of its own.
+EVALCTS_DELIVERED_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D",
+                       "EV-PREC-PERKIND/1-D", "EV-EN-MULTI") {
+  gl::Case c("384 subsets of the nine enables");
+  set_current_values(c);
+  for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
+  static_assert(gl::kMap1Targets[7] == GL_MAP1_VERTEX_3 && gl::kMap1Targets[8] == GL_MAP1_VERTEX_4);
+  constexpr unsigned kVertexMaps = 1u << 7 | 1u << 8;
+  unsigned enabled = 0;
+  for (unsigned i = 1; i <= 512; ++i) {
+    const unsigned code = (i & 511u) ^ (i & 511u) >> 1;
+    const unsigned changed = code ^ enabled;
+    for (std::size_t bit = 0; bit < 9; ++bit) {
+      if (!(changed >> bit & 1u)) continue;
+      if (code >> bit & 1u) {
+        c.Enable(gl::kMap1Targets[bit]);
+      } else {
+        c.Disable(gl::kMap1Targets[bit]);
+      }
+    }
+    enabled = code;
+    if (!(enabled & kVertexMaps)) continue;
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(static_cast<float>(i) / 512);
+    c.End();
+  }
+  t.expect_emission(c, kUnit0);
+}
+
 EVALCTS_DELIVERED_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
   gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
   for (const GLenum target : visible_targets()) {
