@@ -195,15 +195,25 @@ EVALCTS_DELIVERED_TESTS(CurrentValues, EveryOrderOfSetting, kQueried, const Quer
       for (int i = 0; i < 4; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
       c.End();
       const gl::Ref after = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
-      return std::tuple{c, before, after};
+      // The next primitive has a smaller vertex.
+      for (const Map1& map : maps)
+        if (map.target != GL_MAP1_VERTEX_3) c.Disable(map.target);
+      c.Begin(GL_POINTS);
+      emit(c, evaluated, 0.5f);
+      c.End();
+      const gl::Ref later = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      return std::tuple{c, before, after, later};
     };
-    const auto [control, control_before, control_after] = written(false);
+    const auto [control, control_before, control_after, control_later] = written(false);
     const Played explicit_vertices = t.play(control);
-    if (!explicit_vertices.trace().same(control_before, explicit_vertices.trace(), control_after)) continue;
+    if (!explicit_vertices.trace().same(control_before, explicit_vertices.trace(), control_after) ||
+        !explicit_vertices.trace().same(control_before, explicit_vertices.trace(), control_later))
+      continue;
     ++observed;
-    const auto [script, before, after] = written(true);
+    const auto [script, before, after, later] = written(true);
     Played played = t.play(script);
     played.expect_same(before, after);
+    played.expect_same(before, later);
   }
   if (observed == 0) throw NotObservable("explicit vertices lose the current value as well");
 }

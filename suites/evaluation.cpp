@@ -94,6 +94,37 @@ EVALCTS_DELIVERED_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CUR
   t.expect_emission(c, kUnit0);
 }
 
+// A map that is switched off gives way to the current value at once, whatever else was evaluated before.
+EVALCTS_DELIVERED_TESTS(Evaluation, MapSwitchedOff,
+                        (std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
+                                             GL_MAP1_TEXTURE_COORD_4}),
+                        GLenum target, must, "EV-COORD-CURRENT/1-D") {
+  const std::vector<GLenum> others = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2};
+  for (unsigned subset = 0; subset < 8; ++subset) {
+    std::string with = "with";
+    gl::Case c;
+    set_current_values(c);
+    for (const GLenum map : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target}) {
+      define(c, random_map(t, map, 3));
+      c.Enable(map);
+    }
+    bool skipped = false;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (!(subset >> i & 1u)) continue;
+      skipped = skipped || others[i] == target;
+      with += " " + label(others[i]);
+      define(c, random_map(t, others[i], 3));
+      c.Enable(others[i]);
+    }
+    if (skipped) continue;
+    c.set_identity(with + " as well");
+    evaluate_some(c);
+    c.Disable(target);
+    evaluate_some(c);
+    t.expect_emission(c, kUnit0);
+  }
+}
+
 // Without a vertex map nothing happens at all.
 EVALCTS_DELIVERED_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum target, must,
                         "EV-COORD-NOVERTEX/1-D") {
