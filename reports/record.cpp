@@ -155,6 +155,7 @@ TestResult read_test(const Object& in) {
   out.failed_cases = in.natural("failed_cases");
   out.seed = in.natural("seed");
   out.reproducer = in.text("reproducer");
+  out.history = in.texts("history");
   out.seconds = in.real("seconds");
   if (in.find("verdict")) {
     out.verdict = parse_verdict(in.text("verdict"), in.path("verdict"));
@@ -230,6 +231,11 @@ std::uint64_t Record::expected_bad_count() const {
                        [](const TestResult& test) { return test.expected_bad(); });
 }
 
+std::string Record::heading(const std::string& unnamed) const {
+  const std::string name = implementation.name.empty() ? unnamed : one_line(implementation.name);
+  return pass.empty() ? name : name + ", one shared context";
+}
+
 Record read_record(const json& value) {
   const Object in(value, "");
   in.word("format", {"evalcts-results-1"});
@@ -239,6 +245,8 @@ Record read_record(const json& value) {
   out.reason = in.text("reason");
   out.command = in.text("command");
   out.depth = in.text("depth");
+  out.pass = in.word("pass", {"reuse-context"});
+  out.stale_baseline_entries = in.texts("stale_baseline_entries");
   if (const json* implementation = in.find("implementation")) {
     out.implementation = read_implementation(Object(*implementation, "implementation"));
   }

@@ -73,6 +73,7 @@ struct TestResult {
       failures;  // where the record lists none: what it says at the level of the test, if anything
   std::optional<Accuracy> accuracy;
   std::string reproducer;
+  std::vector<std::string> history;  // the tests that have to come before, where the context is shared
   std::optional<double> seconds;
 
   bool bad() const { return verdict <= Verdict::kFail; }
@@ -83,15 +84,16 @@ struct TestResult {
   bool unexpected_pass() const {
     return verdict == Verdict::kPass && !expected_by_baseline && !baseline_reason.empty();
   }
-  // Order of telling, smallest first: unexpected failures by verdict, expected failures by verdict, unexpected
-  // passes, the rest by verdict.
+  // Order of telling, smallest first: unexpected failures by verdict, expected failures by verdict,
+  // unexpected passes, the rest by verdict.
   int severity() const;
   // The failure that shows most in the least space, or null: both values recorded, then the largest distance.
   const Failure* most_telling() const;
 };
 
 struct Record {
-  std::string evalcts_version, status, reason, command, depth;
+  std::string evalcts_version, status, reason, command, depth, pass;
+  std::vector<std::string> stale_baseline_entries;
   Implementation implementation;
   Counts counts{};
   std::vector<TestResult> tests;
@@ -100,6 +102,8 @@ struct Record {
   std::uint64_t unexpected_count() const;  // with counts only, nothing is known to be expected
   std::uint64_t expected_bad_count() const;
   bool complete() const { return status == "complete"; }
+  // "osmesa", or "osmesa, one shared context" for the second pass; `unnamed` where the record has no name.
+  std::string heading(const std::string& unnamed) const;
 };
 
 struct Requirement {

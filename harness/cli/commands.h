@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct RunOptions {
   std::string baseline;  // folder, "none", or empty for the shipped ones
   bool write_baseline = false;
   bool strict = false;
+  bool reuse_context = false;
+  std::optional<std::uint32_t> shuffle;  // seed of the order in which the tests run
   bool verbose = false;
   std::string command;  // as typed
 };

@@ -36,6 +36,11 @@ int main(int argc, char** argv) {
   run_command->add_flag("--write-baseline", run_options.write_baseline, "write what fails as the baseline");
   run_command->add_flag("--strict", run_options.strict,
                         "an unexpected pass and a stale baseline entry count, too");
+  run_command->add_flag("--reuse-context", run_options.reuse_context,
+                        "a second pass over one shared context, for defects that depend on history");
+  run_command->add_option("--shuffle", run_options.shuffle,
+                          "run the tests in a random order (GoogleTest keeps those of a suite together): its "
+                          "seed");
   run_command->add_flag("--verbose", run_options.verbose, "all failing tests and what was not judged");
 
   std::string what;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <iostream>
 #include <map>
 #include <mutex>
+#include <random>
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
@@ -65,6 +67,7 @@ int exit_code_of(const json& result, bool named, bool strict) {
     if (strict && verdict == "pass" && !test["baseline_reason"].get<std::string>().empty())
       code = kUnexpected;
   }
+  if (strict && result.contains("stale_baseline_entries")) code = kUnexpected;
   return code;
 }
 
@@ -135,12 +138,16 @@ int run(const RunOptions& options) {
     return kWrongUse;
   }
 
+  if (with_baseline && fs::is_directory(baselines)) request.baselines = Baseline::read_all(baselines);
+
   const json all_tests = list_tests(where.suite_program);
   request.tests = matching(all_tests, options.filter);
   if (request.tests.empty()) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;
   }
+  if (options.shuffle)
+    std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
 
   stop_when_asked();
   const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
@@ -148,37 +155,45 @@ int run(const RunOptions& options) {
   std::vector<json> results;
   int code = kNothingUnexpected;
   // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
-  std::vector<std::future<json>> running;
+  // A second pass follows the first of the same implementation.
+  std::vector<std::future<std::vector<json>>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;
     request.name = !options.label.empty()        ? options.label
                    : implementation.name.empty() ? "library"
                                                  : implementation.name;
-    running.push_back(std::async(std::launch::async, [request, &line] {
-      return run_implementation(request,
-                                [&](const Progress& progress) { line.show(request.name, progress); });
+    running.push_back(std::async(std::launch::async, [request, &line, &options]() mutable {
+      const auto show = [&](const Progress& progress) { line.show(request.name, progress); };
+      std::vector<json> passes = {run_implementation(request, show)};
+      if (options.reuse_context && passes[0]["status"] == "complete") {
+        const json first = passes[0];
+        request.first_pass = &first;
+        passes.push_back(run_implementation(request, show));
+      }
+      return passes;
     }));
   }
-  for (std::future<json>& future : running) {
-    json result = future.get();
-    const std::string name = result["implementation"]["name"];
-    if (with_baseline && result["status"] != "not-started") {
-      Baseline baseline = Baseline::find(baselines, result["implementation"]);
-      if (options.write_baseline) {
-        baseline = baseline.renewed(result, name);
-        if (!baseline.entries().empty() || !baseline.name().empty()) baseline.write(baselines);
+  for (auto& future : running) {
+    for (json& result : future.get()) {
+      const std::string pass = result.value("pass", "");
+      const std::string label = file_label(result["implementation"]["name"], pass);
+      if (with_baseline && result["status"] != "not-started") {
+        Baseline baseline = Baseline::best_fit(request.baselines, result["implementation"], pass);
+        if (options.write_baseline) {
+          const bool exists = !baseline.name().empty();
+          baseline = baseline.renewed(result, label);
+          if (exists || !baseline.entries().empty()) baseline.write(baselines);
+        }
+        baseline.apply(result);
+        const std::vector<std::string> stale = baseline.stale_entries(all_tests);
+        if (!stale.empty()) result["stale_baseline_entries"] = stale;
+        write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       }
-      baseline.apply(result);
-      for (const std::string& stale : baseline.stale_entries(all_tests)) {
-        line.print(fmt::format("baseline {}: there is no test {} any more\n", baseline.name(), stale));
-        if (options.strict) code = std::max(code, kUnexpected);
-      }
-      write_atomically(output / fmt::format("results-{}.json", name), to_text(result));
+      write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
+      line.print(reports::terminal_summary(result, color, options.verbose) + "\n");
+      code = std::max(code, exit_code_of(result, named, options.strict));
+      results.push_back(std::move(result));
     }
-    write_atomically(output / fmt::format("junit-{}.xml", name), reports::junit(result));
-    line.print(reports::terminal_summary(result, color, options.verbose) + "\n");
-    code = std::max(code, exit_code_of(result, named, options.strict));
-    results.push_back(result);
   }
   write_atomically(output / "index.html", reports::html(results, catalogue()));
   std::cout << fmt::format("Report: {}\n", (output / "index.html").string());

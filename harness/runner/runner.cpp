@@ -12,9 +12,11 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "harness/runner/child_process.h"
+#include "harness/runner/history.h"
 
 namespace evalcts {
 
@@ -28,7 +30,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLook = 0.02;           // seconds between two looks at a child
 constexpr double kStartTimeout = 60;     // for the questions that each library is asked first
-constexpr double kBisectionBudget = 30;  // seconds spent on finding what a crash depends on
+constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
+constexpr double kSearchesBudget = 120;  // ... and all of them
 constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
 
 double seconds_since(Clock::time_point start) {
@@ -77,10 +80,12 @@ class EventReader {
 // What one child made of a list of tests.
 struct ChildRun {
   std::map<std::string, json> records;
-  std::vector<std::string> finished;  // in the order in which they ran
-  std::string in_flight;              // the test that the child died in
-  json last_case;                     // of that test, where cases were traced
+  std::vector<std::string> finished;                      // in the order in which they ran
+  std::string in_flight;                                  // the test that the child died in
+  json last_case;                                         // of that test, where cases were traced
+  std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
   bool hung = false;
+  bool cut_short = false;  // by the end of the time for a search
   bool complete = false;
   Ending ending;
 };
@@ -96,12 +101,16 @@ class Run {
     progress_({"starting", 0, request_.tests.size(), ""});
     if (!start(result)) return finish(result, "not-started");
     run_tests();
+    if (second_pass()) explain_by_history();
     return finish(result, interrupted ? "interrupted" : "complete");
   }
 
  private:
+  bool second_pass() const { return request_.first_pass != nullptr; }
+  std::string pass() const { return second_pass() ? kReuseContext : ""; }
+
   fs::path file(const std::string& kind, const std::string& extension) const {
-    return request_.output / fmt::format("{}-{}.{}", kind, request_.name, extension);
+    return request_.output / fmt::format("{}-{}.{}", kind, file_label(request_.name, pass()), extension);
   }
 
   void remove_stale_files() const {
@@ -116,13 +125,15 @@ class Run {
   }
 
   json header() const {
-    return {{"format", "evalcts-results-1"},
-            {"evalcts_version", EVALCTS_VERSION},
-            {"command", request_.command},
-            {"depth", request_.depth},
-            {"seed", request_.seed},
-            {"reason", ""},
-            {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
+    json header = {{"format", "evalcts-results-1"},
+                   {"evalcts_version", EVALCTS_VERSION},
+                   {"command", request_.command},
+                   {"depth", request_.depth},
+                   {"seed", request_.seed},
+                   {"reason", ""},
+                   {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
+    if (second_pass()) header["pass"] = pass();
+    return header;
   }
 
   std::vector<std::string> suite_command() const {
@@ -178,6 +189,8 @@ class Run {
     json& implementation = result["implementation"];
     for (const char* member : {"library", "vendor", "renderer", "version", "max_eval_order"})
       implementation[member] = description[member];
+    implementation["kind"] = description["name"];
+    baseline_ = Baseline::best_fit(request_.baselines, implementation, pass());
     implementation["captures"] = json::array();
     for (const std::string name : description["all_captures"]) {
       std::string why;
@@ -191,6 +204,7 @@ class Run {
 
   // --- running tests -------------------------------------------------------------------------------------
 
+  // `tests`: lines of the file that --tests takes.
   ChildRun run_child(const std::vector<std::string>& tests, const fs::path& events, bool trace_cases,
                      bool report_progress) {
     const fs::path list = file("scratch", "txt");
@@ -204,6 +218,7 @@ class Run {
                    {"--tests", list.string(), "--records", events.string(), "--captures",
                     captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
     if (trace_cases) command.push_back("--trace-cases");
+    if (second_pass()) command.push_back("--reuse-context");
 
     ChildRun result;
     EventReader reader(events);
@@ -219,6 +234,11 @@ class Run {
       }
       if (ending) break;
       if (interrupted) {
+        child.kill();
+        continue;
+      }
+      if (deadline_ && Clock::now() > *deadline_) {
+        result.cut_short = true;
         child.kill();
         continue;
       }
@@ -241,6 +261,7 @@ class Run {
         progress_({"test", records_.size() + result.records.size(), request_.tests.size(), result.in_flight});
     } else if (kind == "case") {
       result.last_case = event;
+      result.cases[result.in_flight].push_back(event.value("case", ""));
     } else if (kind == "result") {
       const json& record = event["record"];
       result.finished.push_back(record["name"]);
@@ -254,6 +275,11 @@ class Run {
   void run_tests() {
     records_file_ = file("records", "jsonl");
     main_reader_.emplace(records_file_);
+    for (const json& test : request_.tests)
+      if (const Baseline::Pattern* skip = baseline_.skip(test["name"])) {
+        add_record(test["name"], "skipped", skip->reason, nullptr);
+        records_[test["name"]]["baseline_reason"] = skip->reason;
+      }
     int empty_starts = 0;
     while (!interrupted) {
       std::vector<std::string> remaining;
@@ -262,6 +288,7 @@ class Run {
       if (remaining.empty()) return;
       ChildRun child = run_child(remaining, records_file_, false, true);
       records_.merge(child.records);
+      sequences_.push_back(child.finished);
       if (interrupted) return;
       if (!child.in_flight.empty()) {
         record_death(child);
@@ -318,7 +345,8 @@ class Run {
       add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case);
       return;
     }
-    add_record(name, verdict, how + "; " + what_it_depends_on(child.finished, name), nullptr);
+    add_record(name, verdict, how + "; passes alone", nullptr);
+    add_history(records_[name], child.finished);
   }
 
   ChildRun run_scratch(const std::vector<std::string>& tests, bool trace_cases) {
@@ -329,36 +357,133 @@ class Run {
     return result;
   }
 
-  std::string what_it_depends_on(const std::vector<std::string>& predecessors, const std::string& name) {
+  // --- what a failure depends on -------------------------------------------------------------------------
+
+  static bool is_death(const json& record) {
+    return record["verdict"] == "crash" || record["verdict"] == "timeout";
+  }
+  static bool is_bad(const json& record) { return record["verdict"] == "fail" || is_death(record); }
+
+  // Sorted (as the suite program writes them), each as often as it occurred.
+  static std::vector<std::string> mismatches_of(const json& record) {
+    return record.value("mismatches", std::vector<std::string>());
+  }
+
+  // Whether the test failed in the same way in the pass with fresh contexts, with all that is wrong here.
+  bool is_no_news(const json& record) const {
+    if (!second_pass()) return false;
+    for (const json& fresh : (*request_.first_pass)["tests"]) {
+      if (fresh["name"] != record["name"]) continue;
+      const std::vector<std::string> before = mismatches_of(fresh), now = mismatches_of(record);
+      return fresh["verdict"] == record["verdict"] &&
+             std::includes(before.begin(), before.end(), now.begin(), now.end());
+    }
+    return false;
+  }
+
+  // Second pass: marks what fails with fresh contexts as well, and looks for the history of the rest.
+  void explain_by_history() {
+    for (const json& test : request_.tests) {
+      const auto found = records_.find(test["name"]);
+      if (interrupted || found == records_.end()) continue;
+      json& record = found->second;
+      if (!is_bad(record) || searched_.count(record["name"])) continue;
+      if (is_no_news(record)) {
+        record["also_in_fresh_context"] = true;
+        record["expected_by_baseline"] = true;
+        record["baseline_reason"] = "fails in a fresh context as well";
+        continue;
+      }
+      if (baseline_.knows(record, request_.depth, request_.seed)) continue;
+      progress_({"searching a history", records_.size(), request_.tests.size(), record["name"]});
+      add_history(record, predecessors_of(record["name"]));
+    }
+  }
+
+  // The tests that ran before it in the same process.
+  std::vector<std::string> predecessors_of(const std::string& name) const {
+    for (const std::vector<std::string>& sequence : sequences_) {
+      const auto position = std::find(sequence.begin(), sequence.end(), name);
+      if (position != sequence.end()) return {sequence.begin(), position};
+    }
+    return {};
+  }
+
+  // Whether the same happens to the test when it comes after these; empty where time runs out first.
+  std::optional<bool> happens_again(const json& record, std::vector<std::string> tests) {
+    const std::string name = record["name"];
+    tests.push_back(name);
+    const ChildRun child = run_scratch(tests, false);
+    if (child.cut_short || interrupted) return std::nullopt;
+    if (is_death(record)) return child.in_flight == name;
+    const auto again = child.records.find(name);
+    return again != child.records.end() && is_bad(again->second) && !is_no_news(again->second);
+  }
+
+  // Finds the shortest history in new processes and puts it into the record.
+  void add_history(json& record, const std::vector<std::string>& predecessors) {
     const auto begin = Clock::now();
-    const auto dies_after = [&](std::size_t count) {
-      std::vector<std::string> tests(predecessors.end() - static_cast<std::ptrdiff_t>(count),
-                                     predecessors.end());
-      tests.push_back(name);
-      return run_scratch(tests, false).in_flight == name;
-    };
-    // The shortest run of predecessors that still shows it: doubled until it does, then halved.
-    std::size_t fails = 0;  // too short
-    std::size_t count = 1;
-    while (true) {
-      if (interrupted || seconds_since(begin) > kBisectionBudget || predecessors.empty())
-        return "passes alone, and what it depends on was not found";
-      count = std::min(count, predecessors.size());
-      if (dies_after(count)) break;
-      if (count == predecessors.size())
-        return "passes alone and after the same tests: it does not always happen";
-      fails = count;
-      count *= 2;
+    searched_.insert(record["name"]);
+    double seconds = std::min(kSearchBudget, searches_left_);
+    if (record["verdict"] == "timeout") seconds += 4 * request_.seconds_per_test;  // to see it hang again
+    deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    const std::optional<bool> alone = happens_again(record, {});
+    History history;
+    if (alone && *alone) {
+      history.found = History::Found::shortest;
+    } else if (alone) {
+      const bool guess_applies = std::all_of(guess_.begin(), guess_.end(), [&](const std::string& test) {
+        return std::find(predecessors.begin(), predecessors.end(), test) != predecessors.end();
+      });
+      history = shortest_history(
+          predecessors, guess_applies ? guess_ : std::vector<std::string>(),
+          [&](const std::vector<std::string>& tests) { return happens_again(record, tests); });
     }
-    while (count - fails > 1 && !interrupted && seconds_since(begin) <= kBisectionBudget) {
-      const std::size_t middle = fails + (count - fails) / 2;
-      (dies_after(middle) ? count : fails) = middle;
+    std::string only_case;
+    if (history.tests.size() == 1) only_case = case_of_history(record, history.tests[0]);
+    deadline_.reset();
+    searches_left_ = std::max(searches_left_ - seconds_since(begin), 0.0);
+    if (!history.tests.empty()) guess_ = history.tests;
+    record["message"] = words_for(history, only_case, predecessors.size(), record["message"]);
+    if (history.found == History::Found::shortest || history.found == History::Found::shortened)
+      record["history"] = history.tests;
+    if (!only_case.empty()) record["history_case"] = only_case;
+  }
+
+  // Of the one test that has to come before: the case without which (and those after it) it does not happen.
+  std::string case_of_history(const json& record, const std::string& test) {
+    const ChildRun traced = run_scratch({test, record["name"]}, true);
+    const auto cases = traced.cases.find(test);
+    if (traced.cut_short || interrupted || cases == traced.cases.end()) return {};
+    const auto enough = least(cases->second.size(), [&](std::size_t count) {
+      return happens_again(record, {fmt::format("{}\t{}", test, count)});
+    });
+    return enough ? cases->second[*enough - 1] : std::string();
+  }
+
+  static std::string words_for(const History& history, const std::string& only_case, std::size_t predecessors,
+                               const std::string& message) {
+    switch (history.found) {
+      case History::Found::not_reproduced:
+        return fmt::format(
+            "{}; not reproduced, neither alone nor after the same {} tests: it does not always happen",
+            message, predecessors);
+      case History::Found::out_of_time:
+        return message + "; what it depends on was not found in the time given";
+      case History::Found::shortest:
+      case History::Found::shortened:
+        break;
     }
-    const std::vector<std::string> needed(predecessors.end() - static_cast<std::ptrdiff_t>(count),
-                                          predecessors.end());
-    if (needed.size() <= 3) return fmt::format("passes alone, dies after {}", fmt::join(needed, ", "));
-    return fmt::format("passes alone, dies after the {} tests from {} to {}", needed.size(), needed.front(),
-                       needed.back());
+    std::string after = "its own earlier cases";
+    if (history.tests.size() > 3) {
+      after = fmt::format("{} tests, {} to {}", history.tests.size(), history.tests.front(),
+                          history.tests.back());
+    } else if (!history.tests.empty()) {
+      after = fmt::format("{}", fmt::join(history.tests, ", "));
+    }
+    if (!only_case.empty()) after += fmt::format(" up to its case '{}'", only_case);
+    if (history.found == History::Found::shortened) after += " (perhaps fewer: time ran out)";
+    return fmt::format("after {}: {}", after, message);
   }
 
   // --- the end -------------------------------------------------------------------------------------------
@@ -388,9 +513,19 @@ class Run {
   std::map<std::string, json> records_;
   fs::path records_file_;
   std::optional<EventReader> main_reader_;
+  Baseline baseline_;
+  std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
+  std::optional<Clock::time_point> deadline_;        // of the search in progress
+  double searches_left_ = kSearchesBudget;
+  std::set<std::string> searched_;  // tests whose history was looked for
+  std::vector<std::string> guess_;  // the latest history: what one test does to the next, it does to others
 };
 
 }  // namespace
+
+std::string file_label(const std::string& name, const std::string& pass) {
+  return pass.empty() ? name : name + "." + pass;
+}
 
 json run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress) {
   return Run(request, progress).run();

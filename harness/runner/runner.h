@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/implementations/implementation.h"
+#include "harness/runner/baseline.h"
 
 namespace evalcts {
 
@@ -24,6 +25,10 @@ struct RunRequest {
   double seconds_per_test = 60;
   std::filesystem::path output;  // an existing folder
   std::string command;           // as the user typed it, for the record
+  // The one that fits says which tests not to run, and which failures need no search for what they depend on.
+  std::vector<Baseline> baselines;
+  // The result of the pass with fresh contexts: this is the second pass, over one shared context.
+  const nlohmann::json* first_pass = nullptr;
 };
 
 struct Progress {
@@ -36,11 +41,23 @@ struct Progress {
 // Set from a signal handler: the run stops, and what was obtained is kept with the status "interrupted".
 extern std::atomic<bool> interrupted;
 
+// What a pass of a run is called in records, baselines and file names; empty: the first, with fresh contexts.
+inline constexpr const char* kReuseContext = "reuse-context";
+
+// What stands for an implementation and a pass in the names of the output's files: "NAME" or
+// "NAME.reuse-context".
+std::string file_label(const std::string& name, const std::string& pass);
+
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
 // write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and
 // log-NAME.txt holds what the library and the suite print. An implementation that cannot be started gives a
 // record with the status "not-started" and its reason. Throws std::runtime_error where the output folder
 // cannot be written.
+//
+// A second pass has files of its own and "pass": "reuse-context" in its record. What fails in it as it failed
+// in the first is marked as expected and as "also_in_fresh_context"; for anything else that fails, the
+// shortest history found stands in the message and, as data, in "history" (names of tests, in order; none:
+// its own earlier cases) and "history_case" (the one case of the one test that it takes).
 nlohmann::json run_implementation(const RunRequest& request,
                                   const std::function<void(const Progress&)>& progress);
 

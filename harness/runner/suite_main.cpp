@@ -13,11 +13,13 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "harness/gl/call_log.h"
+#include "harness/implementations/reused_context.h"
 #include "harness/runner/test.h"
 
 namespace evalcts {
@@ -36,7 +38,7 @@ struct Options {
   std::string depth = "full";
   std::uint32_t seed = 1;
   std::string records, tests, answer, prove;
-  bool describe = false, list = false, trace_cases = false, die_with_parent = false;
+  bool describe = false, list = false, trace_cases = false, die_with_parent = false, reuse_context = false;
 };
 
 // One line for each event, written at once, so that nothing obtained is lost when the process dies.
@@ -68,9 +70,17 @@ class RecordFile {
   int descriptor_ = -1;
 };
 
+// A test to run, all of it or its first cases only.
+struct Chosen {
+  TestInfo info;
+  std::size_t most_cases = std::numeric_limits<std::size_t>::max();
+};
+
 struct Program {
   Options options;
   std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<Implementation> reused;  // where all tests share a context
+  std::size_t cases_left = 0;              // of the test in flight
   std::vector<std::unique_ptr<Capture>> captures;
   Subject subject;
   std::unique_ptr<RecordFile> records;
@@ -79,17 +89,19 @@ struct Program {
 // How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
 class GoogleTestAdapter : public testing::Test {
  public:
-  GoogleTestAdapter(const TestInfo& info, Program& program) : info_(info), program_(program) {}
+  GoogleTestAdapter(const Chosen& chosen, Program& program) : chosen_(chosen), program_(program) {}
 
   void TestBody() override {
+    const TestInfo& info = chosen_.info;
     Record record;
-    record.name = info_.full_name();
-    for (const std::string_view id : info_.requirements) record.requirements.emplace_back(id);
-    record.level = info_.level;
+    record.name = info.full_name();
+    for (const std::string_view id : info.requirements) record.requirements.emplace_back(id);
+    record.level = info.level;
+    program_.cases_left = chosen_.most_cases;
     program_.records->write({{"event", "start"}, {"name", record.name}});
     const auto start = std::chrono::steady_clock::now();
     evalcts::Test test(program_.subject, record);
-    test.run(info_.body);
+    test.run(info.body);
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     program_.records->write({{"event", "result"}, {"record", to_json(record)}});
     report(record);
@@ -121,7 +133,7 @@ class GoogleTestAdapter : public testing::Test {
     ADD_FAILURE() << text;
   }
 
-  const TestInfo& info_;
+  const Chosen& chosen_;
   Program& program_;
 };
 
@@ -186,18 +198,23 @@ json prove_one(Program& program) {
   throw std::runtime_error("there is no capture '" + program.options.prove + "'");
 }
 
-// All tests, or those that the file names, in its order.
-std::vector<TestInfo> tests_to_register(const std::string& path) {
-  if (path.empty()) return all_tests();
+// All tests, or those that the file names, in its order. (GoogleTest keeps the tests of one suite together.)
+std::vector<Chosen> tests_to_register(const std::string& path) {
+  std::vector<Chosen> tests;
+  if (path.empty()) {
+    for (const TestInfo& info : all_tests()) tests.push_back({info});
+    return tests;
+  }
   std::map<std::string, const TestInfo*> by_name;
   for (const TestInfo& info : all_tests()) by_name[info.full_name()] = &info;
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read '" + path + "'");
-  std::vector<TestInfo> tests;
   for (std::string line; std::getline(file, line);) {
-    const auto found = by_name.find(line);
+    const std::size_t tab = line.find('\t');
+    const auto found = by_name.find(line.substr(0, tab));
     if (found == by_name.end()) throw std::runtime_error("there is no test '" + line + "'");
-    tests.push_back(*found->second);
+    tests.push_back({*found->second});
+    if (tab != std::string::npos) tests.back().most_cases = std::stoul(line.substr(tab + 1));
   }
   return tests;
 }
@@ -214,13 +231,16 @@ void parse(int argc, char** argv, Options& options) {
   auto* captures = app.add_option("--captures", options.captures, "use only these")->delimiter(',');
   app.add_option("--records", options.records, "append a line of JSON for each event");
   app.add_option("--tests", options.tests,
-                 "file with the names of the tests to run, one a line, in this order");
+                 "file with the names of the tests to run, one a line, in this order; after a tab, how many "
+                 "of its cases (a test that is cut short decides nothing)");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
+  app.add_flag("--reuse-context", options.reuse_context,
+               "play all cases on one context, whose state is restored by calls in between");
   app.add_flag("--die-with-parent", options.die_with_parent,
                "end when the process that started this one ends");
   try {
@@ -235,7 +255,8 @@ void parse(int argc, char** argv, Options& options) {
 
 int run(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  static Program program;
+  // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
+  static Program& program = *new Program;
   parse(argc, argv, program.options);
   const Options& options = program.options;
   if (options.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -243,7 +264,7 @@ int run(int argc, char** argv) {
     answer(options, list_tests());
     return 0;
   }
-  const std::vector<TestInfo> tests = tests_to_register(options.tests);
+  const std::vector<Chosen> tests = tests_to_register(options.tests);
   program.records = std::make_unique<RecordFile>(options.records);
   const bool only_list = testing::GTEST_FLAG(list_tests);
   if (!only_list) {
@@ -259,24 +280,30 @@ int run(int argc, char** argv) {
                             : options.depth == "full" ? Depth::full
                                                       : Depth::thorough;
     program.subject.seed = options.seed;
-    if (options.trace_cases)
-      program.subject.before_case = [](const gl::Case& script) {
+    program.subject.before_case = [](const gl::Case& script) {
+      if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
+      if (program.options.trace_cases)
         program.records->write(
             {{"event", "case"},
              {"case", script.identity()},
              {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
-      };
+    };
     if (options.describe || !options.prove.empty()) {
       answer(options, options.describe ? description_of(program.subject) : prove_one(program));
       return 0;
     }
     prove_captures(program);
+    if (options.reuse_context) {
+      program.reused = reuse_context(*program.implementation, program.subject.info);
+      program.subject.implementation = program.reused.get();
+    }
   }
-  for (const TestInfo& info : tests)
+  for (const Chosen& chosen : tests)
     testing::RegisterTest(
-        info.suite.c_str(), info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [info]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new TestInfo(info), program); });
+        chosen.info.suite.c_str(), chosen.info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [chosen]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new Chosen(chosen), program); });
   const int status = RUN_ALL_TESTS();
+  program.reused.reset();  // its context goes while the library is whole; Mesa hangs in a static destructor
   program.records->write({{"event", "end"}});
   return status;
 }

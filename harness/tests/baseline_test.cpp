@@ -23,6 +23,10 @@ class Baselines : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
+  Baseline find(const json& implementation, const std::string& pass = {}) const {
+    return Baseline::best_fit(Baseline::read_all(folder_), implementation, pass);
+  }
+
   static json test(const std::string& name, const std::string& verdict,
                    const std::vector<std::string>& mismatches = {}) {
     return {{"name", name},          {"verdict", verdict},
@@ -47,7 +51,7 @@ TEST_F(Baselines, KnownFailuresAreExpectedWithTheirReason) {
             "# GL 2.1 5.1: the current colour\n# is lost\nA.B,Fail\nA.C,Crash\n\n# other\nA.D,Fail\n");
   json result = record({test("A.B", "fail"), test("A.C", "crash"), test("A.D", "pass"), test("A.E", "fail"),
                         test("A.F", "pass")});
-  const Baseline baseline = Baseline::find(folder_, result["implementation"]);
+  const Baseline baseline = find(result["implementation"]);
   ASSERT_EQ(baseline.name(), "m");
   baseline.apply(result);
   const json& tests = result["tests"];
@@ -64,7 +68,7 @@ TEST_F(Baselines, KnownFailuresAreExpectedWithTheirReason) {
 TEST_F(Baselines, AnotherStatusIsUnexpected) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
   json result = record({test("A.B", "crash")});
-  Baseline::find(folder_, result["implementation"]).apply(result);
+  find(result["implementation"]).apply(result);
   EXPECT_EQ(result["tests"][0]["expected_by_baseline"], false);
 }
 
@@ -90,14 +94,10 @@ TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
 
 TEST_F(Baselines, OthersAreNotMeant) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
-  EXPECT_EQ(
-      Baseline::find(folder_, {{"vendor", "NVIDIA"}, {"renderer", "llvmpipe"}, {"version", "Mesa 22.3"}})
-          .name(),
-      "");
-  EXPECT_EQ(Baseline::find(folder_, {{"vendor", "Mesa"}, {"renderer", "llvmpipe"}, {"version", "Mesa 23.0"}})
-                .name(),
-            "");
-  EXPECT_EQ(Baseline::find(folder_ / "absent", {}).name(), "");
+  EXPECT_EQ(find({{"vendor", "NVIDIA"}, {"renderer", "llvmpipe"}, {"version", "Mesa 22.3"}}).name(), "");
+  EXPECT_EQ(find({{"vendor", "Mesa"}, {"renderer", "llvmpipe"}, {"version", "Mesa 23.0"}}).name(), "");
+  EXPECT_TRUE(Baseline::read_all(folder_ / "absent").empty());
+  EXPECT_EQ(Baseline::best_fit({}, {}).name(), "");
 }
 
 TEST_F(Baselines, StaleEntriesAreNamed) {
@@ -123,6 +123,100 @@ TEST_F(Baselines, BadFilesAreRefusedWithFileAndLine) {
   write("m-signatures.txt", "A.C,quick,1\n");
   EXPECT_THROW(Baseline::read(folder_, "m"), BadBaseline);
   EXPECT_THROW(Baseline::read(folder_, "absent"), BadBaseline);
+}
+
+TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
+  write("m-fails.txt", kHeader);
+  write("m-skips.txt", "# hangs\n# the machine\nB/x$\n^C\\.\n");
+  write("m-flakes.txt", "# now and then\n^A\\.\n");
+  const Baseline baseline = Baseline::read(folder_, "m");
+  ASSERT_NE(baseline.skip("A.B/x"), nullptr);
+  EXPECT_EQ(baseline.skip("A.B/x")->reason, "hangs the machine");
+  EXPECT_NE(baseline.skip("C.D"), nullptr);
+  EXPECT_EQ(baseline.skip("A.B/xy"), nullptr);
+  json result = record({test("A.B", "fail"), test("A.C", "crash"), test("A.D", "timeout"),
+                        test("A.E", "pass"), test("B.A", "fail")});
+  baseline.apply(result);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(result["tests"][i]["expected_by_baseline"], true);
+    EXPECT_EQ(result["tests"][i]["baseline_reason"], "flaky: now and then");
+  }
+  EXPECT_EQ(result["tests"][3]["baseline_reason"], "");
+  EXPECT_EQ(result["tests"][4]["expected_by_baseline"], false);
+  const json tests = {{"tests", {{{"name", "A.B"}}, {{"name", "C.D"}}}}};
+  EXPECT_EQ(baseline.stale_entries(tests), std::vector<std::string>{"B/x$ (in the skips)"});
+
+  // Renewing leaves both alone and gives flaky tests no entry.
+  baseline.renewed(result, "m").write(folder_);
+  const Baseline after = Baseline::read(folder_, "m");
+  EXPECT_EQ(after.entries().count("A.B"), 0u);
+  EXPECT_EQ(after.entries().count("B.A"), 1u);
+  EXPECT_NE(after.skip("C.D"), nullptr);
+}
+
+TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
+  write("m-fails.txt", kHeader);
+  const std::pair<const char*, const char*> bad[] = {
+      {"# reason\nA\n\n# reason\n(\n", ":5: '(' is no regular"},
+      {"A\n", ":1: an entry needs its reason"},
+      {"# reason\n\nA\n", ":3: an entry needs its reason"}};
+  for (const std::string file : {"m-skips.txt", "m-flakes.txt"}) {
+    for (const auto& [text, message] : bad) {
+      write(file, text);
+      try {
+        Baseline::read_all(folder_);
+        ADD_FAILURE() << text;
+      } catch (const BadBaseline& error) {
+        EXPECT_NE(std::string(error.what()).find(file + message), std::string::npos) << error.what();
+      }
+    }
+    fs::remove(folder_ / file);
+  }
+  write("other-skips.txt", "# reason\nA\n");
+  EXPECT_THROW(Baseline::read_all(folder_), BadBaseline);  // for what?
+}
+
+TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
+  const std::string start = "# vendor: Mesa\n# renderer: llvmpipe\n# version: Mesa 22.3\n";
+  write("a-fails.txt", start);
+  write("b-fails.txt", start + "# implementation: osmesa\n");
+  write("c-fails.txt", start + "# pass: reuse-context\n");
+  json implementation = record({})["implementation"];
+  EXPECT_EQ(find(implementation).name(), "a");
+  implementation["kind"] = "osmesa";
+  EXPECT_EQ(find(implementation).name(), "b");
+  EXPECT_EQ(find(implementation, "reuse-context").name(), "c");
+  implementation["kind"] = "egl";
+  EXPECT_EQ(find(implementation).name(), "a");
+  write("d-fails.txt", "# vendor: Mesa\n# renderer: llvmpipe\n# version: Mesa 22.3.6\n");
+  EXPECT_EQ(find(implementation).name(), "d");
+  write("d-fails.txt", start + "# pass: third\n");
+  EXPECT_THROW(Baseline::read_all(folder_), BadBaseline);
+}
+
+TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
+  write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
+  write("m-signatures.txt", "A.B,quick,1-1\n");
+  json result = record({test("A.B", "fail", {"x"})});
+  result["seed"] = 2;
+  Baseline::read(folder_, "m").renewed(result, "m").write(folder_);
+  EXPECT_EQ(Baseline::read(folder_, "m").entries().at("A.B").signatures.at("quick"), "1-1");
+  std::ifstream file(folder_ / "m-signatures.txt");
+  EXPECT_NE(std::string(std::istreambuf_iterator<char>(file), {}).find("seed 1"), std::string::npos);
+}
+
+// What fails with fresh contexts belongs into the other baseline.
+TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
+  json result = record({test("A.B", "fail", {"x"}), test("A.C", "fail", {"y"})});
+  result["pass"] = "reuse-context";
+  result["tests"][0]["also_in_fresh_context"] = true;
+  result["tests"][0]["expected_by_baseline"] = true;
+  Baseline().renewed(result, "m.reuse-context").write(folder_);
+  const Baseline baseline = find(result["implementation"], "reuse-context");
+  EXPECT_EQ(baseline.name(), "m.reuse-context");
+  EXPECT_EQ(baseline.entries().size(), 1u);
+  EXPECT_EQ(baseline.entries().count("A.C"), 1u);
+  EXPECT_EQ(find(result["implementation"]).name(), "");
 }
 
 TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "harness/runner/child_process.h"
@@ -204,8 +205,155 @@ TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
                                            "Map1State.Stride/MAP1_INDEX_f"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   const std::string message = test_named(results("drill"), kVictim)["message"];
-  EXPECT_NE(message.find("passes alone, dies after"), std::string::npos) << message;
+  EXPECT_NE(message.find("passes alone"), std::string::npos) << message;
+  EXPECT_EQ(test_named(results("drill"), kVictim)["history"].size(), 1u);
+  EXPECT_NE(message.find("after Map1State.EveryOrderAccepted/MAP1_COLOR_4_"), std::string::npos) << message;
   EXPECT_NE(message.find("Map1State.EveryOrderAccepted/MAP1_COLOR_4_f"), std::string::npos) << message;
+}
+
+// A defect that fresh contexts hide: the second pass finds it and names what has to come before, down to the
+// case.
+TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
+  const char* const guilty = "Map1State.Stride/MAP1_INDEX_f";
+  const char* const victim = "Map1State.Stride/MAP1_VERTEX_3_f";
+  const std::vector<std::string> tests = {"--filter", "Map1State.Stride/*:InitialState.O*"};
+  EXPECT_EQ(drill("history", tests).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "results-drill.reuse-context.json"));
+
+  std::vector<std::string> again = tests;
+  again.push_back("--reuse-context");
+  const Outcome outcome = drill("history", again);
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_NE(outcome.text.find("\ndrill, one shared context: "), std::string::npos) << outcome.text;
+  EXPECT_EQ(test_named(results("drill"), victim)["verdict"], "pass");
+  EXPECT_FALSE(results("drill").contains("pass"));
+  const json second = results("drill.reuse-context");
+  EXPECT_EQ(second["pass"], "reuse-context");
+  EXPECT_EQ(second["status"], "complete");
+  const json test = test_named(second, victim);
+  EXPECT_EQ(test["verdict"], "fail");
+  EXPECT_EQ(test["history"], json::array({guilty}));
+  EXPECT_NE(test["history_case"].get<std::string>().find("order 5"), std::string::npos)
+      << test["history_case"];
+  EXPECT_TRUE(test["message"].get<std::string>().starts_with("after " + std::string(guilty)))
+      << test["message"];
+  EXPECT_EQ(test_named(second, guilty)["verdict"], "pass");
+  for (const char* name : {"junit-drill.reuse-context.xml", "log-drill.reuse-context.txt"})
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+}
+
+TEST_F(CommandLine, SecondPassOfASoundLibraryFindsNothing) {
+  for (const std::string name : {"reference", "production"}) {
+    const Outcome outcome = evalcts(
+        {"run", "--implementation", name, "--reuse-context", "--depth", "quick", "--filter",
+         "InitialState.*:Map1State.Stride/*:CurrentValues.*:Enables.*", "--output", folder_.string()});
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_EQ(results(name + ".reuse-context")["summary"], results(name)["summary"]);
+  }
+}
+
+// What fails with fresh contexts is no news in the second pass, and a baseline of that pass covers the rest.
+TEST_F(CommandLine, SecondPassKnowsWhatFailsAnyway) {
+  const std::vector<std::string> tests = {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f",
+                                          "--reuse-context"};
+  EXPECT_EQ(drill("lenient", tests).code, 1);  // because of the first pass
+  const json known = test_named(results("drill.reuse-context"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_EQ(known["verdict"], "fail");
+  EXPECT_EQ(known["expected_by_baseline"], true);
+  EXPECT_EQ(known["baseline_reason"], "fails in a fresh context as well");
+  EXPECT_FALSE(known.contains("history"));
+
+  const fs::path baseline = folder_ / "baseline";
+  std::vector<std::string> history = {"--filter", "Map1State.Stride/MAP1_*_f", "--reuse-context",
+                                      "--baseline", baseline.string()};
+  history.push_back("--write-baseline");
+  EXPECT_EQ(drill("history", history).code, 0);
+  EXPECT_TRUE(fs::exists(baseline / "drill.reuse-context-fails.txt"));
+  EXPECT_FALSE(fs::exists(baseline / "drill-fails.txt"));
+  history.back() = "--strict";
+  EXPECT_EQ(drill("history", history).code, 0);
+  EXPECT_EQ(drill("nothing", history).code, 1);  // an unexpected pass
+}
+
+// The baseline as CI uses it: what is skipped is not run, flaky tests are never red, and what changes is.
+TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
+  const fs::path baseline = folder_ / "baseline";
+  const auto run = [&](const std::string& what, std::vector<std::string> more = {}) {
+    more.insert(more.end(),
+                {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f:Map1State.Stride/MAP1_INDEX_f",
+                 "--baseline", baseline.string(), "--timeout", "20"});
+    return drill(what, more);
+  };
+  const auto append = [&](const char* name, const std::string& text) {
+    std::ofstream(baseline / name, std::ios::app) << text;
+  };
+  EXPECT_EQ(run("lenient", {"--write-baseline"}).code, 0);
+  EXPECT_EQ(run("lenient").code, 0);
+  EXPECT_EQ(run("lenient", {"--strict"}).code, 0);
+
+  // A value more or less goes wrong: the signature of a run that failed otherwise.
+  const fs::path signatures = baseline / "drill-signatures.txt";
+  std::stringstream text;
+  text << std::ifstream(signatures).rdbuf();
+  const std::string right = text.str(), test = "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f";
+  ASSERT_NE(right.find("seed 1"), std::string::npos);
+  std::ofstream(signatures) << test << ",quick,1-0000000000000000\n";
+  const Outcome changed = run("lenient");
+  EXPECT_EQ(changed.code, 1);
+  EXPECT_NE(test_named(results("drill"), test)["message"].get<std::string>().find("other cases fail"),
+            std::string::npos);
+  EXPECT_EQ(run("lenient", {"--seed", "2"}).code, 0);  // not compared
+  std::ofstream(signatures) << right;
+
+  EXPECT_EQ(run("nothing").code, 0);
+  const Outcome passes = run("nothing", {"--strict"});
+  EXPECT_EQ(passes.code, 1);
+  EXPECT_NE(passes.text.find("1 unexpected result"), std::string::npos) << passes.text;
+
+  EXPECT_EQ(run("crash").code, 1);
+  append("drill-flakes.txt", "# crashes now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n");
+  const Outcome flaky = run("crash");
+  EXPECT_EQ(flaky.code, 0) << flaky.text;
+  EXPECT_EQ(test_named(results("drill"), kVictim)["baseline_reason"], "flaky: crashes now and then");
+  EXPECT_EQ(run("lenient", {"--strict"}).code, 0);  // ... and passes
+
+  append("drill-skips.txt", "# takes the machine down\nMAP1_INDEX_f$\n");
+  EXPECT_EQ(run("crash").code, 0);
+  const json skipped = test_named(results("drill"), kVictim);
+  EXPECT_EQ(skipped["verdict"], "skipped");
+  EXPECT_EQ(skipped["message"], "takes the machine down");
+  std::ifstream log(folder_ / "log-drill.txt");
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(log), {}).find("MAP1_INDEX_f"), std::string::npos);
+
+  append("drill-skips.txt", "\n# gone\n^Gone\\.\n");
+  EXPECT_EQ(run("lenient").code, 0);
+  const Outcome stale = run("lenient", {"--strict"});
+  EXPECT_EQ(stale.code, 1);
+  EXPECT_NE(stale.text.find("stale in the baseline, no such test: ^Gone\\. (in the skips)"),
+            std::string::npos)
+      << stale.text;
+  EXPECT_EQ(results("drill")["stale_baseline_entries"].size(), 1u);
+
+  append("drill-flakes.txt", "\n# wrong\n*\n");
+  const Outcome bad = run("lenient");
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_NE(bad.text.find("drill-flakes.txt:5: '*' is no regular expression"), std::string::npos) << bad.text;
+}
+
+TEST_F(CommandLine, ShuffledRunsDecideTheSame) {
+  const auto names = [](const json& result) {
+    std::vector<std::string> all;
+    for (const json& test : result["tests"]) all.push_back(test["name"]);
+    return all;
+  };
+  EXPECT_EQ(drill("lenient", {"--filter", "Map1State.Stride/*:Map1Errors.StrideBelowK/*"}).code, 1);
+  const json plain = results("drill");
+  EXPECT_EQ(
+      drill("lenient", {"--filter", "Map1State.Stride/*:Map1Errors.StrideBelowK/*", "--shuffle", "7"}).code,
+      1);
+  const json shuffled = results("drill");
+  EXPECT_NE(names(plain), names(shuffled));
+  EXPECT_EQ(plain["summary"], shuffled["summary"]);
 }
 
 TEST_F(CommandLine, WhatCannotStartIsNotStarted) {

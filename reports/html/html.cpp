@@ -72,8 +72,7 @@ std::vector<Column> read_columns(const std::vector<nlohmann::json>& results) {
   std::map<std::string, int> used;
   for (const nlohmann::json& result : results) {
     Record record = read_record(result);
-    std::string label =
-        record.implementation.name.empty() ? "(unnamed)" : one_line(record.implementation.name);
+    std::string label = record.heading("(unnamed)");
     const int n = ++used[label];
     if (n > 1) label += fmt::format(" ({})", n);
     columns.push_back({std::move(record), label});
@@ -172,6 +171,7 @@ data card(const Column& column) {
   data circumstances = list();
   add_row(circumstances, "Tests", fmt::format("{}", record.total()));
   add_row(circumstances, "Depth", record.depth);
+  add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
   add_row(circumstances, "Largest order", text_of_natural(implementation.max_eval_order));
   add_row(circumstances, "Machine", implementation.machine);
   add_row(circumstances, "Command", record.command, true);
@@ -239,9 +239,12 @@ data outcome_view(const TestResult& test, const Column& column, bool several) {
   for (const Failure& failure : test.failures)
     failures << failure_view(failure, &failure == &test.failures.front());
   out.set("failures", failures);
-  const std::string& name = column.record.implementation.name;
-  out.set("run", fmt::format("./evalcts run --implementation {} --filter {}", shell_quote(name),
-                             shell_quote(test.name)));
+  const Record& record = column.record;
+  std::vector<std::string> needed = test.history;
+  needed.push_back(test.name);
+  out.set("run", fmt::format("./evalcts run --implementation {} {}--filter {}",
+                             shell_quote(record.implementation.name),
+                             record.pass.empty() ? "" : "--reuse-context ", shell_quote(join(needed, ":"))));
   out.set("reproducer", optional_text(test.reproducer));
   return out;
 }
@@ -434,8 +437,12 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
     headers << data("label", column.label);
   }
   page.set("title", "evalcts: " + (labels.empty() ? "no results" : join(labels, ", ")));
+  const auto second_passes =
+      std::count_if(columns.begin(), columns.end(), [](const Column& c) { return !c.record.pass.empty(); });
+  const std::size_t implementations = columns.size() - static_cast<std::size_t>(second_passes);
   page.set("subtitle",
-           fmt::format("{} on {}", count(rows.size(), "test"), count(columns.size(), "implementation")));
+           fmt::format("{} on {}{}", count(rows.size(), "test"), count(implementations, "implementation"),
+                       second_passes ? ", with fresh contexts and with one shared context" : ""));
   page.set("implementations", cards);
   page.set("columns", headers);
   page.set("verdicts", verdict_list(columns, false));

@@ -45,6 +45,7 @@ std::string details(const TestResult& test) {
   if (test.failed_cases && test.cases)
     line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
+  line("history", join(test.history, ", "));
   line("reproducer", test.reproducer);
   for (const Failure& failure : test.failures) {
     out += "\n";
@@ -116,7 +117,7 @@ mustache::data testcase(const std::string& classname, const std::string& name, d
 std::string junit(const nlohmann::json& result) {
   const Record record = read_record(result);
   const Implementation& implementation = record.implementation;
-  const std::string suite = implementation.name.empty() ? "unnamed" : one_line(implementation.name);
+  const std::string suite = record.heading("unnamed");
 
   mustache::data page, properties(mustache::data::type::list), testcases(mustache::data::type::list);
   const auto property = [&](const char* name, const std::string& value) {
@@ -129,6 +130,8 @@ std::string junit(const nlohmann::json& result) {
   property("evalcts.version", record.evalcts_version);
   property("evalcts.command", record.command);
   property("evalcts.depth", record.depth);
+  property("evalcts.pass", record.pass);
+  property("evalcts.baseline.stale", join(record.stale_baseline_entries, ", "));
   property("evalcts.status", record.status);
   property("evalcts.reason", record.reason);
   property("gl.library", implementation.library);

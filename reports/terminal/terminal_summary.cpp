@@ -137,7 +137,7 @@ std::size_t lines_of(const Group& group) {
 
 void write_head(Screen& screen, const Record& record) {
   const Implementation& implementation = record.implementation;
-  std::string head = implementation.name.empty() ? "(unnamed)" : implementation.name;
+  std::string head = record.heading("(unnamed)");
   std::vector<std::string> parts;
   for (const std::string* part :
        {&implementation.vendor, &implementation.renderer, &implementation.version}) {
@@ -204,7 +204,8 @@ std::string terminal_summary(const nlohmann::json& result, bool colour, bool ver
   std::stable_sort(told.begin(), told.end(),
                    [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); });
 
-  const std::size_t end_lines = 3;  // a blank line, the groups left out, the verdict of the run
+  // A blank line, the groups left out, stale entries, the verdict of the run.
+  const std::size_t end_lines = 3 + (record.stale_baseline_entries.empty() ? 0 : 1);
   std::size_t tests_left = told.size();
   if (!told.empty()) screen.line("");
   for (const Group& group : group_by_requirement(told)) {
@@ -220,6 +221,9 @@ std::string terminal_summary(const nlohmann::json& result, bool colour, bool ver
   screen.line("");
   if (tests_left)
     screen.line("and " + count(tests_left, "unexpected result") + " more; --verbose and index.html show all");
+  if (!record.stale_baseline_entries.empty())
+    screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
+                Colour::kYellow);
   const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
   std::vector<std::string> last;
   if (unexpected) last.push_back(count(unexpected, "unexpected result"));

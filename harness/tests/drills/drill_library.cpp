@@ -3,7 +3,8 @@
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
-//   process; "start": crash when a context is made; "lenient": strides below k are taken for k.
+//   process; "start": crash when a context is made; "lenient": strides below k are taken for k;
+//   "history": in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more.
 #include <glevaluator.h>
 #include <unistd.h>
 
@@ -19,6 +20,7 @@ namespace {
 
 glev_context* current = nullptr;
 [[maybe_unused]] bool seven_was_seen = false;
+[[maybe_unused]] bool odd_context = false;
 
 bool drill(const char* name) {
   const char* wanted = std::getenv("EVALCTS_DRILL");
@@ -42,6 +44,7 @@ void crash() {
 
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
   if (drill("start")) crash();
+  odd_context = false;
   glev_context* context = nullptr;
   glevCreateContext(nullptr, &context);
   return context;
@@ -67,7 +70,10 @@ EXPORT void glEnd() { glevEnd(current); }
 EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture); }
 EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
   if (order == 7) seven_was_seen = true;
-  if (target == GL_MAP1_INDEX && order == 5) misbehave();
+  if (target == GL_MAP1_INDEX && order == 5) {
+    misbehave();
+    odd_context = true;
+  }
   if (drill("lenient") && target == GL_MAP1_VERTEX_3 && stride < 3) stride = 3;
   glevMap1f(current, target, u1, u2, stride, order, points);
 }
@@ -90,5 +96,6 @@ EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
 }
 EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
   glevGetMapiv(current, target, query, values);
+  if (drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
 }
 #endif

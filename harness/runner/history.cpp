@@ -1,0 +1,75 @@
+#include "harness/runner/history.h"
+
+#include <algorithm>
+
+namespace evalcts {
+namespace {
+
+using Tests = std::vector<std::string>;
+
+Tests last(const Tests& tests, std::size_t count) {
+  return {tests.end() - static_cast<std::ptrdiff_t>(count), tests.end()};
+}
+
+// Leaves out pieces, large ones first, as long as the rest still shows the failure.
+History without_needless(Tests tests, const HappensAfter& happens_after) {
+  for (std::size_t piece = std::max<std::size_t>(tests.size() / 2, 1);;) {
+    bool shorter = false;
+    for (std::size_t begin = 0; begin < tests.size() && tests.size() > 1;) {
+      const std::size_t end = std::min(begin + piece, tests.size());
+      Tests rest(tests.begin(), tests.begin() + static_cast<std::ptrdiff_t>(begin));
+      rest.insert(rest.end(), tests.begin() + static_cast<std::ptrdiff_t>(end), tests.end());
+      if (rest.empty()) break;  // alone it does not happen
+      const std::optional<bool> happens = happens_after(rest);
+      if (!happens) return {History::Found::shortened, tests};
+      if (*happens) {
+        tests = rest;
+        shorter = true;
+      } else {
+        begin = end;
+      }
+    }
+    if (piece == 1 && !shorter) return {History::Found::shortest, tests};
+    piece = std::max<std::size_t>(std::min(piece, tests.size()) / 2, 1);
+  }
+}
+
+}  // namespace
+
+std::optional<std::size_t> least(std::size_t most,
+                                 const std::function<std::optional<bool>(std::size_t)>& happens) {
+  std::size_t too_few = 0;
+  while (most - too_few > 1) {
+    const std::size_t middle = too_few + (most - too_few) / 2;
+    const std::optional<bool> there = happens(middle);
+    if (!there) return std::nullopt;
+    (*there ? most : too_few) = middle;
+  }
+  return most;
+}
+
+History shortest_history(const Tests& predecessors, const Tests& first_guess,
+                         const HappensAfter& happens_after) {
+  if (!first_guess.empty()) {
+    const std::optional<bool> happens = happens_after(first_guess);
+    if (!happens) return {};
+    if (*happens) return without_needless(first_guess, happens_after);
+  }
+  if (predecessors.empty()) return {History::Found::not_reproduced, {}};
+  std::size_t too_few = 0;
+  std::size_t count = 1;
+  while (true) {
+    const std::optional<bool> happens = happens_after(last(predecessors, count));
+    if (!happens) return {};
+    if (*happens) break;
+    if (count == predecessors.size()) return {History::Found::not_reproduced, {}};
+    too_few = count;
+    count = std::min(2 * count, predecessors.size());
+  }
+  const std::optional<std::size_t> more =
+      least(count - too_few, [&](std::size_t n) { return happens_after(last(predecessors, too_few + n)); });
+  if (!more) return {History::Found::shortened, last(predecessors, count)};
+  return without_needless(last(predecessors, too_few + *more), happens_after);
+}
+
+}  // namespace evalcts
