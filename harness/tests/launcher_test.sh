@@ -452,5 +452,17 @@ touch "$machine/untidy"
 evalcts test --preset tidy
 exits 1
 
+scenario "test: stability"
+install_all
+script python3 <<<'echo "python3 $*" >>"$machine/calls"; [[ ! -e $machine/unstable ]]'
+evalcts test --preset stability
+exits 0
+called "build release all"
+called "python3 $tree/harness/tests/stability.py $tree/build/release/harness/cli/evalcts"
+called_not "ctest"
+touch "$machine/unstable"
+evalcts test --preset stability
+exits 1
+
 ((failures == 0)) && echo "all scenarios passed"
 exit $((failures > 0))

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Checks that verdicts and signatures depend on nothing but the implementation: three runs, a run in a random
+order, and each test alone in a process of its own have to decide the same.
+
+usage: stability.py EVALCTS [--implementation NAME]... [--depth quick] [--shuffle SEED]
+
+Exit code 0: the same; 1: differences, which are printed; 2: a run could not be made.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+
+def outcome(record):
+    """Verdict and signature: which cases failed, and how often each."""
+    return record["verdict"], tuple(record.get("mismatches", ()))
+
+
+def whole_run(program, name, depth, folder, *options):
+    """The outcome of each test in one run of all, and the captures that were proved."""
+    command = [program, "run", "--implementation", name, "--depth", depth, "--baseline", "none", "--output",
+               str(folder), *options]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        print(f"{' '.join(command)} ended with {done.returncode}:\n{done.stdout}{done.stderr}", file=sys.stderr)
+        sys.exit(2)
+    result = json.loads((folder / f"results-{name}.json").read_text())
+    captures = [c["name"] for c in result["implementation"]["captures"] if c["available"]]
+    return {test["name"]: outcome(test) for test in result["tests"]}, captures
+
+
+def alone(suite, name, depth, captures, test, folder):
+    """The outcome of one test in a process of its own; a death has no signature."""
+    stem = test.replace("/", "~")
+    tests, records = folder / f"{stem}.txt", folder / f"{stem}.jsonl"
+    tests.write_text(test + "\n")
+    command = [suite, "--implementation", name, "--depth", depth, "--tests", str(tests), "--records", str(records),
+               "--captures", ",".join(captures) or "none"]
+    try:
+        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120)
+    except subprocess.TimeoutExpired:
+        return "timeout", ()
+    for line in records.read_text().splitlines() if records.exists() else ():
+        event = json.loads(line)
+        if event["event"] == "result":
+            return outcome(event["record"])
+    return "crash", ()
+
+
+def compare(name, what, expected, found):
+    """Prints what differs; the number of differences."""
+    differing = [test for test in expected.keys() | found.keys() if expected.get(test) != found.get(test)]
+    for test in sorted(differing)[:20]:
+        print(f"{name}: {test}: {what}: {found.get(test, ('not run',))}, the first run: "
+              f"{expected.get(test, ('not run',))}")
+    return len(differing)
+
+
+def check(program, name, depth, seed, folder):
+    suite = str(pathlib.Path(program).with_name("evalcts-suite"))
+    differences = 0
+    begin = time.monotonic()
+    first, captures = whole_run(program, name, depth, folder)
+    for what, options in (("second run", ()), ("third run", ()), (f"shuffled by {seed}", ("--shuffle", str(seed)))):
+        differences += compare(name, what, first, whole_run(program, name, depth, folder, *options)[0])
+    runs = time.monotonic() - begin
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        each = dict(zip(first, pool.map(lambda test: alone(suite, name, depth, captures, test, folder), first)))
+    differences += compare(name, "alone", first, each)
+    failing = sum(verdict not in ("pass", "skipped", "not-observable", "not-supported") for verdict, _ in first.values())
+    print(f"{name}: {len(first)} tests ({failing} not passing), {differences} differences between three runs, a "
+          f"shuffled one ({runs:.0f} s) and each test alone ({time.monotonic() - begin - runs:.0f} s)", flush=True)
+    return differences
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--implementation", action="append")
+    parser.add_argument("--depth", default="quick")
+    parser.add_argument("--shuffle", type=int, default=1)
+    arguments = parser.parse_args()
+    names = arguments.implementation or ["osmesa", "production", "reference"]
+    differences = 0
+    for name in names:
+        with tempfile.TemporaryDirectory(prefix="evalcts-stability-") as folder:
+            differences += check(arguments.program, name, arguments.depth, arguments.shuffle, pathlib.Path(folder))
+    return 1 if differences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
