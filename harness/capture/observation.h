@@ -53,6 +53,7 @@ struct Observation {
   bool clamped_colors = false;  // colours were clamped to [0,1] on the way
   std::size_t units = 1;        // texture units observed
   GLenum error = GL_NO_ERROR;   // what the case itself left behind
+  bool error_observed = true;   // false: the implementation has no GetError
   bool overflow = false;        // more vertices came than there was room for
   std::vector<ObservedPrimitive> primitives;
 

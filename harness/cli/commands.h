@@ -19,6 +19,7 @@ inline constexpr int kOwnFault = 3;
 struct RunOptions {
   std::vector<std::string> implementations;  // empty: the default ones
   std::string library;
+  std::string context;
   std::string label;
   std::string filter = "*";
   std::string depth = "full";
@@ -38,6 +39,10 @@ int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 int coverage(bool as_json);
 int explain(const std::string& name);
+
+// Why an implementation does not start; empty where it does. Asked in a child: libraries do not share a
+// process well.
+std::string why_not(const std::string& implementation);
 
 // Where this program, the suite program and the usual output folder are.
 struct Places {

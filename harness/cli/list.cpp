@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 #include "harness/cli/catalogue.h"
@@ -14,29 +17,36 @@ namespace {
 
 using nlohmann::json;
 
-// Asked in a child: libraries do not share a process well.
-bool can_start(const std::string& name) {
-  ChildProcess child({places().suite_program.string(), "--implementation", name, "--describe"}, "");
-  const auto ending = child.wait(30);
-  return ending && !ending->signalled && ending->value == 0;
-}
-
 json implementations() {
   json all = json::array();
   for (const ImplementationKind& kind : implementation_kinds()) {
-    const bool available = can_start(kind.name);
+    const std::string reason = why_not(kind.name);
     json entry = {
-        {"name", kind.name}, {"what", kind.what}, {"available", available}, {"package", kind.package}};
-    if (!available)
-      entry["reason"] = kind.package.empty()
-                            ? "it does not start; run it to see why"
-                            : "package " + kind.package + " is not installed, or has no evaluators";
+        {"name", kind.name}, {"what", kind.what}, {"available", reason.empty()}, {"package", kind.package}};
+    if (!reason.empty()) entry["reason"] = reason;
     all.push_back(entry);
   }
   return all;
 }
 
 }  // namespace
+
+std::string why_not(const std::string& implementation) {
+  char name[] = "/tmp/evalcts-answer-XXXXXX";
+  const int descriptor = mkstemp(name);
+  if (descriptor < 0) throw std::runtime_error("cannot make a temporary file");
+  close(descriptor);
+  ChildProcess child(
+      {places().suite_program.string(), "--implementation", implementation, "--describe", "--answer", name},
+      "");
+  const auto ending = child.wait(30);
+  std::ifstream stream(name);
+  const json answer = json::parse(stream, nullptr, false);
+  std::filesystem::remove(name);
+  if (answer.is_object() && answer.contains("cannot_start")) return answer["cannot_start"];
+  if (!ending) return "it does not answer within 30 seconds";
+  return !ending->signalled && ending->value == 0 ? "" : "it ended with " + describe(*ending);
+}
 
 int list(const std::string& what, bool as_json) {
   if (what == "implementations") {

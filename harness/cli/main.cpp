@@ -1,8 +1,12 @@
 // The command line of evalcts.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "harness/cli/commands.h"
+#include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
 
 int main(int argc, char** argv) {
@@ -20,6 +24,11 @@ int main(int argc, char** argv) {
       ->expected(1)
       ->take_all();
   run_command->add_option("--library", run_options.library, "shared library instead of the usual one");
+  run_command->add_option(
+      "--context", run_options.context,
+      fmt::format("what makes the contexts, instead of an implementation: {}, or the path "
+                  "of a provider",
+                  fmt::join(evalcts::context_names(), ", ")));
   run_command->add_option("--name", run_options.label,
                           "label of the output, instead of the implementation's name");
   run_command->add_option("--filter", run_options.filter,

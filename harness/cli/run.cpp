@@ -92,16 +92,22 @@ int run(const RunOptions& options) {
   request.command = options.command;
 
   std::vector<ImplementationOptions> chosen;
-  const bool named = !options.implementations.empty() || !options.library.empty();
+  const bool named = !options.implementations.empty() || !options.library.empty() || !options.context.empty();
   if (named) {
-    for (const std::string& name : options.implementations) chosen.push_back({name, options.library});
-    if (options.implementations.empty()) chosen.push_back({"", options.library});
+    for (const std::string& name : options.implementations)
+      chosen.push_back({name, options.library, options.context});
+    if (options.implementations.empty()) chosen.push_back({"", options.library, options.context});
     if (!options.library.empty() && chosen.size() != 1) {
       std::cerr << "evalcts: --library replaces the library of one implementation; name only that one\n";
       return kWrongUse;
     }
+    if (!options.context.empty() && !options.implementations.empty()) {
+      std::cerr << "evalcts: --context takes the place of --implementation; give one of them\n";
+      return kWrongUse;
+    }
   } else {
-    for (const ImplementationKind& kind : implementation_kinds()) chosen.push_back({kind.name, ""});
+    for (const ImplementationKind& kind : implementation_kinds())
+      if (kind.by_default) chosen.push_back({kind.name, "", ""});
   }
   if (!options.label.empty() && chosen.size() != 1) {
     std::cerr << "evalcts: --name labels one implementation; name only that one\n";
@@ -132,7 +138,8 @@ int run(const RunOptions& options) {
   // A library of the user's own has no shipped baseline.
   const bool shipped = options.baseline.empty();
   const fs::path baselines = shipped ? where.baselines : fs::path(options.baseline);
-  const bool with_baseline = options.baseline != "none" && !(shipped && !options.library.empty());
+  const bool with_baseline =
+      options.baseline != "none" && !(shipped && !(options.library.empty() && options.context.empty()));
   if (!shipped && with_baseline && !options.write_baseline && !fs::is_directory(baselines)) {
     std::cerr << fmt::format("evalcts: --baseline '{}' is no folder\n", options.baseline);
     return kWrongUse;
@@ -148,6 +155,15 @@ int run(const RunOptions& options) {
   }
   if (options.shuffle)
     std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
+
+  if (!named)
+    for (ImplementationOptions& implementation : chosen)
+      if (implementation.name == "osmesa") {
+        const std::string reason = why_not("osmesa");
+        if (reason.empty()) continue;
+        std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
+        implementation.name = "egl";
+      }
 
   stop_when_asked();
   const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");

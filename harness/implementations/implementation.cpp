@@ -4,36 +4,95 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 #include "harness/gl/player.h"
 #include "harness/gl/tokens.h"
+#include "harness/implementations/context_maker.h"
 #include "harness/implementations/kinds.h"
 #include "harness/implementations/shared_library.h"
 
 namespace evalcts {
 
+namespace {
+
+struct NamedContexts {
+  std::string name;
+  std::function<std::unique_ptr<ContextMaker>()> make;
+};
+
+const std::vector<NamedContexts>& named_contexts() {
+  static const std::vector<NamedContexts> all = {
+      {"osmesa", [] { return make_osmesa_contexts(""); }},
+      {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::surfaceless); }},
+      {"egl-device", [] { return make_egl_contexts("", EglPlatform::device); }},
+      {"none", [] { return make_no_contexts(); }},
+  };
+  return all;
+}
+
+std::string guessed_kind(const std::string& path) {
+  const SharedLibrary library(path);
+  if (library.exported("evalcts_sink_open")) return "sink";
+  if (library.exported("OSMesaCreateContextExt") || library.exported("OSMesaCreateContext")) return "osmesa";
+  if (library.exported("eglGetDisplay")) return "egl";
+  if (library.exported("evalcts_provider_open"))
+    throw CannotStart(fmt::format("{0} is a provider of contexts: name it with --context", path));
+  throw CannotStart(fmt::format(
+      "{}: name what makes its contexts with --context ({}, or the path of a provider, see "
+      "evalcts_provider.h)",
+      library.exported("glXCreateContext")
+          ? fmt::format("{} makes its contexts with GLX, which is not there yet", path)
+          : fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay and evalcts_sink_open", path),
+      fmt::join(context_names(), ", ")));
+}
+
+std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
+  if (!options.name.empty())
+    throw CannotStart("--context takes the place of --implementation: give one of them");
+  if (options.context == "none" && options.library.empty())
+    throw CannotStart("with --context none the commands come from --library: name one");
+  const auto found = std::find_if(named_contexts().begin(), named_contexts().end(),
+                                  [&](const NamedContexts& named) { return named.name == options.context; });
+  if (found != named_contexts().end()) return make_gl_library("library", found->make(), options.library);
+  try {
+    return make_gl_library("library", load_provider(options.context), options.library);
+  } catch (const CannotStart& error) {
+    if (options.context.find('/') != std::string::npos) throw;
+    throw CannotStart(fmt::format("--context '{}' is none of {}, nor a provider: {}", options.context,
+                                  fmt::join(context_names(), ", "), error.what()));
+  }
+}
+
+}  // namespace
+
 const std::vector<ImplementationKind>& implementation_kinds() {
   static const std::vector<ImplementationKind> kinds = {
-      {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6"},
-      {"production", "libglevaluator, the evaluator of this project", ""},
-      {"reference", "the executable specification, in exact arithmetic", ""},
+      {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6", true},
+      {"production", "libglevaluator, the evaluator of this project", "", true},
+      {"reference", "the executable specification, in exact arithmetic", "", true},
+      {"egl", "the GL of libEGL, without a window system", "libegl1", false},
+      {"sink", "an evaluator of your own that is no GL, with --library", "", false},
   };
   return kinds;
 }
 
+const std::vector<std::string>& context_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const NamedContexts& named : named_contexts()) all.push_back(named.name);
+    return all;
+  }();
+  return names;
+}
+
 std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options) {
-  std::string name = options.name;
-  if (name.empty()) {
-    const SharedLibrary library(options.library);
-    if (!library.find("OSMesaCreateContextExt"))
-      throw CannotStart(
-          fmt::format("{} exports none of OSMesaCreateContextExt; name what makes its contexts with "
-                      "--implementation",
-                      options.library));
-    name = "osmesa";
-  }
-  if (name == "osmesa") return open_osmesa(options.library);
+  if (!options.context.empty()) return open_with_context(options);
+  const std::string name = options.name.empty() ? guessed_kind(options.library) : options.name;
+  if (name == "osmesa") return make_gl_library(name, make_osmesa_contexts(options.library), "");
+  if (name == "egl") return make_gl_library(name, make_egl_contexts(options.library, EglPlatform::any), "");
+  if (name == "sink") return open_sink(options.library);
   if (name == "reference" || name == "production") {
     if (!options.library.empty())
       throw CannotStart(fmt::format("{} is built in; --library does not go with it", name));
@@ -55,7 +114,7 @@ void require_an_effect(const gl::Table& table, const std::string& version) {
   if (missing == static_cast<int>(std::size(essential)))
     throw CannotStart(
         "the library has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing");
-  if (missing > 0) return;  // half of an implementation is judged to the end
+  if (missing > 0 || !table.GetError) return;  // half of an implementation is judged to the end
 
   // Any answer will do here: what is wrong with it is for the tests to say. The memory is roomier than the
   // map, so that a library which reads too much is judged, too.

@@ -28,6 +28,8 @@ class Context {
   virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
   // Whether vertices come straight out of the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
+  // What of a vertex comes out there.
+  virtual Attributes emitted_attributes() const { return kAllAttributes; }
   // The primitives emitted since the last call; meaningful where has_sink().
   virtual std::vector<ObservedPrimitive> take_emitted() { return {}; }
 };
@@ -45,16 +47,23 @@ class Implementation {
 struct ImplementationOptions {
   std::string name;     // see implementation_kinds(); empty: guessed from the library
   std::string library;  // shared library instead of the usual one; empty: the usual one
+  // What makes the contexts, in the place of `name`: one of context_names(), or the path of a shared library
+  // that fills in evalcts_provider.h. With `library` all commands come from there. Empty: as usual.
+  std::string context;
 };
 
 struct ImplementationKind {
   std::string name;
   std::string what;
   std::string package;  // the distribution's package that it needs; empty: none
+  bool by_default;      // of `evalcts run`
 };
 
-// All that open_implementation knows, the defaults of `evalcts run` first.
+// All that open_implementation knows.
 const std::vector<ImplementationKind>& implementation_kinds();
+
+// The contexts that ImplementationOptions::context can name.
+const std::vector<std::string>& context_names();
 
 // Loads the library where there is one. Throws CannotStart.
 std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options);

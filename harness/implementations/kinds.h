@@ -1,4 +1,4 @@
-// The ways to make an implementation; implementation.cpp chooses between them.
+// The implementations that are no GL library; implementation.cpp chooses between all.
 #pragma once
 
 #include <memory>
@@ -8,10 +8,10 @@
 
 namespace evalcts {
 
-// Mesa's off-screen library: entry points and contexts from `library`, or from the usual soname where empty.
-std::unique_ptr<Implementation> open_osmesa(const std::string& library);
 // The executable specification and the production evaluator, both in this process.
 std::unique_ptr<Implementation> open_reference();
 std::unique_ptr<Implementation> open_production();
+// A shared library that fills in evalcts_sink.h. Throws CannotStart.
+std::unique_ptr<Implementation> open_sink(const std::string& path);
 
 }  // namespace evalcts

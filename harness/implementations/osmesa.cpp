@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "harness/implementations/kinds.h"
+#include "harness/implementations/context_maker.h"
 #include "harness/implementations/shared_library.h"
 
 namespace evalcts {
@@ -10,6 +10,7 @@ namespace {
 
 // From Mesa's osmesa.h, which the suite does not need to build.
 using OSMesaContext = void*;
+using CreateContext = OSMesaContext (*)(GLenum format, OSMesaContext share);
 using CreateContextExt = OSMesaContext (*)(GLenum format, GLint depth, GLint stencil, GLint accumulation,
                                            OSMesaContext share);
 using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsizei width, GLsizei height);
@@ -18,73 +19,65 @@ using GetProcAddress = void* (*)(const char* name);
 
 constexpr GLsizei kSide = 64;  // pixels
 
-struct Entry {
-  CreateContextExt create;
-  MakeCurrent make_current;
-  DestroyContext destroy;
-  gl::Table table;
-};
-
-class OSMesaContextOwner final : public Context {
+class OSMesaContexts final : public ContextMaker {
  public:
-  explicit OSMesaContextOwner(const Entry& entry)
-      : entry_(entry), pixels_(kSide * kSide * 4), context_(entry.create(GL_RGBA, 24, 8, 0, nullptr)) {
-    if (!context_) throw CannotStart("OSMesaCreateContextExt gives no context");
-    if (!entry_.make_current(context_, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
-      entry_.destroy(context_);
-      throw CannotStart("OSMesaMakeCurrent refuses the context");
-    }
-  }
-  ~OSMesaContextOwner() override {
-    entry_.make_current(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
-    entry_.destroy(context_);
-  }
-  OSMesaContextOwner(const OSMesaContextOwner&) = delete;
-  OSMesaContextOwner& operator=(const OSMesaContextOwner&) = delete;
-
-  const gl::Table& table() const override { return entry_.table; }
-
- private:
-  const Entry& entry_;
-  std::vector<unsigned char> pixels_;
-  OSMesaContext context_;
-};
-
-class OSMesa final : public Implementation {
- public:
-  explicit OSMesa(const std::string& library) : library_(library) {
+  explicit OSMesaContexts(const std::string& library)
+      : library_(library),
+        create_(library_.find_as<CreateContext>("OSMesaCreateContext")),
+        create_ext_(library_.find_as<CreateContextExt>("OSMesaCreateContextExt")),
+        get_proc_address_(library_.find_as<GetProcAddress>("OSMesaGetProcAddress")) {
     const auto required = [&](const char* symbol) {
       void* address = library_.find(symbol);
       if (!address) throw CannotStart(fmt::format("{} has no {}: it is not OSMesa", library_.path(), symbol));
       return address;
     };
-    entry_.create = reinterpret_cast<CreateContextExt>(required("OSMesaCreateContextExt"));
-    entry_.make_current = reinterpret_cast<MakeCurrent>(required("OSMesaMakeCurrent"));
-    entry_.destroy = reinterpret_cast<DestroyContext>(required("OSMesaDestroyContext"));
-    const auto get = library_.find_as<GetProcAddress>("OSMesaGetProcAddress");
-    entry_.table = gl::load_table(
-        {[&](const char* name) { return library_.find(name); },
-         [&](const char* name) { return get && library_.find("glMap1f") ? get(name) : nullptr; }});
+    if (!create_) create_ext_ = reinterpret_cast<CreateContextExt>(required("OSMesaCreateContextExt"));
+    make_current_ = reinterpret_cast<MakeCurrent>(required("OSMesaMakeCurrent"));
+    destroy_ = reinterpret_cast<DestroyContext>(required("OSMesaDestroyContext"));
+    exports_commands_ = library_.find("glMap1f") != nullptr;
   }
 
-  std::string name() const override { return "osmesa"; }
+  void* create() override {
+    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, nullptr) : create_(GL_RGBA, nullptr);
+    if (!context) throw CannotStart("OSMesaCreateContext gives no context");
+    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
+      destroy_(context);
+      throw CannotStart("OSMesaMakeCurrent refuses the context");
+    }
+    return context;
+  }
+
+  void destroy(void* context) override {
+    make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    destroy_(context);
+  }
+
+  void* exported(const char* command) override { return library_.find(command); }
+  void* address_of(const char* command) override {
+    return get_proc_address_ && exports_commands_ ? get_proc_address_(command) : nullptr;
+  }
   std::string library() const override { return library_.path(); }
-  std::unique_ptr<Context> create_context() override { return std::make_unique<OSMesaContextOwner>(entry_); }
 
  private:
   SharedLibrary library_;
-  Entry entry_{};
+  CreateContext create_;
+  CreateContextExt create_ext_;
+  GetProcAddress get_proc_address_;
+  MakeCurrent make_current_ = nullptr;
+  DestroyContext destroy_ = nullptr;
+  bool exports_commands_ = false;
+  std::vector<unsigned char> pixels_ = std::vector<unsigned char>(kSide * kSide * 4);
 };
 
 }  // namespace
 
-std::unique_ptr<Implementation> open_osmesa(const std::string& library) {
-  if (!library.empty()) return std::make_unique<OSMesa>(library);
+std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library) {
+  if (!library.empty()) return std::make_unique<OSMesaContexts>(library);
   try {
-    return std::make_unique<OSMesa>("libOSMesa.so.8");
+    return std::make_unique<OSMesaContexts>("libOSMesa.so.8");
   } catch (const CannotStart&) {
     try {
-      return std::make_unique<OSMesa>("libOSMesa.so");
+      return std::make_unique<OSMesaContexts>("libOSMesa.so");
     } catch (const CannotStart&) {
       throw CannotStart(
           "libOSMesa.so.8 is not installed (package libosmesa6), or name a library with --library");

@@ -4,23 +4,42 @@
 #include <fmt/format.h>
 #include <link.h>
 
+#include <filesystem>
+
 #include "harness/implementations/implementation.h"
 
 namespace evalcts {
+namespace {
+
+const link_map* map_of(void* handle) {
+  const link_map* map = nullptr;
+  return dlinfo(handle, RTLD_DI_LINKMAP, &map) == 0 ? map : nullptr;
+}
+
+}  // namespace
 
 SharedLibrary::SharedLibrary(const std::string& name)
     : name_(name), handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (handle_) return;
   const char* why = dlerror();
-  throw CannotStart(fmt::format("cannot load '{}': {}", name, why ? why : "no reason given"));
+  const bool here = name.find('/') == std::string::npos && std::filesystem::exists(name);
+  throw CannotStart(fmt::format("cannot load '{}': {}{}", name, why ? why : "no reason given",
+                                here ? fmt::format(" (the file in this folder is './{}')", name) : ""));
 }
 
 void* SharedLibrary::find(const char* symbol) const { return dlsym(handle_, symbol); }
 
+void* SharedLibrary::exported(const char* symbol) const {
+  void* address = find(symbol);
+  Dl_info info{};
+  link_map* owner = nullptr;
+  if (!address || !dladdr1(address, &info, reinterpret_cast<void**>(&owner), RTLD_DL_LINKMAP)) return nullptr;
+  return owner == map_of(handle_) ? address : nullptr;
+}
+
 std::string SharedLibrary::path() const {
-  const link_map* map = nullptr;
-  if (dlinfo(handle_, RTLD_DI_LINKMAP, &map) == 0 && map && map->l_name && *map->l_name) return map->l_name;
-  return name_;
+  const link_map* map = map_of(handle_);
+  return map && map->l_name && *map->l_name ? map->l_name : name_;
 }
 
 }  // namespace evalcts

@@ -144,6 +144,8 @@ class Run {
       command.insert(command.end(), {"--implementation", request_.implementation.name});
     if (!request_.implementation.library.empty())
       command.insert(command.end(), {"--library", request_.implementation.library});
+    if (!request_.implementation.context.empty())
+      command.insert(command.end(), {"--context", request_.implementation.context});
     return command;
   }
 

@@ -225,6 +225,8 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--implementation", options.implementation.name,
                  "what to judge, see 'evalcts list implementations'");
   app.add_option("--library", options.implementation.library, "shared library instead of the usual one");
+  app.add_option("--context", options.implementation.context,
+                 "what makes the contexts, instead of an implementation");
   app.add_option("--depth", options.depth, "how many values")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", options.seed, "seed of the random tests");
@@ -249,7 +251,8 @@ void parse(int argc, char** argv, Options& options) {
     std::exit(app.exit(error) == 0 ? 0 : kCannotStart);
   }
   options.captures_given = captures->count() > 0;
-  if (options.implementation.name.empty() && options.implementation.library.empty())
+  if (options.implementation.name.empty() && options.implementation.library.empty() &&
+      options.implementation.context.empty())
     options.implementation.name = "reference";
 }
 

@@ -1,0 +1,47 @@
+// Makes contexts of a GL library, apart from where its entry points come from.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "harness/implementations/implementation.h"
+
+namespace evalcts {
+
+// Only one context at a time exists and is current.
+class ContextMaker {
+ public:
+  virtual ~ContextMaker() = default;
+  // A fresh context, current. Throws CannotStart.
+  virtual void* create() = 0;
+  // No context is current afterwards.
+  virtual void destroy(void* context) = 0;
+  // A GL command among the symbols of the library, and one that the library is asked for: the latter may make
+  // up an address for any name. Null where there is none. Asked while a context is current.
+  virtual void* exported(const char* /*command*/) { return nullptr; }
+  virtual void* address_of(const char* command) = 0;
+  // The file that the commands come from.
+  virtual std::string library() const = 0;
+};
+
+// Mesa's off-screen library: `library`, or the usual soname where empty. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library);
+
+enum class EglPlatform { any, surfaceless, device };
+// EGL without a window system: `library`, or libEGL.so.1 where empty. Each context has a complete framebuffer
+// object bound, or a pbuffer where EGL cannot do without surfaces. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform);
+
+// A shared library that fills in evalcts_provider.h. Throws CannotStart.
+std::unique_ptr<ContextMaker> load_provider(const std::string& path);
+
+// No contexts at all: for a library that needs none, or has one of its own.
+std::unique_ptr<ContextMaker> make_no_contexts();
+
+// An implementation of these contexts. `library`: where the commands come from, and from nowhere else; loaded
+// once the first context is current. Empty: they come from the maker.
+std::unique_ptr<Implementation> make_gl_library(const std::string& name,
+                                                std::unique_ptr<ContextMaker> contexts,
+                                                const std::string& library);
+
+}  // namespace evalcts

@@ -1,0 +1,80 @@
+#include <optional>
+#include <utility>
+
+#include "harness/implementations/context_maker.h"
+#include "harness/implementations/shared_library.h"
+
+namespace evalcts {
+namespace {
+
+class NoContexts final : public ContextMaker {
+ public:
+  void* create() override { return nullptr; }
+  void destroy(void*) override {}
+  void* address_of(const char*) override { return nullptr; }
+  std::string library() const override { return {}; }
+};
+
+class MadeContext final : public Context {
+ public:
+  MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)
+      : maker_(maker), handle_(handle), table_(table) {}
+  ~MadeContext() override { maker_.destroy(handle_); }
+  MadeContext(const MadeContext&) = delete;
+  MadeContext& operator=(const MadeContext&) = delete;
+
+  const gl::Table& table() const override { return table_; }
+
+ private:
+  ContextMaker& maker_;
+  void* handle_;
+  const gl::Table& table_;
+};
+
+class GlLibrary final : public Implementation {
+ public:
+  GlLibrary(std::string name, std::unique_ptr<ContextMaker> contexts, std::string library)
+      : name_(std::move(name)), contexts_(std::move(contexts)), library_(std::move(library)) {}
+
+  std::string name() const override { return name_; }
+  std::string library() const override { return library_.empty() ? contexts_->library() : library_; }
+
+  std::unique_ptr<Context> create_context() override {
+    auto context = std::make_unique<MadeContext>(*contexts_, contexts_->create(), table_);
+    if (!loaded_) load();
+    return context;
+  }
+
+ private:
+  // A layer may look for the context below it when it is loaded.
+  void load() {
+    if (library_.empty()) {
+      table_ = gl::load_table({[this](const char* command) { return contexts_->exported(command); },
+                               [this](const char* command) { return contexts_->address_of(command); }});
+    } else {
+      const SharedLibrary library(library_);
+      // What it merely depends on is not under test.
+      table_ = gl::load_table({[&](const char* command) { return library.exported(command); }});
+      library_ = library.path();
+    }
+    loaded_ = true;
+  }
+
+  std::string name_;
+  std::unique_ptr<ContextMaker> contexts_;
+  std::string library_;
+  gl::Table table_;
+  bool loaded_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> make_no_contexts() { return std::make_unique<NoContexts>(); }
+
+std::unique_ptr<Implementation> make_gl_library(const std::string& name,
+                                                std::unique_ptr<ContextMaker> contexts,
+                                                const std::string& library) {
+  return std::make_unique<GlLibrary>(name, std::move(contexts), library);
+}
+
+}  // namespace evalcts
