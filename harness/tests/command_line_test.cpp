@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "harness/runner/child_process.h"
+#include "harness/tests/program.h"
 
 namespace evalcts {
 namespace {
@@ -19,33 +19,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code;
-  std::string text;  // both outputs
-};
-
-class CommandLine : public testing::Test {
+class CommandLine : public ProgramTest {
  protected:
-  CommandLine() : folder_(fs::path(testing::TempDir()) / ("evalcts-" + std::to_string(getpid()))) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~CommandLine() override {
-    unsetenv("EVALCTS_DRILL");
-    fs::remove_all(folder_);
-  }
-
-  Outcome evalcts(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
-    const fs::path log = folder_ / "command.log";
-    fs::remove(log);
-    ChildProcess child(arguments, log.string());
-    const auto ending = child.wait(120);
-    std::ifstream file(log);
-    return {ending && !ending->signalled ? ending->value : -1,
-            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
-  }
-
   // `evalcts run` on the drill library.
   Outcome drill(const std::string& what, std::vector<std::string> more = {}) {
     setenv("EVALCTS_DRILL", what.c_str(), 1);
@@ -56,18 +31,6 @@ class CommandLine : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return evalcts(arguments);
   }
-
-  json results(const std::string& name) const {
-    std::ifstream file(folder_ / ("results-" + name + ".json"));
-    return json::parse(file, nullptr, false);
-  }
-  static json test_named(const json& result, const std::string& name) {
-    for (const json& test : result["tests"])
-      if (test["name"] == name) return test;
-    return nullptr;
-  }
-
-  fs::path folder_;
 };
 
 constexpr const char* kVictim = "Map1State.Stride/MAP1_INDEX_f";  // defines INDEX with order 5
@@ -84,6 +47,7 @@ TEST_F(CommandLine, WrongUseIsTwo) {
         {"explain", "nonsense"},
         {"run", "--output", "/proc/evalcts"},
         {"run", "--library", "x", "--implementation", "production"},
+        {"run", "--context", "none", "--implementation", "osmesa"},
         {"run", "--name", "../x", "--implementation", "production"},
         {"run", "--name", "x", "--implementation", "production", "--implementation", "reference"}}) {
     std::string typed;
@@ -102,7 +66,7 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_EQ(requirements["requirements"].size(), 395u);
   const json implementations =
       json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
-  EXPECT_EQ(implementations["implementations"].size(), 3u);
+  EXPECT_EQ(implementations["implementations"].size(), 5u);
   const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
   EXPECT_EQ(coverage["requirements"].size(), 395u);
   EXPECT_TRUE(coverage["problems"].empty());
@@ -379,12 +343,51 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
     EXPECT_NE(result["reason"].get<std::string>().find(reason), std::string::npos) << result["reason"];
     EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
   }
+  const std::pair<std::vector<std::string>, std::string> contexts[] = {
+      {{"--context", "none"}, "name one"},
+      {{"--context", "nonsense"}, "none of osmesa, egl-surfaceless, egl-device, none, nor a provider"},
+      {{"--context", "./absent.so"}, "cannot load './absent.so'"},
+      {{"--context", "libm.so.6"}, "exports no evalcts_provider_open"},
+      {{"--context", "none", "--library", "libm.so.6"}, "glGetString"},
+      {{"--implementation", "sink"}, "needs --library"},
+      {{"--implementation", "sink", "--library", "libm.so.6"}, "exports no evalcts_sink_open"},
+      {{"--implementation", "egl", "--library", "libm.so.6"}, "it is not EGL"},
+      {{"--library", "libm.so.6"}, "name what makes its contexts with --context"},
+      {{"--library", OSMESA_PROVIDER}, "name it with --context"}};
+  for (const auto& [more, reason] : contexts) {
+    std::vector<std::string> arguments = {"run", "--name", "drill", "--output", folder_.string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = evalcts(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+  }
   // The kind is guessed from the library's symbols.
   EXPECT_EQ(evalcts({"run", "--library", DRILL_LIBRARY, "--output", folder_.string(), "--filter",
                      "InitialState.O*"})
                 .code,
             0);
-  EXPECT_EQ(evalcts({"run", "--library", "libm.so.6", "--output", folder_.string()}).code, 2);
+}
+
+// An evaluator that is no GL and lacks most commands: what it has is judged, the rest is not observable.
+TEST_F(CommandLine, EvaluatorThatIsNoGl) {
+  const Outcome outcome =
+      evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick", "--output",
+               folder_.string(), "--filter", "Map1*:Precedence*:Api.VectorForm/*:Api.EntryPoint/*Map1*"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  const json result = results("bezier");
+  EXPECT_EQ(result["implementation"]["renderer"], "Bezier example");
+  const std::pair<const char*, const char*> expected[] = {
+      {"Map1Values.AllOrders/MAP1_VERTEX_3_f", "pass"},
+      {"Map1Values.Ends/MAP1_VERTEX_4", "pass"},
+      {"Precedence.Vertex4BeforeVertex3", "pass"},
+      {"Map1Values.AllOrders/MAP1_VERTEX_3_d", "not-observable"},     // no Map1d
+      {"Map1Values.AllOrders/MAP1_COLOR_4_f", "not-observable"},      // hands over no colours
+      {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-observable"},  // no GetError
+      {"Api.EntryPoint/Map1d", "fail"}};
+  for (const auto& [name, verdict] : expected)
+    EXPECT_EQ(test_named(result, name)["verdict"], verdict) << name;
+  EXPECT_FALSE(result["summary"].contains("crash"));
+  EXPECT_FALSE(result["summary"].contains("internal-error"));
 }
 
 TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {

@@ -32,6 +32,11 @@ class Screen {
     out_ += paint(shown, colour) + "\n";
     ++lines_;
   }
+  // Never cut: the end says what to do.
+  void whole_line(const std::string& text, Colour colour) {
+    out_ += paint(one_line(text), colour) + "\n";
+    ++lines_;
+  }
   // "head: part, part" on as many lines as that takes: no part is lost.
   void list(const std::string& head, const std::vector<std::string>& parts) {
     std::string pending = head;
@@ -148,7 +153,7 @@ void write_head(Screen& screen, const Record& record) {
 
   if (!record.complete()) {
     const std::string status = record.status.empty() ? "status unknown" : record.status;
-    screen.line(status + (record.reason.empty() ? "" : ": " + record.reason), Colour::kRed);
+    screen.whole_line(status + (record.reason.empty() ? "" : ": " + record.reason), Colour::kRed);
   }
   std::vector<std::string> counts;
   for (std::size_t i = 0; i < kVerdicts; ++i) {

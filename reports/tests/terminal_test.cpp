@@ -115,6 +115,12 @@ TEST(Terminal, NotStarted) {
             "glx\nnot-started: no X server: DISPLAY is not set\n0 tests\n\nthe run is not complete\n");
 }
 
+TEST(Terminal, ReasonIsNeverCut) {
+  json record = read_sample("results-glx.json");
+  record["reason"] = std::string(300, 'x') + "; install it";
+  EXPECT_TRUE(contains(terminal_summary(record, false, false), "x; install it\n"));
+}
+
 TEST(Terminal, EmptyRecordIsNotGreen) {
   EXPECT_EQ(terminal_summary(json::object(), false, false),
             "(unnamed)\nstatus unknown\n0 tests\n\nthe run is not complete\n");

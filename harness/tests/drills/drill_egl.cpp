@@ -1,0 +1,123 @@
+// EGL that offers less than the real one, on command: EVALCTS_DRILL names what it lacks.
+//
+//   surfaceless: EGL_KHR_surfaceless_context; platforms: client extensions; opengl: desktop OpenGL;
+//   drivers: eglInitialize fails; profile: contexts come only when a profile is asked for; compatibility: a
+//   core context comes, whatever was asked for; commands: EGL 1.4 that knows no address of a command of
+//   GL 1.x; framebuffers: no glGenFramebuffers
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#define EXPORT extern "C" __attribute__((visibility("default")))
+
+namespace {
+
+bool lacks(const char* name) {
+  const char* wanted = std::getenv("EVALCTS_DRILL");
+  return wanted && std::strcmp(wanted, name) == 0;
+}
+
+template <class Function>
+Function real(Function, const char* name) {
+  static void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  return reinterpret_cast<Function>(dlsym(library, name));
+}
+#define REAL(name) real(&::name, #name)
+
+EGLint error = EGL_SUCCESS;
+
+EGLContext no_context(EGLint why) {
+  error = why;
+  return EGL_NO_CONTEXT;
+}
+
+std::string without(std::string words, const std::string& word) {
+  const std::size_t at = words.find(word);
+  return at == std::string::npos ? words : words.erase(at, word.size());
+}
+
+}  // namespace
+
+EXPORT EGLint eglGetError() {
+  const EGLint own = error;
+  error = EGL_SUCCESS;
+  return own != EGL_SUCCESS ? own : REAL(eglGetError)();
+}
+
+EXPORT const char* eglQueryString(EGLDisplay display, EGLint name) {
+  static std::string edited;
+  if (display == EGL_NO_DISPLAY && lacks("platforms")) return nullptr;
+  if (name == EGL_CLIENT_APIS && lacks("opengl")) return "OpenGL_ES";
+  const char* words = REAL(eglQueryString)(display, name);
+  edited = words ? words : "";
+  if (name == EGL_EXTENSIONS && lacks("surfaceless")) edited = without(edited, "EGL_KHR_surfaceless_context");
+  if (name == EGL_EXTENSIONS && lacks("commands")) {
+    edited = without(edited, "EGL_KHR_client_get_all_proc_addresses");
+    edited = without(edited, "EGL_KHR_get_all_proc_addresses");
+  }
+  return words ? edited.c_str() : nullptr;
+}
+
+EXPORT EGLDisplay eglGetDisplay(EGLNativeDisplayType native) { return REAL(eglGetDisplay)(native); }
+
+EXPORT EGLBoolean eglInitialize(EGLDisplay display, EGLint* major, EGLint* minor) {
+  if (lacks("drivers")) {
+    error = EGL_NOT_INITIALIZED;
+    return EGL_FALSE;
+  }
+  const EGLBoolean done = REAL(eglInitialize)(display, major, minor);
+  if (lacks("commands")) *minor = 4;
+  return done;
+}
+
+EXPORT EGLBoolean eglTerminate(EGLDisplay display) { return REAL(eglTerminate)(display); }
+EXPORT EGLBoolean eglBindAPI(EGLenum api) { return REAL(eglBindAPI)(api); }
+
+EXPORT EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint* wanted, EGLConfig* configs, EGLint size,
+                                  EGLint* count) {
+  return REAL(eglChooseConfig)(display, wanted, configs, size, count);
+}
+
+EXPORT EGLContext eglCreateContext(EGLDisplay display, EGLConfig config, EGLContext share,
+                                   const EGLint* attributes) {
+  const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION,
+                         3,
+                         EGL_CONTEXT_MINOR_VERSION,
+                         3,
+                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                         EGL_NONE};
+  if (lacks("profile") && attributes[0] == EGL_NONE) return no_context(EGL_BAD_MATCH);
+  return REAL(eglCreateContext)(display, config, share, lacks("compatibility") ? core : attributes);
+}
+
+EXPORT EGLBoolean eglDestroyContext(EGLDisplay display, EGLContext context) {
+  return REAL(eglDestroyContext)(display, context);
+}
+
+EXPORT EGLBoolean eglMakeCurrent(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
+  if (lacks("surfaceless") && context != EGL_NO_CONTEXT && draw == EGL_NO_SURFACE) {
+    error = EGL_BAD_MATCH;
+    return EGL_FALSE;
+  }
+  return REAL(eglMakeCurrent)(display, draw, read, context);
+}
+
+EXPORT EGLSurface eglCreatePbufferSurface(EGLDisplay display, EGLConfig config, const EGLint* attributes) {
+  return REAL(eglCreatePbufferSurface)(display, config, attributes);
+}
+
+EXPORT EGLBoolean eglDestroySurface(EGLDisplay display, EGLSurface surface) {
+  return REAL(eglDestroySurface)(display, surface);
+}
+
+EXPORT __eglMustCastToProperFunctionPointerType eglGetProcAddress(const char* name) {
+  if (lacks("framebuffers") && std::strcmp(name, "glGenFramebuffers") == 0) return nullptr;
+  if (lacks("commands") && (std::strstr(name, "Map1") || std::strstr(name, "EvalCoord"))) return nullptr;
+  return REAL(eglGetProcAddress)(name);
+}

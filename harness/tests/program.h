@@ -1,0 +1,59 @@
+// The program as its users start it: for tests of the command line.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/runner/child_process.h"
+
+namespace evalcts {
+
+struct Outcome {
+  int code;
+  std::string text;  // both outputs
+};
+
+// A test with a folder of its own for what the program writes.
+class ProgramTest : public testing::Test {
+ protected:
+  ProgramTest()
+      : folder_(std::filesystem::path(testing::TempDir()) / ("evalcts-" + std::to_string(getpid()))) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~ProgramTest() override {
+    unsetenv("EVALCTS_DRILL");
+    std::filesystem::remove_all(folder_);
+  }
+
+  Outcome evalcts(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
+    const std::filesystem::path log = folder_ / "command.log";
+    std::filesystem::remove(log);
+    ChildProcess child(arguments, log.string());
+    const auto ending = child.wait(120);
+    std::ifstream file(log);
+    return {ending && !ending->signalled ? ending->value : -1,
+            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+  }
+
+  nlohmann::json results(const std::string& name) const {
+    std::ifstream file(folder_ / ("results-" + name + ".json"));
+    return nlohmann::json::parse(file, nullptr, false);
+  }
+  static nlohmann::json test_named(const nlohmann::json& result, const std::string& name) {
+    for (const nlohmann::json& test : result["tests"])
+      if (test["name"] == name) return test;
+    return nullptr;
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace evalcts
