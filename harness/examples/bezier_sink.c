@@ -4,8 +4,7 @@
  *   evalcts run --library ./bezier.so
  *
  * It knows two targets, VERTEX_3 and VERTEX_4, and hands over positions only. It has no queries, no errors,
- * no double precision and no explicit vertices: tests that need them are not-observable. Tests that use other
- * targets beside these two fail. */
+ * no double precision and no explicit vertices: tests that need them are not-observable. */
 #include <evalcts_sink.h>
 #include <stdlib.h>
 #include <string.h>

@@ -368,6 +368,29 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
             0);
 }
 
+// A library that has a context of its own and makes none.
+TEST_F(CommandLine, ContextNone) {
+  const std::vector<std::string> arguments = {"run",
+                                              "--library",
+                                              DRILL_OWN_CONTEXT_LIBRARY,
+                                              "--name",
+                                              "own",
+                                              "--output",
+                                              folder_.string(),
+                                              "--filter",
+                                              "Map1State.Stride/*",
+                                              "--depth",
+                                              "quick"};
+  Outcome outcome = evalcts(arguments);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.text.find("exports none of OSMesaCreateContext"), std::string::npos) << outcome.text;
+  std::vector<std::string> with_context = arguments;
+  with_context.insert(with_context.end(), {"--context", "none"});
+  outcome = evalcts(with_context);
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_GT(results("own")["summary"].value("pass", 0), 10) << outcome.text;
+}
+
 // An evaluator that is no GL and lacks most commands: what it has is judged, the rest is not observable.
 TEST_F(CommandLine, EvaluatorThatIsNoGl) {
   const Outcome outcome =
@@ -377,12 +400,12 @@ TEST_F(CommandLine, EvaluatorThatIsNoGl) {
   const json result = results("bezier");
   EXPECT_EQ(result["implementation"]["renderer"], "Bezier example");
   const std::pair<const char*, const char*> expected[] = {
-      {"Map1Values.AllOrders/MAP1_VERTEX_3_f", "pass"},
-      {"Map1Values.Ends/MAP1_VERTEX_4", "pass"},
-      {"Precedence.Vertex4BeforeVertex3", "pass"},
-      {"Map1Values.AllOrders/MAP1_VERTEX_3_d", "not-observable"},     // no Map1d
-      {"Map1Values.AllOrders/MAP1_COLOR_4_f", "not-observable"},      // hands over no colours
-      {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-observable"},  // no GetError
+      {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1f", "pass"},
+      {"Map1Values.Ends/MAP1_VERTEX_4/EvalCoord1fv", "pass"},
+      {"Precedence.Vertex4BeforeVertex3/EvalCoord1f", "pass"},
+      {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1d", "not-observable"},  // not there
+      {"Map1Values.AllOrders/MAP1_COLOR_4/EvalCoord1f", "not-observable"},   // hands over no colours
+      {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-observable"},         // no GetError
       {"Api.EntryPoint/Map1d", "fail"}};
   for (const auto& [name, verdict] : expected)
     EXPECT_EQ(test_named(result, name)["verdict"], verdict) << name;
