@@ -1,4 +1,5 @@
-#include <cstring>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -72,7 +73,10 @@ class GlLibrary final : public Implementation {
     if (!address) address = contexts_->address_of("glGetString");
     if (!address) return false;
     const GLubyte* extensions = reinterpret_cast<decltype(&::glGetString)>(address)(GL_EXTENSIONS);
-    return extensions && std::strstr(reinterpret_cast<const char*>(extensions), "GL_ARB_robustness ");
+    std::istringstream words(extensions ? reinterpret_cast<const char*>(extensions) : "");
+    for (std::string word; words >> word;)
+      if (word == "GL_ARB_robustness") return true;
+    return false;
   }
 
   std::string name_;
