@@ -316,6 +316,7 @@ class Shared {
 
   const gl::Table& table() const { return context_->table(); }
   bool has_sink() const { return context_->has_sink(); }
+  Attributes emitted_attributes() const { return context_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
 
   gl::Trace play(const Case& script) {
@@ -345,6 +346,7 @@ class Handle final : public Context {
   const gl::Table& table() const override { return shared_.table(); }
   gl::Trace play(const Case& script) override { return shared_.play(script); }
   bool has_sink() const override { return shared_.has_sink(); }
+  Attributes emitted_attributes() const override { return shared_.emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override { return shared_.take_emitted(); }
 
  private:
