@@ -18,6 +18,7 @@
 #include <set>
 
 #include "harness/gl/call_log.h"
+#include "harness/runner/reproduction.h"
 #include "harness/runner/test.h"
 
 namespace evalcts {
@@ -35,7 +36,7 @@ struct Options {
   bool captures_given = false;
   std::string depth = "full";
   std::uint32_t seed = 1;
-  std::string records, tests, answer, prove;
+  std::string records, tests, answer, prove, reproduce;
   bool describe = false, list = false, trace_cases = false, die_with_parent = false;
 };
 
@@ -72,6 +73,7 @@ struct Program {
   Options options;
   std::unique_ptr<Implementation> implementation;
   std::vector<std::unique_ptr<Capture>> captures;
+  std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<RecordFile> records;
 };
@@ -217,6 +219,8 @@ void parse(int argc, char** argv, Options& options) {
                  "file with the names of the tests to run, one a line, in this order");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
+  app.add_option("--reproduce", options.reproduce,
+                 "write the first failure of the test, or the case in flight, to this file as a C program");
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
@@ -271,6 +275,11 @@ int run(int argc, char** argv) {
       return 0;
     }
     prove_captures(program);
+    if (!options.reproduce.empty()) {
+      program.reproduction = std::make_unique<Reproduction>(*program.implementation, options.reproduce);
+      program.subject.reproduction = program.reproduction.get();
+      program.subject.implementation = &program.reproduction->implementation();
+    }
   }
   for (const TestInfo& info : tests)
     testing::RegisterTest(
