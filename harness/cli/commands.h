@@ -29,18 +29,29 @@ struct RunOptions {
   bool strict = false;
   bool verbose = false;
   std::string command;  // as typed
+  std::string program;  // how it was called
+};
+
+struct ReproduceOptions {
+  std::string failure;  // a test's name, NAME:test, or a part that only one failing test has
+  std::string results;  // folder of the run; empty: the usual one
+  std::string output;   // the file to write; empty: in the folder of the run
+  std::string program;  // how evalcts was called
 };
 
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 int coverage(bool as_json);
 int explain(const std::string& name);
+int reproduce(const ReproduceOptions& options);
 
 // Where this program, the suite program and the usual output folder are.
 struct Places {
   std::filesystem::path suite_program;
   std::filesystem::path output;
   std::filesystem::path baselines;
+  // libglevaluator for C programs; empty where it is not known.
+  std::filesystem::path production_headers, production_library;
 };
 Places places();
 

@@ -444,17 +444,44 @@ class Writer {
     return "0";
   }
 
+  // What is looked at, in words: "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_COEFF, values)".
+  std::string subject(const Check& check) const {
+    if (!check.what.empty()) return check.what;
+    const Command& command = commands_.at(static_cast<std::size_t>(check.answer.command.index));
+    std::string call = to_c(
+        command,
+        [&](std::size_t i) {
+          return std::holds_alternative<Output>(command.arguments[i]) ? std::string("values") : std::string();
+        },
+        4);
+    call.pop_back();  // the semicolon
+    if (check.rule == Check::Rule::within && check.answer.of == Answer::Of::element)
+      return fmt::format("values[{}] of {}", check.answer.element, call);
+    if (check.rule == Check::Rule::within && check.answer.of == Answer::Of::written)
+      return "number of values written by " + call;
+    return call;
+  }
+
+  static std::string interval(const Check& check) {
+    if (check.answer.is_error) return check.expected;
+    std::string text;
+    for (const auto& [low, high] : check.accepted)
+      text += (text.empty() ? "" : " or ") + (low == high ? fmt::format("{:.9g} ({:a})", low, low)
+                                                          : fmt::format("[{:.9g}, {:.9g}]", low, high));
+    return text;
+  }
+
   void decide_within(const Check& check) {
     if (check.answer.is_error) text_ += kErrorName;
     const std::string answer = answer_text(check.answer);
     text_ += "\nstatic int decide(void) {\n";
     line("  const double got = {};", answer);
     if (check.answer.is_error) {
-      line("  printf(\"%s: expected %s, got %s\\n\", {}, {}, error_name((GLenum)got));", quoted(check.what),
-           quoted(check.expected));
+      line("  printf(\"%s: expected %s, got %s\\n\", {}, {}, error_name((GLenum)got));",
+           quoted(subject(check)), quoted(interval(check)));
     } else {
-      line("  printf(\"%s: expected %s, got %.9g (%a)\\n\", {}, {}, got, got);", quoted(check.what),
-           quoted(check.expected));
+      line("  printf(\"%s: expected %s, got %.9g (%a)\\n\", {}, {}, got, got);", quoted(subject(check)),
+           quoted(interval(check)));
     }
     std::string holds;
     for (const auto& [low, high] : check.accepted) {
@@ -474,7 +501,7 @@ class Writer {
     text_ += "\nstatic int decide(void) {\n";
     const int a = check.other.index, b = check.answer.command.index;
     const Command& command = commands_.at(static_cast<std::size_t>(b));
-    line("  printf(\"%s\\n\", {});", quoted(check.what + ": before and now"));
+    line("  printf(\"%s\\n\", {});", quoted(subject(check) + ", before and now:"));
     std::string holds;
     if (const Output* output = output_of(command)) {
       print_array(a, output->count);
@@ -521,7 +548,7 @@ class Writer {
         "\n/* The test compares several values; here the failure shows where the answers are those recorded. "
         "*/\n"
         "static int decide(void) {\n";
-    line("  puts({});", quoted(fmt::format("{}: expected {}", check.what, check.expected)));
+    line("  puts({});", quoted(fmt::format("{}: expected {}", subject(check), check.expected)));
     for (const Ref ref : check.recorded) {
       const Output* output = output_of(commands_.at(static_cast<std::size_t>(ref.index)));
       if (output) print_array(ref.index, std::min<std::size_t>(output->count, 64));

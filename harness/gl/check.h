@@ -43,8 +43,8 @@ struct Check {
   Ref other = {};
   std::vector<Ref> recorded = {};  // for unlike: the commands that count
   std::size_t pass = 0;            // which of the played cases, where a capture needs several
-  std::string what = {};           // "position.x of vertex 3", for people
-  std::string expected = {};
+  std::string what = {};           // "position.x of vertex 3", for people; empty: named after the command
+  std::string expected = {};       // in words, where no interval says it
 };
 
 }  // namespace evalcts::gl

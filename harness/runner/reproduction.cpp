@@ -270,7 +270,6 @@ void Reproduction::failed(const Failure& failure) {
     for (int c = 0; c < static_cast<int>(last.trace.size()); ++c)
       if (last.trace.has_output({c})) check.recorded.push_back({c});
   }
-  if (check.what.empty()) check.what = failure.what;
   if (check.expected.empty()) check.expected = failure.expected;
   recorder_->write(check.pass, &check);
   recorder_->freeze();

@@ -22,8 +22,10 @@ struct RunRequest {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
-  std::filesystem::path output;  // an existing folder
-  std::string command;           // as the user typed it, for the record
+  std::filesystem::path output;     // an existing folder
+  std::string command;              // as the user typed it, for the record
+  std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with
+  bool own_output = false;          // whether the user chose the output folder
 };
 
 struct Progress {

@@ -106,7 +106,6 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
       std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
   failure.expected = check.expected = expected;
   failure.captured = captured;
-  check.what = gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4);
   failure.check = std::move(check);
   test_.fail(std::move(failure), [&] { return gl::to_c(script_, 0, command.index); });
 }

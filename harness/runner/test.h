@@ -77,7 +77,7 @@ class Played {
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   std::vector<double> written_values(gl::Ref query) const;
-  // `check`: what a C program can decide; its words are filled in.
+  // `check`: what a C program can decide.
   void fail(gl::Check check, const std::string& message, const std::string& expected,
             const std::string& captured);
 
