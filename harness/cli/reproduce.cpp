@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <sstream>
+#include <optional>
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
@@ -20,6 +20,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
+constexpr double kLook = 0.1;         // seconds between two looks at the child
 constexpr double kStartSeconds = 60;  // for contexts and captures, before the test itself
 constexpr std::size_t kMostSuggested = 10;
 
@@ -128,6 +129,19 @@ struct Replayed {
   std::string program;  // C
 };
 
+// Whether the test has begun; its record once there is one.
+bool read_events(const fs::path& path, json& record) {
+  bool started = false;
+  std::ifstream records(path);
+  for (std::string line; std::getline(records, line);) {
+    const json event = json::parse(line, nullptr, false);
+    if (!event.is_object()) continue;
+    started = started || event.value("event", "") == "start";
+    if (event.value("event", "") == "result") record = event["record"];
+  }
+  return started;
+}
+
 Replayed replay(const Candidate& failure) {
   if (!failure.run.contains("suite_command"))
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
@@ -145,20 +159,23 @@ Replayed replay(const Candidate& failure) {
                   (folder / "records").string(), "--captures", captures.empty() ? "none" : captures,
                   "--reproduce", (folder / "program.c").string()});
   Replayed result;
+  bool started = false;
   {
     ChildProcess child(command, (folder / "log").string());
-    const auto ending = child.wait(kStartSeconds + failure.run.value("timeout", 60.0));
+    const double seconds = failure.run.value("timeout", 60.0);
+    double waited = 0;
+    std::optional<Ending> ending;
+    while (!(ending = child.wait(kLook)) && waited < (started ? seconds : kStartSeconds)) {
+      waited += kLook;
+      if (!started && read_events(folder / "records", result.record)) {
+        started = true;
+        waited = 0;
+      }
+    }
     result.hung = !ending;
     if (ending) result.ending = describe(*ending);
   }
-  bool started = false;
-  std::ifstream records(folder / "records");
-  for (std::string line; std::getline(records, line);) {
-    const json event = json::parse(line, nullptr, false);
-    if (!event.is_object()) continue;
-    started = started || event.value("event", "") == "start";
-    if (event.value("event", "") == "result") result.record = event["record"];
-  }
+  started = read_events(folder / "records", result.record);
   result.program = text_of(folder / "program.c");
   if (!started)
     throw CannotReproduce(
@@ -210,10 +227,10 @@ std::string from_here(const fs::path& path) {
   return relative.size() < path.string().size() ? relative : path.string();
 }
 
-std::string compile_line(const Candidate& failure, const fs::path& source) {
-  fs::path program = source;
-  program.replace_extension();
-  std::vector<std::string> command = {"cc", "-o", from_here(program), from_here(source)};
+// One line for the shell; the paths are `source` and the same without its extension.
+std::string compile_line(const Candidate& failure, const std::string& source) {
+  const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
+  std::vector<std::string> command = {"cc", "-o", program, source};
   const std::vector<std::string> options = failure.run["suite_command"];
   if (std::find(options.begin(), options.end(), "production") != options.end()) {
     const Places where = places();
@@ -226,9 +243,8 @@ std::string compile_line(const Candidate& failure, const fs::path& source) {
   } else {
     command.push_back("-ldl");
   }
-  const std::string started = from_here(program);
   return shell_line(command) + " && " +
-         shell_line({started.find('/') == std::string::npos ? "./" + started : started});
+         shell_line({program.find('/') == std::string::npos ? "./" + program : program});
 }
 
 int reproduce_or_throw(const ReproduceOptions& options) {
@@ -259,19 +275,22 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   const fs::path file =
       fs::absolute(options.output.empty() ? folder / file_name(failure.name()) : fs::path(options.output))
           .lexically_normal();
-  const std::string compile = compile_line(failure, file);
   const bool replaced = fs::exists(file);
   try {
-    write_atomically(file, head(failure, replayed, compile) + replayed.program);
+    write_atomically(
+        file, head(failure, replayed, compile_line(failure, file.filename().string())) + replayed.program);
   } catch (const std::runtime_error& error) {
     throw CannotReproduce(fmt::format("{}; choose another file with --output", error.what()));
   }
 
   std::cout << fmt::format("{} {}; build and start it with\n\n  {}\n\n", replaced ? "Replaced" : "Wrote",
-                           from_here(file), compile);
+                           from_here(file), compile_line(failure, from_here(file)));
   if (replayed.record.is_null()) {
     std::cout << fmt::format("It makes the calls of the case in which the process {}.\n",
                              replayed.hung ? "hung" : "ended with " + replayed.ending);
+    if (!replayed.hung && replayed.ending.starts_with("exit code"))
+      std::cout
+          << "The library ends the process by itself, so the program ends with that code instead of 1.\n";
   } else {
     std::cout << "It shows: " << replayed.record.value("message", "") << "\n";
   }

@@ -462,12 +462,27 @@ class Writer {
     return call;
   }
 
-  static std::string interval(const Check& check) {
+  // Whether the answer is a whole number by its type.
+  bool is_whole(const Answer& answer) const {
+    if (answer.of == Answer::Of::emitted_value) return false;
+    if (answer.of != Answer::Of::element) return true;
+    const Output* output = output_of(commands_.at(static_cast<std::size_t>(answer.command.index)));
+    return output && output->type != Scalar::f32 && output->type != Scalar::f64;
+  }
+
+  std::string interval(const Check& check) const {
     if (check.answer.is_error) return check.expected;
+    const bool whole = is_whole(check.answer);
     std::string text;
-    for (const auto& [low, high] : check.accepted)
-      text += (text.empty() ? "" : " or ") + (low == high ? fmt::format("{:.9g} ({:a})", low, low)
-                                                          : fmt::format("[{:.9g}, {:.9g}]", low, high));
+    for (const auto& [low, high] : check.accepted) {
+      if (!text.empty()) text += " or ";
+      if (low != high) {
+        text +=
+            whole ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("[{:.9g}, {:.9g}]", low, high);
+      } else {
+        text += whole ? fmt::format("{:.0f}", low) : fmt::format("{:.9g} ({:a})", low, low);
+      }
+    }
     return text;
   }
 
@@ -479,6 +494,9 @@ class Writer {
     if (check.answer.is_error) {
       line("  printf(\"%s: expected %s, got %s\\n\", {}, {}, error_name((GLenum)got));",
            quoted(subject(check)), quoted(interval(check)));
+    } else if (is_whole(check.answer)) {
+      line("  printf(\"%s: expected %s, got %.0f\\n\", {}, {}, got);", quoted(subject(check)),
+           quoted(interval(check)));
     } else {
       line("  printf(\"%s: expected %s, got %.9g (%a)\\n\", {}, {}, got, got);", quoted(subject(check)),
            quoted(interval(check)));

@@ -22,10 +22,16 @@ std::uint32_t hash(std::string_view text) {
   return value;
 }
 
+// As many digits as tell the value, which may be a float, from all others of its type.
+std::string shortest(double value) {
+  const auto single = static_cast<float>(value);
+  return static_cast<double>(single) == value ? fmt::format("{}", single) : fmt::format("{}", value);
+}
+
 std::string list(const std::vector<double>& values) {
   std::string text;
   for (std::size_t i = 0; i < values.size() && i < 16; ++i)
-    text += fmt::format("{}{:.17g}", i ? ", " : "", values[i]);
+    text += (i ? ", " : "") + shortest(values[i]);
   if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
   return "{" + text + "}";
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kMostInFull = 8;     // failures, where not all were asked for
-constexpr std::size_t kMostOfSource = 40;  // columns
+constexpr std::size_t kMostOfSource = 24;  // columns
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
 
