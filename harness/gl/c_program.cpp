@@ -447,7 +447,10 @@ class Writer {
   // What is looked at, in words: "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_COEFF, values)".
   std::string subject(const Check& check) const {
     if (!check.what.empty()) return check.what;
-    const Command& command = commands_.at(static_cast<std::size_t>(check.answer.command.index));
+    const Ref asked = check.answer.command.index < 0 && !check.recorded.empty() ? check.recorded.front()
+                                                                                : check.answer.command;
+    if (asked.index < 0) return "the answer";
+    const Command& command = commands_.at(static_cast<std::size_t>(asked.index));
     std::string call = to_c(
         command,
         [&](std::size_t i) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "harness/implementations/implementation.h"
 #include "harness/runner/child_process.h"
@@ -45,11 +46,13 @@ class CProgram : public testing::Test {
   Outcome build_and_start(const std::string& text, const std::string& library = {}) {
     const std::string source = (folder_ / "program.c").string(), program = (folder_ / "program").string();
     std::ofstream(source) << text;
-    std::vector<std::string> compile = {"cc", "-Wall", "-Werror", "-Wno-unused-function",
-                                        "-o", program, source};
+    std::vector<std::string> compile = {"/usr/bin/env",         "cc", "-Wall", "-Werror",
+                                        "-Wno-unused-function", "-o", program, source};
     if (library.empty())
       compile.insert(compile.end(), {"-DGLEV_STATIC", "-I" GLEVALUATOR_HEADERS, GLEVALUATOR_LIBRARY, "-lm"});
     compile.push_back("-ldl");
+    std::istringstream options(CC_OPTIONS);
+    for (std::string option; options >> option;) compile.push_back(option);
     const Outcome built = start(compile);
     EXPECT_EQ(built.code, 0) << built.text << text;
     return start(library.empty() ? std::vector{program} : std::vector{program, library});

@@ -278,7 +278,8 @@ class Reproduce : public CommandLine {
     ASSERT_EQ(written.code, 0) << written.text;
     const std::size_t begin = written.text.find("  cc "), end = written.text.find(" && ", begin);
     ASSERT_NE(end, std::string::npos) << written.text;
-    const Outcome built = start({"sh", "-c", written.text.substr(begin, end - begin)});
+    const std::string line = "cc " CC_OPTIONS + written.text.substr(begin + 4, end - begin - 4);
+    const Outcome built = start({"/bin/sh", "-c", line});
     ASSERT_EQ(built.code, 0) << built.text;
   }
   Outcome program(const std::string& library = {}) {
@@ -311,7 +312,10 @@ TEST_F(Reproduce, AFailureBecomesACProgram) {
 }
 
 TEST_F(Reproduce, ACrashAndAHangAsWell) {
-  for (const char* way : {"crash", "abort", "hang"}) {
+  for (const std::string way : {"crash", "abort", "hang"}) {
+#ifdef __SANITIZE_ADDRESS__
+    if (way == "crash") continue;  // there it crashes past every handler
+#endif
     ASSERT_EQ(drill(way, {"--filter", kVictim, "--timeout", "2"}).code, 1);
     write_and_build("MAP1_INDEX_f");  // a part of the name is enough
     const Outcome shown = program();
@@ -339,7 +343,7 @@ TEST_F(Reproduce, RerunIsRight) {
   ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f", "--seed", "7"}).code, 1);
   const json before = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
   const Outcome again =
-      start({"sh", "-c", before["rerun"].get<std::string>() + " --output " + folder_.string()});
+      start({"/bin/sh", "-c", before["rerun"].get<std::string>() + " --output " + folder_.string()});
   EXPECT_EQ(again.code, 1) << again.text;
   ASSERT_EQ(results("drill")["tests"].size(), 1u);
   const json after = results("drill")["tests"][0];
@@ -347,7 +351,7 @@ TEST_F(Reproduce, RerunIsRight) {
   EXPECT_EQ(after["message"], before["message"]);
   EXPECT_NE(before["debug"].get<std::string>().find("gdb --args "), std::string::npos);
   const Outcome debugged =
-      start({"sh", "-c", before["debug"].get<std::string>().substr(std::string("gdb --args ").size())});
+      start({"/bin/sh", "-c", before["debug"].get<std::string>().substr(std::string("gdb --args ").size())});
   EXPECT_EQ(debugged.code, 1);
   EXPECT_NE(debugged.text.find("1 FAILED TEST"), std::string::npos) << debugged.text;
 }
