@@ -328,7 +328,7 @@ TEST_F(Reproduce, ACrashAndAHangAsWell) {
 
 // What a capture saw, with its shader or feedback buffer: a known failure of Mesa, where that is installed.
 TEST_F(Reproduce, WhatACaptureSaw) {
-  const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL";
+  const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
   const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",
                                "--output", folder_.string(), "--baseline", "none"});
   if (test_named(results("osmesa"), test).value("verdict", "") != "fail") GTEST_SKIP() << run.text;
