@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 #include "evalcts/reports.h"
 #include "reports/text.h"
@@ -154,6 +153,8 @@ TestResult read_test(const Object& in) {
   out.cases = in.natural("cases");
   out.failed_cases = in.natural("failed_cases");
   out.seed = in.natural("seed");
+  out.rerun = in.text("rerun");
+  out.debug = in.text("debug");
   out.reproducer = in.text("reproducer");
   out.history = in.texts("history");
   out.seconds = in.real("seconds");
@@ -203,18 +204,6 @@ int TestResult::severity() const {
   const int rank = static_cast<int>(verdict), shift = static_cast<int>(kBadVerdicts);
   if (bad()) return expected_bad() ? rank + shift : rank;
   return unexpected_pass() ? 2 * shift : rank + shift + 1;
-}
-
-const Failure* TestResult::most_telling() const {
-  const auto weight = [](const Failure& f) {
-    return std::tuple(!f.expected.empty() && !f.captured.empty(), f.condition_aware.value_or(-1),
-                      f.ulp.value_or(-1));
-  };
-  const Failure* best = nullptr;
-  for (const Failure& failure : failures) {
-    if (!best || weight(*best) < weight(failure)) best = &failure;
-  }
-  return best;
 }
 
 std::uint64_t Record::total() const {
@@ -269,6 +258,12 @@ Record read_record(const json& value) {
     }
   }
   return out;
+}
+
+const Requirement* find_requirement(const Requirements& catalogue, const std::string& id) {
+  auto found = catalogue.find(id);
+  if (found == catalogue.end()) found = catalogue.find(id.substr(0, id.find('/')));
+  return found == catalogue.end() ? nullptr : &found->second;
 }
 
 Requirements read_requirements(const json& value) {

@@ -72,7 +72,7 @@ struct TestResult {
   std::vector<Failure>
       failures;  // where the record lists none: what it says at the level of the test, if anything
   std::optional<Accuracy> accuracy;
-  std::string reproducer;
+  std::string rerun, debug, reproducer;  // commands
   std::vector<std::string> history;  // the tests that have to come before, where the context is shared
   std::optional<double> seconds;
 
@@ -87,8 +87,6 @@ struct TestResult {
   // Order of telling, smallest first: unexpected failures by verdict, expected failures by verdict,
   // unexpected passes, the rest by verdict.
   int severity() const;
-  // The failure that shows most in the least space, or null: both values recorded, then the largest distance.
-  const Failure* most_telling() const;
 };
 
 struct Record {
@@ -110,6 +108,9 @@ struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
 };
 using Requirements = std::map<std::string, Requirement>;
+
+// The requirement, or that which "ID/1-D" is one half of; null if there is none.
+const Requirement* find_requirement(const Requirements& catalogue, const std::string& id);
 
 // Both throw FormatError; a null catalogue is an empty one.
 Record read_record(const nlohmann::json& json);

@@ -30,7 +30,4 @@ std::string count(std::uint64_t n, std::string_view noun);
 
 std::string join(const std::vector<std::string>& parts, std::string_view separator);
 
-// One word for a POSIX shell.
-std::string shell_quote(const std::string& word);
-
 }  // namespace evalcts::reports

@@ -7,20 +7,25 @@
 
 namespace evalcts {
 
-// {"requirements": [...], "contradictions": [...], "undefined": [...]}
+// {"requirements": [...], "contradictions": [...], "undefined": [...]}. A requirement that nothing here can
+// decide says why: "undecidable": "reason", or {"1-D": "reason"} for one of its halves.
 const nlohmann::json& catalogue();
 
-// How far the tests decide one requirement. "in part": only one of its halves "/1-D" and "/2-D".
+// How far the tests decide one requirement. A test may decide one half of it, "/1-D" or "/2-D".
 struct Coverage {
   std::string id;
-  std::string state;  // "decided", "in part", "undecided"
-  std::vector<std::string> tests;
+  std::string section;
+  std::string state = {};   // "decided", "in part", "undecidable", "undecided"
+  std::string lacks = {};   // "in part": the half that no test decides, "1-D" or "2-D"
+  std::string reason = {};  // why the requirement, or what is lacking of it, cannot be decided; may be empty
+  std::vector<std::string> tests = {};
 };
 
 // One entry for each requirement, in the order of the catalogue. `tests`: what the suite program lists.
-std::vector<Coverage> coverage_of(const nlohmann::json& tests);
+std::vector<Coverage> coverage_of(const nlohmann::json& requirements, const nlohmann::json& tests);
 
-// Tests without a requirement, and requirement IDs that do not exist: empty where all is well.
-std::vector<std::string> lint(const nlohmann::json& tests);
+// Tests without a requirement, requirement IDs that do not exist, and "undecidable" where a test decides, of
+// a half that does not exist, or without a reason: empty where all is well.
+std::vector<std::string> lint(const nlohmann::json& requirements, const nlohmann::json& tests);
 
 }  // namespace evalcts

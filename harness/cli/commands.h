@@ -33,12 +33,21 @@ struct RunOptions {
   std::optional<std::uint32_t> shuffle;  // seed of the order in which the tests run
   bool verbose = false;
   std::string command;  // as typed
+  std::string program;  // how it was called
+};
+
+struct ReproduceOptions {
+  std::string failure;  // a test's name, NAME:test, or a part that only one failing test has
+  std::string results;  // folder of the run; empty: the usual one
+  std::string output;   // the file to write; empty: in the folder of the run
+  std::string program;  // how evalcts was called
 };
 
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 int coverage(bool as_json);
 int explain(const std::string& name);
+int reproduce(const ReproduceOptions& options);
 
 // Why an implementation does not start; empty where it does. Asked in a child: libraries do not share a
 // process well.
@@ -49,6 +58,8 @@ struct Places {
   std::filesystem::path suite_program;
   std::filesystem::path output;
   std::filesystem::path baselines;
+  // libglevaluator for C programs; empty where it is not known.
+  std::filesystem::path production_headers, production_library;
 };
 Places places();
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <iostream>
 
 #include "harness/cli/commands.h"
@@ -15,7 +16,12 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "evalcts " EVALCTS_VERSION);
   app.require_subcommand(1);
 
+  // The launcher says how it was called itself.
+  const char* const launcher = std::getenv("EVALCTS_LAUNCHER");
+  const std::string program = launcher && *launcher ? launcher : argc > 0 ? argv[0] : "evalcts";
+
   RunOptions run_options;
+  run_options.program = program;
   run_options.command = "evalcts";
   for (int i = 1; i < argc; ++i) run_options.command += std::string(" ") + argv[i];
   CLI::App* run_command =
@@ -61,12 +67,24 @@ int main(int argc, char** argv) {
   list_command->add_flag("--json", as_json, "as JSON");
 
   CLI::App* coverage_command =
-      app.add_subcommand("coverage", "requirement by requirement: the tests that decide it");
+      app.add_subcommand("coverage", "requirement by requirement: the tests that decide it, or why none can");
   coverage_command->add_flag("--json", as_json, "as JSON");
 
   std::string name;
-  CLI::App* explain_command = app.add_subcommand("explain", "a requirement, test or verdict in words");
+  CLI::App* explain_command =
+      app.add_subcommand("explain", "a requirement, interpretation, test or verdict in words");
   explain_command->add_option("name", name)->required();
+
+  ReproduceOptions reproduce_options;
+  reproduce_options.program = program;
+  CLI::App* reproduce_command =
+      app.add_subcommand("reproduce", "a stand-alone C program for a failure of the last run");
+  reproduce_command
+      ->add_option("failure", reproduce_options.failure,
+                   "the test's name, NAME:test, or a part of it that no other failing test has")
+      ->required();
+  reproduce_command->add_option("--output", reproduce_options.output, "the C file to write");
+  reproduce_command->add_option("--results", reproduce_options.results, "folder with the results of the run");
 
   try {
     app.parse(argc, argv);
@@ -77,6 +95,7 @@ int main(int argc, char** argv) {
     if (*run_command) return run(run_options);
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json);
+    if (*reproduce_command) return reproduce(reproduce_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

@@ -16,7 +16,9 @@ Places places() {
   return {
       folder / "evalcts-suite",
       in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results",
-      in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines"};
+      in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines",
+      in_checkout ? fs::weakly_canonical(top / "production/include") : fs::path(),
+      in_checkout ? fs::weakly_canonical(folder / "../../production/libglevaluator.a") : fs::path()};
 }
 
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {

@@ -90,13 +90,19 @@ int run(const RunOptions& options) {
   request.seconds_per_test = options.seconds_per_test;
   request.output = output;
   request.command = options.command;
+  request.program = options.program;
+  request.own_output = !options.output.empty();
+  // The commands that a failure is shown with work from everywhere.
+  const std::string library = options.library.find('/') == std::string::npos
+                                  ? options.library
+                                  : fs::absolute(options.library).lexically_normal().string();
 
   std::vector<ImplementationOptions> chosen;
   const bool named = !options.implementations.empty() || !options.library.empty() || !options.context.empty();
   if (named) {
     for (const std::string& name : options.implementations)
-      chosen.push_back({name, options.library, options.context});
-    if (options.implementations.empty()) chosen.push_back({"", options.library, options.context});
+      chosen.push_back({name, library, options.context});
+    if (options.implementations.empty()) chosen.push_back({"", library, options.context});
     if (!options.library.empty() && chosen.size() != 1) {
       std::cerr << "evalcts: --library replaces the library of one implementation; name only that one\n";
       return kWrongUse;
@@ -206,7 +212,7 @@ int run(const RunOptions& options) {
         write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       }
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
-      line.print(reports::terminal_summary(result, color, options.verbose) + "\n");
+      line.print(reports::terminal_summary(result, catalogue(), color, options.verbose) + "\n");
       code = std::max(code, exit_code_of(result, named, options.strict));
       results.push_back(std::move(result));
     }

@@ -21,26 +21,6 @@ std::string constant(T value, const char* suffix) {
   return fmt::format("{:a}{}", value, suffix);
 }
 
-const char* c_type(Scalar type) {
-  switch (type) {
-    case Scalar::u8:
-      return "GLubyte";
-    case Scalar::i8:
-      return "GLchar";
-    case Scalar::i32:
-      return "GLint";
-    case Scalar::u32:
-      return "GLuint";
-    case Scalar::i64:
-      return "GLint64";
-    case Scalar::f32:
-      return "GLfloat";
-    case Scalar::f64:
-      return "GLdouble";
-  }
-  return "GLubyte";
-}
-
 std::string element(Scalar type, const std::byte* bytes) {
   const auto as = [bytes]<class T>(T value) {
     std::memcpy(&value, bytes, sizeof value);
@@ -79,19 +59,6 @@ const char* fate(AfterCall after) {
   return "";
 }
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-      continue;
-    }
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
 std::string argument(const Value& value, char kind, std::size_t most_elements) {
   if (std::holds_alternative<std::nullptr_t>(value)) return "NULL";
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
@@ -122,14 +89,8 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
     return text + "}";
   }
   const Input& input = std::get<Input>(value);
-  const std::size_t size = size_of(input.type);
-  const std::size_t count = input.bytes.size() / size;
-  const std::size_t shown = most_elements == 0 ? count : std::min(count, most_elements);
-  std::string text = fmt::format("({}[]){{", c_type(input.type));
-  for (std::size_t i = 0; i < shown; ++i)
-    text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
-  if (shown < count) text += fmt::format(", /* {} more */", count - shown);
-  return text + "}" + fate(input.after);
+  return fmt::format("({}[]){{{}}}{}", c_type(input.type), elements_of(input, most_elements),
+                     fate(input.after));
 }
 
 }  // namespace
@@ -137,12 +98,63 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
 std::string c_constant(float value) { return constant(value, "f"); }
 std::string c_constant(double value) { return constant(value, ""); }
 
+const char* c_type(Scalar type) {
+  switch (type) {
+    case Scalar::u8:
+      return "GLubyte";
+    case Scalar::i8:
+      return "GLchar";
+    case Scalar::i32:
+      return "GLint";
+    case Scalar::u32:
+      return "GLuint";
+    case Scalar::i64:
+      return "GLint64";
+    case Scalar::f32:
+      return "GLfloat";
+    case Scalar::f64:
+      return "GLdouble";
+  }
+  return "GLubyte";
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '\n') {
+      out += "\\n";
+      continue;
+    }
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string elements_of(const Input& input, std::size_t most_elements) {
+  const std::size_t size = size_of(input.type);
+  const std::size_t count = input.bytes.size() / size;
+  const std::size_t shown = most_elements == 0 ? count : std::min(count, most_elements);
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i)
+    text += (i ? ", " : "") + element(input.type, input.bytes.data() + i * size);
+  if (shown < count) text += fmt::format(", /* {} more */", count - shown);
+  return text;
+}
+
 std::string to_c(const Command& command, std::size_t most_elements) {
+  return to_c(command, {}, most_elements);
+}
+
+std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements) {
   const std::string_view kinds = parameter_kinds(command.entry);
   std::string text = std::string(name_of(command.entry)) + "(";
-  for (std::size_t i = 0; i < command.arguments.size(); ++i)
-    text +=
-        (i ? ", " : "") + argument(command.arguments[i], i < kinds.size() ? kinds[i] : '.', most_elements);
+  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
+    const std::string given = own ? own(i) : std::string();
+    text += (i ? ", " : "") +
+            (given.empty() ? argument(command.arguments[i], i < kinds.size() ? kinds[i] : '.', most_elements)
+                           : given);
+  }
   return text + ");";
 }
 

@@ -209,6 +209,40 @@ bool Trace::has_output(Ref command) const {
   return results_.at(static_cast<std::size_t>(command.index)).output.has_value();
 }
 
+std::vector<std::byte> Trace::bytes(Ref command) const {
+  const Written& array = output(command);
+  return {array.bytes.begin(),
+          array.bytes.begin() + static_cast<std::ptrdiff_t>(array.count * size_of(array.type))};
+}
+
+void Trace::replace_result(Ref command, std::int64_t value) {
+  results_.at(static_cast<std::size_t>(command.index)).value = value;
+}
+
+void Trace::replace_element(Ref command, std::size_t element, double value) {
+  Written& array = results_.at(static_cast<std::size_t>(command.index)).output.value();
+  if (element >= array.count) throw std::logic_error("no such element");
+  const auto store = [&](auto converted) {
+    std::memcpy(array.bytes.data() + element * sizeof converted, &converted, sizeof converted);
+  };
+  switch (array.type) {
+    case Scalar::u8:
+      return store(static_cast<std::uint8_t>(value));
+    case Scalar::i8:
+      return store(static_cast<std::int8_t>(value));
+    case Scalar::i32:
+      return store(static_cast<std::int32_t>(value));
+    case Scalar::u32:
+      return store(static_cast<std::uint32_t>(value));
+    case Scalar::i64:
+      return store(static_cast<std::int64_t>(value));
+    case Scalar::f32:
+      return store(static_cast<float>(value));
+    case Scalar::f64:
+      return store(value);
+  }
+}
+
 std::size_t Trace::written(Ref command) const {
   const Written& output_array = output(command);
   std::size_t last = output_array.bytes.size();

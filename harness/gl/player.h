@@ -42,6 +42,8 @@ class Trace {
   std::size_t capacity(Ref command) const { return output(command).count; }
   Scalar type(Ref command) const { return output(command).type; }
   bool has_output(Ref command) const;
+  // The array's bytes, guard elements excluded.
+  std::vector<std::byte> bytes(Ref command) const;
   // Same answers, bit for bit: returned value, text and written arrays.
   bool same(Ref a, const Trace& other, Ref b) const;
 
@@ -49,6 +51,11 @@ class Trace {
   const std::vector<GLenum>& left_over_errors() const { return left_over_errors_; }
 
   std::size_t size() const { return results_.size(); }
+
+  // What would have been judged if the command had answered something else: finds the answer that a failure
+  // rests on.
+  void replace_result(Ref command, std::int64_t value);
+  void replace_element(Ref command, std::size_t element, double value);
 
  private:
   friend class Player;

@@ -45,11 +45,11 @@ class Implementation {
 };
 
 struct ImplementationOptions {
-  std::string name;     // see implementation_kinds(); empty: guessed from the library
-  std::string library;  // shared library instead of the usual one; empty: the usual one
+  std::string name = {};     // see implementation_kinds(); empty: guessed from the library
+  std::string library = {};  // shared library instead of the usual one; empty: the usual one
   // What makes the contexts, in the place of `name`: one of context_names(), or the path of a shared library
   // that fills in evalcts_provider.h. With `library` all commands come from there. Empty: as usual.
-  std::string context;
+  std::string context = {};
 };
 
 struct ImplementationKind {

@@ -70,6 +70,8 @@ class VertexJudge {
                        ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
                        : std::numeric_limits<double>::infinity();
     mismatch.condition_aware = std::numeric_limits<double>::infinity();
+    mismatch.got = static_cast<double>(got);
+    mismatch.lowest = mismatch.highest = static_cast<double>(expected);
     judgement_.mismatches.push_back(std::move(mismatch));
   }
 
@@ -99,7 +101,21 @@ class VertexJudge {
     const Rational bound = options_.level == Level::quality ? reference::quality_bound(component)
                                                             : reference::acceptance_bound(component);
     if (!reference::is_within(got, exact, bound) && !(clamped && within_clamped(got, exact, bound)))
-      judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got));
+      judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got, clamped));
+  }
+
+  // The outermost doubles of the interval: no float lies between them and its ends.
+  static void set_interval(Mismatch& mismatch, const Rational& exact, const Rational& bound, bool clamped) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Rational low = exact - bound, high = exact + bound;
+    mismatch.lowest = low.to_double();
+    mismatch.highest = high.to_double();
+    while (std::isfinite(mismatch.lowest) && Rational(mismatch.lowest) < low)
+      mismatch.lowest = std::nextafter(mismatch.lowest, infinity);
+    while (std::isfinite(mismatch.highest) && high < Rational(mismatch.highest))
+      mismatch.highest = std::nextafter(mismatch.highest, -infinity);
+    if (clamped && mismatch.lowest <= 0) mismatch.highest = std::max(mismatch.highest, 0.0);
+    if (clamped && mismatch.highest >= 1) mismatch.lowest = std::min(mismatch.lowest, 1.0);
   }
 
   // The interval clamped like the colour: a value inside it may come back as the end that it was clamped to.
@@ -143,8 +159,10 @@ class VertexJudge {
   }
 
   Mismatch mismatch(std::string what, const Sample& sample, const Rational& exact, const Rational& magnitude,
-                    const Rational& bound, float got) const {
+                    const Rational& bound, float got, bool clamped) const {
     Mismatch mismatch;
+    mismatch.got = static_cast<double>(got);
+    set_interval(mismatch, exact, bound, clamped);
     mismatch.what = std::move(what);
     mismatch.captured = text(got);
     mismatch.exact = reference::describe(exact);
@@ -200,6 +218,9 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
     mismatch.expected = describe(topology.shape);
     mismatch.captured = describe(shape) + (observation.overflow ? " or more" : "");
     mismatch.message = fmt::format("{} came out, {} should have", mismatch.captured, mismatch.expected);
+    mismatch.of = Mismatch::Of::vertices;
+    mismatch.got = static_cast<double>(flat(observation).size());
+    mismatch.lowest = mismatch.highest = static_cast<double>(topology.vertices.size());
     judgement.mismatches.push_back(std::move(mismatch));
     return judgement;  // which vertex is missing or too many is not known: comparing the rest would mislead
   }

@@ -20,6 +20,10 @@ struct Mismatch {
   std::string exact;  // decimal and hex float
   double ulp = 0;
   double condition_aware = 0;
+
+  // The same as numbers: `got` lies outside [lowest, highest].
+  enum class Of { value, vertices, error } of = Of::value;
+  double got = 0, lowest = 0, highest = 0;
 };
 
 struct Judgement {

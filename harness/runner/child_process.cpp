@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 extern char** environ;
 
@@ -22,6 +23,23 @@ std::string describe(const Ending& ending) {
   const char* const name = sigabbrev_np(ending.value);
   const char* const what = sigdescr_np(ending.value);
   return fmt::format("signal {} (SIG{}, {})", ending.value, name ? name : "?", what ? what : "unknown");
+}
+
+std::string shell_line(const std::vector<std::string>& command) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+-@%";
+  std::string line;
+  for (const std::string& word : command) {
+    if (!line.empty()) line += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
 }
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log) {

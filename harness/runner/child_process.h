@@ -17,6 +17,9 @@ struct Ending {
 // "exit code 3", "signal 11 (SIGSEGV, segmentation fault)".
 std::string describe(const Ending& ending);
 
+// A command as one line for a POSIX shell.
+std::string shell_line(const std::vector<std::string>& command);
+
 class ChildProcess {
  public:
   // Standard input is empty; standard output and error are appended to `log` (empty: thrown away). Throws

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/gl/check.h"
 #include "harness/judge/accuracy.h"
 
 namespace evalcts {
@@ -35,6 +36,7 @@ struct Failure {
   std::optional<double> condition_aware;
   std::string capture;
   std::vector<std::string> calls;  // as C
+  std::optional<gl::Check> check;  // for a stand-alone program
 };
 
 struct Record {

@@ -130,23 +130,60 @@ class Run {
                    {"command", request_.command},
                    {"depth", request_.depth},
                    {"seed", request_.seed},
+                   {"timeout", request_.seconds_per_test},
+                   {"suite_command", suite_command()},
                    {"reason", ""},
                    {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
     if (second_pass()) header["pass"] = pass();
     return header;
   }
 
-  std::vector<std::string> suite_command() const {
-    std::vector<std::string> command = {
-        request_.suite_program.string(), "--die-with-parent", "--depth", request_.depth, "--seed",
-        std::to_string(request_.seed)};
+  // What is judged and how, in options that `evalcts run` and the suite program share.
+  std::vector<std::string> shared_options() const {
+    std::vector<std::string> options = {"--depth", request_.depth, "--seed", std::to_string(request_.seed)};
     if (!request_.implementation.name.empty())
-      command.insert(command.end(), {"--implementation", request_.implementation.name});
+      options.insert(options.end(), {"--implementation", request_.implementation.name});
     if (!request_.implementation.library.empty())
-      command.insert(command.end(), {"--library", request_.implementation.library});
+      options.insert(options.end(), {"--library", request_.implementation.library});
     if (!request_.implementation.context.empty())
-      command.insert(command.end(), {"--context", request_.implementation.context});
+      options.insert(options.end(), {"--context", request_.implementation.context});
+    return options;
+  }
+
+  std::vector<std::string> suite_command() const {
+    std::vector<std::string> command = shared_options();
+    command.insert(command.begin(), request_.suite_program.string());
     return command;
+  }
+
+  // What to do next about a failure: judge this test alone, open it in a debugger, make a C program of it.
+  void add_commands(json& record) const {
+    const std::string name = record["name"];
+    // Over a shared context, with the tests that have to come before.
+    std::string filter = name;
+    if (record.contains("history"))
+      for (const std::string before : record["history"]) filter += ":" + before;
+    const std::string usual_name =
+        request_.implementation.name.empty() ? "library" : request_.implementation.name;
+    std::vector<std::string> rerun = shared_options();
+    rerun.insert(rerun.begin(), {request_.program, "run"});
+    if (request_.name != usual_name) rerun.insert(rerun.end(), {"--name", request_.name});
+    if (second_pass()) rerun.push_back("--reuse-context");
+    rerun.insert(rerun.end(), {"--filter", filter});
+    record["rerun"] = shell_line(rerun);
+
+    std::vector<std::string> debug = suite_command();
+    debug.insert(debug.begin(), {"gdb", "--args"});
+    if (second_pass()) debug.push_back("--reuse-context");
+    std::replace(filter.begin(), filter.end(), '-', '?');  // GoogleTest takes what follows '-' as negative
+    debug.push_back("--gtest_filter=" + filter);
+    record["debug"] = shell_line(debug);
+
+    if (second_pass()) return;  // a C program holds one case, not its history
+    std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + name};
+    if (request_.own_output)
+      reproduce.insert(reproduce.end(), {"--results", fs::absolute(request_.output).string()});
+    record["reproducer"] = shell_line(reproduce);
   }
 
   // Asks a child of its own one question. An empty answer comes with a reason.
@@ -154,6 +191,7 @@ class Run {
     const fs::path answer_file = file("scratch", "json");
     fs::remove(answer_file);
     std::vector<std::string> command = suite_command();
+    command.push_back("--die-with-parent");
     command.insert(command.end(), question.begin(), question.end());
     command.insert(command.end(), {"--answer", answer_file.string()});
     ChildProcess child(command, file("log", "txt").string());
@@ -217,7 +255,7 @@ class Run {
     }
     std::vector<std::string> command = suite_command();
     command.insert(command.end(),
-                   {"--tests", list.string(), "--records", events.string(), "--captures",
+                   {"--die-with-parent", "--tests", list.string(), "--records", events.string(), "--captures",
                     captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
     if (trace_cases) command.push_back("--trace-cases");
     if (second_pass()) command.push_back("--reuse-context");
@@ -499,6 +537,7 @@ class Run {
       if (found == records_.end()) continue;
       const std::string verdict = found->second["verdict"];
       summary[verdict] = summary.value(verdict, 0) + 1;
+      if (verdict == "fail" || verdict == "crash" || verdict == "timeout") add_commands(found->second);
       result["tests"].push_back(found->second);
     }
     result["summary"] = summary;

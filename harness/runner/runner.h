@@ -23,8 +23,10 @@ struct RunRequest {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
-  std::filesystem::path output;  // an existing folder
-  std::string command;           // as the user typed it, for the record
+  std::filesystem::path output;     // an existing folder
+  std::string command;              // as the user typed it, for the record
+  std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with
+  bool own_output = false;          // whether the user chose the output folder
   // The one that fits says which tests not to run, and which failures need no search for what they depend on.
   std::vector<Baseline> baselines;
   // The result of the pass with fresh contexts: this is the second pass, over one shared context.

@@ -20,6 +20,7 @@
 
 #include "harness/gl/call_log.h"
 #include "harness/implementations/reused_context.h"
+#include "harness/runner/reproduction.h"
 #include "harness/runner/test.h"
 
 namespace evalcts {
@@ -37,7 +38,7 @@ struct Options {
   bool captures_given = false;
   std::string depth = "full";
   std::uint32_t seed = 1;
-  std::string records, tests, answer, prove;
+  std::string records, tests, answer, prove, reproduce;
   bool describe = false, list = false, trace_cases = false, die_with_parent = false, reuse_context = false;
 };
 
@@ -82,6 +83,7 @@ struct Program {
   std::unique_ptr<Implementation> reused;  // where all tests share a context
   std::size_t cases_left = 0;              // of the test in flight
   std::vector<std::unique_ptr<Capture>> captures;
+  std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<RecordFile> records;
 };
@@ -237,6 +239,8 @@ void parse(int argc, char** argv, Options& options) {
                  "of its cases (a test that is cut short decides nothing)");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
+  app.add_option("--reproduce", options.reproduce,
+                 "write the first failure of the test, or the case in flight, to this file as a C program");
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
@@ -299,6 +303,12 @@ int run(int argc, char** argv) {
     if (options.reuse_context) {
       program.reused = reuse_context(*program.implementation, program.subject.info);
       program.subject.implementation = program.reused.get();
+    }
+    if (!options.reproduce.empty()) {
+      program.reproduction =
+          std::make_unique<Reproduction>(*program.subject.implementation, options.reproduce);
+      program.subject.reproduction = program.reproduction.get();
+      program.subject.implementation = &program.reproduction->implementation();
     }
   }
   for (const Chosen& chosen : tests)

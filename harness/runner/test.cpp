@@ -8,6 +8,7 @@
 
 #include "harness/gl/call_log.h"
 #include "harness/judge/judge.h"
+#include "harness/runner/reproduction.h"
 
 namespace evalcts {
 namespace {
@@ -21,10 +22,15 @@ std::uint32_t hash(std::string_view text) {
   return value;
 }
 
+// As many digits as tell the value, which may be a float, from all others of its type.
+std::string shortest(double value) {
+  const auto single = static_cast<float>(value);
+  return static_cast<double>(single) == value ? fmt::format("{}", single) : fmt::format("{}", value);
+}
+
 std::string list(const std::vector<double>& values) {
   std::string text;
-  for (std::size_t i = 0; i < values.size() && i < 16; ++i)
-    text += fmt::format("{}{:.17g}", i ? ", " : "", values[i]);
+  for (std::size_t i = 0; i < values.size() && i < 16; ++i) text += (i ? ", " : "") + shortest(values[i]);
   if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
   return "{" + text + "}";
 }
@@ -36,6 +42,28 @@ std::string numbers(const gl::Trace& trace, gl::Ref command) {
 
 auto all_calls(const gl::Case& script) {
   return [&script] { return gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1); };
+}
+
+std::vector<std::pair<double, double>> exactly(std::int64_t value) {
+  return {{static_cast<double>(value), static_cast<double>(value)}};
+}
+
+Mismatch wrong_error(GLenum got, GLenum expected) {
+  Mismatch mismatch;
+  mismatch.what = "glGetError";
+  mismatch.expected = gl::error_name(expected);
+  mismatch.captured = gl::error_name(got);
+  mismatch.message =
+      fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
+  mismatch.of = Mismatch::Of::error;
+  mismatch.got = got;
+  mismatch.lowest = mismatch.highest = expected;
+  return mismatch;
+}
+
+gl::Check at_most_written(gl::Ref query, std::size_t count) {
+  return {.answer = {.of = gl::Answer::Of::written, .command = query},
+          .accepted = {{0.0, static_cast<double>(count)}}};
 }
 
 std::vector<TestInfo>& registry() {
@@ -73,15 +101,17 @@ std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
 Played::Played(Test& test, gl::Case script, gl::Trace trace)
     : test_(test), script_(std::move(script)), trace_(std::move(trace)) {}
 
-void Played::fail(gl::Ref command, const std::string& message, const std::string& expected,
+void Played::fail(gl::Check check, const std::string& message, const std::string& expected,
                   const std::string& captured) {
+  const gl::Ref command = check.answer.command;
   Failure failure;
   failure.case_identity = script_.identity();
   failure.message = message;
   failure.what =
       std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
-  failure.expected = expected;
+  failure.expected = check.expected = expected;
   failure.captured = captured;
+  failure.check = std::move(check);
   test_.fail(std::move(failure), [&] { return gl::to_c(script_, 0, command.index); });
 }
 
@@ -96,7 +126,9 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
       script_.commands().at(static_cast<std::size_t>(std::max(get_error.index - 1, 0)));
   const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
-  fail(get_error,
+  gl::Check check{.answer = {.of = gl::Answer::Of::returned, .command = get_error, .is_error = true}};
+  for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
+  fail(std::move(check),
        fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
                    expected),
        expected, captured);
@@ -105,7 +137,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
 void Played::expect_result(gl::Ref command, std::int64_t expected) {
   const std::int64_t got = trace_.result(command);
   if (got == expected) return;
-  fail(command,
+  fail({.answer = {.of = gl::Answer::Of::returned, .command = command}, .accepted = exactly(expected)},
        fmt::format("{} returns {}, expected {}",
                    gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4), got, expected),
        std::to_string(expected), std::to_string(got));
@@ -121,21 +153,27 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
   const std::vector<double> all = all_values(trace_, query);
   const std::size_t written = trace_.written(query);
   const std::string call = gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4);
-  bool same = all.size() >= expected.size();
-  for (std::size_t i = 0; same && i < expected.size(); ++i)
-    same = all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i]);
+  const std::size_t compared = std::min(all.size(), expected.size());
+  std::size_t i = 0;  // the first that is wrong
+  while (i < compared &&
+         (all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i])))
+    ++i;
   if (written > expected.size()) {
-    fail(query, fmt::format("{} writes {} values, expected {}", call, written, expected.size()),
-         list(expected), list(written_values(query)));
-  } else if (!same) {
-    fail(query, fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
+    fail(at_most_written(query, expected.size()),
+         fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
+         list(written_values(query)));
+  } else if (i < expected.size()) {
+    const double margin = relative * std::abs(expected[i]);
+    fail({.answer = {.of = gl::Answer::Of::element, .command = query, .element = i},
+          .accepted = {{expected[i] - margin, expected[i] + margin}}},
+         fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
          list(expected), list(written_values(query)));
   }
 }
 
 void Played::expect_nothing_written(gl::Ref query) {
   if (trace_.written(query) == 0) return;
-  fail(query,
+  fail(at_most_written(query, 0),
        fmt::format("{} writes to its array in spite of the error",
                    gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4)),
        "nothing written", list(written_values(query)));
@@ -146,7 +184,7 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
   const bool array = trace_.has_output(before);
   const std::string was = array ? list(written_values(before)) : numbers(trace_, before);
   const std::string is = array ? list(written_values(after)) : numbers(trace_, after);
-  fail(after,
+  fail({.rule = gl::Check::Rule::same, .answer = {.command = after}, .other = before},
        fmt::format("{} answered {} before and answers {} now",
                    gl::to_c(script_.commands()[static_cast<std::size_t>(after.index)], 4), was, is),
        was, is);
@@ -154,7 +192,9 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
 
 void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
                     const std::string& captured) {
-  if (!holds) fail(command, message, expected, captured);
+  if (!holds)
+    fail({.rule = gl::Check::Rule::unlike, .answer = {.command = command}, .recorded = {command}}, message,
+         expected, captured);
 }
 
 // --- Test ------------------------------------------------------------------------------------------------
@@ -187,6 +227,7 @@ bool Test::cross_checked() const { return subject_.depth == Depth::thorough || h
 // Counts the case and returns it as it is delivered.
 gl::Case Test::begin_case(const gl::Case& script) {
   ++record_.cases;
+  if (subject_.reproduction) subject_.reproduction->begin_case();
   gl::Case delivered = delivery_ ? delivery_->apply(script) : script;
   if (subject_.before_case) subject_.before_case(delivered);
   return delivered;
@@ -208,6 +249,9 @@ Played Test::play(const gl::Case& written) {
     failure.what = "glGetError";
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
+    failure.check = {.answer = {.of = gl::Answer::Of::left_over, .is_error = true},
+                     .accepted = exactly(GL_NO_ERROR),
+                     .what = "an error left behind"};
     fail(std::move(failure), all_calls(script));
   }
   return played;
@@ -277,6 +321,8 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     // The first shows all it can; the others cross-check what the test is about.
     const Attributes wanted = looks.empty() ? capture->attributes() : required;
     Topology topology = topology_of(prediction, *capture);
+    // The explicit primitives are not the case.
+    if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
     looks.push_back({capture, std::move(topology),
                      capture->observe(*subject_.implementation, script, {wanted, room, kinds})});
     note_capture(*capture);
@@ -290,7 +336,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
                                       differs));
   }
 
-  const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch) {
+  const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch, const auto& still) {
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = mismatch.message;
@@ -303,24 +349,36 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
       failure.condition_aware = mismatch.condition_aware;
     }
     failure.capture = capture.name();
+    if (subject_.reproduction) failure.check = subject_.reproduction->check_of(mismatch, still);
     fail(std::move(failure), all_calls(script));
   };
   const auto& [capture, topology, observation] = looks.front();  // the others agree with it
-  if (observation.error_observed && observation.error != prediction.error) {
-    Mismatch mismatch;
-    mismatch.what = "glGetError";
-    mismatch.expected = gl::error_name(prediction.error);
-    mismatch.captured = gl::error_name(observation.error);
-    mismatch.message =
-        fmt::format("the commands leave {} behind, expected {}", mismatch.captured, mismatch.expected);
-    record_failure(*capture, mismatch);
-  }
   const JudgeOptions options{.level = record_.level,
                              .measured = required,
                              .version = 10 * gl().major + gl().minor,
                              .where = script.identity()};
-  const Judgement judgement = judge(prediction, topology, observation, options);
-  for (const Mismatch& mismatch : judgement.mismatches) record_failure(*capture, mismatch);
+  const auto judged = [&, &topology = topology](const Observation& seen) {
+    Judgement judgement = judge(prediction, topology, seen, options);
+    if (seen.error_observed && seen.error != prediction.error)
+      judgement.mismatches.insert(judgement.mismatches.begin(), wrong_error(seen.error, prediction.error));
+    return judgement;
+  };
+  const Judgement judgement = judged(observation);
+  for (const Mismatch& mismatch : judgement.mismatches) {
+    // Whether another run of the same capture leads to the same mismatch, as often (a vertex may come out
+    // several times).
+    const auto times = [&](const std::vector<Mismatch>& all) {
+      return std::count_if(all.begin(), all.end(), [&](const Mismatch& other) {
+        return other.what == mismatch.what && other.captured == mismatch.captured;
+      });
+    };
+    const auto still = [&, capture = capture](Implementation& implementation) {
+      const Observation again =
+          capture->observe(implementation, script, {capture->attributes(), room, kinds});
+      return times(judged(again).mismatches) == times(judgement.mismatches);
+    };
+    record_failure(*capture, mismatch, still);
+  }
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
     record_.accuracy->add(judgement.accuracy);
@@ -328,6 +386,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls) {
+  if (subject_.reproduction) subject_.reproduction->failed(failure);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != record_.cases) ++record_.failed_cases;
   last_failed_case_ = record_.cases;

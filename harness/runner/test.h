@@ -28,6 +28,8 @@ struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+class Reproduction;
+
 // What all tests of a process are run against.
 struct Subject {
   Implementation* implementation = nullptr;
@@ -36,6 +38,7 @@ struct Subject {
   Depth depth = Depth::full;
   std::uint32_t seed = 1;
   std::function<void(const gl::Case&)> before_case;  // may be empty
+  Reproduction* reproduction = nullptr;              // where a C program of the first failure is wanted
 };
 
 class Test;
@@ -74,7 +77,8 @@ class Played {
  private:
   void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
   std::vector<double> written_values(gl::Ref query) const;
-  void fail(gl::Ref command, const std::string& message, const std::string& expected,
+  // `check`: what a C program can decide.
+  void fail(gl::Check check, const std::string& message, const std::string& expected,
             const std::string& captured);
 
   Test& test_;

@@ -49,5 +49,12 @@ TEST(ChildProcess, RefusesWhatIsNoProgram) {
   EXPECT_THROW(ChildProcess({"/nonexistent/program"}, ""), std::runtime_error);
 }
 
+TEST(ShellLine, QuotesWhatAShellWouldTakeApart) {
+  EXPECT_EQ(shell_line({"run", "--filter", "Map1Values.Bezier/TEXTURE_COORD_1"}),
+            "run --filter Map1Values.Bezier/TEXTURE_COORD_1");
+  EXPECT_EQ(shell_line({"", "Map1*", "a b"}), "'' 'Map1*' 'a b'");
+  EXPECT_EQ(shell_line({"a'b; rm $HOME", "~root"}), "'a'\\''b; rm $HOME' '~root'");
+}
+
 }  // namespace
 }  // namespace evalcts

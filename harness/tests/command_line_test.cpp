@@ -75,6 +75,14 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_NE(evalcts({"explain", "Map1State.CopyOnCall/UNMAPPED"}).text.find("EV-MAP1-COPY"),
             std::string::npos);
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
+  EXPECT_NE(evalcts({"explain", "C-MESH1-LINES"}).text.find("Taken here: LINE_STRIP."), std::string::npos);
+  for (const json& requirement : coverage["requirements"])
+    if (requirement["id"] == "EV-ATTR-INDEX") {
+      EXPECT_EQ(requirement["state"], "undecidable");
+      EXPECT_NE(evalcts({"coverage"}).text.find(requirement["reason"].get<std::string>().substr(0, 40)),
+                std::string::npos);
+      EXPECT_NE(evalcts({"explain", "EV-ATTR-INDEX"}).text.find("undecidable"), std::string::npos);
+    }
 }
 
 TEST_F(CommandLine, RunWritesEverything) {
@@ -421,6 +429,127 @@ TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
   drill("start");
   EXPECT_FALSE(fs::exists(folder_ / "records-drill.jsonl"));
   EXPECT_TRUE(fs::exists(folder_ / "results-reference.json"));
+}
+
+// --- evalcts reproduce -------------------------------------------------------------------------------------
+
+class Reproduce : public CommandLine {
+ protected:
+  Outcome start(const std::vector<std::string>& command) {
+    const fs::path log = folder_ / "program.log";
+    fs::remove(log);
+    ChildProcess child(command, log.string());
+    const auto ending = child.wait(60);
+    std::ifstream file(log);
+    return {ending && !ending->signalled ? ending->value : -1,
+            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+  }
+
+  // Writes and builds the program with the line that evalcts prints, without starting it.
+  void write_and_build(const std::string& failure) {
+    const std::string file = (folder_ / "x.c").string();
+    const Outcome written = evalcts({"reproduce", failure, "--results", folder_.string(), "--output", file});
+    ASSERT_EQ(written.code, 0) << written.text;
+    const std::size_t begin = written.text.find("  cc "), end = written.text.find(" && ", begin);
+    ASSERT_NE(end, std::string::npos) << written.text;
+    const std::string line = "cc " CC_OPTIONS + written.text.substr(begin + 4, end - begin - 4);
+    const Outcome built = start({"/bin/sh", "-c", line});
+    ASSERT_EQ(built.code, 0) << built.text;
+  }
+  Outcome program(const std::string& library = {}) {
+    std::vector<std::string> command = {(folder_ / "x").string()};
+    if (!library.empty()) command.push_back(library);
+    return start(command);
+  }
+};
+
+// From the run to the C program: it shows the failure of the library that was judged, and no failure of a
+// right one.
+TEST_F(Reproduce, AFailureBecomesACProgram) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
+  const json test = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_NE(
+      test["reproducer"].get<std::string>().find(" reproduce drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f "),
+      std::string::npos)
+      << test["reproducer"];
+  write_and_build("drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  const Outcome shown = program();
+  EXPECT_EQ(shown.code, 1);
+  EXPECT_NE(shown.text.find("glGetError(): expected GL_INVALID_VALUE, got GL_NO_ERROR\nthe failure shows"),
+            std::string::npos)
+      << shown.text;
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  const Outcome sound = program(DRILL_LIBRARY);
+  EXPECT_EQ(sound.code, 0) << sound.text;
+  EXPECT_EQ(program("/absent.so").code, 2);
+  EXPECT_EQ(program("libm.so.6").code, 2);
+}
+
+TEST_F(Reproduce, ACrashAndAHangAsWell) {
+  for (const std::string way : {"crash", "abort", "hang"}) {
+#ifdef __SANITIZE_ADDRESS__
+    if (way == "crash") continue;  // there it crashes past every handler
+#endif
+    ASSERT_EQ(drill(way, {"--filter", kVictim, "--timeout", "2"}).code, 1);
+    write_and_build("MAP1_INDEX_f");  // a part of the name is enough
+    const Outcome shown = program();
+    EXPECT_EQ(shown.code, 1) << way << shown.text;
+    EXPECT_NE(shown.text.find("the failure shows"), std::string::npos) << shown.text;
+    setenv("EVALCTS_DRILL", "nothing", 1);
+    EXPECT_EQ(program().code, 0);
+  }
+}
+
+// What a capture saw, with its shader or feedback buffer: a known failure of Mesa, where that is installed.
+TEST_F(Reproduce, WhatACaptureSaw) {
+  const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
+  const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",
+                               "--output", folder_.string(), "--baseline", "none"});
+  if (test_named(results("osmesa"), test).value("verdict", "") != "fail") GTEST_SKIP() << run.text;
+  write_and_build(test);
+  const Outcome shown = program();
+  EXPECT_EQ(shown.code, 1) << shown.text;
+  EXPECT_NE(shown.text.find("normal.x of vertex 0: expected 0.6"), std::string::npos) << shown.text;
+}
+
+// The commands beside a failure work as they stand there.
+TEST_F(Reproduce, RerunIsRight) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f", "--seed", "7"}).code, 1);
+  const json before = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  const Outcome again =
+      start({"/bin/sh", "-c", before["rerun"].get<std::string>() + " --output " + folder_.string()});
+  EXPECT_EQ(again.code, 1) << again.text;
+  ASSERT_EQ(results("drill")["tests"].size(), 1u);
+  const json after = results("drill")["tests"][0];
+  EXPECT_EQ(after["seed"], 7);
+  EXPECT_EQ(after["message"], before["message"]);
+  EXPECT_NE(before["debug"].get<std::string>().find("gdb --args "), std::string::npos);
+  const Outcome debugged =
+      start({"/bin/sh", "-c", before["debug"].get<std::string>().substr(std::string("gdb --args ").size())});
+  EXPECT_EQ(debugged.code, 1);
+  EXPECT_NE(debugged.text.find("1 FAILED TEST"), std::string::npos) << debugged.text;
+}
+
+TEST_F(Reproduce, WrongUseSaysWhatToDo) {
+  const auto answer = [&](const std::string& failure) {
+    return evalcts({"reproduce", failure, "--results", folder_.string()});
+  };
+  EXPECT_EQ(answer("x").code, 2);
+  EXPECT_NE(answer("x").text.find("there are no results"), std::string::npos);
+  drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*"});
+  EXPECT_EQ(answer("no such test").code, 2);
+  EXPECT_NE(answer("no such test").text.find("drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"),
+            std::string::npos)
+      << answer("no such test").text;
+  EXPECT_NE(answer("Map1Errors.StrideBelowK/MAP1_VERTEX_4_f").text.find("did not fail in that run"),
+            std::string::npos);
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  const Outcome passes = answer("drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_EQ(passes.code, 2);
+  EXPECT_NE(passes.text.find("passes now"), std::string::npos) << passes.text;
+  std::ofstream(folder_ / "results-broken.json") << "{";
+  EXPECT_NE(answer("x").text.find("results-broken.json holds no results"), std::string::npos);
+  EXPECT_EQ(evalcts({"reproduce"}).code, 2);
 }
 
 // A child of any of the process's threads; 0 if there is none.

@@ -134,7 +134,7 @@ class ReusedContexts : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     try {
-      implementation_ = open_implementation({GetParam(), ""});
+      implementation_ = open_implementation({.name = GetParam()});
     } catch (const CannotStart& reason) {
       GTEST_SKIP() << reason.what();
     }

@@ -194,6 +194,14 @@ data card(const Column& column) {
   return out;
 }
 
+void add_command(data& commands, const char* purpose, const std::string& command) {
+  if (command.empty()) return;
+  data item;
+  item.set("purpose", purpose);
+  item.set("command", command);
+  commands << item;
+}
+
 data failure_view(const Failure& failure, bool open) {
   data out;
   out.set("open", open);
@@ -239,21 +247,17 @@ data outcome_view(const TestResult& test, const Column& column, bool several) {
   for (const Failure& failure : test.failures)
     failures << failure_view(failure, &failure == &test.failures.front());
   out.set("failures", failures);
-  const Record& record = column.record;
-  std::vector<std::string> needed = test.history;
-  needed.push_back(test.name);
-  out.set("run", fmt::format("./evalcts run --implementation {} {}--filter {}",
-                             shell_quote(record.implementation.name),
-                             record.pass.empty() ? "" : "--reuse-context ", shell_quote(join(needed, ":"))));
-  out.set("reproducer", optional_text(test.reproducer));
+  data commands = list();
+  add_command(commands, "Run just this test", test.rerun);
+  add_command(commands, "Open it in a debugger", test.debug);
+  add_command(commands, "Make a C program of it", test.reproducer);
+  out.set("commands", commands);
   return out;
 }
 
 data requirement_view(const std::string& id, const Requirements& catalogue) {
-  auto it = catalogue.find(id);
-  // "ID/1-D" is one half of a requirement.
-  if (it == catalogue.end()) it = catalogue.find(id.substr(0, id.find('/')));
-  const Requirement requirement = it == catalogue.end() ? Requirement{} : it->second;
+  const Requirement* found = find_requirement(catalogue, id);
+  const Requirement requirement = found ? *found : Requirement{};
   data out;
   out.set("id", id);
   out.set("section", optional_text(requirement.section));

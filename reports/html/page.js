@@ -1,4 +1,4 @@
-// Filters, links that open what they lead to, and printing with the failures open. The page reads without it.
+// Filters, commands to copy, links that open what they lead to, and printing with the failures open. The page reads without it.
 'use strict';
 (() => {
   const byId = (id) => document.getElementById(id);
@@ -46,6 +46,18 @@
   addEventListener('hashchange', openTarget);
   filter();
   openTarget();
+
+  // A page opened from disk may have no clipboard; the command can be selected as well.
+  if (navigator.clipboard) {
+    for (const button of document.querySelectorAll('.copy')) {
+      button.hidden = false;
+      button.addEventListener('click', async () => {
+        await navigator.clipboard.writeText(button.parentElement.querySelector('code').textContent);
+        button.textContent = 'Copied';
+        setTimeout(() => { button.textContent = 'Copy'; }, 2000);
+      });
+    }
+  }
 
   let opened = [];
   addEventListener('beforeprint', () => {

@@ -46,7 +46,9 @@ std::string details(const TestResult& test) {
     line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
   line("history", join(test.history, ", "));
-  line("reproducer", test.reproducer);
+  line("run just this test", test.rerun);
+  line("open it in a debugger", test.debug);
+  line("make a C program of it", test.reproducer);
   for (const Failure& failure : test.failures) {
     out += "\n";
     line("case", failure.case_name);

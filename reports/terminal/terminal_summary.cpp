@@ -10,8 +10,9 @@
 namespace evalcts::reports {
 namespace {
 
-constexpr std::size_t kColumns = 100, kLines = 24;
-constexpr std::size_t kTestsOfGroup = 3;  // more tests of one requirement tell little that is new
+constexpr std::size_t kColumns = 100;
+constexpr std::size_t kMostInFull = 8;     // failures, where not all were asked for
+constexpr std::size_t kMostOfSource = 24;  // columns
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
 
@@ -30,13 +31,13 @@ class Screen {
   void line(const std::string& text, Colour colour = Colour::kNone) {
     const std::string shown = cut_lines_ ? cut(one_line(text), kColumns) : one_line(text);
     out_ += paint(shown, colour) + "\n";
-    ++lines_;
+  }
+  // For commands: they have to work when they are copied.
+  void uncut(const std::string& text, Colour colour = Colour::kNone) {
+    out_ += paint(one_line(text), colour) + "\n";
   }
   // Never cut: the end says what to do.
-  void whole_line(const std::string& text, Colour colour) {
-    out_ += paint(one_line(text), colour) + "\n";
-    ++lines_;
-  }
+  void whole_line(const std::string& text, Colour colour) { out_ += paint(one_line(text), colour) + "\n"; }
   // "head: part, part" on as many lines as that takes: no part is lost.
   void list(const std::string& head, const std::vector<std::string>& parts) {
     std::string pending = head;
@@ -51,7 +52,6 @@ class Screen {
     }
     line(pending);
   }
-  std::size_t lines() const { return lines_; }
   const std::string& text() const { return out_; }
 
  private:
@@ -63,32 +63,26 @@ class Screen {
 
   bool colour_, cut_lines_;
   std::string out_;
-  std::size_t lines_ = 0;
 };
 
-// Failing tests that decide the same requirements, worst first.
-struct Group {
-  std::string requirements;
+// One test of each requirement first, then the second of each, and so on: more tests of one requirement tell
+// little that is new.
+std::vector<const TestResult*> one_of_each(const std::vector<const TestResult*>& worst_first) {
+  std::map<std::vector<std::string>, std::size_t> seen;
+  std::vector<std::pair<std::size_t, const TestResult*>> order;
+  for (const TestResult* test : worst_first) order.emplace_back(seen[test->requirements]++, test);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<const TestResult*> tests;
-  int severity() const { return tests.front()->severity(); }
-};
-
-std::vector<Group> group_by_requirement(const std::vector<const TestResult*>& worst_first) {
-  std::vector<Group> groups;
-  std::map<std::string, std::size_t> index;
-  for (const TestResult* test : worst_first) {
-    const std::string key =
-        test->requirements.empty() ? "(no requirement recorded)" : join(test->requirements, ", ");
-    const auto [it, inserted] = index.emplace(key, groups.size());
-    if (inserted) groups.push_back({key, {}});
-    groups[it->second].tests.push_back(test);
-  }
-  return groups;  // in the order of their first, that is their worst, test
+  for (const auto& [number, test] : order) tests.push_back(test);
+  return tests;
 }
 
+// A test in one line.
 std::string test_line(const TestResult& test) {
-  std::string out = fmt::format("  {:<15} {}", text_of(test.verdict).word, test.name);
-  if (test.expected_bad()) out += " (expected)";
+  std::string out = fmt::format("{:<15} {}", text_of(test.verdict).word, test.name);
+  if (test.expected_bad())
+    out += " (expected" + (test.baseline_reason.empty() ? "" : ": " + test.baseline_reason) + ")";
   if (test.unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
   if (test.failed_cases.value_or(0) && test.cases)
     out += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
@@ -96,48 +90,49 @@ std::string test_line(const TestResult& test) {
   return out;
 }
 
-void write_failure(Screen& screen, const Failure& failure) {
-  std::vector<std::string> where;
-  if (!failure.case_name.empty()) where.push_back(failure.case_name);
-  if (!failure.what.empty()) where.push_back(failure.what);
-  std::string first = "      " + join(where, "; ");
+// "position.x of vertex 3: expected [0.25, 0.2501], got 0.3 (1.7e+06 ULP)"
+std::string comparison(const Failure& failure, const TestResult& test) {
+  if (failure.expected.empty() && failure.captured.empty())
+    return failure.message.empty() ? test.message : failure.message;
+  std::string out = failure.what.empty() ? "" : failure.what + ": ";
+  out += "expected " + (failure.expected.empty() ? "another answer" : failure.expected);
+  if (!failure.captured.empty()) out += ", got " + failure.captured;
   const std::string far = distance(failure.ulp, failure.condition_aware);
-  if (!far.empty()) first += (where.empty() ? "" : ": ") + far;
-  if (where.empty() && far.empty()) first += failure.message;
-  screen.line(first);
-  std::string second;
-  if (!failure.expected.empty()) second = "expected " + failure.expected;
-  if (!failure.captured.empty()) second += (second.empty() ? "captured " : ", captured ") + failure.captured;
-  if (!second.empty()) screen.line("      " + second);
+  return far.empty() ? out : out + " (" + far + ")";
 }
 
-void write_group(Screen& screen, const Group& group, bool verbose) {
-  screen.line(group.requirements, Colour::kBold);
-  const std::size_t shown = verbose ? group.tests.size() : std::min(group.tests.size(), kTestsOfGroup);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const TestResult& test = *group.tests[i];
-    screen.line(test_line(test), colour_of(test.verdict));
-    if (verbose && !test.baseline_reason.empty()) screen.line("      baseline: " + test.baseline_reason);
-    if (verbose) {
-      for (const Failure& failure : test.failures) write_failure(screen, failure);
-    }
-  }
-  if (shown < group.tests.size()) {
-    screen.line(fmt::format("  and {} more of this requirement", count(group.tests.size() - shown, "test")));
-  }
-  if (verbose) return;
-  for (const TestResult* test : group.tests) {
-    if (const Failure* failure = test->most_telling()) {
-      write_failure(screen, *failure);
-      return;
-    }
-  }
+// "EV-MAP1-COPY: the text of the requirement... [GL 2.1 5.1]" in one line.
+std::string demand(const TestResult& test, const Requirements& catalogue) {
+  if (test.requirements.empty()) return "no requirement recorded";
+  const std::string& id = test.requirements.front();
+  std::string others;
+  if (test.requirements.size() > 1) others = fmt::format(" (and {} more)", test.requirements.size() - 1);
+  const Requirement* requirement = find_requirement(catalogue, id);
+  if (!requirement) return join(test.requirements, ", ");
+  const std::string source =
+      requirement->source.empty() ? "" : " [" + cut(requirement->source, kMostOfSource) + "]";
+  const std::string head = "  why: " + id + others + ": ";
+  const std::size_t used = std::min(head.size() + source.size(), kColumns - 3);
+  return id + others + ": " + cut(one_line(requirement->text), kColumns - used) + source;
 }
 
-std::size_t lines_of(const Group& group) {
-  Screen probe(false, true);
-  write_group(probe, group, false);
-  return probe.lines();
+// An unexpected failure in five lines.
+void write_in_full(Screen& screen, const TestResult& test, const Requirements& catalogue, bool all_cases) {
+  const Failure none{};
+  const Failure& failure = test.failures.empty() ? none : test.failures.front();
+  std::string first = fmt::format("{:<8} {}", text_of(test.verdict).word, test.name);
+  if (test.failed_cases.value_or(0) && test.cases)
+    first += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
+  if (!failure.case_name.empty()) first += ", " + failure.case_name;
+  screen.line(first, colour_of(test.verdict));
+  screen.line("  " + comparison(failure, test));
+  screen.line("  why: " + demand(test, catalogue));
+  if (!test.rerun.empty()) screen.uncut("  rerun: " + test.rerun);
+  if (!test.reproducer.empty() || !test.debug.empty())
+    screen.uncut(fmt::format("  C program: {}   debugger: {}", test.reproducer, test.debug));
+  if (!all_cases) return;
+  for (std::size_t i = 1; i < test.failures.size(); ++i)
+    screen.line(fmt::format("    {}: {}", test.failures[i].case_name, comparison(test.failures[i], test)));
 }
 
 void write_head(Screen& screen, const Record& record) {
@@ -194,38 +189,49 @@ void write_captures(Screen& screen, const Record& record) {
 
 }  // namespace
 
-std::string terminal_summary(const nlohmann::json& result, bool colour, bool verbose) {
+std::string terminal_summary(const nlohmann::json& result, const nlohmann::json& requirements, bool colour,
+                             bool verbose) {
   const Record record = read_record(result);
+  const Requirements catalogue = read_requirements(requirements);
   Screen screen(colour, !verbose);
   write_head(screen, record);
 
-  std::vector<const TestResult*> told;
+  std::vector<const TestResult*> failing, others;  // in full; in one line
   for (const TestResult& test : record.tests) {
-    if (verbose ? test.bad() || test.unexpected() || test.verdict == Verdict::kQualityWarning
-                : test.unexpected()) {
-      told.push_back(&test);
+    if (test.bad() && test.unexpected()) {
+      failing.push_back(&test);
+    } else if (test.unexpected() || (verbose && (test.bad() || test.verdict == Verdict::kQualityWarning))) {
+      others.push_back(&test);
     }
   }
-  std::stable_sort(told.begin(), told.end(),
-                   [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); });
+  const auto worse = [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); };
+  std::stable_sort(failing.begin(), failing.end(), worse);
+  std::stable_sort(others.begin(), others.end(), worse);
+  failing = one_of_each(failing);
 
-  // A blank line, the groups left out, stale entries, the verdict of the run.
-  const std::size_t end_lines = 3 + (record.stale_baseline_entries.empty() ? 0 : 1);
-  std::size_t tests_left = told.size();
-  if (!told.empty()) screen.line("");
-  for (const Group& group : group_by_requirement(told)) {
-    if (!verbose && screen.lines() + lines_of(group) + end_lines > kLines) break;
-    write_group(screen, group, verbose);
-    tests_left -= group.tests.size();
+  std::size_t left = 0;
+  if (!verbose && failing.size() > kMostInFull) {
+    left += failing.size() - kMostInFull;
+    failing.resize(kMostInFull);
   }
+  if (!verbose && others.size() > kMostInFull) {
+    left += others.size() - kMostInFull;
+    others.resize(kMostInFull);
+  }
+  for (const TestResult* test : failing) {
+    screen.line("");
+    write_in_full(screen, *test, catalogue, verbose);
+  }
+  if (!others.empty()) screen.line("");
+  for (const TestResult* test : others) screen.line(test_line(*test), colour_of(test->verdict));
   if (verbose) {
     write_not_judged(screen, record);
     write_captures(screen, record);
   }
 
   screen.line("");
-  if (tests_left)
-    screen.line("and " + count(tests_left, "unexpected result") + " more; --verbose and index.html show all");
+  if (left)
+    screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);

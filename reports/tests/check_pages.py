@@ -70,10 +70,8 @@ class Html(unittest.TestCase):
 
     def test_hostile_text_is_only_text(self):
         page = Page(FOLDER / "hostile.html")
-        # Each place shows it whole; in the command for each of 5 tests and 2 records it stands twice, quoted.
         self.assertGreater(page.text.count(HOSTILE), 200)
-        self.assertEqual(page.text.count(HOSTILE.replace("'", "'\\''")), 20)
-        self.assertEqual(page.text.count(HOSTILE) + 20, page.text.count(HOSTILE_END))
+        self.assertEqual(page.text.count(HOSTILE), page.text.count(HOSTILE_END))
         for character in page.text:
             self.assertTrue(character in "\n\t" or character >= " ", repr(character))
 
@@ -86,6 +84,8 @@ class Html(unittest.TestCase):
             "FeedbackBuffer",
             "glEvalCoord1f(0x1.8p+0f);",
             "./evalcts run --implementation osmesa --filter Map1Values.Bezier/TEXTURE_COORD_1/d",
+            "gdb --args build/evalcts-suite --implementation osmesa --gtest_filter=Map2Output.FillOrder",
+            "./evalcts reproduce osmesa:Map2Output.FillOrder",
             "The argument is mapped affinely: uh = (u - u1)/(u2 - u1).",
             "Expected by the baseline: Mesa checks the stride after the pointer",
             "not available: not in this process",

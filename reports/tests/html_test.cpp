@@ -100,9 +100,11 @@ TEST(Html, DifferentNamesGiveDifferentAnchors) {
   EXPECT_TRUE(contains(page, "id=\"test-A~7E20b\""));
 }
 
-TEST(Html, CommandForAHostileNameIsQuoted) {
-  const std::string page = html({named("x", {{{"name", "A.b; rm -r"}, {"verdict", "pass"}}})}, nullptr);
-  EXPECT_TRUE(contains(page, "--implementation x --filter &apos;A.b; rm -r&apos;"));
+TEST(Html, CommandsStandAsRecorded) {
+  const std::string page =
+      html({named("x", {{{"name", "A.b"}, {"verdict", "fail"}, {"rerun", "run --filter 'A.b; rm -r'"}}})},
+           nullptr);
+  EXPECT_TRUE(contains(page, "<code>run --filter &apos;A.b; rm -r&apos;</code>"));
 }
 
 TEST(Html, LoadsNothing) {

@@ -194,18 +194,6 @@ TEST(Record, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
-TEST(Record, MostTellingFailureHasBothValuesAndTheLargestDistance) {
-  const Record record = read_record(record_of(
-      {{"verdict", "fail"},
-       {"failures",
-        {{{"case", "a"}, {"ulp", 900.0}},
-         {{"case", "b"}, {"expected", "1"}, {"captured", "2"}, {"ulp", 800.0}, {"condition_aware", 1.0}},
-         {{"case", "c"}, {"expected", "1"}, {"captured", "3"}, {"ulp", 2.0}, {"condition_aware", 1.5}},
-         {{"case", "d"}, {"expected", "1"}, {"captured", "3"}, {"ulp", 2.0}, {"condition_aware", 1.5}}}}}));
-  EXPECT_EQ(record.tests[0].most_telling()->case_name, "c");
-  EXPECT_EQ(read_record(record_of({{"verdict", "crash"}})).tests[0].most_telling(), nullptr);
-}
-
 TEST(Requirements, Read) {
   EXPECT_TRUE(read_requirements(nullptr).empty());
   const Requirements requirements = read_requirements(read_sample("requirements.json"));

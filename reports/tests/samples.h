@@ -28,10 +28,17 @@ inline nlohmann::json hostile_record() {
   const json failure = {{"case", text},     {"message", text}, {"what", text},    {"expected", text},
                         {"captured", text}, {"exact", text},   {"capture", text}, {"calls", {text, text}}};
   const auto test = [&](const std::string& name, const char* verdict) {
-    return json{
-        {"name", name},          {"requirements", {text}}, {"level", "must"},
-        {"verdict", verdict},    {"message", text},        {"baseline_reason", text},
-        {"failures", {failure}}, {"reproducer", text},     {"accuracy", {{"values", 1}, {"worst", text}}}};
+    return json{{"name", name},
+                {"requirements", {text}},
+                {"level", "must"},
+                {"verdict", verdict},
+                {"message", text},
+                {"baseline_reason", text},
+                {"failures", {failure}},
+                {"rerun", text},
+                {"debug", text},
+                {"reproducer", text},
+                {"accuracy", {{"values", 1}, {"worst", text}}}};
   };
   return {{"format", "evalcts-results-1"},
           {"evalcts_version", text},

@@ -53,13 +53,5 @@ TEST(Text, Numbers) {
   EXPECT_EQ(count(1, "test"), "1 test");
 }
 
-TEST(Text, ShellQuote) {
-  EXPECT_EQ(shell_quote("Map1Values.Bezier/TEXTURE_COORD_1"), "Map1Values.Bezier/TEXTURE_COORD_1");
-  EXPECT_EQ(shell_quote(""), "''");
-  EXPECT_EQ(shell_quote("Map1*"), "'Map1*'");
-  EXPECT_EQ(shell_quote("a'b; rm $HOME"), "'a'\\''b; rm $HOME'");
-  EXPECT_EQ(shell_quote("~root"), "'~root'");
-}
-
 }  // namespace
 }  // namespace evalcts::reports

@@ -44,7 +44,7 @@ void write_files(const std::filesystem::path& folder, const std::vector<std::str
   for (std::size_t i = 1; i < files.size(); ++i) {
     results.push_back(read(files[i]));
     write(folder / ("junit-" + std::to_string(i) + ".xml"), evalcts::reports::junit(results.back()));
-    std::cout << evalcts::reports::terminal_summary(results.back(), false, false) << '\n';
+    std::cout << evalcts::reports::terminal_summary(results.back(), nullptr, false, false) << '\n';
   }
   write(folder / "index.html", evalcts::reports::html(results, files[0] == "-" ? json() : read(files[0])));
 }

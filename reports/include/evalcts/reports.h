@@ -42,11 +42,14 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
 // that it never looks whole; a run that never started is one skipped testcase. Throws FormatError.
 std::string junit(const nlohmann::json& result);
 
-// What to read first after a run, worst first: counts, then the unexpected failures grouped by requirement,
-// each with its most telling failing case. Without verbose it stays within 24 lines of 100 columns; with
-// verbose all failing tests (also those the baseline expects), all their recorded cases, and what was not
-// judged and why. colour: ANSI colour sequences; the words stand there with and without. Ends with a newline.
-// Throws FormatError.
-std::string terminal_summary(const nlohmann::json& result, bool colour, bool verbose);
+// What to read first after a run, worst first: counts, then each unexpected failure in five lines (the test
+// and its case; what was expected and what came; which requirement says so; the command that runs just it;
+// the commands that open it in a debugger and make a C program of it), one of each requirement before the
+// second of any. Without verbose at most 8 failures, on lines of 100 columns; the commands are never cut.
+// With verbose all unexpected failures, all their recorded cases, those that the baseline expects (one line
+// each), and what was not judged and why. requirements: as for html. colour: ANSI colour sequences; the words
+// stand there with and without. Ends with a newline. Throws FormatError.
+std::string terminal_summary(const nlohmann::json& result, const nlohmann::json& requirements, bool colour,
+                             bool verbose);
 
 }  // namespace evalcts::reports

@@ -1,0 +1,313 @@
+// evalcts reproduce: a failure of the last run as a stand-alone C program.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <optional>
+
+#include "harness/cli/catalogue.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/wrap.h"
+#include "harness/runner/child_process.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr double kLook = 0.1;         // seconds between two looks at the child
+constexpr double kStartSeconds = 60;  // for contexts and captures, before the test itself
+constexpr std::size_t kMostSuggested = 10;
+
+// What keeps a reproducer from being written; the message says what to do.
+struct CannotReproduce : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Candidate {
+  json run;  // without its tests
+  json test;
+  std::string label() const { return run["implementation"]["name"]; }
+  std::string name() const { return test["name"]; }
+  std::string full_name() const { return label() + ":" + name(); }
+  bool failed() const {
+    const std::string verdict = test.value("verdict", "");
+    return verdict == "fail" || verdict == "crash" || verdict == "timeout";
+  }
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// Every test of every result file in the folder.
+std::vector<Candidate> recorded_tests(const fs::path& folder) {
+  std::vector<Candidate> tests;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with("results-") || entry.path().extension() != ".json") continue;
+    json run = json::parse(text_of(entry.path()), nullptr, false);
+    if (!run.is_object() || run.value("format", "") != "evalcts-results-1" || !run["tests"].is_array()) {
+      std::cerr << fmt::format("evalcts: {} holds no results; left out\n", entry.path().string());
+      continue;
+    }
+    if (run.contains("pass")) continue;  // fails after others only: no program of one case shows that
+    const json list = std::move(run["tests"]);
+    run.erase("tests");
+    for (const json& test : list) tests.push_back({run, test});
+  }
+  if (tests.empty())
+    throw CannotReproduce(
+        fmt::format("there are no results in '{}'; 'evalcts run' first, or name the folder with "
+                    "--results",
+                    folder.string()));
+  std::sort(tests.begin(), tests.end(),
+            [](const Candidate& a, const Candidate& b) { return a.full_name() < b.full_name(); });
+  return tests;
+}
+
+std::string suggestions(const std::vector<Candidate>& tests) {
+  std::string text;
+  for (std::size_t i = 0; i < tests.size() && i < kMostSuggested; ++i) text += "\n  " + tests[i].full_name();
+  if (tests.size() > kMostSuggested) text += fmt::format("\n  and {} more", tests.size() - kMostSuggested);
+  return text;
+}
+
+// The one failing test that is meant.
+Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
+  std::vector<Candidate> failing, exact, part;
+  bool exists = false;
+  for (const Candidate& test : tests) {
+    const bool same = wanted == test.name() || wanted == test.full_name();
+    exists = exists || same;
+    if (!test.failed()) continue;
+    failing.push_back(test);
+    if (same) exact.push_back(test);
+    if (test.full_name().find(wanted) != std::string::npos) part.push_back(test);
+  }
+  const std::vector<Candidate>& matching = exact.empty() ? part : exact;
+  if (matching.size() == 1) return matching.front();
+  if (matching.size() > 1)
+    throw CannotReproduce(fmt::format("'{}' names {} failures; name one of them:{}", wanted, matching.size(),
+                                      suggestions(matching)));
+  if (exists) throw CannotReproduce(fmt::format("{} did not fail in that run", wanted));
+  throw CannotReproduce(failing.empty() ? "nothing failed in that run"
+                                        : fmt::format("no failing test is called '{}'; these failed:{}",
+                                                      wanted, suggestions(failing)));
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "evalcts-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+// What the suite program made of the test, once more.
+struct Replayed {
+  json record;  // null where the process died or hung in it
+  bool hung = false;
+  std::string ending;
+  std::string program;  // C
+};
+
+// Whether the test has begun; its record once there is one.
+bool read_events(const fs::path& path, json& record) {
+  bool started = false;
+  std::ifstream records(path);
+  for (std::string line; std::getline(records, line);) {
+    const json event = json::parse(line, nullptr, false);
+    if (!event.is_object()) continue;
+    started = started || event.value("event", "") == "start";
+    if (event.value("event", "") == "result") record = event["record"];
+  }
+  return started;
+}
+
+Replayed replay(const Candidate& failure) {
+  if (!failure.run.contains("suite_command"))
+    throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
+                          failure.test.value("rerun", "evalcts run"));
+  const TemporaryFolder folder;
+  std::vector<std::string> command = failure.run["suite_command"];
+  command.front() = places().suite_program.string();
+  std::string captures;
+  for (const json& capture : failure.run["implementation"].value("captures", json::array()))
+    if (capture.value("available", false))
+      captures += (captures.empty() ? "" : ",") + capture.value("name", "");
+  std::ofstream(folder / "tests") << failure.name() << "\n";
+  command.insert(command.end(),
+                 {"--die-with-parent", "--tests", (folder / "tests").string(), "--records",
+                  (folder / "records").string(), "--captures", captures.empty() ? "none" : captures,
+                  "--reproduce", (folder / "program.c").string()});
+  Replayed result;
+  bool started = false;
+  {
+    ChildProcess child(command, (folder / "log").string());
+    const double seconds = failure.run.value("timeout", 60.0);
+    double waited = 0;
+    std::optional<Ending> ending;
+    while (!(ending = child.wait(kLook)) && waited < (started ? seconds : kStartSeconds)) {
+      waited += kLook;
+      if (!started && read_events(folder / "records", result.record)) {
+        started = true;
+        waited = 0;
+      }
+    }
+    result.hung = !ending;
+    if (ending) result.ending = describe(*ending);
+  }
+  started = read_events(folder / "records", result.record);
+  result.program = text_of(folder / "program.c");
+  if (!started)
+    throw CannotReproduce(
+        fmt::format("{} does not start any more:\n{}", failure.label(), text_of(folder / "log")));
+  return result;
+}
+
+// Text for a C comment.
+std::string comment(const std::string& text) {
+  std::string out = " * " + wrapped(text, 96, " * ", 3);
+  for (const char* mark : {"*/", "/*"})
+    for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.insert(at + 1, " ");
+  return out + "\n";
+}
+
+std::string head(const Candidate& failure, const Replayed& replayed, const std::string& compile) {
+  const bool dead = replayed.record.is_null();
+  const json& test = dead ? failure.test : replayed.record;
+  const json cases = test.value("failures", json::array());
+  std::string text = "/*\n" + comment(fmt::format("{} on {}: {}", failure.name(), failure.label(),
+                                                  failure.test.value("verdict", "")));
+  if (!cases.empty()) text += comment("Case: " + cases.front().value("case", ""));
+  text += " *\n" + comment(test.value("message", ""));
+  for (const std::string id : failure.test["requirements"])
+    for (const json& requirement : catalogue()["requirements"])
+      if (requirement["id"] == id.substr(0, id.find('/')))
+        text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement["text"].get<std::string>(),
+                                             requirement["source"].get<std::string>()));
+  text += " *\n *   " + compile + "\n *\n" +
+          comment(
+              "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start. The argument, if "
+              "there is one, is another library to try it on.") +
+          " */\n";
+  if (replayed.hung || failure.test.value("verdict", "") == "timeout")
+    text += fmt::format("#define SECONDS {} /* until this counts as a hang */\n",
+                        std::clamp(static_cast<int>(failure.run.value("timeout", 10.0)), 1, 10));
+  return text;
+}
+
+std::string file_name(std::string test) {
+  for (char& c : test)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_' && c != '-') c = '-';
+  return "reproduce-" + test + ".c";
+}
+
+// A path as short as it can be from here.
+std::string from_here(const fs::path& path) {
+  const std::string relative = fs::proximate(path).string();
+  return relative.size() < path.string().size() ? relative : path.string();
+}
+
+// One line for the shell; the paths are `source` and the same without its extension.
+std::string compile_line(const Candidate& failure, const std::string& source) {
+  const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
+  std::vector<std::string> command = {"cc", "-o", program, source};
+  const std::vector<std::string> options = failure.run["suite_command"];
+  if (std::find(options.begin(), options.end(), "production") != options.end()) {
+    const Places where = places();
+    if (where.production_library.empty()) {
+      command.push_back("-lglevaluator");
+    } else {
+      command.insert(command.end(), {"-DGLEV_STATIC", "-I" + where.production_headers.string(),
+                                     where.production_library.string(), "-lm"});
+    }
+  } else {
+    command.push_back("-ldl");
+  }
+  return shell_line(command) + " && " +
+         shell_line({program.find('/') == std::string::npos ? "./" + program : program});
+}
+
+int reproduce_or_throw(const ReproduceOptions& options) {
+  const fs::path folder = options.results.empty() ? places().output : fs::path(options.results);
+  const Candidate failure = find(recorded_tests(folder), options.failure);
+  const Replayed replayed = replay(failure);
+
+  if (replayed.program.empty() || replayed.program.starts_with("#error ")) {
+    std::string calls;
+    for (const std::string call : failure.test.value("calls", json::array())) calls += "  " + call + "\n";
+    throw CannotReproduce(fmt::format("{}.\nThe calls of the case:\n{}",
+                                      replayed.program.empty()
+                                          ? "the test died before its first case"
+                                          : replayed.program.substr(7, replayed.program.find('\n') - 7),
+                                      calls));
+  }
+
+  const std::string verdict = replayed.record.is_null() ? "" : replayed.record.value("verdict", "");
+  if (verdict == "pass")
+    throw CannotReproduce(fmt::format(
+        "{} passes now, alone in a new process: {}", failure.name(),
+        failure.test["verdict"] == "fail"
+            ? "the library has changed, or it depends on chance"
+            : "what it needs to fail is in its message:\n  " + failure.test.value("message", "")));
+  if (!verdict.empty() && verdict != "fail")
+    throw CannotReproduce(
+        fmt::format("{} is {} now: {}", failure.name(), verdict, replayed.record.value("message", "")));
+  const fs::path file =
+      fs::absolute(options.output.empty() ? folder / file_name(failure.name()) : fs::path(options.output))
+          .lexically_normal();
+  const bool replaced = fs::exists(file);
+  try {
+    write_atomically(
+        file, head(failure, replayed, compile_line(failure, file.filename().string())) + replayed.program);
+  } catch (const std::runtime_error& error) {
+    throw CannotReproduce(fmt::format("{}; choose another file with --output", error.what()));
+  }
+
+  std::cout << fmt::format("{} {}; build and start it with\n\n  {}\n\n", replaced ? "Replaced" : "Wrote",
+                           from_here(file), compile_line(failure, from_here(file)));
+  if (replayed.record.is_null()) {
+    std::cout << fmt::format("It makes the calls of the case in which the process {}.\n",
+                             replayed.hung ? "hung" : "ended with " + replayed.ending);
+    if (!replayed.hung && replayed.ending.starts_with("exit code"))
+      std::cout
+          << "The library ends the process by itself, so the program ends with that code instead of 1.\n";
+  } else {
+    std::cout << "It shows: " << replayed.record.value("message", "") << "\n";
+  }
+  std::cout << "Exit code 1: the failure shows; 0: it does not; 2: it cannot start.\n";
+  return kNothingUnexpected;
+}
+
+}  // namespace
+
+int reproduce(const ReproduceOptions& options) {
+  try {
+    return reproduce_or_throw(options);
+  } catch (const CannotReproduce& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  }
+}
+
+}  // namespace evalcts::cli

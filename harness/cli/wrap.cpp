@@ -1,0 +1,45 @@
+#include "harness/cli/wrap.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace evalcts::cli {
+namespace {
+
+std::size_t code_points(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string wrapped(const std::string& text, std::size_t columns, const std::string& indent,
+                    std::size_t used) {
+  std::istringstream words(text);
+  std::string out;
+  std::size_t column = used;
+  bool first = true;  // of its line
+  for (std::string word; words >> word;) {
+    const std::size_t size = code_points(word);
+    if (!first && column + 1 + size > columns) {
+      out += "\n" + indent;
+      column = code_points(indent);
+      first = true;
+    }
+    out += (first ? "" : " ") + word;
+    column += size + (first ? 0 : 1);
+    first = false;
+  }
+  return out;
+}
+
+std::size_t terminal_columns() {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 100;
+  return std::clamp<std::size_t>(size.ws_col, 80, 100);
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,211 @@
+// Stand-alone C programs: they build with one line, and their exit code is the verdict.
+#include "harness/gl/c_program.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "harness/implementations/implementation.h"
+#include "harness/runner/child_process.h"
+#include "harness/runner/reproduction.h"
+#include "harness/runner/test.h"
+
+namespace evalcts {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string text;
+};
+
+class CProgram : public testing::Test {
+ protected:
+  CProgram() : folder_(fs::path(testing::TempDir()) / ("evalcts-c-" + std::to_string(getpid()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~CProgram() override { fs::remove_all(folder_); }
+
+  Outcome start(const std::vector<std::string>& command) {
+    const fs::path log = folder_ / "log";
+    fs::remove(log);
+    ChildProcess child(command, log.string());
+    const auto ending = child.wait(60);
+    std::ifstream file(log);
+    return {ending && !ending->signalled ? ending->value : -1,
+            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+  }
+
+  // Builds the program of the text and starts it; the argument is the library.
+  Outcome build_and_start(const std::string& text, const std::string& library = {}) {
+    const std::string source = (folder_ / "program.c").string(), program = (folder_ / "program").string();
+    std::ofstream(source) << text;
+    std::vector<std::string> compile = {"/usr/bin/env",         "cc", "-Wall", "-Werror",
+                                        "-Wno-unused-function", "-o", program, source};
+    if (library.empty())
+      compile.insert(compile.end(), {"-DGLEV_STATIC", "-I" GLEVALUATOR_HEADERS, GLEVALUATOR_LIBRARY, "-lm"});
+    compile.push_back("-ldl");
+    std::istringstream options(CC_OPTIONS);
+    for (std::string option; options >> option;) compile.push_back(option);
+    const Outcome built = start(compile);
+    EXPECT_EQ(built.code, 0) << built.text << text;
+    return start(library.empty() ? std::vector{program} : std::vector{program, library});
+  }
+
+  fs::path folder_;
+};
+
+// A straight line from (0,0,0) to (1,2,3).
+gl::Case line() {
+  gl::Case c("a line");
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, gl::array<float>({0, 0, 0, 1, 2, 3}, gl::AfterCall::unmap));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  return c;
+}
+
+TEST_F(CProgram, OfProductionChecksWhatCameThroughTheSink) {
+  const gl::Case c = line();
+  const auto outcome = [&](gl::Answer answer, double low, double high) {
+    const gl::Check check{.answer = answer, .accepted = {{low, high}}, .what = "it"};
+    return build_and_start(
+        gl::to_c({.context = "production", .library = {}, .script = &c, .check = &check, .trace = nullptr}));
+  };
+  using Of = gl::Answer::Of;
+  const gl::Answer y_of_second{Of::emitted_value, {}, gl::kEmittedValues + 1};
+  EXPECT_EQ(outcome(y_of_second, 1, 1).code, 0);
+  const Outcome wrong = outcome(y_of_second, 1.5, 2);
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_EQ(wrong.text, "it: expected [1.5, 2], got 1 (0x1p+0)\nthe failure shows\n");
+  EXPECT_EQ(outcome({Of::emitted_vertices}, 2, 2).code, 0);
+  EXPECT_EQ(outcome({Of::emitted_vertices}, 3, 3).code, 1);
+  EXPECT_EQ(outcome({Of::left_over, {}, 0, true}, 0, 0).code, 0);
+}
+
+TEST_F(CProgram, AnswersOfEveryKind) {
+  gl::Case c("queries");
+  const gl::Ref error = c.GetError();
+  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 2, gl::array<double>({5, 7}, gl::AfterCall::overwrite));
+  const gl::Ref order = c.GetMapiv(GL_MAP1_INDEX, GL_ORDER, gl::out<GLint>(1));
+  const gl::Ref values = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
+  const gl::Ref again = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
+  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, 1, gl::array<double>({9}, gl::AfterCall::protect));
+  const gl::Ref later = c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(4));
+  const gl::Ref enabled = c.IsEnabled(GL_MAP1_INDEX);
+  const auto production = open_implementation({.name = "production"});
+  const gl::Trace trace = production->create_context()->play(c);
+  const auto outcome = [&](const gl::Check& check) {
+    return build_and_start(
+        gl::to_c({.context = "production", .library = {}, .script = &c, .check = &check, .trace = &trace}));
+  };
+  using Of = gl::Answer::Of;
+  using Rule = gl::Check::Rule;
+  const gl::Answer returned_error{Of::returned, error, 0, true};
+  EXPECT_EQ(outcome({.answer = returned_error, .accepted = {{0, 0}}, .expected = "GL_NO_ERROR"}).code, 0);
+  const Outcome missing_error =
+      outcome({.answer = returned_error, .accepted = {{0x500, 0x500}}, .expected = "GL_INVALID_ENUM"});
+  EXPECT_EQ(missing_error.code, 1);
+  EXPECT_NE(missing_error.text.find("glGetError(): expected GL_INVALID_ENUM, got GL_NO_ERROR"),
+            std::string::npos)
+      << missing_error.text;
+  EXPECT_EQ(outcome({.answer = {Of::element, order, 0}, .accepted = {{2, 2}}}).code, 0);
+  const Outcome wrong_order = outcome({.answer = {Of::element, order, 0}, .accepted = {{3, 3}}});
+  EXPECT_EQ(wrong_order.code, 1);
+  EXPECT_NE(
+      wrong_order.text.find("values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2"),
+      std::string::npos)
+      << wrong_order.text;
+  EXPECT_EQ(outcome({.answer = {Of::element, values, 1}, .accepted = {{7, 7}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 2}}}).code, 0);
+  EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.answer = {Of::returned, enabled}, .accepted = {{1, 1}}}).code, 1);
+  EXPECT_EQ(outcome({.rule = Rule::same, .answer = {.command = again}, .other = values}).code, 0);
+  EXPECT_EQ(outcome({.rule = Rule::same, .answer = {.command = later}, .other = values}).code, 1);
+  // The recorded answers come again: that is the failure.
+  EXPECT_EQ(outcome({.rule = Rule::unlike, .recorded = {values, order}}).code, 1);
+  gl::Trace another = trace;
+  another.replace_element(values, 0, 6);
+  const gl::Check check{.rule = Rule::unlike, .recorded = {values, order}};
+  EXPECT_EQ(
+      build_and_start(
+          gl::to_c(
+              {.context = "production", .library = {}, .script = &c, .check = &check, .trace = &another}))
+          .code,
+      0);
+}
+
+TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
+  const gl::Case c = line();
+  EXPECT_THROW(gl::to_c({.context = "reference", .library = {}, .script = &c}), gl::NoCProgram);
+  EXPECT_THROW(gl::to_c({.context = "provider.so", .library = {}, .script = &c}), gl::NoCProgram);
+}
+
+// The production evaluator with one wrong value.
+class Bent final : public Implementation {
+ public:
+  std::string name() const override { return "production"; }
+  std::unique_ptr<Context> create_context() override {
+    return std::make_unique<BentContext>(inner_->create_context());
+  }
+
+ private:
+  class BentContext final : public Context {
+   public:
+    explicit BentContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
+    const gl::Table& table() const override { return inner_->table(); }
+    bool has_sink() const override { return true; }
+    std::vector<ObservedPrimitive> take_emitted() override {
+      auto emitted = inner_->take_emitted();
+      if (!emitted.empty() && emitted.front().vertices.size() == 2)
+        emitted.front().vertices[1].position[2] = 3;
+      return emitted;
+    }
+
+   private:
+    std::unique_ptr<Context> inner_;
+  };
+  std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});
+};
+
+// The value that is wrong is found among many equal ones, and the right library does not show the failure.
+TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
+  Bent bent;
+  const std::string file = (folder_ / "written.c").string();
+  Reproduction reproduction(bent, file);
+  Subject subject;
+  subject.implementation = &reproduction.implementation();
+  subject.info = inquire(bent);
+  const auto sink = make_sink();
+  sink->prove(bent, subject.info);
+  subject.captures = {sink.get()};
+  subject.reproduction = &reproduction;
+  Record record;
+  record.name = "A.Test";
+  evalcts::Test test(subject, record);
+  test.run([](evalcts::Test& t) { t.expect_emission(line(), kPosition); });
+  ASSERT_EQ(record.verdict, Verdict::fail);
+  ASSERT_TRUE(record.failures.front().check);
+  const gl::Check& check = *record.failures.front().check;
+  EXPECT_EQ(check.answer.of, gl::Answer::Of::emitted_value);
+  EXPECT_EQ(check.answer.element, gl::kEmittedValues + 2);
+  EXPECT_LT(check.accepted.front().first, 1.5);
+  EXPECT_GT(check.accepted.front().second, 1.5);
+  EXPECT_LT(check.accepted.front().second, 1.6);
+  std::ifstream stream(file);
+  const Outcome outcome = build_and_start(
+      std::string((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>()));
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("position.z of vertex 1: expected [1.4"), std::string::npos) << outcome.text;
+}
+
+}  // namespace
+}  // namespace evalcts
