@@ -53,12 +53,37 @@ void emit(gl::Case& c, bool evaluated, float u) {
   }
 }
 
+// The value alone, beside others (the layout of a vertex depends on what was set, and in which order), and
+// never set.
+constexpr int kVariants = 6;
+void set_before(gl::Case& c, int variant, Setter set) {
+  switch (variant) {
+    case 2:
+      set_color(c, 1);
+      set_texture(c, 0);
+      break;
+    case 3:
+      set_texture(c, 0);
+      set_normal(c, 1);
+      set_color(c, 1);
+      break;
+    case 4:
+      return;  // the initial value
+    case 5:
+      set_color(c, 1);
+      return;
+    default:
+      break;
+  }
+  set(c, variant);
+}
+
 // Sets the value, evaluates with the map on (short, and long enough to make an implementation flush in the
 // middle), and compares the query before and after. The control is the same with explicit vertices: where
 // that loses the value as well, evaluation is not to blame.
 void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter set, bool flush) {
   int observed = 0;
-  for (int variant = 0; variant < 4; ++variant)
+  for (int variant = 0; variant < kVariants; ++variant)
     for (const int vertices : {1, t.by_depth(300, 1000, 30000)}) {
       for (const bool evaluated : {false, true}) {
         gl::Case c(fmt::format("{}: setting {} then {} vertices{}", label(target), variant, vertices,
@@ -67,7 +92,7 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
         define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
         c.Enable(GL_MAP1_VERTEX_3);
         c.Enable(target);
-        set(c, variant);
+        set_before(c, variant, set);
         const gl::Ref before = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
         c.Begin(GL_POINTS);
         for (int i = 0; i < vertices; ++i)

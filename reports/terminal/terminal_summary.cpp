@@ -128,8 +128,10 @@ void write_in_full(Screen& screen, const TestResult& test, const Requirements& c
   screen.line("  " + comparison(failure, test));
   screen.line("  why: " + demand(test, catalogue));
   if (!test.rerun.empty()) screen.uncut("  rerun: " + test.rerun);
-  if (!test.reproducer.empty() || !test.debug.empty())
-    screen.uncut(fmt::format("  C program: {}   debugger: {}", test.reproducer, test.debug));
+  std::string last;
+  if (!test.reproducer.empty()) last += "  C program: " + test.reproducer;
+  if (!test.debug.empty()) last += (last.empty() ? "  debugger: " : "   debugger: ") + test.debug;
+  if (!last.empty()) screen.uncut(last);
   if (!all_cases) return;
   for (std::size_t i = 1; i < test.failures.size(); ++i)
     screen.line(fmt::format("    {}: {}", test.failures[i].case_name, comparison(test.failures[i], test)));
