@@ -101,7 +101,7 @@ EVALCTS_DELIVERED_TESTS(Evaluation, MapSwitchedOff,
                         GLenum target, must, "EV-COORD-CURRENT/1-D") {
   const std::vector<GLenum> others = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2};
   for (unsigned subset = 0; subset < 8; ++subset) {
-    std::string with = "with";
+    std::string with = "with MAP1_VERTEX_3";
     gl::Case c;
     set_current_values(c);
     for (const GLenum map : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target}) {
@@ -112,12 +112,12 @@ EVALCTS_DELIVERED_TESTS(Evaluation, MapSwitchedOff,
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (!(subset >> i & 1u)) continue;
       skipped = skipped || others[i] == target;
-      with += " " + label(others[i]);
+      with += " and " + label(others[i]);
       define(c, random_map(t, others[i], 3));
       c.Enable(others[i]);
     }
     if (skipped) continue;
-    c.set_identity(with + " as well");
+    c.set_identity(with);
     evaluate_some(c);
     c.Disable(target);
     evaluate_some(c);

@@ -19,11 +19,12 @@ namespace {
 constexpr GLsizei kSide = 64;  // pixels
 
 // All of EGL 1.4 that is needed. Only the types of the header's declarations are used.
-#define EGL_FUNCTIONS(X)                                                                                 \
-  X(GetError)                                                                                            \
-  X(QueryString)                                                                                         \
-  X(GetDisplay) X(Initialize) X(Terminate) X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) \
-      X(MakeCurrent) X(CreatePbufferSurface) X(DestroySurface) X(GetProcAddress)
+#define EGL_FUNCTIONS(X)                                                                                  \
+  X(GetError)                                                                                             \
+  X(QueryString)                                                                                          \
+  X(GetDisplay)                                                                                           \
+  X(Initialize) X(Terminate) X(BindAPI) X(ChooseConfig) X(CreateContext) X(DestroyContext) X(MakeCurrent) \
+      X(CreatePbufferSurface) X(DestroySurface) X(GetProcAddress)
 
 struct Functions {
 #define X(name) decltype(&::egl##name) name = nullptr;
@@ -86,11 +87,12 @@ struct Candidate {
 };
 
 // The commands with which a context gets something to draw to.
-#define FRAMEBUFFER_COMMANDS(X)                                                             \
-  X(GenFramebuffers)                                                                        \
-  X(BindFramebuffer)                                                                        \
-  X(GenRenderbuffers) X(BindRenderbuffer) X(RenderbufferStorage) X(FramebufferRenderbuffer) \
-      X(CheckFramebufferStatus) X(DrawBuffer) X(ReadBuffer) X(Viewport) X(Scissor) X(GetError)
+#define FRAMEBUFFER_COMMANDS(X)                                                                   \
+  X(GenFramebuffers)                                                                              \
+  X(BindFramebuffer)                                                                              \
+  X(GenRenderbuffers)                                                                             \
+  X(BindRenderbuffer) X(RenderbufferStorage) X(FramebufferRenderbuffer) X(CheckFramebufferStatus) \
+      X(DrawBuffer) X(ReadBuffer) X(Viewport) X(Scissor) X(GetError)
 
 struct FramebufferCommands {
 #define X(name) decltype(&::gl##name) name = nullptr;

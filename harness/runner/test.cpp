@@ -25,6 +25,8 @@ std::uint32_t hash(std::string_view text) {
 // As many digits as tell the value, which may be a float, from all others of its type.
 std::string shortest(double value) {
   const auto single = static_cast<float>(value);
+  // Integers to the last digit; their shortest form as floats would end in zeros.
+  if (value == std::trunc(value) && std::abs(value) < 0x1p53) return fmt::format("{:.0f}", value + 0.0);
   return static_cast<double>(single) == value ? fmt::format("{}", single) : fmt::format("{}", value);
 }
 
