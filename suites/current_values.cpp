@@ -86,8 +86,8 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
   for (int variant = 0; variant < kVariants; ++variant)
     for (const int vertices : {1, t.by_depth(300, 1000, 30000)}) {
       for (const bool evaluated : {false, true}) {
-        gl::Case c(fmt::format("{}: setting {} then {} vertices{}", label(target), variant, vertices,
-                               evaluated ? "" : ", control"));
+        gl::Case c(fmt::format("{}{}: setting {} then {} vertices",
+                               evaluated ? "" : "control: ", label(target), variant, vertices));
         define(c, random_map(t, target, 4));
         define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
         c.Enable(GL_MAP1_VERTEX_3);
@@ -205,9 +205,9 @@ EVALCTS_DELIVERED_TESTS(CurrentValues, EveryOrderOfSetting, kQueried, const Quer
   int observed = 0;
   for (const Setting& setting : settings(t)) {
     const auto written = [&](bool evaluated) {
-      gl::Case c(fmt::format("order {}{}{} with {} colour and {} texture components{}", setting.order[0],
-                             setting.order[1], setting.order[2], setting.color, setting.texture,
-                             evaluated ? "" : ", control"));
+      gl::Case c(fmt::format("{}order {}{}{} with {} colour and {} texture components",
+                             evaluated ? "" : "control: ", setting.order[0], setting.order[1],
+                             setting.order[2], setting.color, setting.texture));
       for (const Map1& map : maps) {
         define(c, map);
         c.Enable(map.target);
@@ -338,7 +338,7 @@ namespace {
 void expect_same_as_explicit(Test& t, const std::string& identity,
                              const std::function<std::vector<gl::Ref>(gl::Case&, bool evaluated)>& write) {
   std::vector<gl::Ref> refs;
-  gl::Case with_vertex(identity + ", control"), with_evaluation(identity);
+  gl::Case with_vertex("control: " + identity), with_evaluation(identity);
   write(with_vertex, false);
   refs = write(with_evaluation, true);
   const Played control = t.play(with_vertex);

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "harness/runner/child_process.h"
+#include "harness/runner/control_case.h"
 #include "harness/runner/history.h"
 
 namespace evalcts {
@@ -381,6 +382,11 @@ class Run {
                                        : "the process ended with " + describe(child.ending);
     const ChildRun alone = run_scratch({name}, true);
     if (interrupted) return;
+    const std::string last_case = alone.last_case.is_object() ? alone.last_case.value("case", "") : "";
+    if (!alone.in_flight.empty() && is_control(last_case)) {
+      add_record(name, "not-observable", fmt::format("pipeline: {} in '{}'", how, last_case), nullptr);
+      return;
+    }
     if (!alone.in_flight.empty()) {
       add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case);
       return;

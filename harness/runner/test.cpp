@@ -8,6 +8,7 @@
 
 #include "harness/gl/call_log.h"
 #include "harness/judge/judge.h"
+#include "harness/runner/control_case.h"
 #include "harness/runner/reproduction.h"
 
 namespace evalcts {
@@ -247,6 +248,8 @@ Played Test::play(const gl::Case& written) {
     std::vector<std::string> names;
     for (const GLenum error : left_over) names.push_back(gl::error_name(error));
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
+    if (is_control(script.identity()))
+      throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
     Failure failure;
     failure.case_identity = script.identity();
     failure.message = "spurious error: left behind after the last command: " + captured;

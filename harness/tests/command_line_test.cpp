@@ -169,6 +169,21 @@ INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
                                          Way{"hang", "timeout", "no answer within 2 seconds"}),
                          [](const auto& way) { return way.param.what; });
 
+TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
+  const std::string name = "CurrentValues.Color/AT_ONCE/EvalCoord1f";
+  using Case = std::pair<const char*, const char*>;
+  for (const auto& [what, message] :
+       {Case{"control", "pipeline: the process ended with signal 11"}, Case{"control-error", "pipeline: "}}) {
+    const Outcome outcome = drill(what, {"--filter", name});
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    const json test = test_named(results("drill"), name);
+    EXPECT_EQ(test["verdict"], "not-observable") << test;
+    EXPECT_NE(test["message"].get<std::string>().find(message), std::string::npos) << test;
+  }
+  EXPECT_EQ(drill("nothing", {"--filter", name}).code, 0);
+  EXPECT_EQ(test_named(results("drill"), name)["verdict"], "pass");
+}
+
 TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   // Orders above 5 come up in the tests of the other targets' largest orders, before INDEX gets to order 5.
   const Outcome outcome = drill("second", {"--filter",

@@ -6,6 +6,7 @@
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
 //   process; "start": crash when a context is made; "lenient": strides below k are taken for k;
+//   "control": every explicit vertex crashes; "control-error": it leaves an error behind;
 //   "history": in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more.
 #include <glevaluator.h>
 #include <unistd.h>
@@ -91,6 +92,12 @@ EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint
 }
 EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   glevColor4f(current, red, green, blue, alpha);
+}
+EXPORT void glColor3f(GLfloat red, GLfloat green, GLfloat blue) { glevColor3f(current, red, green, blue); }
+EXPORT void glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
+  if (drill("control")) crash();
+  if (drill("control-error")) glevEnable(current, 0);  // refused between Begin and End
+  glevVertex3f(current, x, y, z);
 }
 EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, x, y, z); }
 EXPORT void glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { glevTexCoord4f(current, s, t, r, q); }
