@@ -520,7 +520,9 @@ TEST_F(Reproduce, WhatACaptureSaw) {
   const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
   const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",
                                "--output", folder_.string(), "--baseline", "none"});
-  if (test_named(results("osmesa"), test).value("verdict", "") != "fail") GTEST_SKIP() << run.text;
+  // Nothing is judged where OSMesa is missing, or does not start under sanitizers.
+  const json known = test_named(results("osmesa"), test);
+  if (known.is_null() || known["verdict"] != "fail") GTEST_SKIP() << run.text;
   write_and_build(test);
   const Outcome shown = program();
   EXPECT_EQ(shown.code, 1) << shown.text;
