@@ -98,7 +98,7 @@ std::vector<std::string> lint(const nlohmann::json& requirements, const nlohmann
         problems.push_back(fmt::format("{}: there is no half '{}' to be undecidable", id, half));
       } else if (reason.empty()) {
         problems.push_back(fmt::format("{} is undecidable without a reason", id));
-      } else if (const auto test = decided.find(id + "/" + half); test != decided.end()) {
+      } else if (const auto test = decided.find(fmt::format("{}/{}", id, half)); test != decided.end()) {
         problems.push_back(fmt::format("{}/{} is undecidable, but {} decides it", id, half, test->second));
       }
     }
