@@ -10,38 +10,17 @@
 #include <sstream>
 
 #include "harness/implementations/implementation.h"
-#include "harness/runner/child_process.h"
 #include "harness/runner/reproduction.h"
 #include "harness/runner/test.h"
+#include "harness/tests/program.h"
 
 namespace evalcts {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code;
-  std::string text;
-};
-
-class CProgram : public testing::Test {
+class CProgram : public ProgramTest {
  protected:
-  CProgram() : folder_(fs::path(testing::TempDir()) / ("evalcts-c-" + std::to_string(getpid()))) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~CProgram() override { fs::remove_all(folder_); }
-
-  Outcome start(const std::vector<std::string>& command) {
-    const fs::path log = folder_ / "log";
-    fs::remove(log);
-    ChildProcess child(command, log.string());
-    const auto ending = child.wait(60);
-    std::ifstream file(log);
-    return {ending && !ending->signalled ? ending->value : -1,
-            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
-  }
-
   // Builds the program of the text and starts it; the argument is the library.
   Outcome build_and_start(const std::string& text, const std::string& library = {}) {
     const std::string source = (folder_ / "program.c").string(), program = (folder_ / "program").string();
@@ -57,8 +36,6 @@ class CProgram : public testing::Test {
     EXPECT_EQ(built.code, 0) << built.text << text;
     return start(library.empty() ? std::vector{program} : std::vector{program, library});
   }
-
-  fs::path folder_;
 };
 
 // A straight line from (0,0,0) to (1,2,3).

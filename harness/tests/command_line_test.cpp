@@ -450,16 +450,6 @@ TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {
 
 class Reproduce : public CommandLine {
  protected:
-  Outcome start(const std::vector<std::string>& command) {
-    const fs::path log = folder_ / "program.log";
-    fs::remove(log);
-    ChildProcess child(command, log.string());
-    const auto ending = child.wait(60);
-    std::ifstream file(log);
-    return {ending && !ending->signalled ? ending->value : -1,
-            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
-  }
-
   // Writes and builds the program with the line that evalcts prints, without starting it.
   void write_and_build(const std::string& failure) {
     const std::string file = (folder_ / "x.c").string();

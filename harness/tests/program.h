@@ -32,15 +32,18 @@ class ProgramTest : public testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  Outcome evalcts(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
+  Outcome start(const std::vector<std::string>& command) {
     const std::filesystem::path log = folder_ / "command.log";
     std::filesystem::remove(log);
-    ChildProcess child(arguments, log.string());
+    ChildProcess child(command, log.string());
     const auto ending = child.wait(120);
     std::ifstream file(log);
     return {ending && !ending->signalled ? ending->value : -1,
             std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+  }
+  Outcome evalcts(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
+    return start(arguments);
   }
 
   nlohmann::json results(const std::string& name) const {
