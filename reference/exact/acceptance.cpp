@@ -1,82 +1,20 @@
 #include <reference/acceptance.h>
-#include <reference/rounding.h>
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <vector>
 
+#include "reference/exact/direction.h"
 #include "reference/exact/homogeneous.h"
 
 namespace evalcts::reference {
 namespace {
-
-// The smallest normal number of single precision.
-Rational smallest_normal() { return Rational::power_of_two(-126); }
-
-bool is_single(double x) { return round_to_float(x) == x; }
-bool overflows(const Rational& x) { return std::isinf(round_to_float(x)); }
-bool is_subnormal(double x) { return x != 0 && abs(Rational(x)) < smallest_normal(); }
-
-// One direction of a map: its degree, domain and argument.
-struct Direction {
-  int degree;
-  double u1, u2;
-  const Argument& u;
-
-  Rational width() const { return abs(Rational(u2) - Rational(u1)); }     // |D|
-  Rational t() const { return abs(u.value() - Rational(u1)) / width(); }  // |t|
-  Rational s() const { return abs(Rational(u2) - u.value()) / width(); }  // |s|
-  Rational step() const { return (Rational(u.last()) - Rational(u.first())) / Rational(u.segments()); }  // du
-  bool is_interior_grid_point() const { return u.is_grid() && u.index() != 0 && u.index() != u.segments(); }
-  bool is_single() const {
-    return reference::is_single(u1) && reference::is_single(u2) && reference::is_single(u.first()) &&
-           reference::is_single(u.last());
-  }
-
-  // The absolute error of t and s that is not a multiple of them.
-  Rational tau(bool single) const {
-    Rational tau = smallest_normal() * (1 + 2 / width());
-    if (is_interior_grid_point()) {
-      tau += epsilon() * (4 * abs(Rational(u.index()) * step()) + abs(u.value())) / width();
-    }
-    if (!single) {
-      const Rational argument =
-          u.is_grid() ? abs(Rational(u.first())) + abs(Rational(u.index()) / Rational(u.segments())) *
-                                                       (abs(Rational(u.first())) + abs(Rational(u.last())))
-                      : abs(Rational(u.first()));
-      tau += Rational::power_of_two(-23) * (argument + abs(s() * Rational(u1)) + abs(t() * Rational(u2))) /
-             width();
-    }
-    return tau;
-  }
-
-  // (|t| + |s|)^n, the sum of the magnitudes of the Bernstein polynomials.
-  Rational growth() const { return pow(t() + s(), static_cast<unsigned>(degree)); }
-
-  bool must_applies() const {
-    const Rational d = width();
-    if (d < Rational::power_of_two(-60) || d > Rational::power_of_two(60)) return false;
-    if (is_subnormal(u1) || is_subnormal(u2)) return false;
-    if (overflows(u1) || overflows(u2) || overflows(u.first()) || overflows(u.last())) return false;
-    if (u.is_grid() &&
-        (overflows(Rational(u.last()) - Rational(u.first())) || overflows(Rational(u.index()) * step()))) {
-      return false;
-    }
-    return round_to_float(u1) != round_to_float(u2);
-  }
-};
 
 // Curve and surface as one: a curve is a surface of order 1 in v.
 struct Problem {
   Net net;
   Direction u, v;
   bool single;  // all inputs are representable in single precision
-
-  int k() const {
-    const int n = u.degree, m = v.degree;
-    return n * m + 5 * (n + m) + 4 + (single ? 0 : 1);
-  }
 };
 
 // The v of a curve: any value does, as the curve does not depend on it.
@@ -87,15 +25,6 @@ const Argument& no_argument() {
 
 Surface as_surface(const Curve& curve) {
   return {curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1};
-}
-
-bool points_are_single(const Surface& surface) {
-  for (std::ptrdiff_t i = 0; i < surface.uorder; ++i) {
-    for (std::ptrdiff_t j = 0; j < surface.vorder; ++j) {
-      if (!is_single(surface.points[i * surface.ustride + j * surface.vstride])) return false;
-    }
-  }
-  return true;
 }
 
 Problem problem(const Surface& surface, const Argument& u, const Argument& v) {
@@ -132,19 +61,16 @@ Rational binomial_sum(const Net& net) {
 }
 
 Rational bound(const Problem& p) {
-  const Rational eps = epsilon();
-  // W((1 + 8*eps)*|t| + tau, (1 + 8*eps)*|s| + 8*eps*|t| + tau), in each direction.
   const auto widened = [&](const Direction& d) {
-    const Rational t = d.t(), s = d.s(), tau = d.tau(p.single);
-    return homogenise((1 + 8 * eps) * t + tau, (1 + 8 * eps) * s + 8 * eps * t + tau);
+    return homogenise(d.widened_t(p.single), d.widened_s(p.single));
   };
   const auto plain = [](const Direction& d) { return homogenise(d.t(), d.s()); };
   const Net net = magnitudes(p.net);
   const Rational outer = bernstein_sum(net, widened(p.u), widened(p.v)).value;
   const Rational inner = bernstein_sum(net, plain(p.u), plain(p.v)).value;
 
-  const Rational k = p.k();
-  const Rational x = k * eps;
+  const Rational k = operations(p.u.degree, p.v.degree, p.single);
+  const Rational x = k * epsilon();
   const auto extent = [](const Direction& d) {
     return pow(std::max({Rational(1), d.t(), d.s()}), static_cast<unsigned>(d.degree));
   };
@@ -189,7 +115,7 @@ Rational quality_bound(int degree, const Rational& magnitude) {
 }
 
 Rational acceptance_bound_below(int udegree, int vdegree, const Rational& magnitude) {
-  return (udegree * vdegree + 5 * (udegree + vdegree) + 4) * epsilon() * magnitude;
+  return operations(udegree, vdegree, true) * epsilon() * magnitude;
 }
 
 bool is_within(float got, const Rational& exact, const Rational& bound) {

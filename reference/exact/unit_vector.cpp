@@ -1,0 +1,138 @@
+// m/|m| without m/|m|: the square of a component is rational, and what has to be known follows from squares.
+#include <reference/normal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace evalcts::reference {
+namespace {
+
+Rational squared_length(const Vector& m) { return m[0] * m[0] + m[1] * m[1] + m[2] * m[2]; }
+
+Rational nonzero_squared_length(const Vector& m) {
+  const Rational square = squared_length(m);
+  if (square.is_zero()) throw std::domain_error("a vector of length zero has no direction");
+  return square;
+}
+
+void check_bits(int bits) {
+  if (bits < 0) throw std::invalid_argument("a negative number of bits");
+}
+
+// floor(2^bits * sqrt(x)) and whether that is exact.
+struct Root {
+  Integer floor;
+  bool exact;
+};
+
+Root scaled_root(const Rational& x, std::int64_t bits) {
+  Integer numerator = x.numerator(), denominator = x.denominator();
+  const std::int64_t shift = x.exponent() + 2 * bits;
+  (shift >= 0 ? numerator : denominator) <<= std::abs(shift);
+  Integer quotient, remainder, rest;
+  divide_qr(numerator, denominator, quotient, remainder);
+  const Integer root = sqrt(quotient, rest);
+  return {root, rest.is_zero() && remainder.is_zero()};
+}
+
+Interval enclose_root(const Rational& x, std::int64_t bits) {
+  const Root root = scaled_root(x, bits);
+  return {Rational(root.floor, 1, -bits), Rational(root.exact ? root.floor : root.floor + 1, 1, -bits)};
+}
+
+// x * |x|, which orders numbers as x does.
+Rational signed_square(const Rational& x) { return x * abs(x); }
+
+// A number sign * sqrt(square / scale), where the scale is told apart.
+struct SignedRoot {
+  int sign;
+  Rational square;
+};
+
+// Whether |a - b| <= bound, where a^2 = a.square / a_scale and b^2 = b.square / b_scale. That is
+//   a^2 + b^2 - bound^2 <= 2ab,
+// and both sides keep their order when squared with their signs.
+bool differ_at_most(const SignedRoot& a, const Rational& a_scale, const SignedRoot& b,
+                    const Rational& b_scale, const Rational& bound) {
+  const Rational left = a.square * b_scale + b.square * a_scale - bound * bound * a_scale * b_scale;
+  const Rational right = Rational(4 * a.sign * b.sign) * a.square * b.square * a_scale * b_scale;
+  return signed_square(left) <= right;
+}
+
+SignedRoot signed_root(const Rational& x) { return {x.sign(), x * x}; }
+
+// Whether each component of g / sqrt(scale) lies within `bound` of that of m/|m| or, maybe, of -m/|m|.
+bool components_within(const Vector& g, const Rational& scale, const Vector& m, const Rational& bound,
+                       bool either_sign) {
+  const Rational m_scale = nonzero_squared_length(m);
+  if (bound.sign() < 0) return false;
+  const auto within = [&](int sign) {
+    for (int c = 0; c < 3; ++c) {
+      SignedRoot expected = signed_root(m[c]);
+      expected.sign *= sign;
+      if (!differ_at_most(signed_root(g[c]), scale, expected, m_scale, bound)) return false;
+    }
+    return true;
+  };
+  return within(1) || (either_sign && within(-1));
+}
+
+bool is_finite(const std::array<float, 3>& vector) {
+  return std::all_of(vector.begin(), vector.end(), [](float x) { return std::isfinite(x); });
+}
+
+Vector exact(const std::array<float, 3>& vector) { return {vector[0], vector[1], vector[2]}; }
+
+}  // namespace
+
+std::array<Interval, 3> unit_vector(const Vector& m, int bits) {
+  check_bits(bits);
+  const Rational square = nonzero_squared_length(m);
+  std::array<Interval, 3> result;
+  for (int c = 0; c < 3; ++c) {
+    const Interval magnitude = enclose_root(m[c] * m[c] / square, bits);
+    result[c] = m[c].sign() < 0 ? Interval{-magnitude.high, -magnitude.low} : magnitude;
+  }
+  return result;
+}
+
+std::array<float, 3> rounded_unit_vector(const Vector& m) {
+  constexpr std::int64_t kDigits = 24, kLowest = -149;  // binary32
+  const Rational square = nonzero_squared_length(m);
+  std::array<float, 3> result{};
+  for (int c = 0; c < 3; ++c) {
+    if (m[c].is_zero()) continue;
+    const Rational ratio = m[c] * m[c] / square;
+    const std::int64_t twice_magnitude = floor_log2(ratio);
+    const std::int64_t magnitude = (twice_magnitude - (twice_magnitude & 1)) / 2;
+    const std::int64_t unit = std::max(magnitude - (kDigits - 1), kLowest);
+    // One bit more than there is room for decides, as there are no ties.
+    const Integer halves = scaled_root(ratio, 1 - unit).floor;
+    const auto significand = static_cast<float>(static_cast<std::uint32_t>((halves + 1) >> 1));
+    result[c] =
+        std::copysign(std::ldexp(significand, static_cast<int>(unit)), static_cast<float>(m[c].sign()));
+  }
+  return result;
+}
+
+Interval length(const Vector& m, int bits) {
+  check_bits(bits);
+  const Rational square = squared_length(m);
+  if (square.is_zero()) return {0, 0};
+  // |m| >= 2^(floor_log2(square)/2), rounded down.
+  return enclose_root(square, bits - floor_log2(square) / 2 + 1);
+}
+
+bool is_within(const std::array<float, 3>& got, const Vector& m, const Rational& bound, bool either_sign) {
+  if (!is_finite(got)) return false;
+  return components_within(exact(got), 1, m, bound, either_sign);
+}
+
+bool direction_is_within(const std::array<float, 3>& got, const Vector& m, const Rational& bound,
+                         bool either_sign) {
+  if (!is_finite(got) || is_degenerate(exact(got))) return false;
+  return components_within(exact(got), squared_length(exact(got)), m, bound, either_sign);
+}
+
+}  // namespace evalcts::reference
