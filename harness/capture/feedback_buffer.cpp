@@ -70,6 +70,7 @@ class FeedbackBuffer final : public Capture {
       if (reproduces({}, attribute)) attributes_ |= attribute;
     if (attributes_ == 0) throw NotObservable("feedback mode does not give explicit vertices back unchanged");
 
+    if (attributes_ & kNormal) attributes_ |= kUnitNormal;
     if (attributes_ & kPosition) {
       keep_w_ = false;
       if (!reproduces({.negative_w = true}, kPosition)) keep_w_ = true;
@@ -99,7 +100,7 @@ class FeedbackBuffer final : public Capture {
     if ((wanted & (kTextureCoordinate0 | kColor)) || (wanted & kAllAttributes) == 0)
       pass(TextureCoordinatesHold::texture, kTextureCoordinate0 | kColor);
     if (wanted & kPosition) pass(TextureCoordinatesHold::position, kPosition);
-    if (wanted & kNormal) pass(TextureCoordinatesHold::normal, kNormal);
+    if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::normal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
     observation->clamped_colors = !unclamp_;
     return *observation;

@@ -10,7 +10,9 @@ std::string describe(Attributes attributes) {
       {kColor, "colour"},
       {kNormal, "normal"},
       {kTextureCoordinate0, "texture coordinates of unit 0"},
-      {kTextureCoordinatesOther, "texture coordinates of units 1 and up"}};
+      {kTextureCoordinatesOther, "texture coordinates of units 1 and up"},
+      {kUnitNormal, "normals without a vertex shader"},
+      {kShaderNormal, "normals with a vertex shader"}};
   std::string text;
   for (const auto& [attribute, name] : kNames)
     if (attributes & attribute) text += (text.empty() ? "" : ", ") + std::string(name);

@@ -17,6 +17,10 @@ enum Attribute : std::uint32_t {
   kNormal = 1u << 2,
   kTextureCoordinate0 = 1u << 3,
   kTextureCoordinatesOther = 1u << 4,  // units 1 and up
+  // What AUTO_NORMAL makes depends on whether a vertex shader is active (EV-AUTON-UNIT, EV-AUTON-SHADER): a
+  // capture that has kNormal has one of these, too.
+  kUnitNormal = 1u << 5,
+  kShaderNormal = 1u << 6,
 };
 using Attributes = std::uint32_t;
 inline constexpr Attributes kAllAttributes =

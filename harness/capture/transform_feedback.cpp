@@ -45,7 +45,8 @@ class TransformFeedback final : public Capture {
   }
 
   Attributes attributes() const override {
-    return kPosition | kColor | kNormal | kTextureCoordinate0 | (units_ > 1 ? kTextureCoordinatesOther : 0u);
+    return kPosition | kColor | kNormal | kShaderNormal | kTextureCoordinate0 |
+           (units_ > 1 ? kTextureCoordinatesOther : 0u);
   }
 
   bool takes(PrimitiveKinds kinds) const override { return can_record(kinds); }

@@ -1,96 +1,343 @@
 #include "harness/gl/delivery.h"
 
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
 #include <utility>
+
+#include "harness/gl/grid.h"
+#include "harness/gl/lift.h"
+#include "harness/gl/numbers.h"
 
 namespace evalcts::gl {
 namespace {
 
-double number(const Value& value) {
-  if (const auto* single = std::get_if<float>(&value)) return *single;
-  return std::get<double>(value);
-}
-
-Value real(double value, bool as_double) {
-  if (as_double) return value;
-  return static_cast<float>(value);
-}
-
-std::vector<double> elements(const Input& input) {
-  std::vector<double> values(input.bytes.size() / size_of(input.type));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::byte* const bytes = input.bytes.data() + i * size_of(input.type);
-    if (input.type == Scalar::f32) {
-      float single = 0;
-      std::memcpy(&single, bytes, sizeof single);
-      values[i] = single;
-    } else {
-      std::memcpy(&values[i], bytes, sizeof values[i]);
-    }
+// u, or u and v, of an EvalCoord command; none for other commands.
+std::vector<double> coordinates(const Command& command) {
+  switch (command.entry) {
+    case EntryPoint::EvalCoord1f:
+    case EntryPoint::EvalCoord1d:
+      return {number(command.arguments[0])};
+    case EntryPoint::EvalCoord2f:
+    case EntryPoint::EvalCoord2d:
+      return {number(command.arguments[0]), number(command.arguments[1])};
+    case EntryPoint::EvalCoord1fv:
+    case EntryPoint::EvalCoord1dv:
+    case EntryPoint::EvalCoord2fv:
+    case EntryPoint::EvalCoord2dv:
+      return elements(std::get<Input>(command.arguments[0]));
+    default:
+      return {};
   }
-  return values;
 }
 
-Input reals(const std::vector<double>& values, bool as_double) {
-  return as_double ? array(values) : array(std::vector<float>(values.begin(), values.end()));
+Command eval_coord(const std::vector<double>& at, bool doubles, bool arrays) {
+  const bool two = at.size() == 2;
+  if (arrays) {
+    const EntryPoint single = two ? EntryPoint::EvalCoord2fv : EntryPoint::EvalCoord1fv;
+    const EntryPoint twice = two ? EntryPoint::EvalCoord2dv : EntryPoint::EvalCoord1dv;
+    return {doubles ? twice : single, {reals(at, doubles)}};
+  }
+  const EntryPoint single = two ? EntryPoint::EvalCoord2f : EntryPoint::EvalCoord1f;
+  const EntryPoint twice = two ? EntryPoint::EvalCoord2d : EntryPoint::EvalCoord1d;
+  Command command{doubles ? twice : single, {}};
+  for (const double coordinate : at) command.arguments.push_back(real(coordinate, doubles));
+  return command;
 }
 
-Command map1(const Command& command, bool doubles) {
+// A Map command in the other form.
+Command map(const Command& command, bool doubles) {
+  const bool two = command.entry == EntryPoint::Map2f || command.entry == EntryPoint::Map2d;
   Command delivered = command;
-  delivered.entry = doubles ? EntryPoint::Map1d : EntryPoint::Map1f;
-  for (const std::size_t domain : {1u, 2u})
-    delivered.arguments[domain] = real(number(command.arguments[domain]), doubles);
-  if (const auto* points = std::get_if<Input>(&command.arguments[5])) {
-    Input converted = reals(elements(*points), doubles);
-    converted.after = points->after;
-    converted.slot = points->slot;
-    delivered.arguments[5] = std::move(converted);
+  delivered.entry = two ? (doubles ? EntryPoint::Map2d : EntryPoint::Map2f)
+                        : (doubles ? EntryPoint::Map1d : EntryPoint::Map1f);
+  for (Value& argument : delivered.arguments) {
+    if (std::holds_alternative<float>(argument) || std::holds_alternative<double>(argument))
+      argument = real(number(argument), doubles);
+    else if (const auto* points = std::get_if<Input>(&argument))
+      argument = reals(*points, doubles);
   }
   return delivered;
 }
 
-Command eval_coord1(double u, bool doubles, bool arrays) {
-  Command command;
-  if (arrays) {
-    command.entry = doubles ? EntryPoint::EvalCoord1dv : EntryPoint::EvalCoord1fv;
-    command.arguments.emplace_back(reals({u}, doubles));
-  } else {
-    command.entry = doubles ? EntryPoint::EvalCoord1d : EntryPoint::EvalCoord1f;
-    command.arguments.push_back(real(u, doubles));
+bool is_map(EntryPoint entry) {
+  return entry == EntryPoint::Map1f || entry == EntryPoint::Map1d || entry == EntryPoint::Map2f ||
+         entry == EntryPoint::Map2d;
+}
+
+// Commands that are legal between Begin and End only, evaluation apart.
+bool is_vertex(EntryPoint entry) {
+  const std::string_view name = name_of(entry);
+  return name.starts_with("Vertex") && !name.starts_with("VertexAttrib") &&
+         !name.starts_with("VertexPointer");
+}
+
+// Replaces evaluation at coordinates by evaluation at the points of grids.
+class OnGrids {
+ public:
+  OnGrids(const Case& script, bool meshes) : script_(script), meshes_(meshes) {
+    delivered_.script.set_identity(script.identity());
   }
-  return command;
+
+  DeliveredCase apply() {
+    while (next_ < commands().size()) {
+      if (commands()[next_].entry == EntryPoint::Begin) {
+        primitive();
+      } else if (const auto at = coordinates(commands()[next_]); !at.empty()) {
+        single_point(at);  // outside Begin and End
+      } else {
+        copy();
+      }
+    }
+    return std::move(delivered_);
+  }
+
+ private:
+  // One grid for each dimension, all through the same arguments.
+  using Grids = std::vector<GridThrough>;
+
+  const std::vector<Command>& commands() const { return script_.commands(); }
+
+  // The next command becomes this one.
+  void put(Command command) {
+    for (Value& argument : command.arguments)
+      if (auto* result = std::get_if<ResultOf>(&argument))
+        result->command = delivered_.positions[static_cast<std::size_t>(result->command)];
+    delivered_.positions.push_back(delivered_.script.add(std::move(command)).index);
+    ++next_;
+  }
+  void copy() { put(commands()[next_]); }
+  // The next command needs none of its own.
+  void drop() {
+    delivered_.positions.push_back(static_cast<int>(delivered_.script.commands().size()) - 1);
+    ++next_;
+  }
+
+  void map_grid(const Grids& grids) {
+    Command command{grids.size() == 2 ? EntryPoint::MapGrid2f : EntryPoint::MapGrid1f, {}};
+    for (const GridThrough& grid : grids) {
+      command.arguments.emplace_back(std::int64_t{grid.segments});
+      command.arguments.push_back(real(grid.first, false));
+      command.arguments.push_back(real(grid.last, false));
+    }
+    delivered_.script.add(std::move(command));
+  }
+
+  static Command eval_point(const Grids& grids, std::size_t i) {
+    Command command{grids.size() == 2 ? EntryPoint::EvalPoint2 : EntryPoint::EvalPoint1, {}};
+    for (const GridThrough& grid : grids) command.arguments.emplace_back(std::int64_t{grid.indices[i]});
+    return command;
+  }
+
+  static Command eval_mesh(GLenum mode, const Grids& grids) {
+    Command command{grids.size() == 2 ? EntryPoint::EvalMesh2 : EntryPoint::EvalMesh1, {std::int64_t{mode}}};
+    for (const GridThrough& grid : grids) {
+      command.arguments.emplace_back(std::int64_t{grid.indices.front()});
+      command.arguments.emplace_back(std::int64_t{grid.indices.back()});
+    }
+    return command;
+  }
+
+  static std::optional<Grids> grids_through(const std::vector<std::vector<double>>& arguments) {
+    Grids grids;
+    for (std::size_t dimension = 0; !arguments.empty() && dimension < arguments[0].size(); ++dimension) {
+      std::vector<double> values;
+      for (const std::vector<double>& at : arguments) values.push_back(at.at(dimension));
+      const std::optional<GridThrough> grid = grid_through(values);
+      if (!grid) return {};
+      grids.push_back(*grid);
+    }
+    if (grids.empty()) return {};
+    return grids;
+  }
+
+  // Whether the arguments are those of one mesh, in its order: one index rises by one, the other stays.
+  static bool is_row(const Grids& grids) {
+    std::size_t rising = 0;
+    for (const GridThrough& grid : grids) {
+      const auto& indices = grid.indices;
+      const auto step = [&](int by) {
+        return std::ranges::adjacent_find(indices, [by](int a, int b) { return b != a + by; }) ==
+               indices.end();
+      };
+      if (step(0)) continue;
+      if (!step(1)) return false;
+      ++rising;
+    }
+    return rising == 1;
+  }
+
+  // Grids of which the point is the first or the last end, in turn.
+  Grids grids_of_point(const std::vector<double>& at) {
+    Grids grids;
+    for (const double x : at) {
+      const double other = x == 2 ? 3 : 0.5 * x + 1;
+      const bool is_first = ends_++ % 2 == 0;
+      grids.push_back(is_first ? GridThrough{1, x, other, {0}} : GridThrough{3, other, x, {3}});
+    }
+    return grids;
+  }
+
+  // A point that is a primitive of its own, or (mode none) outside Begin and End.
+  void single_point(const std::vector<double>& at) {
+    const Grids grids = grids_of_point(at);
+    map_grid(grids);
+    put(meshes_ ? eval_mesh(GL_POINT, grids) : eval_point(grids, 0));
+  }
+
+  void primitive() {
+    const auto mode = static_cast<GLenum>(std::get<std::int64_t>(commands()[next_].arguments[0]));
+    std::vector<std::vector<double>> arguments;
+    std::size_t end = next_ + 1;
+    for (; end < commands().size() && commands()[end].entry != EntryPoint::End; ++end)
+      if (auto at = coordinates(commands()[end]); !at.empty()) arguments.push_back(std::move(at));
+    if (arguments.empty() || end == commands().size()) return copy();
+    const bool only_evaluation = arguments.size() == end - next_ - 1;
+    const std::optional<Grids> grids = grids_through(arguments);
+
+    if (meshes_ && mode == GL_LINE_STRIP && only_evaluation && grids && is_row(*grids)) {
+      map_grid(*grids);
+      drop();
+      put(eval_mesh(GL_LINE, *grids));
+      while (next_ <= end) drop();
+    } else if (meshes_ && mode == GL_POINTS) {
+      meshes_of_points(end);
+    } else if (!meshes_ && grids) {
+      map_grid(*grids);
+      for (std::size_t i = 0; next_ <= end;) {
+        if (coordinates(commands()[next_]).empty())
+          copy();
+        else
+          put(eval_point(*grids, i++));
+      }
+    } else if (!meshes_ && mode == GL_POINTS) {
+      separate_points(end);
+    } else {
+      throw std::logic_error(script_.identity() + ": this primitive cannot be delivered by points of a grid");
+    }
+  }
+
+  // Each evaluated point in a Begin and End of its own, with a grid before it.
+  void separate_points(std::size_t end) {
+    const Command begin = commands()[next_];
+    copy();
+    while (next_ < end) {
+      const auto at = coordinates(commands()[next_]);
+      if (at.empty()) {
+        copy();
+        continue;
+      }
+      delivered_.script.add({EntryPoint::End, {}});
+      const Grids grids = grids_of_point(at);
+      map_grid(grids);
+      delivered_.script.add(begin);
+      put(eval_point(grids, 0));
+    }
+    copy();
+  }
+
+  // Runs of evaluation become meshes; a Vertex between them gets a Begin and End of its own.
+  void meshes_of_points(std::size_t end) {
+    const Command begin = commands()[next_];
+    drop();
+    while (next_ < end) {
+      std::vector<std::vector<double>> run;
+      for (std::size_t i = next_; i < end; ++i) {
+        auto at = coordinates(commands()[i]);
+        if (at.empty()) break;
+        run.push_back(std::move(at));
+      }
+      if (run.empty()) {
+        const bool vertex = is_vertex(commands()[next_].entry);
+        if (vertex) delivered_.script.add(begin);
+        copy();
+        if (vertex) delivered_.script.add({EntryPoint::End, {}});
+        continue;
+      }
+      const std::optional<Grids> grids = grids_through(run);
+      if (grids && run.size() > 1 && is_row(*grids)) {
+        map_grid(*grids);
+        put(eval_mesh(GL_POINT, *grids));
+        for (std::size_t i = 1; i < run.size(); ++i) drop();
+      } else {
+        for (const std::vector<double>& at : run) single_point(at);
+      }
+    }
+    drop();  // End
+  }
+
+  const Case& script_;
+  bool meshes_;
+  std::size_t next_ = 0;  // the command of the case that is delivered next
+  std::size_t ends_ = 0;
+  DeliveredCase delivered_;
+};
+
+DeliveredCase one_for_one(const Case& script, bool doubles, bool arrays) {
+  DeliveredCase delivered{Case(script.identity()), {}};
+  for (const Command& command : script.commands()) {
+    const auto at = coordinates(command);
+    const gl::Ref ref = delivered.script.add(!at.empty()             ? eval_coord(at, doubles, arrays)
+                                             : is_map(command.entry) ? map(command, doubles)
+                                                                     : command);
+    delivered.positions.push_back(ref.index);
+  }
+  return delivered;
 }
 
 }  // namespace
 
-Case Delivery::apply(const Case& script) const {
-  Case delivered(script.identity());
-  for (const Command& command : script.commands()) {
-    switch (command.entry) {
-      case EntryPoint::Map1f:
-      case EntryPoint::Map1d:
-        delivered.add(map1(command, doubles));
-        break;
-      case EntryPoint::EvalCoord1f:
-      case EntryPoint::EvalCoord1d:
-        delivered.add(eval_coord1(number(command.arguments[0]), doubles, arrays));
-        break;
-      case EntryPoint::EvalCoord1fv:
-      case EntryPoint::EvalCoord1dv:
-        delivered.add(eval_coord1(elements(std::get<Input>(command.arguments[0])).at(0), doubles, arrays));
-        break;
-      default:
-        delivered.add(command);
-    }
+DeliveredCase Delivery::apply(const Case& script) const {
+  if (lifted) {
+    Delivery unlifted = *this;
+    unlifted.lifted = false;
+    return unlifted.apply(lift(script, along_v));
   }
-  return delivered;
+  switch (evaluation) {
+    case Evaluation::point:
+      return OnGrids(script, false).apply();
+    case Evaluation::mesh:
+      return OnGrids(script, true).apply();
+    default:
+      return one_for_one(script, doubles, evaluation == Evaluation::array);
+  }
 }
 
-const std::vector<Delivery>& deliveries() {
-  static const std::vector<Delivery> all = {{"EvalCoord1f", false, false},
-                                            {"EvalCoord1fv", false, true},
-                                            {"EvalCoord1d", true, false},
-                                            {"EvalCoord1dv", true, true}};
+const std::vector<Delivery>& curve_deliveries() {
+  using enum Delivery::Evaluation;
+  static const std::vector<Delivery> all = {
+      {"EvalCoord1f", coordinates, false, false, false}, {"EvalCoord1fv", array, false, false, false},
+      {"EvalCoord1d", coordinates, true, false, false},  {"EvalCoord1dv", array, true, false, false},
+      {"EvalPoint1", point, false, false, false},        {"EvalMesh1", mesh, false, false, false},
+      {"EvalCoord2f", coordinates, false, true, false},  {"EvalCoord2fv", array, false, true, true},
+      {"EvalCoord2d", coordinates, true, true, true},    {"EvalCoord2dv", array, true, true, false},
+      {"EvalPoint2", point, false, true, true},          {"EvalMesh2", mesh, false, true, false}};
   return all;
+}
+
+const std::vector<Delivery>& surface_deliveries() {
+  static const std::vector<Delivery> all = [] {
+    std::vector<Delivery> two = curve_deliveries();
+    std::erase_if(two, [](const Delivery& delivery) { return !delivery.lifted; });
+    for (Delivery& delivery : two) delivery.lifted = false;
+    return two;
+  }();
+  return all;
+}
+
+std::vector<Delivery> without_meshes(const std::vector<Delivery>& deliveries) {
+  std::vector<Delivery> kept = deliveries;
+  std::erase_if(kept,
+                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::mesh; });
+  return kept;
+}
+
+std::vector<Delivery> without_grids(const std::vector<Delivery>& deliveries) {
+  std::vector<Delivery> kept = without_meshes(deliveries);
+  std::erase_if(kept,
+                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::point; });
+  return kept;
 }
 
 }  // namespace evalcts::gl

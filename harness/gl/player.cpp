@@ -215,6 +215,14 @@ std::vector<std::byte> Trace::bytes(Ref command) const {
           array.bytes.begin() + static_cast<std::ptrdiff_t>(array.count * size_of(array.type))};
 }
 
+Trace Trace::of(const std::vector<int>& commands) const {
+  Trace chosen;
+  chosen.left_over_errors_ = left_over_errors_;
+  for (const int command : commands)
+    chosen.results_.push_back(results_.at(static_cast<std::size_t>(command)));
+  return chosen;
+}
+
 void Trace::replace_result(Ref command, std::int64_t value) {
   results_.at(static_cast<std::size_t>(command.index)).value = value;
 }

@@ -52,6 +52,9 @@ class Trace {
 
   std::size_t size() const { return results_.size(); }
 
+  // The answers of these commands, which are numbered anew from 0.
+  Trace of(const std::vector<int>& commands) const;
+
   // What would have been judged if the command had answered something else: finds the answer that a failure
   // rests on.
   void replace_result(Ref command, std::int64_t value);

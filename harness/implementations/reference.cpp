@@ -20,7 +20,7 @@ ObservedVertex rounded(const reference::Vertex& vertex) {
   };
   round(vertex.position, out.position);
   round(vertex.color, out.color);
-  round(vertex.normal, out.normal);
+  out.normal = reference::rounded(vertex.normal);
   for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
     round(vertex.texture_coordinate[unit], out.texture_coordinate[unit]);
   return out;

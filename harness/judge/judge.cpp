@@ -19,6 +19,19 @@ using reference::Sample;
 
 std::string text(float value) { return fmt::format("{:.9g} ({:a})", value, value); }
 
+std::string text(const std::array<float, 3>& vector) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", vector[0], vector[1], vector[2]);
+}
+
+// "order 4 at u = 0.5 (0x1p-1)", "order 4x2 at u = ..., v = ..."
+std::string place(const Sample& sample) {
+  std::string order = std::to_string(sample.map->u.order);
+  if (sample.v) order += fmt::format("x{}", sample.map->v.order);
+  std::string at = "u = " + reference::describe(sample.u.value());
+  if (sample.v) at += ", v = " + reference::describe(sample.v->value());
+  return fmt::format("order {} at {}", order, at);
+}
+
 class VertexJudge {
  public:
   VertexJudge(const JudgeOptions& options, const Observation& observation, Judgement& judgement)
@@ -28,7 +41,10 @@ class VertexJudge {
     index_ = index;
     values(kPosition, "position", "xyzw", expected.position, got.position);
     values(kColor, "color", "RGBA", expected.color, got.color);
-    values(kNormal, "normal", "xyz", expected.normal, got.normal);
+    if (const auto* components = std::get_if<0>(&expected.normal))
+      values(kNormal, "normal", "xyz", *components, got.normal);
+    else if (options_.attributes & observation_.attributes & kNormal)
+      automatic_normal(std::get<reference::AutomaticNormal>(expected.normal), got.normal);
     for (std::size_t unit = 0; unit < observation_.units; ++unit)
       values(unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther, "texture coordinate", "strq",
              expected.texture_coordinate[unit], got.texture_coordinate[unit], unit);
@@ -104,6 +120,72 @@ class VertexJudge {
       judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got, clamped));
   }
 
+  // Any method of computing it is allowed (EV-AUTON-METHOD); the analytic one, which GL 1.0 demanded, is
+  // quality. With a vertex shader it is not normalised: then only its direction is judged, as its length
+  // depends on what the derivatives are taken by (U-AUTON-MAGN), but over [0,1].
+  void automatic_normal(const reference::AutomaticNormal& normal, const std::array<float, 3>& got) {
+    Accuracy& accuracy = judgement_.accuracy;
+    const int range = reference::guaranteed_range(normal.map->target, options_.version);
+    const auto acceptance = reference::acceptance(normal, range);
+    if (!acceptance || !acceptance->must_applies || !acceptance->bound) {
+      if (options_.measured & kNormal) ++accuracy.not_judged;
+      return;
+    }
+    const reference::Map::Direction &u = normal.map->u, &v = normal.map->v;
+    const bool either_sign = u.first > u.last || v.first > v.last;  // U-AUTON-REVSIGN
+    const Rational bound =
+        *acceptance->bound +
+        (options_.level == Level::quality ? Rational(0) : reference::normal_method_allowance());
+    const bool with_shader = observation_.attributes & kShaderNormal;
+    const bool accepted = with_shader ? reference::direction_is_within(got, acceptance->m, bound, either_sign)
+                                      : reference::is_within(got, acceptance->m, bound, either_sign);
+    const auto expected = reference::rounded_unit_vector(acceptance->m);
+    if (!accepted) {
+      normal_mismatch(
+          fmt::format("{} +- {:.3g}{}{}", text(expected), bound.to_double(),
+                      either_sign ? ", or the opposite" : "", with_shader ? ", of any length" : ""),
+          expected, got, bound);
+    } else if (with_shader && options_.lengths_of_shader_normals) {
+      length(normal, *acceptance, got);
+    }
+  }
+
+  void length(const reference::AutomaticNormal& normal, const reference::NormalAcceptance& acceptance,
+              const std::array<float, 3>& got) {
+    if (!acceptance.vector_bound) return;
+    const reference::Vector m = reference::normal_vector(normal.map->surfaces(), normal.u, normal.v);
+    const Rational bound =
+        *acceptance.vector_bound + reference::normal_method_allowance() * reference::length(m, 20).high;
+    bool accepted = true;
+    std::array<float, 3> expected{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      accepted = accepted && reference::is_within(got[i], m[i], bound);
+      expected[i] = reference::round_to_float(m[i]);
+    }
+    if (!accepted)
+      normal_mismatch(fmt::format("{} +- {:.3g}", text(expected), bound.to_double()), expected, got, bound);
+  }
+
+  void normal_mismatch(const std::string& expected, const std::array<float, 3>& exact,
+                       const std::array<float, 3>& got, const Rational& bound) {
+    // The component that is farthest off stands for the vector.
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+      if (!(std::abs(got[i] - exact[i]) <= std::abs(got[worst] - exact[worst]))) worst = i;
+    Mismatch mismatch;
+    mismatch.what = fmt::format("normal.{} of vertex {}", "xyz"[worst], index_);
+    mismatch.expected = expected;
+    mismatch.captured = text(got);
+    mismatch.exact = text(exact);
+    mismatch.ulp = reference::ulp_distance(got[worst], Rational(static_cast<double>(exact[worst])));
+    mismatch.condition_aware = std::numeric_limits<double>::infinity();
+    mismatch.message = fmt::format("the automatic normal of vertex {} is {}, expected {}", index_,
+                                   mismatch.captured, mismatch.expected);
+    mismatch.got = static_cast<double>(got[worst]);
+    set_interval(mismatch, Rational(static_cast<double>(exact[worst])), bound, false);
+    judgement_.mismatches.push_back(std::move(mismatch));
+  }
+
   // The outermost doubles of the interval: no float lies between them and its ends.
   static void set_interval(Mismatch& mismatch, const Rational& exact, const Rational& bound, bool clamped) {
     const double infinity = std::numeric_limits<double>::infinity();
@@ -149,10 +231,8 @@ class VertexJudge {
     }
     const auto keep_worst = [&](Worst& worst, double error) {
       if (!(error > worst.error)) return;
-      worst = {error,
-               fmt::format("{}: {}, order {} at u = {}", options_.where, what(), sample.map->u.order,
-                           reference::describe(sample.u.value())),
-               got, reference::describe(exact)};
+      worst = {error, fmt::format("{}: {}, {}", options_.where, what(), place(sample)), got,
+               reference::describe(exact)};
     };
     keep_worst(accuracy.ulp, reference::ulp_distance(got, exact));
     keep_worst(accuracy.condition_aware, reference::condition_distance(got, exact, magnitude));
@@ -170,10 +250,9 @@ class VertexJudge {
         fmt::format("[{:.9g}, {:.9g}]", (exact - bound).to_double(), (exact + bound).to_double());
     mismatch.ulp = reference::ulp_distance(got, exact);
     mismatch.condition_aware = reference::condition_distance(got, exact, magnitude);
-    mismatch.message =
-        fmt::format("{} ({} of order {}, component {}, at u = {}) is {}, {:.4g} ULP from {}", mismatch.what,
-                    gl::token_name(sample.map->target), sample.map->u.order, sample.component,
-                    reference::describe(sample.u.value()), mismatch.captured, mismatch.ulp, mismatch.exact);
+    mismatch.message = fmt::format("{} (component {} of {}, {}) is {}, {:.4g} ULP from {}", mismatch.what,
+                                   sample.component, gl::token_name(sample.map->target), place(sample),
+                                   mismatch.captured, mismatch.ulp, mismatch.exact);
     return mismatch;
   }
 

@@ -35,6 +35,7 @@ struct JudgeOptions {
   Level level = Level::must;
   Attributes attributes = kAllAttributes;  // judged are those of them that were observed
   Attributes measured = kAllAttributes;    // those that count for Accuracy
+  bool lengths_of_shader_normals = false;  // of automatic normals with a vertex shader (U-AUTON-MAGN)
   int version = 46;                        // 10 * major + minor: ranges that the GL promises depend on it
   std::string where = {};                  // the case's identity, for Accuracy
 };

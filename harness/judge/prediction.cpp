@@ -19,6 +19,13 @@ std::size_t Prediction::vertex_count() const {
   return count;
 }
 
+bool Prediction::has_automatic_normals() const {
+  for (const reference::Primitive& primitive : primitives)
+    for (const reference::Vertex& vertex : primitive.vertices)
+      if (std::holds_alternative<reference::AutomaticNormal>(vertex.normal)) return true;
+  return false;
+}
+
 bool Prediction::has_nonpositive_w() const {
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
@@ -52,7 +59,8 @@ gl::Case as_explicit_commands(const Prediction& prediction) {
       const auto& [position, color, normal, textures, index, edge_flag] = vertex;
       const auto& texture = textures[0];
       c.Color4f(value(color[0]), value(color[1]), value(color[2]), value(color[3]));
-      c.Normal3f(value(normal[0]), value(normal[1]), value(normal[2]));
+      const std::array<float, 3> direction = reference::rounded(normal);
+      c.Normal3f(direction[0], direction[1], direction[2]);
       c.TexCoord4f(value(texture[0]), value(texture[1]), value(texture[2]), value(texture[3]));
       c.EdgeFlag(edge_flag);
       c.Vertex4f(value(position[0]), value(position[1]), value(position[2]), value(position[3]));

@@ -15,6 +15,7 @@ struct Prediction {
 
   std::size_t vertex_count() const;
   bool has_nonpositive_w() const;
+  bool has_automatic_normals() const;
 };
 
 // Commands that the specification does not have (pixel store, buffers, matrices) do not concern evaluators

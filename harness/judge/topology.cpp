@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -123,6 +126,123 @@ std::optional<Topology> read_topology(const Prediction& prediction, const Observ
       if (!seen.count(first + i)) return std::nullopt;
     first += primitive.vertices.size();
   }
+  return topology;
+}
+
+namespace {
+
+using Quad = std::array<std::size_t, 4>;  // vertices of the case, in the order of its winding
+
+// None where something other than quads is drawn.
+std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
+  std::vector<Quad> quads;
+  std::size_t first = 0;
+  for (const reference::Primitive& primitive : prediction.primitives) {
+    const std::size_t used = used_vertices(primitive.mode, primitive.vertices.size());
+    if (primitive.mode == GL_QUADS) {
+      for (std::size_t i = first; i < first + used; i += 4) quads.push_back({i, i + 1, i + 2, i + 3});
+    } else if (primitive.mode == GL_QUAD_STRIP) {
+      for (std::size_t i = first; i + 2 < first + used; i += 2) quads.push_back({i, i + 1, i + 3, i + 2});
+    } else if (used > 0) {
+      return {};
+    }
+    first += primitive.vertices.size();
+  }
+  return quads;
+}
+
+// How far what came out is from a vertex of the case: near zero where it is that vertex.
+class Distance {
+ public:
+  Distance(const Prediction& prediction, Attributes attributes) : attributes_(attributes) {
+    for (const reference::Primitive& primitive : prediction.primitives)
+      for (const reference::Vertex& vertex : primitive.vertices) {
+        std::vector<float> values;
+        for (const auto* four : {&vertex.position, &vertex.texture_coordinate[0], &vertex.color})
+          for (const reference::Component& component : *four) values.push_back(reference::rounded(component));
+        expected_.push_back(std::move(values));
+      }
+  }
+
+  double operator()(std::size_t vertex, const ObservedVertex& seen) const {
+    double distance = 0;
+    const float* expected = expected_[vertex].data();
+    for (const auto& [attribute, values] :
+         {std::pair{kPosition, &seen.position}, std::pair{kTextureCoordinate0, &seen.texture_coordinate[0]},
+          std::pair{kColor, &seen.color}}) {
+      for (std::size_t i = 0; i < 4 && (attributes_ & attribute); ++i) {
+        const double difference = std::abs(static_cast<double>((*values)[i]) - expected[i]);
+        distance += difference <= kFar ? difference : kFar;  // also for NaN
+      }
+      expected += 4;
+    }
+    return distance;
+  }
+
+ private:
+  static constexpr double kFar = 1e6;
+  Attributes attributes_;
+  std::vector<std::vector<float>> expected_;
+};
+
+struct Match {
+  double distance = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> vertices;
+};
+
+// The corners turned so that they fit best.
+Match turned(const Distance& distance, std::vector<std::size_t> corners,
+             const std::vector<ObservedVertex>& seen) {
+  Match best;
+  for (std::size_t turn = 0; turn < corners.size(); ++turn) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) sum += distance(corners[i], seen[i]);
+    if (sum < best.distance) best = {sum, corners};
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  }
+  return best;
+}
+
+Match two_triangles(const Distance& distance, const Quad& q, const std::vector<ObservedVertex>& first,
+                    const std::vector<ObservedVertex>& second) {
+  const std::vector<std::size_t> halves[][2] = {{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}},
+                                                {{q[0], q[1], q[3]}, {q[1], q[2], q[3]}}};
+  Match best;
+  for (const auto& diagonal : halves)
+    for (const int swapped : {0, 1}) {
+      const Match a = turned(distance, diagonal[swapped], first);
+      const Match b = turned(distance, diagonal[1 - swapped], second);
+      if (!(a.distance + b.distance < best.distance)) continue;
+      best = {a.distance + b.distance, a.vertices};
+      best.vertices.insert(best.vertices.end(), b.vertices.begin(), b.vertices.end());
+    }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation) {
+  const std::optional<std::vector<Quad>> quads = quads_of(prediction);
+  if (!quads || quads->empty()) return {};
+  const Distance distance(prediction, observation.attributes);
+  Topology topology{shape_of(observation), {}};
+  const std::vector<ObservedPrimitive>& seen = observation.primitives;
+  std::size_t next = 0;
+  const auto triangle = [&](std::size_t i) { return i < seen.size() && seen[i].vertices.size() == 3; };
+  for (const Quad& quad : *quads) {
+    Match match;
+    if (triangle(next) && triangle(next + 1)) {
+      match = two_triangles(distance, quad, seen[next].vertices, seen[next + 1].vertices);
+      next += 2;
+    } else if (next < seen.size() && seen[next].vertices.size() == 4) {
+      match = turned(distance, {quad.begin(), quad.end()}, seen[next].vertices);
+      next += 1;
+    } else {
+      return {};
+    }
+    topology.vertices.insert(topology.vertices.end(), match.vertices.begin(), match.vertices.end());
+  }
+  if (next != seen.size()) return {};
   return topology;
 }
 

@@ -40,4 +40,9 @@ gl::Case explicit_primitives(const Prediction& prediction);
 // missing: then the implementation does not draw such primitives at all, evaluated or not.
 std::optional<Topology> read_topology(const Prediction& prediction, const Observation& observation);
 
+// The same for a case of quads only (QUADS, QUAD_STRIP) by what came out itself: quads in their order, each
+// whole or as two triangles by either diagonal, turned any way but not over. An implementation may draw them
+// so whatever it does with explicit quads (U-FEEDBACK-DECOMP). Empty where something else came out.
+std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation);
+
 }  // namespace evalcts

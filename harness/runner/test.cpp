@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "harness/gl/call_log.h"
 #include "harness/judge/judge.h"
@@ -101,21 +103,25 @@ std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
 
 // --- Played ----------------------------------------------------------------------------------------------
 
-Played::Played(Test& test, gl::Case script, gl::Trace trace)
-    : test_(test), script_(std::move(script)), trace_(std::move(trace)) {}
+Played::Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace)
+    : test_(test), delivered_(std::move(delivered)), trace_(trace.of(delivered_.positions)) {}
 
 void Played::fail(gl::Check check, const std::string& message, const std::string& expected,
                   const std::string& captured) {
-  const gl::Ref command = check.answer.command;
+  const gl::Case& script = delivered_.script;
   Failure failure;
-  failure.case_identity = script_.identity();
+  failure.case_identity = script.identity();
   failure.message = message;
-  failure.what =
-      std::string(gl::name_of(script_.commands().at(static_cast<std::size_t>(command.index)).entry));
+  failure.what = std::string(gl::name_of(command(check.answer.command).entry));
+  // From here on as the C program counts.
+  check.answer.command = as_delivered(check.answer.command);
+  if (check.other.index >= 0) check.other = as_delivered(check.other);
+  for (gl::Ref& recorded : check.recorded) recorded = as_delivered(recorded);
+  const gl::Ref asked = check.answer.command;
   failure.expected = check.expected = expected;
   failure.captured = captured;
   failure.check = std::move(check);
-  test_.fail(std::move(failure), [&] { return gl::to_c(script_, 0, command.index); });
+  test_.fail(std::move(failure), [&] { return gl::to_c(script, 0, asked.index); });
 }
 
 void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
@@ -125,8 +131,7 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);
   // The command that the question was about is the one before GetError.
-  const gl::Command& subject =
-      script_.commands().at(static_cast<std::size_t>(std::max(get_error.index - 1, 0)));
+  const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
   const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
   const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
   gl::Check check{.answer = {.of = gl::Answer::Of::returned, .command = get_error, .is_error = true}};
@@ -137,12 +142,11 @@ void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allow
        expected, captured);
 }
 
-void Played::expect_result(gl::Ref command, std::int64_t expected) {
-  const std::int64_t got = trace_.result(command);
+void Played::expect_result(gl::Ref asked, std::int64_t expected) {
+  const std::int64_t got = trace_.result(asked);
   if (got == expected) return;
-  fail({.answer = {.of = gl::Answer::Of::returned, .command = command}, .accepted = exactly(expected)},
-       fmt::format("{} returns {}, expected {}",
-                   gl::to_c(script_.commands()[static_cast<std::size_t>(command.index)], 4), got, expected),
+  fail({.answer = {.of = gl::Answer::Of::returned, .command = asked}, .accepted = exactly(expected)},
+       fmt::format("{} returns {}, expected {}", gl::to_c(command(asked), 4), got, expected),
        std::to_string(expected), std::to_string(got));
 }
 
@@ -155,7 +159,7 @@ std::vector<double> Played::written_values(gl::Ref query) const {
 void Played::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
   const std::vector<double> all = all_values(trace_, query);
   const std::size_t written = trace_.written(query);
-  const std::string call = gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4);
+  const std::string call = gl::to_c(command(query), 4);
   const std::size_t compared = std::min(all.size(), expected.size());
   std::size_t i = 0;  // the first that is wrong
   while (i < compared &&
@@ -177,8 +181,7 @@ void Played::check_values(gl::Ref query, const std::vector<double>& expected, do
 void Played::expect_nothing_written(gl::Ref query) {
   if (trace_.written(query) == 0) return;
   fail(at_most_written(query, 0),
-       fmt::format("{} writes to its array in spite of the error",
-                   gl::to_c(script_.commands()[static_cast<std::size_t>(query.index)], 4)),
+       fmt::format("{} writes to its array in spite of the error", gl::to_c(command(query), 4)),
        "nothing written", list(written_values(query)));
 }
 
@@ -188,9 +191,8 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
   const std::string was = array ? list(written_values(before)) : numbers(trace_, before);
   const std::string is = array ? list(written_values(after)) : numbers(trace_, after);
   fail({.rule = gl::Check::Rule::same, .answer = {.command = after}, .other = before},
-       fmt::format("{} answered {} before and answers {} now",
-                   gl::to_c(script_.commands()[static_cast<std::size_t>(after.index)], 4), was, is),
-       was, is);
+       fmt::format("{} answered {} before and answers {} now", gl::to_c(command(after), 4), was, is), was,
+       is);
 }
 
 void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
@@ -230,20 +232,27 @@ bool Test::cross_checked() const {
 }
 
 // Counts the case and returns it as it is delivered.
-gl::Case Test::begin_case(const gl::Case& script) {
+gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++record_.cases;
   if (subject_.reproduction) subject_.reproduction->begin_case();
-  gl::Case delivered = delivery_ ? delivery_->apply(script) : script;
-  if (subject_.before_case) subject_.before_case(delivered);
+  gl::DeliveredCase delivered;
+  if (delivery_) {
+    delivered = delivery_->apply(script);
+  } else {
+    delivered = {script, std::vector<int>(script.commands().size())};
+    std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
+  }
+  if (subject_.before_case) subject_.before_case(delivered.script);
   return delivered;
 }
 
 Played Test::play(const gl::Case& written) {
-  const gl::Case script = begin_case(written);
+  const gl::DeliveredCase delivered = begin_case(written);
+  const gl::Case& script = delivered.script;
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
-  gl::Trace trace = context->play(script);
+  const gl::Trace trace = context->play(script);
   const std::vector<GLenum> left_over = trace.left_over_errors();
-  Played played(*this, script, std::move(trace));
+  Played played(*this, delivered, trace);
   if (!left_over.empty()) {
     std::vector<std::string> names;
     for (const GLenum error : left_over) names.push_back(gl::error_name(error));
@@ -284,7 +293,7 @@ void Test::note_capture(const Capture& capture) {
 }
 
 Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices) {
-  const gl::Case script = begin_case(written);
+  const gl::Case script = begin_case(written).script;
   const Capture* capture = captures_for(required, kPoints, false).front();
   note_capture(*capture);
   return capture->observe(*subject_.implementation, script, {required, most_vertices, kPoints});
@@ -292,7 +301,7 @@ Observation Test::observe(const gl::Case& written, Attributes required, std::siz
 
 RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingShader& shader,
                                        std::size_t most_vertices) {
-  const gl::Case script = begin_case(written);
+  const gl::Case script = begin_case(written).script;
   return evalcts::record_varyings(*subject_.implementation, shader, script, kPoints, most_vertices);
 }
 
@@ -311,7 +320,7 @@ Topology Test::topology_of(const Prediction& prediction, const Capture& capture)
 }
 
 void Test::expect_emission(const gl::Case& written, Attributes required) {
-  const gl::Case script = begin_case(written);
+  const gl::Case script = begin_case(written).script;
   const Prediction prediction = predict(script, max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
   // Some room beyond what is right, so that the message can say how many came.
@@ -330,13 +339,19 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     Topology topology = topology_of(prediction, *capture);
     // The explicit primitives are not the case.
     if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
-    looks.push_back({capture, std::move(topology),
-                     capture->observe(*subject_.implementation, script, {wanted, room, kinds})});
+    Observation observation = capture->observe(*subject_.implementation, script, {wanted, room, kinds});
+    if (std::optional<Topology> quads = match_quads(prediction, observation)) topology = *std::move(quads);
+    looks.push_back({capture, std::move(topology), std::move(observation)});
     note_capture(*capture);
   }
   for (std::size_t i = 1; i < looks.size(); ++i) {
+    Observation other = looks[i].observation;
+    // A vertex shader changes automatic normals (EV-AUTON-SHADER).
+    if (prediction.has_automatic_normals() &&
+        (other.attributes & kShaderNormal) != (looks[0].observation.attributes & kShaderNormal))
+      other.attributes &= ~static_cast<Attributes>(kNormal);
     const std::string differs =
-        disagreement({looks[0].observation, looks[0].topology}, {looks[i].observation, looks[i].topology});
+        disagreement({looks[0].observation, looks[0].topology}, {other, looks[i].topology});
     if (!differs.empty())
       throw NotObservable(fmt::format("untrusted: {} and {} disagree in case {}: {}",
                                       looks[0].capture->name(), looks[i].capture->name(), script.identity(),
@@ -362,6 +377,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
   const auto& [capture, topology, observation] = looks.front();  // the others agree with it
   const JudgeOptions options{.level = record_.level,
                              .measured = required,
+                             .lengths_of_shader_normals = (required & kShaderNormal) != 0,
                              .version = 10 * gl().major + gl().minor,
                              .where = script.identity()};
   const auto judged = [&, &topology = topology](const Observation& seen) {
@@ -438,7 +454,58 @@ void Test::run(const std::function<void(Test&)>& body) {
 
 // --- Registration ----------------------------------------------------------------------------------------
 
+namespace {
+
+// The requirement of two dimensions that a one-dimensional test decides when it is lifted; empty: none.
+std::string in_two_dimensions(std::string_view requirement) {
+  std::string id(requirement);
+  if (id == "EV-COORD-DIM1") return "EV-COORD-DIM2";
+  if (id == "EV-MAP1-ZEROPOW" || id == "EV-MAP1-COMPORDER") return "EV-MAP2-BEZIER";
+  if (id == "EV-MAP1-STRIDE") return "EV-MAP2-ADDRESS";
+  if (id.starts_with("EV-MAP1-")) return id.replace(0, 8, "EV-MAP2-");
+  if (id.ends_with("/1-D")) return id.replace(id.size() - 4, 4, "/2-D");
+  return {};
+}
+
+std::string with_2_for_1(std::string name) {
+  for (const auto& [one, two] : {std::pair{"Map1", "Map2"}, std::pair{"MAP1", "MAP2"}})
+    for (std::size_t at = name.find(one); at != std::string::npos; at = name.find(one))
+      name.replace(at, 4, two);
+  return name;
+}
+
+// The same characters for the rest of the process.
+std::string_view kept(const std::string& text) {
+  static std::set<std::string> all;
+  return *all.insert(text).first;
+}
+
+}  // namespace
+
+TestInfo TestInfo::by(const gl::Delivery& delivery) const {
+  TestInfo delivered = *this;
+  delivered.name += std::string("/") + delivery.name;
+  delivered.body = [body = body, delivery](Test& t) {
+    t.deliver_by(delivery);
+    body(t);
+  };
+  if (!delivery.lifted) return delivered;
+  delivered.suite = with_2_for_1(delivered.suite);
+  delivered.name = with_2_for_1(delivered.name);
+  delivered.requirements.clear();
+  for (const std::string_view requirement : requirements) {
+    const std::string lifted = in_two_dimensions(requirement);
+    if (!lifted.empty() && std::ranges::count(delivered.requirements, lifted) == 0)
+      delivered.requirements.push_back(kept(lifted));
+  }
+  return delivered;
+}
+
 Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
+
+std::string Registration::name_with(const char* name, const std::string& parameter) {
+  return fmt::format("{}/{}", name, parameter);
+}
 
 std::string Registration::parameter_name(GLenum target) {
   const std::string name = gl::token_name(target);

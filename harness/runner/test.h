@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -47,8 +48,10 @@ class Test;
 // is recorded with the case's calls and does not stop the test.
 class Played {
  public:
-  Played(Test& test, gl::Case script, gl::Trace trace);
+  // `trace` is that of the case as it was delivered.
+  Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace);
 
+  // The answers to the commands of the case as it was written.
   const gl::Trace& trace() const { return trace_; }
 
   // GetError gave one of these. The message says "missing error" or "spurious error".
@@ -81,8 +84,15 @@ class Played {
   void fail(gl::Check check, const std::string& message, const std::string& expected,
             const std::string& captured);
 
+  gl::Ref as_delivered(gl::Ref command) const {
+    return {delivered_.positions.at(static_cast<std::size_t>(command.index))};
+  }
+  const gl::Command& command(gl::Ref written) const {
+    return delivered_.script.commands().at(static_cast<std::size_t>(as_delivered(written).index));
+  }
+
   Test& test_;
-  gl::Case script_;
+  gl::DeliveredCase delivered_;
   gl::Trace trace_;
 };
 
@@ -103,8 +113,8 @@ class Test {
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
 
-  // From now on each case goes through this delivery; it has to outlive the test.
-  void deliver_by(const gl::Delivery& delivery) { delivery_ = &delivery; }
+  // From now on each case goes through this delivery.
+  void deliver_by(const gl::Delivery& delivery) { delivery_ = delivery; }
 
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
@@ -130,7 +140,7 @@ class Test {
 
  private:
   friend class Played;
-  gl::Case begin_case(const gl::Case& script);
+  gl::DeliveredCase begin_case(const gl::Case& script);
   bool cross_checked() const;
   std::vector<Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) const;
   void note_capture(const Capture& capture);
@@ -138,7 +148,7 @@ class Test {
 
   const Subject& subject_;
   Record& record_;
-  const gl::Delivery* delivery_ = nullptr;
+  std::optional<gl::Delivery> delivery_;
   std::size_t last_failed_case_ = 0;
   std::mt19937 random_;
 };
@@ -152,6 +162,10 @@ struct TestInfo {
   std::function<void(Test&)> body;
 
   std::string full_name() const { return suite + "." + name; }
+
+  // The same test through the delivery: its name ends in the delivery's. Lifted to two dimensions, it bears
+  // the names and decides the requirements of two dimensions.
+  TestInfo by(const gl::Delivery& delivery) const;
 };
 
 // All tests, in the order of their names.
@@ -165,7 +179,7 @@ struct Registration {
                std::initializer_list<std::string_view> requirements, Body body) {
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
-      Registration(TestInfo{suite, std::string(name) + "/" + parameter_name(copy), requirements, level,
+      Registration(TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
                             [body, copy](Test& t) { body(t, copy); }});
     }
   }
@@ -174,11 +188,7 @@ struct Registration {
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
                std::initializer_list<std::string_view> requirements, Body body) {
     for (const gl::Delivery& delivery : deliveries)
-      Registration(TestInfo{suite, std::string(name) + "/" + delivery.name, requirements, level,
-                            [body, &delivery](Test& t) {
-                              t.deliver_by(delivery);
-                              body(t);
-                            }});
+      Registration(TestInfo{suite, name, requirements, level, body}.by(delivery));
   }
   template <class Parameters, class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name,
@@ -186,13 +196,14 @@ struct Registration {
                std::initializer_list<std::string_view> requirements, Body body) {
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
-      const std::string with_parameter = std::string(name) + "/" + parameter_name(copy);
+      const std::string with_parameter = name_with(name, parameter_name(copy));
       Registration(deliveries, suite, with_parameter.c_str(), level, requirements,
                    [body, copy](Test& t) { body(t, copy); });
     }
   }
 
  private:
+  static std::string name_with(const char* name, const std::string& parameter);  // "NAME/PARAMETER"
   static std::string parameter_name(GLenum target);
   template <class Parameter>
   requires requires(const Parameter& p) { p.name; }
@@ -214,20 +225,25 @@ struct Registration {
       #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
   static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
 
-// The same through each delivery: the case is written with Map1f and EvalCoord1f. One test each,
-// "Suite.Name/EvalCoord1dv".
-#define EVALCTS_DELIVERED_TEST(suite, name, level, ...)                                                    \
-  static void suite##_##name(::evalcts::Test& t);                                                          \
-  static const ::evalcts::Registration suite##_##name##_registration{                                      \
-      ::evalcts::gl::deliveries(), #suite, #name, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
+// The same through each of several deliveries, one test each: "Suite.Name/EvalCoord1dv".
+// EVALCTS_TEST_BY(gl::surface_deliveries(), Map2Values, Corners, must, "EV-NUM-CORNERS") {...}
+#define EVALCTS_TEST_BY(deliveries, suite, name, level, ...)                              \
+  static void suite##_##name(::evalcts::Test& t);                                         \
+  static const ::evalcts::Registration suite##_##name##_registration{                     \
+      deliveries, #suite, #name, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
   static void suite##_##name(::evalcts::Test& t)
 
 // "Suite.Name/PARAMETER/EvalCoord1dv".
-#define EVALCTS_DELIVERED_TESTS(suite, name, parameters, parameter, level, ...) \
-  static void suite##_##name(::evalcts::Test& t, parameter);                    \
-  static const ::evalcts::Registration suite##_##name##_registration{           \
-      ::evalcts::gl::deliveries(), #suite,        #name,         parameters,    \
-      ::evalcts::Level::level,     {__VA_ARGS__}, suite##_##name};              \
+#define EVALCTS_TESTS_BY(deliveries, suite, name, parameters, parameter, level, ...)                  \
+  static void suite##_##name(::evalcts::Test& t, parameter);                                          \
+  static const ::evalcts::Registration suite##_##name##_registration{                                 \
+      deliveries, #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
   static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
+
+// Through all curve deliveries: the case is written with Map1f and EvalCoord1f, and draws points.
+#define EVALCTS_DELIVERED_TEST(suite, name, level, ...) \
+  EVALCTS_TEST_BY(::evalcts::gl::curve_deliveries(), suite, name, level, __VA_ARGS__)
+#define EVALCTS_DELIVERED_TESTS(suite, name, parameters, parameter, level, ...) \
+  EVALCTS_TESTS_BY(::evalcts::gl::curve_deliveries(), suite, name, parameters, parameter, level, __VA_ARGS__)
 
 }  // namespace evalcts

@@ -36,7 +36,7 @@ struct Scene {
       ObservedVertex& seen = points.vertices.emplace_back();
       for (std::size_t i = 0; i < 4; ++i) seen.position[i] = reference::rounded(vertex.position[i]);
       for (std::size_t i = 0; i < 4; ++i) seen.color[i] = reference::rounded(vertex.color[i]);
-      for (std::size_t i = 0; i < 3; ++i) seen.normal[i] = reference::rounded(vertex.normal[i]);
+      seen.normal = reference::rounded(vertex.normal);
       for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
         for (std::size_t i = 0; i < 4; ++i)
           seen.texture_coordinate[unit][i] = reference::rounded(vertex.texture_coordinate[unit][i]);

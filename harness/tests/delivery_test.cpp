@@ -8,7 +8,7 @@ namespace evalcts::gl {
 namespace {
 
 std::vector<std::string> delivered(const Case& script, std::size_t which) {
-  return to_c(deliveries().at(which).apply(script), 0, 99);
+  return to_c(curve_deliveries().at(which).apply(script).script, 0, 99);
 }
 
 TEST(Delivery, ReplacesMapsAndEvaluations) {
@@ -25,7 +25,7 @@ TEST(Delivery, ReplacesMapsAndEvaluations) {
        "glEvalCoord1d(0x1.99999ap-4);", "glColor3f(1.0f, 0.0f, 0.0f);"},
       {"glMap1d(GL_MAP1_INDEX, 0x1p-1, 2.0, 1, 2, (GLdouble[]){3.0, 0x1p-2});",
        "glEvalCoord1dv((GLdouble[]){0x1.99999ap-4});", "glColor3f(1.0f, 0.0f, 0.0f);"}};
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << deliveries()[i].name;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(delivered(c, i), expected[i]) << curve_deliveries()[i].name;
 }
 
 // Also from what is not written in the f form, and with the fate of the points.

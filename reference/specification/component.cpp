@@ -1,6 +1,7 @@
 #include <reference/component.h>
 #include <reference/rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,12 @@ auto with_polynomial(const Sample& sample, F&& f) {
   const Map& map = *sample.map;
   if (map.is_two_dimensional()) return f(map.surface(sample.component), sample.u, sample.v.value());
   return f(map.curve(sample.component), sample.u);
+}
+
+bool is_finite(const AutomaticNormal& normal) {
+  return std::ranges::all_of(normal.map->surfaces(),
+                             [](const Surface& surface) { return is_finite(surface); }) &&
+         normal.u.is_finite() && normal.v.is_finite();
 }
 
 // What holds for a value given as it is.
@@ -73,6 +80,27 @@ Acceptance acceptance(const Component& component, int range) {
                          [range](const auto& polynomial, const auto&... arguments) {
                            return acceptance(polynomial, arguments..., range);
                          });
+}
+
+std::array<float, 3> rounded(const Normal& normal) {
+  if (const auto* components = std::get_if<0>(&normal))
+    return {rounded((*components)[0]), rounded((*components)[1]), rounded((*components)[2])};
+  const AutomaticNormal& automatic = std::get<AutomaticNormal>(normal);
+  const std::vector<Surface> surfaces = automatic.map->surfaces();
+  const auto w_is_zero = [&] {
+    return surfaces.size() == 4 && evaluate(surfaces[3], automatic.u, automatic.v).is_zero();
+  };
+  if (is_finite(automatic) && !w_is_zero()) {
+    const Vector m = normal_vector(surfaces, automatic.u, automatic.v);
+    if (!is_degenerate(m)) return rounded_unit_vector(m);
+  }
+  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+  return {kNaN, kNaN, kNaN};
+}
+
+std::optional<NormalAcceptance> acceptance(const AutomaticNormal& normal, int range) {
+  if (!is_finite(normal)) return {};
+  return normal_acceptance(normal.map->surfaces(), normal.u, normal.v, range);
 }
 
 }  // namespace evalcts::reference

@@ -70,6 +70,12 @@ Surface Map::surface(int component) const {
   return {points.data() + component, k * v.order, k, u.order, v.order, u.first, u.last, v.first, v.last};
 }
 
+std::vector<Surface> Map::surfaces() const {
+  std::vector<Surface> all;
+  for (int component = 0; component < components(); ++component) all.push_back(surface(component));
+  return all;
+}
+
 Map initial_map(GLenum target) {
   const Kind& row = *kind(target);
   return {target, {}, {}, {row.initial_point.begin(), row.initial_point.begin() + row.components}};

@@ -10,22 +10,10 @@
 namespace evalcts::reference {
 namespace {
 
-// The place of a map target among the MAP1 targets followed by the MAP2 targets.
-std::size_t slot(GLenum target) {
-  return is_map1_target(target) ? target - GL_MAP1_COLOR_4 : kMapKinds + target - GL_MAP2_COLOR_4;
-}
-
 bool is_map_target(GLenum target) { return is_map1_target(target) || is_map2_target(target); }
 
 bool is_texture_unit(GLenum texture) {
   return texture >= GL_TEXTURE0 && texture < GL_TEXTURE0 + kTextureUnits;
-}
-
-// Puts the components of the evaluated map over the first components of the attribute.
-template <std::size_t size>
-void evaluate_into(std::array<Component, size>& attribute, const std::shared_ptr<const Map>& map,
-                   const Argument& u, const std::optional<Argument>& v) {
-  for (int c = 0; c < map->components(); ++c) attribute[c] = Sample{map, c, u, v};
 }
 
 // A value of the state as the answer to a query of type T; `normalized` for colours and normals.
@@ -49,6 +37,10 @@ GLdouble convert<GLdouble>(double value, bool) {
 }
 
 }  // namespace
+
+std::size_t Specification::slot(GLenum target) {
+  return is_map1_target(target) ? target - GL_MAP1_COLOR_4 : kMapKinds + target - GL_MAP2_COLOR_4;
+}
 
 Specification::Specification() : Specification(Options{}) {}
 
@@ -100,6 +92,33 @@ void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, c
   maps_[slot(target)] = std::make_shared<const Map>(std::move(map));
 }
 
+template <typename T>
+void Specification::map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride,
+                         GLint vorder, const T* points) {
+  const int k = is_map2_target(target) ? values_per_point(target) : 0;
+  const auto is_order = [this](GLint order) { return order >= 1 && order <= max_eval_order_; };
+  if (refused({{inside(), GL_INVALID_OPERATION},                  // EV-MAP2-ERR-BEGINEND
+               {!is_map2_target(target), GL_INVALID_ENUM},        // EV-MAP2-ERR-TARGET
+               {!is_order(uorder), GL_INVALID_VALUE},             // EV-MAP2-ERR-UORDER
+               {!is_order(vorder), GL_INVALID_VALUE},             // EV-MAP2-ERR-VORDER
+               {ustride < k, GL_INVALID_VALUE},                   // EV-MAP2-ERR-USTRIDE
+               {vstride < k, GL_INVALID_VALUE},                   // EV-MAP2-ERR-VSTRIDE
+               {u1 == u2, GL_INVALID_VALUE},                      // EV-MAP2-ERR-UDOMAIN
+               {v1 == v2, GL_INVALID_VALUE},                      // EV-MAP2-ERR-VDOMAIN
+               {active_texture_ != 0, GL_INVALID_OPERATION}})) {  // EV-MAP2-ERR-ACTIVETEX
+    return;
+  }
+  if (points == nullptr) return;
+  Map map{target, {uorder, u1, u2}, {vorder, v1, v2}, {}};
+  for (std::ptrdiff_t i = 0; i < uorder; ++i) {
+    for (std::ptrdiff_t j = 0; j < vorder; ++j) {
+      const T* const point = points + (i * ustride + j * vstride);  // EV-MAP2-ADDRESS
+      map.points.insert(map.points.end(), point, point + k);
+    }
+  }
+  maps_[slot(target)] = std::make_shared<const Map>(std::move(map));
+}
+
 void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
                           const GLfloat* points) {
   map1(target, u1, u2, stride, order, points);
@@ -110,52 +129,14 @@ void Specification::Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride,
   map1(target, u1, u2, stride, order, points);
 }
 
-// ---- Evaluation (section 5.1) ----
-
-std::shared_ptr<const Map> Specification::effective_map(int dimension,
-                                                        std::initializer_list<GLenum> targets) const {
-  for (const GLenum target : targets) {
-    const std::size_t place = slot(target) + (dimension == 2 ? kMapKinds : 0);
-    if (evaluators_.map_enabled[place]) return maps_[place];
-  }
-  return nullptr;
+void Specification::Map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1,
+                          GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
+  map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
-void Specification::eval_coord(const Argument& u, const std::optional<Argument>& v) {
-  refused({});  // no argument is an error (EV-COORD-NOERR)
-  const int dimension = v ? 2 : 1;
-  // Without a vertex map nothing happens (EV-COORD-NOVERTEX). VERTEX_4 goes before VERTEX_3 (EV-PREC-VERTEX).
-  const auto position = effective_map(dimension, {GL_MAP1_VERTEX_4, GL_MAP1_VERTEX_3});
-  if (!position || !inside()) return;
-
-  // As if the command that matches each map were issued, the vertex last, but in a copy of the current values
-  // that only this vertex sees (EV-COORD-ASIF, EV-CUR-*). The position is (0,0,0,1) so far: VERTEX_3 leaves w
-  // at 1.
-  Vertex vertex = current_vertex();
-  if (const auto color = effective_map(dimension, {GL_MAP1_COLOR_4})) {
-    evaluate_into(vertex.color, color, u, v);
-  }
-  if (const auto index = effective_map(dimension, {GL_MAP1_INDEX})) vertex.index = Sample{index, 0, u, v};
-  if (const auto normal = effective_map(dimension, {GL_MAP1_NORMAL})) {
-    evaluate_into(vertex.normal, normal, u, v);
-  }
-  // The most coordinates win (EV-PREC-TEX); unit 0 only (EV-ATTR-UNIT0); the others as TexCoord sets them.
-  if (const auto texture = effective_map(dimension, {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3,
-                                                     GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_1})) {
-    vertex.texture_coordinate[0] = {0.0f, 0.0f, 0.0f, 1.0f};
-    evaluate_into(vertex.texture_coordinate[0], texture, u, v);
-  }
-  evaluate_into(vertex.position, position, u, v);
-  open_->vertices.push_back(std::move(vertex));
-}
-
-void Specification::EvalCoord1f(GLfloat u) { eval_coord(Argument::coordinate(u), std::nullopt); }
-void Specification::EvalCoord1d(GLdouble u) { eval_coord(Argument::coordinate(u), std::nullopt); }
-void Specification::EvalCoord1fv(const GLfloat* u) {
-  if (u != nullptr) EvalCoord1f(u[0]);
-}
-void Specification::EvalCoord1dv(const GLdouble* u) {
-  if (u != nullptr) EvalCoord1d(u[0]);
+void Specification::Map2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                          GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+  map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
 // ---- Begin and End (section 2.6) ----
@@ -178,7 +159,7 @@ Vertex Specification::current_vertex() const {
   Vertex vertex;
   vertex.position = {0.0f, 0.0f, 0.0f, 1.0f};
   std::ranges::copy(current_.color, vertex.color.begin());
-  std::ranges::copy(current_.normal, vertex.normal.begin());
+  vertex.normal = std::array<Component, 3>{current_.normal[0], current_.normal[1], current_.normal[2]};
   for (int unit = 0; unit < kTextureUnits; ++unit) {
     std::ranges::copy(current_.texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
   }

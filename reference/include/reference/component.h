@@ -10,6 +10,7 @@
 
 #include <reference/acceptance.h>
 #include <reference/map.h>
+#include <reference/normal.h>
 
 namespace evalcts::reference {
 
@@ -28,10 +29,18 @@ struct Sample {
 // 2.1.1).
 using Component = std::variant<float, Sample>;
 
+// The normal that AUTO_NORMAL generates: of the surface of a two-dimensional vertex map.
+struct AutomaticNormal {
+  std::shared_ptr<const Map> map;
+  Argument u, v;
+};
+
+using Normal = std::variant<std::array<Component, 3>, AutomaticNormal>;
+
 struct Vertex {
   std::array<Component, 4> position;  // x, y, z, w
   std::array<Component, 4> color;     // R, G, B, A, not clamped (EV-ATTR-COLOR-CLAMP)
-  std::array<Component, 3> normal;
+  Normal normal;                      // x, y, z
   std::array<std::array<Component, 4>, kTextureUnits> texture_coordinate;  // s, t, r, q of each unit
   Component index;  // colour index; in RGBA mode nothing that is drawn depends on it (EV-ATTR-INDEX-RGBA)
   bool edge_flag;
@@ -52,6 +61,9 @@ Evaluation exact_with_magnitude(const Component& component);
 
 // The correctly rounded value; a plain float is itself. NaN for a sample without an exact value.
 float rounded(const Component& component);
+// An automatic normal has unit length, as without a vertex shader; NaN where there is none: data that is not
+// finite, parallel derivatives, w = 0.
+std::array<float, 3> rounded(const Normal& normal);
 
 // Section 0.5 of the requirements, as in acceptance.h; `range` as there. A plain float has the bounds zero
 // and always is a must.
@@ -59,5 +71,8 @@ Rational acceptance_bound(const Component& component);
 bool must_applies(const Component& component, int range = kFullRange);
 Rational quality_bound(const Component& component);
 Acceptance acceptance(const Component& component, int range = kFullRange);
+
+// The same for an automatic normal. None where it has no finite data.
+std::optional<NormalAcceptance> acceptance(const AutomaticNormal& normal, int range = kFullRange);
 
 }  // namespace evalcts::reference

@@ -41,8 +41,9 @@ struct Map {
   int components() const { return values_per_point(target); }
 
   // Views of one component, 0 <= component < components(); valid as long as the map.
-  Curve curve(int component) const;      // one-dimensional maps only
-  Surface surface(int component) const;  // both: a one-dimensional map is constant in v
+  Curve curve(int component) const;       // one-dimensional maps only
+  Surface surface(int component) const;   // both: a one-dimensional map is constant in v
+  std::vector<Surface> surfaces() const;  // of all components
 };
 
 // The map that a new context holds for the target: order 1, domain (0,1), one constant control point

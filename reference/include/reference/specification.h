@@ -13,9 +13,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <reference/component.h>
@@ -36,6 +38,10 @@ class Specification {
   // Maps (section 5.1). Either form copies the points during the call (EV-MAP1-COPY).
   void Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
   void Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
+  void Map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+             GLint vstride, GLint vorder, const GLfloat* points);
+  void Map2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1, GLdouble v2,
+             GLint vstride, GLint vorder, const GLdouble* points);
   void GetMapfv(GLenum target, GLenum query, GLfloat* v);
   void GetMapdv(GLenum target, GLenum query, GLdouble* v);
   void GetMapiv(GLenum target, GLenum query, GLint* v);
@@ -60,6 +66,21 @@ class Specification {
   void EvalCoord1d(GLdouble u);
   void EvalCoord1fv(const GLfloat* u);
   void EvalCoord1dv(const GLdouble* u);
+  void EvalCoord2f(GLfloat u, GLfloat v);
+  void EvalCoord2d(GLdouble u, GLdouble v);
+  void EvalCoord2fv(const GLfloat* u);
+  void EvalCoord2dv(const GLdouble* u);
+
+  // Grids (section 5.1), and what is evaluated at their points. Arguments are the real numbers i*du + u1, the
+  // ends exact. Time and memory of a mesh are those of its index range.
+  void MapGrid1f(GLint un, GLfloat u1, GLfloat u2);
+  void MapGrid1d(GLint un, GLdouble u1, GLdouble u2);
+  void MapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
+  void MapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2);
+  void EvalPoint1(GLint i);
+  void EvalPoint2(GLint i, GLint j);
+  void EvalMesh1(GLenum mode, GLint i1, GLint i2);
+  void EvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
   // Begin/End and the commands that give vertices and current values (sections 2.6, 2.7).
   void Begin(GLenum mode);
@@ -136,7 +157,8 @@ class Specification {
 
   // What is not the GL's:
 
-  // The primitives completed since the last call, one for each Begin/End pair, empty ones included. A
+  // The primitives completed since the last call, one for each Begin/End pair, empty ones and those of meshes
+  // included. A
   // primitive that is still open stays and is delivered after its End.
   std::vector<Primitive> take_primitives();
 
@@ -156,6 +178,7 @@ class Specification {
   struct GridDirection {
     GLint segments = 1;
     GLdouble first = 0, last = 1;
+    Argument at(std::int64_t i) const;
   };
   // What PushAttrib(EVAL_BIT) saves (EV-ATTRIB-EVALBIT); map contents are not part of it (EV-ATTRIB-NOMAPS).
   struct EvaluatorState {
@@ -179,12 +202,18 @@ class Specification {
     std::vector<double> values;
   };
 
+  // The place of a map target among the MAP1 targets followed by the MAP2 targets.
+  static std::size_t slot(GLenum target);
+
   bool inside() const { return open_.has_value(); }
   // Raises the error of the first objection that applies; false if none does. Begins every command.
   bool refused(std::initializer_list<Objection> objections);
 
   template <typename T>
   void map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points);
+  template <typename T>
+  void map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride, GLint vorder,
+            const T* points);
   template <typename T>
   void get_map(GLenum target, GLenum query, T* v);
   template <typename T>
@@ -199,6 +228,13 @@ class Specification {
   std::shared_ptr<const Map> effective_map(int dimension, std::initializer_list<GLenum> targets) const;
   // EvalCoord1 (without v) or EvalCoord2.
   void eval_coord(const Argument& u, const std::optional<Argument>& v);
+  void eval_point(std::int64_t i);
+  void eval_point(std::int64_t i, std::int64_t j);
+  // MapGrid1 and MapGrid2: new values of one direction or two.
+  void map_grid(std::initializer_list<std::pair<GridDirection*, GridDirection>> directions);
+  // Begin(mode), the vertices, End.
+  template <typename Vertices>
+  void draw(GLenum mode, Vertices vertices);
 
   void vertex(double x, double y, double z, double w);
   void color(double red, double green, double blue, double alpha);
