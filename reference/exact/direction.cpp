@@ -3,6 +3,7 @@
 #include <reference/rounding.h>
 
 #include <cmath>
+#include <limits>
 
 namespace evalcts::reference {
 namespace {
@@ -22,7 +23,9 @@ bool is_interior_grid_point(const Argument& u) {
 
 Rational smallest_normal() { return Rational::power_of_two(-126); }
 
-bool is_single(double x) { return round_to_float(x) == x; }
+bool is_single(double x) {
+  return std::abs(x) <= std::numeric_limits<float>::max() && static_cast<float>(x) == x;
+}
 
 bool points_are_single(const Surface& surface) {
   for (std::ptrdiff_t i = 0; i < surface.uorder; ++i) {

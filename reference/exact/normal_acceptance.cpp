@@ -184,16 +184,24 @@ double size(const Vector& m) { return std::hypot(m[0].to_double(), m[1].to_doubl
 
 bool is_between(double x, double low, double high) { return low <= x && x <= high; }
 
-// What is met on the way has to be of a size that single precision squares without loss.
-bool sizes_are_ordinary(const Estimates& a, const Estimates& b, double m, double w) {
-  const double w2 = w * w;
-  for (const Estimates* tangent : {&a, &b}) {
-    for (const Estimate& component : *tangent) {
-      if (!(component.most() <= kLargest) || !(component.most() <= kLargest * w2)) return false;
+// What is met on the way has to be of a size that single precision squares without loss: before and after the
+// division by w, with derivatives in t or in u.
+bool sizes_are_ordinary(const Estimates& a, double u_width, const Estimates& b, double v_width, double m,
+                        double w) {
+  const auto all_within = [](const Estimates& tangent, double limit) {
+    return std::all_of(tangent.begin(), tangent.end(), [&](const Estimate& x) { return x.most() <= limit; });
+  };
+  if (!is_between(w, 0x1p-16, 0x1p16)) return false;
+  for (const double w2 : {1.0, w * w}) {
+    for (const bool in_domain : {false, true}) {
+      const double du = in_domain ? u_width : 1, dv = in_domain ? v_width : 1;
+      if (!all_within(a, kLargest * w2 * du) || !all_within(b, kLargest * w2 * dv) ||
+          !is_between(m / (w2 * w2 * du * dv), 1 / kLargest, kLargest)) {
+        return false;
+      }
     }
   }
-  return is_between(w, 0x1p-16, 0x1p16) && is_between(m, 1 / kLargest, kLargest) &&
-         is_between(m / (w2 * w2), 1 / kLargest, kLargest);
+  return true;
 }
 
 bool values_must_apply(VertexSurface surface, const Direction& u, const Direction& v, int range) {
@@ -227,7 +235,8 @@ NormalAcceptance normal_acceptance(VertexSurface surface, const Argument& u, con
   const double d = cross_error(a, b);
 
   result.must_applies =
-      values_must_apply(surface, along_u, along_v, range) && sizes_are_ordinary(a, b, m, w.magnitude);
+      values_must_apply(surface, along_u, along_v, range) &&
+      sizes_are_ordinary(a, along_u.width().to_double(), b, along_v.width().to_double(), m, w.magnitude);
   const bool judged = d < m / 4 && w.error < w.magnitude / 2;  // not if one is NaN either
   if (!judged || !std::isfinite(m)) return result;
 

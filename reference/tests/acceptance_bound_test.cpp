@@ -1,4 +1,4 @@
-// The formulas of section 0.5 of the requirements against a second writing of them, in reduced fractions.
+// The formulas of section 0.5 of the requirements against a second writing of them.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 
@@ -6,86 +6,18 @@
 #include <limits>
 
 #include "reference/tests/random_data.h"
-#include "reference/tests/second_route.h"
+#include "reference/tests/second_bound.h"
 
 namespace evalcts::reference {
 namespace {
 
-const Fraction kEpsilon = Fraction(10738) / (1 << 30);
+using Direction = SecondDirection;
 
-Fraction power(const Fraction& x, int n) {
-  Fraction result = 1;
-  for (int i = 0; i < n; ++i) result *= x;
-  return result;
-}
-
-Fraction choose(int n, int i) {
-  Fraction result = 1;
-  for (int k = 1; k <= i; ++k) result = result * (n - i + k) / k;
-  return result;
-}
-
-bool fits_single(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
-
-// One direction: T, S, |t|, |s|.
-struct Direction {
-  int n;
-  double u1, u2;
-  Argument argument;
-
-  bool fits() const {
-    return fits_single(u1) && fits_single(u2) && fits_single(argument.first()) &&
-           fits_single(argument.last());
-  }
-  Fraction value() const {
-    if (!argument.is_grid()) return fraction(argument.coordinate());
-    return argument.index() * (fraction(argument.last()) - fraction(argument.first())) / argument.segments() +
-           fraction(argument.first());
-  }
-  Fraction width() const { return abs(Fraction(fraction(u2) - fraction(u1))); }
-  Fraction t() const { return abs(Fraction(value() - fraction(u1))) / width(); }
-  Fraction s() const { return abs(Fraction(fraction(u2) - value())) / width(); }
-  Fraction tau(bool all_fit) const {
-    Fraction tau = power_of_two(-126) * (1 + 2 / width());
-    const std::int64_t i = argument.index(), segments = argument.segments();
-    const Fraction g1 = fraction(argument.first()), g2 = fraction(argument.last());
-    if (argument.is_grid() && i != 0 && i != segments) {
-      tau += kEpsilon * (4 * abs(Fraction(i * (g2 - g1) / segments)) + abs(value())) / width();
-    }
-    if (!all_fit) {
-      const Fraction size = argument.is_grid()
-                                ? Fraction(abs(g1) + abs(Fraction(i) / segments) * (abs(g1) + abs(g2)))
-                                : abs(value());
-      tau += power_of_two(-23) *
-             (size + abs(Fraction(s() * fraction(u1))) + abs(Fraction(t() * fraction(u2)))) / width();
-    }
-    return tau;
-  }
-  Fraction wide_t(bool all_fit) const { return (1 + 8 * kEpsilon) * t() + tau(all_fit); }
-  Fraction wide_s(bool all_fit) const { return (1 + 8 * kEpsilon) * s() + 8 * kEpsilon * t() + tau(all_fit); }
-};
-
-// For a curve v is of degree 0. points[i * (v.n + 1) + j] is R_ij.
-Fraction second_bound(const std::vector<double>& points, const Direction& u, const Direction& v, int k) {
+Fraction second_bound_of(const std::vector<double>& points, const Direction& u, const Direction& v, int k) {
+  std::vector<Fraction> magnitudes;
+  for (const double point : points) magnitudes.push_back(abs(fraction(point)));
   const bool fit = u.fits() && v.fits() && std::all_of(points.begin(), points.end(), fits_single);
-  if (!fit) ++k;
-  const auto weight = [](const Direction& d, int i, const Fraction& t, const Fraction& s) {
-    return Fraction(choose(d.n, i) * power(t, i) * power(s, d.n - i));
-  };
-  const Fraction one = 1;
-  Fraction wide = 0, plain = 0, under = 0;
-  for (int i = 0; i <= u.n; ++i) {
-    for (int j = 0; j <= v.n; ++j) {
-      const Fraction r = abs(fraction(points[i * (v.n + 1) + j]));
-      wide += weight(u, i, u.wide_t(fit), u.wide_s(fit)) * weight(v, j, v.wide_t(fit), v.wide_s(fit)) * r;
-      plain += weight(u, i, u.t(), u.s()) * weight(v, j, v.t(), v.s()) * r;
-      under += choose(u.n, i) * choose(v.n, j) * std::max(one, r);
-    }
-  }
-  const Fraction x = k * kEpsilon;
-  return (1 + x + x * x) * wide - plain +
-         k * power_of_two(-126) * power(std::max({one, u.t(), u.s()}), u.n) *
-             power(std::max({one, v.t(), v.s()}), v.n) * under;
+  return second_bound(magnitudes, u, v, k, fit);
 }
 
 Direction random_direction(std::mt19937_64& generator, int n) {
@@ -112,7 +44,7 @@ TEST(AcceptanceBound, OfCurvesIsThatOfTheRequirements) {
     const Direction u = random_direction(generator, order - 1);
     const Rational bound = acceptance_bound(Curve{points.data(), 1, order, u.u1, u.u2}, u.argument);
     const Direction none{0, 0, 1, Argument::coordinate(0)};
-    ASSERT_EQ(fraction(bound), second_bound(points, u, none, 5 * (order - 1) + 4));
+    ASSERT_EQ(fraction(bound), second_bound_of(points, u, none, 5 * (order - 1) + 4));
   }
 }
 
@@ -124,7 +56,7 @@ TEST(AcceptanceBound, OfSurfacesIsThatOfTheRequirements) {
     const Direction u = random_direction(generator, n), v = random_direction(generator, m);
     const Surface surface{points.data(), m + 1, 1, n + 1, m + 1, u.u1, u.u2, v.u1, v.u2};
     ASSERT_EQ(fraction(acceptance_bound(surface, u.argument, v.argument)),
-              second_bound(points, u, v, n * m + 5 * (n + m) + 4));
+              second_bound_of(points, u, v, n * m + 5 * (n + m) + 4));
   }
 }
 

@@ -1,0 +1,268 @@
+// Every usual way to compute a normal stays within the acceptance bound, in single precision and with errors
+// of one part in 10^5 in every operation; and the bound is not much wider than that needs.
+#include <gtest/gtest.h>
+#include <reference/normal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+#include "reference/tests/perturbed_normal.h"
+
+namespace evalcts::reference {
+namespace {
+
+NormalMethod random_method(std::mt19937_64& generator) {
+  return {kParameters[pick(generator, 0, 2)], kMethods[pick(generator, 0, 6)], kSlopes[pick(generator, 0, 2)],
+          kTangents[pick(generator, 0, 4)],   kUnits[pick(generator, 0, 2)],   pick(generator, 0, 1) != 0,
+          pick(generator, 0, 1) != 0};
+}
+
+struct Case {
+  Patch patch;
+  Argument u, v;
+
+  NormalAcceptance acceptance() const { return normal_acceptance(patch.surface(), u, v); }
+};
+
+void set_random_domain(std::mt19937_64& generator, double& low, double& high) {
+  const double domains[][2] = {{0, 1}, {0, 1}, {0, 1}, {2, 5}, {5, -2}, {0.1f, 0.7f}, {1000, 1008}};
+  const auto& domain = domains[pick(generator, 0, 6)];
+  low = domain[0], high = domain[1];
+}
+
+// In the domain, at its ends, or slightly outside.
+Argument random_argument(std::mt19937_64& generator, double u1, double u2) {
+  if (pick(generator, 0, 3) == 0) {
+    return Argument::grid(pick(generator, 0, 13), 13, static_cast<float>(u1), u2);
+  }
+  const double t = pick(generator, 0, 3) == 0 ? uniform(generator, -0.2, 1.2) : uniform(generator, 0, 1);
+  return Argument::coordinate(static_cast<float>(u1 + t * (u2 - u1)));
+}
+
+// A bumpy sheet of some size somewhere, or a net without any order; w from half to four, of either sign.
+Case random_case(std::mt19937_64& generator, int size, int uorder, int vorder) {
+  Patch patch = random_patch(generator, Data::kFloats, size, uorder, vorder);
+  const double scales[] = {0.01, 1, 1, 1000};
+  const double scale = scales[pick(generator, 0, 3)];
+  const double offset = pick(generator, 0, 2) == 0 ? uniform(generator, -5, 5) : 0;
+  const bool chaos = pick(generator, 0, 4) == 0;
+  const double noise = chaos ? 1 : uniform(generator, 0, 0.6), weights = uniform(generator, 1, 4);
+  const double sign = pick(generator, 0, 2) == 0 ? -1 : 1;
+  for (int i = 0; i < uorder; ++i) {
+    for (int j = 0; j < vorder; ++j) {
+      const double w = size == 4 ? sign * (1 + (weights - 1) * std::fabs(patch.at(i, j, 3))) : 1;
+      for (int c = 0; c < 3; ++c) {
+        const double sheet = chaos ? 0 : c == 0 ? i : c == 1 ? j : 0;
+        patch.at(i, j, c) = static_cast<float>(w * scale * (offset + sheet + noise * patch.at(i, j, c)));
+      }
+      if (size == 4) patch.at(i, j, 3) = static_cast<float>(w);
+    }
+  }
+  set_random_domain(generator, patch.u1, patch.u2);
+  set_random_domain(generator, patch.v1, patch.v2);
+  const Argument u = random_argument(generator, patch.u1, patch.u2);
+  const Argument v = random_argument(generator, patch.v1, patch.v2);
+  return {std::move(patch), u, v};
+}
+
+long double coordinate(Arithmetic& a, const Argument& u) {
+  return u.is_grid() ? grid_point(a, u.index(), u.segments(), u.first(), u.last())
+                     : static_cast<long double>(u.coordinate());
+}
+
+RealVector run(Arithmetic& a, const Case& c, const NormalMethod& how, bool clear) {
+  const long double u = coordinate(a, c.u), v = coordinate(a, c.v);
+  return normal_by(a, how, c.patch, u, v, clear);
+}
+
+RealVector run_unit(Arithmetic& a, const Case& c, const NormalMethod& how) {
+  return unit_by(a, how.unit, run(a, c, how, false));
+}
+
+// To the nearest long double, or so.
+long double real(const Rational& x) {
+  const double high = x.to_double();
+  return high + static_cast<long double>((x - Rational(high)).to_double());
+}
+
+RealVector exact_unit(const Vector& m) {
+  const std::array<Interval, 3> unit = unit_vector(m, 80);
+  return {real(unit[0].low), real(unit[1].low), real(unit[2].low)};
+}
+
+// The sign is that of the normalised coordinates; with the domain variables it flips with each reversed
+// domain.
+bool is_flipped(const Case& c, const NormalMethod& how) {
+  return how.domain_variable && (c.patch.u1 > c.patch.u2) != (c.patch.v1 > c.patch.v2);
+}
+
+// The largest difference of components over the bound.
+double excess(const RealVector& got, const RealVector& exact, bool flipped, long double bound) {
+  long double most = 0;
+  for (int c = 0; c < 3; ++c) most = std::fmax(most, std::fabs((flipped ? -got[c] : got[c]) - exact[c]));
+  return std::isnan(got[0]) ? HUGE_VAL : static_cast<double>(most / bound);
+}
+
+std::string describe(const Case& c, const NormalMethod& how) {
+  return "components " + std::to_string(c.patch.size) + " orders " + std::to_string(c.patch.uorder) + " " +
+         std::to_string(c.patch.vorder) + " method " + std::to_string(static_cast<int>(how.method)) +
+         " slope " + std::to_string(static_cast<int>(how.slope)) + " tangent " +
+         std::to_string(static_cast<int>(how.tangent));
+}
+
+// What was seen, and that enough of it was judged.
+struct Statistics {
+  int judged = 0, all = 0;
+  double worst = 0;
+  ~Statistics() {
+    std::cout << "judged " << judged << " of " << all << ", largest error / bound " << worst << "\n";
+  }
+};
+
+TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
+  std::mt19937_64 generator = make_generator();
+  SinglePrecision arithmetic;
+  Statistics seen;
+  for (int repetition = 0; repetition < 1500; ++repetition) {
+    const Case c =
+        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
+    const NormalAcceptance acceptance = c.acceptance();
+    ++seen.all;
+    if (!acceptance.must_applies || !acceptance.bound) continue;
+    ++seen.judged;
+    const RealVector exact = exact_unit(acceptance.m);
+    for (int k = 0; k < 4; ++k) {
+      const NormalMethod how = random_method(generator);
+      const RealVector got = run_unit(arithmetic, c, how);
+      const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
+                                        static_cast<float>(got[2])};
+      const bool flipped = is_flipped(c, how);
+      EXPECT_TRUE(is_within(floats, acceptance.m, *acceptance.bound, flipped)) << describe(c, how);
+      EXPECT_TRUE(direction_is_within(floats, acceptance.m, *acceptance.bound, flipped)) << describe(c, how);
+      seen.worst = std::max(seen.worst, excess(got, exact, flipped, real(*acceptance.bound)));
+    }
+  }
+  EXPECT_GT(seen.judged, seen.all / 2);
+}
+
+TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
+  std::mt19937_64 generator = make_generator();
+  RandomErrors arithmetic(generator);
+  Statistics seen;
+  for (int repetition = 0; repetition < 2500; ++repetition) {
+    const Case c =
+        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
+    const NormalAcceptance acceptance = c.acceptance();
+    ++seen.all;
+    if (!acceptance.bound) continue;
+    ++seen.judged;
+    const RealVector exact = exact_unit(acceptance.m);
+    for (int k = 0; k < 4; ++k) {
+      const NormalMethod how = random_method(generator);
+      const double share =
+          excess(run_unit(arithmetic, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
+      EXPECT_LE(share, 1) << describe(c, how);
+      seen.worst = std::max(seen.worst, share);
+    }
+  }
+  EXPECT_GT(seen.judged, seen.all / 2);
+}
+
+// Without normalisation, as for a vertex shader.
+TEST(EveryNormalMethod, IsAcceptedAsAVector) {
+  std::mt19937_64 generator = make_generator();
+  RandomErrors random(generator);
+  SinglePrecision single;
+  Statistics seen;
+  for (int repetition = 0; repetition < 1500; ++repetition) {
+    const Case c =
+        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
+    const NormalAcceptance acceptance = c.acceptance();
+    ++seen.all;
+    if (!acceptance.vector_bound) continue;
+    ++seen.judged;
+    const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
+    const RealVector exact{real(m[0]), real(m[1]), real(m[2])};
+    for (Arithmetic* arithmetic : {static_cast<Arithmetic*>(&random), static_cast<Arithmetic*>(&single)}) {
+      for (int k = 0; k < 3; ++k) {
+        NormalMethod how = random_method(generator);
+        how.domain_variable = false;
+        const double share =
+            excess(run(*arithmetic, c, how, true), exact, false, real(*acceptance.vector_bound));
+        EXPECT_LE(share, 1) << describe(c, how);
+        seen.worst = std::max(seen.worst, share);
+      }
+    }
+  }
+  EXPECT_GT(seen.judged, seen.all / 2);
+}
+
+// The sign of every single error is chosen for the largest and for the smallest component of the result, one
+// flip at a time.
+class WorstErrors {
+ public:
+  // `result` runs the method and gives the component.
+  template <typename Result, typename Check>
+  static void search(const Result& result, const Check& check) {
+    SignedErrors arithmetic;
+    const auto run = [&] {
+      arithmetic.restart();
+      return result(arithmetic);
+    };
+    const long double outward = run();
+    std::vector<signed char> best = arithmetic.signs;
+    for (std::size_t k = 0; k < best.size(); ++k) {
+      arithmetic.signs[k] = -1;
+      if (run() > outward) best[k] = -1;
+      arithmetic.signs[k] = 1;
+    }
+    for (const int direction : {1, -1}) {
+      for (std::size_t k = 0; k < best.size(); ++k) {
+        arithmetic.signs[k] = static_cast<signed char>(direction * best[k]);
+      }
+      arithmetic.restart();
+      check(arithmetic);
+    }
+  }
+};
+
+TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
+  std::mt19937_64 generator = make_generator();
+  Statistics seen, vectors;
+  for (int repetition = 0; repetition < 160; ++repetition) {
+    const Case c =
+        random_case(generator, pick(generator, 3, 4), pick(generator, 2, 4), pick(generator, 2, 4));
+    const NormalAcceptance acceptance = c.acceptance();
+    ++seen.all, ++vectors.all;
+    if (!acceptance.bound) continue;
+    ++seen.judged, ++vectors.judged;
+    NormalMethod how = random_method(generator);
+    const int component = pick(generator, 0, 2);
+    const RealVector exact = exact_unit(acceptance.m);
+    WorstErrors::search([&](Arithmetic& a) { return run_unit(a, c, how)[component]; },
+                        [&](Arithmetic& a) {
+                          const double share =
+                              excess(run_unit(a, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
+                          EXPECT_LE(share, 1) << describe(c, how);
+                          seen.worst = std::max(seen.worst, share);
+                        });
+    how.domain_variable = false;
+    const Vector m = normal_vector(c.patch.surface(), c.u, c.v);
+    const RealVector exact_vector{real(m[0]), real(m[1]), real(m[2])};
+    WorstErrors::search([&](Arithmetic& a) { return run(a, c, how, true)[component]; },
+                        [&](Arithmetic& a) {
+                          const double share = excess(run(a, c, how, true), exact_vector, false,
+                                                      real(*acceptance.vector_bound));
+                          EXPECT_LE(share, 1) << describe(c, how);
+                          vectors.worst = std::max(vectors.worst, share);
+                        });
+  }
+  EXPECT_GT(seen.judged, seen.all / 2);
+  // A bound that real errors come nowhere near would prove nothing about an implementation.
+  EXPECT_GT(seen.worst, 0.03);
+  EXPECT_GT(vectors.worst, 0.15);
+}
+
+}  // namespace
+}  // namespace evalcts::reference
