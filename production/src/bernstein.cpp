@@ -39,65 +39,109 @@ double Power(double base, int exponent) {
   }
 }
 
-// value * base^exponent. |base| >= 1/2 unless it is not finite; where the power alone could overflow, its
-// exponent of two is kept apart.
-double TimesPower(double value, double base, int exponent) {
-  constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
-  if (std::fabs(base) < kPowerIsFinite || !std::isfinite(base)) return value * Power(base, exponent);
-  int two = 0;
-  const double significand = 2 * std::frexp(base, &two);  // 1 <= |significand| < 2
-  return std::ldexp(value * Power(significand, exponent), (two - 1) * exponent);
-}
-
 // Horner's rule in the ratio of the smaller to the larger of |s| and |t|: with a ratio of magnitude at most 1
-// it is stable, and no power underflows. `next` is the step from one scaled point to the next.
-template <int kComponents>
-void Horner(const double* first, std::ptrdiff_t next, int degree, double ratio, double larger,
-            double* result) {
-  std::array<double, kComponents> sum;
-  std::copy_n(first, kComponents, sum.begin());
-  for (int i = 0; i < degree; ++i) {
-    first += next;
-    for (int k = 0; k < kComponents; ++k) sum[k] = sum[k] * ratio + first[k];
+// it is stable, and no power underflows. This is what of it depends on the argument alone.
+struct Step {
+  Parameter::End end;
+  bool from_last;  // t / s, or else s / t from the first point
+  double ratio;
+  // The larger one to the power of the degree is power * 2^exponent; the exponent is 0 unless the power alone
+  // could overflow.
+  double power;
+  int exponent;
+};
+
+Step StepOf(const Parameter& at, int degree) {
+  constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
+  if (at.end != Parameter::End::kNeither) return {at.end, false, 0, 1, 0};
+  const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
+  const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
+  Step step = {at.end, from_last, smaller / larger, 1, 0};
+  if (std::fabs(larger) < kPowerIsFinite || !std::isfinite(larger)) {
+    step.power = Power(larger, degree);
+  } else {
+    int two = 0;
+    const double significand = 2 * std::frexp(larger, &two);  // 1 <= |significand| < 2
+    step.power = Power(significand, degree);
+    step.exponent = (two - 1) * degree;
   }
-  for (int k = 0; k < kComponents; ++k) result[k] = TimesPower(sum[k], larger, degree);
+  return step;
 }
 
+// The curve of `degree` whose scaled points begin at `first`.
 template <int kComponents>
-void EvaluateComponents(const Curve& curve, const Parameter& at, double* result) {
-  const double* const first = curve.scaled;
-  const double* const last = first + static_cast<std::ptrdiff_t>(curve.degree) * kComponents;
-  if (at.end == Parameter::End::kFirst) {
+void EvaluateStep(const double* first, int degree, const Step& step, double* result) {
+  const double* const last = first + static_cast<std::ptrdiff_t>(degree) * kComponents;
+  if (step.end == Parameter::End::kFirst) {
     std::copy_n(first, kComponents, result);
-  } else if (at.end == Parameter::End::kLast) {
+    return;
+  }
+  if (step.end == Parameter::End::kLast) {
     std::copy_n(last, kComponents, result);
-  } else if (std::fabs(at.t) <= std::fabs(at.s)) {
-    Horner<kComponents>(last, -kComponents, curve.degree, at.t / at.s, at.s, result);
-  } else {
-    Horner<kComponents>(first, kComponents, curve.degree, at.s / at.t, at.t, result);
+    return;
+  }
+  const double* point = step.from_last ? last : first;
+  const std::ptrdiff_t next = step.from_last ? -kComponents : kComponents;
+  std::array<double, kComponents> sum;
+  std::copy_n(point, kComponents, sum.begin());
+  for (int i = 0; i < degree; ++i) {
+    point += next;
+    for (int k = 0; k < kComponents; ++k) sum[k] = sum[k] * step.ratio + point[k];
+  }
+  for (int k = 0; k < kComponents; ++k) {
+    const double value = sum[k] * step.power;
+    result[k] = step.exponent == 0 ? value : std::ldexp(value, step.exponent);
+  }
+}
+
+// `count` curves of the same degree, one after the other, at one argument.
+template <int kComponents>
+void EvaluateSteps(const double* first, int count, int degree, const Step& step, double* result) {
+  for (int i = 0; i < count; ++i) {
+    EvaluateStep<kComponents>(first, degree, step, result);
+    first += static_cast<std::ptrdiff_t>(degree + 1) * kComponents;
+    result += kComponents;
+  }
+}
+
+void EvaluateCurves(const double* first, int components, int count, int degree, const Parameter& at,
+                    double* result) {
+  const Step step = StepOf(at, degree);
+  switch (components) {
+    case 1:
+      return EvaluateSteps<1>(first, count, degree, step, result);
+    case 2:
+      return EvaluateSteps<2>(first, count, degree, step, result);
+    case 3:
+      return EvaluateSteps<3>(first, count, degree, step, result);
+    case 4:
+      return EvaluateSteps<4>(first, count, degree, step, result);
   }
 }
 
 }  // namespace
 
-void ScaleByBinomials(const double* points, int order, int components, double* scaled) {
-  const std::uint64_t* row = kBinomials.data() + RowOf(order - 1);
-  for (int i = 0; i < order; ++i) {
-    for (int k = 0; k < components; ++k) *scaled++ = static_cast<double>(row[i]) * *points++;
+void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
+  const std::uint64_t* const row_u = kBinomials.data() + RowOf(order[0] - 1);
+  const std::uint64_t* const row_v = kBinomials.data() + RowOf(order[1] - 1);
+  for (int i = 0; i < order[0]; ++i) {
+    for (int j = 0; j < order[1]; ++j) {
+      for (int k = 0; k < components; ++k) {
+        *scaled++ = static_cast<double>(row_u[i]) * (static_cast<double>(row_v[j]) * *points++);
+      }
+    }
   }
 }
 
 void Evaluate(const Curve& curve, const Parameter& at, double* result) {
-  switch (curve.components) {
-    case 1:
-      return EvaluateComponents<1>(curve, at, result);
-    case 2:
-      return EvaluateComponents<2>(curve, at, result);
-    case 3:
-      return EvaluateComponents<3>(curve, at, result);
-    case 4:
-      return EvaluateComponents<4>(curve, at, result);
-  }
+  EvaluateCurves(curve.scaled, curve.components, 1, curve.degree, at, result);
+}
+
+Curve CurveAt(const Surface& surface, const Parameter& v, double* room) {
+  const auto [degree_u, degree_v] = surface.degree;
+  const bool constant = degree_v == 0;
+  if (!constant) EvaluateCurves(surface.scaled, surface.components, degree_u + 1, degree_v, v, room);
+  return {degree_u, surface.components, surface.domain[0], constant ? surface.scaled : room};
 }
 
 }  // namespace glev
