@@ -7,13 +7,15 @@
 namespace glev {
 namespace {
 
-// Multiplies by the power of two that brings the largest magnitude to [1/2, 1) (subnormal ones: near it),
-// which changes no digit. Zero and what is not finite stays.
+// If products of the components could leave the range of double: multiplies by the power of two that brings
+// the largest magnitude to [1/2, 1) (subnormal ones: near it), which changes no digit. Zero and what is not
+// finite stays.
 template <std::size_t kCount>
 void Scale(std::array<double, kCount>& v) {
   double largest = 0;
   for (const double x : v) largest = std::max(largest, std::fabs(x));
-  if (largest == 0 || !std::isfinite(largest)) return;
+  const bool harmless = largest > 0x1p-100 && largest < 0x1p100;
+  if (harmless || largest == 0 || !std::isfinite(largest)) return;
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double factor = std::ldexp(1.0, std::min(-exponent, 1023));
