@@ -217,7 +217,7 @@ TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
   for (const TargetRow& row : TargetRows()) {
     for (int order : {1, 9, 3, 48}) glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, order, points_);
     glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
-    OneVertex([&] { glevEnable(gl, GLEV_MAP1_VERTEX_3), glevVertex3f(gl, 0, 0, 0); });
+    OneVertex([&] { glevVertex3f(gl, 0, 0, 0); });
   }
   glevEnable(gl, GLEV_AUTO_NORMAL);
   for (const TargetRow& row : TargetRows()) {
