@@ -19,10 +19,24 @@ gl::Table bind_functions() {
 #define BIND(name) table.name = &Forward<Current, &glev##name>::call
   BIND(Map1f);
   BIND(Map1d);
+  BIND(Map2f);
+  BIND(Map2d);
+  BIND(MapGrid1f);
+  BIND(MapGrid1d);
+  BIND(MapGrid2f);
+  BIND(MapGrid2d);
   BIND(EvalCoord1f);
   BIND(EvalCoord1d);
   BIND(EvalCoord1fv);
   BIND(EvalCoord1dv);
+  BIND(EvalCoord2f);
+  BIND(EvalCoord2d);
+  BIND(EvalCoord2fv);
+  BIND(EvalCoord2dv);
+  BIND(EvalPoint1);
+  BIND(EvalPoint2);
+  BIND(EvalMesh1);
+  BIND(EvalMesh2);
   BIND(GetMapfv);
   BIND(GetMapdv);
   BIND(GetMapiv);

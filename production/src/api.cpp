@@ -80,11 +80,22 @@ glev_enum glevGetError(glev_context* context) { return context->GetError(); }
 
 void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int stride,
                glev_int order, const glev_float* points) {
-  context->Map1(target, u1, u2, stride, order, points);
+  context->DefineMap<float>(1, target, {{{u1, u2, stride, order}, {}}}, points);
 }
 void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int stride,
                glev_int order, const glev_double* points) {
-  context->Map1(target, u1, u2, stride, order, points);
+  context->DefineMap<double>(1, target, {{{u1, u2, stride, order}, {}}}, points);
+}
+
+void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int ustride,
+               glev_int uorder, glev_float v1, glev_float v2, glev_int vstride, glev_int vorder,
+               const glev_float* points) {
+  context->DefineMap<float>(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
+}
+void glevMap2d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int ustride,
+               glev_int uorder, glev_double v1, glev_double v2, glev_int vstride, glev_int vorder,
+               const glev_double* points) {
+  context->DefineMap<double>(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
 }
 
 void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v) {
@@ -105,13 +116,50 @@ glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
 
 // ---- Evaluation
 
-void glevEvalCoord1f(glev_context* context, glev_float u) { context->EvalCoord1(u); }
-void glevEvalCoord1d(glev_context* context, glev_double u) { context->EvalCoord1(u); }
+void glevEvalCoord1f(glev_context* context, glev_float u) { context->EvalCoord(1, u, 0); }
+void glevEvalCoord1d(glev_context* context, glev_double u) { context->EvalCoord(1, u, 0); }
 void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->EvalCoord1(*u);
+  if (!Refused(context, u)) context->EvalCoord(1, *u, 0);
 }
 void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
-  if (!Refused(context, u)) context->EvalCoord1(*u);
+  if (!Refused(context, u)) context->EvalCoord(1, *u, 0);
+}
+
+void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) { context->EvalCoord(2, u, v); }
+void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) { context->EvalCoord(2, u, v); }
+void glevEvalCoord2fv(glev_context* context, const glev_float* u) {
+  if (!Refused(context, u)) context->EvalCoord(2, u[0], u[1]);
+}
+void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
+  if (!Refused(context, u)) context->EvalCoord(2, u[0], u[1]);
+}
+
+// ---- Grids and meshes
+
+void glevMapGrid1f(glev_context* context, glev_int n, glev_float u1, glev_float u2) {
+  context->SetGrid(1, {{{u1, u2, n}, {}}});
+}
+void glevMapGrid1d(glev_context* context, glev_int n, glev_double u1, glev_double u2) {
+  context->SetGrid(1, {{{u1, u2, n}, {}}});
+}
+void glevMapGrid2f(glev_context* context, glev_int un, glev_float u1, glev_float u2, glev_int vn,
+                   glev_float v1, glev_float v2) {
+  context->SetGrid(2, {{{u1, u2, un}, {v1, v2, vn}}});
+}
+void glevMapGrid2d(glev_context* context, glev_int un, glev_double u1, glev_double u2, glev_int vn,
+                   glev_double v1, glev_double v2) {
+  context->SetGrid(2, {{{u1, u2, un}, {v1, v2, vn}}});
+}
+
+void glevEvalPoint1(glev_context* context, glev_int i) { context->EvalPoint(1, i, 0); }
+void glevEvalPoint2(glev_context* context, glev_int i, glev_int j) { context->EvalPoint(2, i, j); }
+
+void glevEvalMesh1(glev_context* context, glev_enum mode, glev_int i1, glev_int i2) {
+  context->EvalMesh1(mode, i1, i2);
+}
+void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, glev_int i2, glev_int j1,
+                   glev_int j2) {
+  context->EvalMesh2(mode, i1, i2, j1, j2);
 }
 
 // ---- Primitives
@@ -330,7 +378,7 @@ glev_result glevCreatePlan(glev_context* context, const glev_plan_info* given, g
   glev_plan_info info;
   if (!glev::ReadStruct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (info.dimension != 1) return GLEV_ERROR_UNSUPPORTED;
-  glev_plan* current = context->CurrentPlan1();
+  glev_plan* current = context->CurrentPlan(1);
   if (current == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;
   current->Retain();
   *plan = current;

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "production/src/plan.h"
+#include "production/src/row.h"
 
 namespace {
 
@@ -63,6 +64,7 @@ glev_result ReadOutput(const glev_output* given, std::size_t count, std::size_t 
 
 template <class Real>
 void EvaluateAll(const glev_plan& plan, const Stream& u, const std::array<Output, kAttributes>& outputs) {
+  const glev::Row row(plan, 0.0);
   for (int a = 0; a < kAttributes; ++a) {
     const Output& output = outputs[a];
     if (!output.wanted) continue;
@@ -70,7 +72,7 @@ void EvaluateAll(const glev_plan& plan, const Stream& u, const std::array<Output
       Real argument;
       std::memcpy(&argument, u.begin + i * u.stride, sizeof argument);
       std::array<float, 4> value;
-      plan.Evaluate(static_cast<Attribute>(a), static_cast<double>(argument), value.data());
+      glev::RoundTo(value, row.At(static_cast<Attribute>(a), static_cast<double>(argument)));
       std::memcpy(output.data + i * output.stream.stride, value.data(), output.stream.element);
     }
   }

@@ -1,6 +1,8 @@
 // Polynomials in Bernstein form, in double.
 #pragma once
 
+#include <array>
+
 #include "production/src/parameter.h"
 
 namespace glev {
@@ -13,13 +15,31 @@ struct Curve {
   const double* scaled = nullptr;  // C(degree, i) * R_i, point after point
 };
 
-// scaled[i] = C(order - 1, i) * points[i]; order from 1 to 64.
-void ScaleByBinomials(const double* points, int order, int components, double* scaled);
+// The tensor product: for every v a curve in u. Of degree 0 in v it is one curve, the same for every v.
+struct Surface {
+  std::array<int, 2> degree{};  // in u and v
+  int components = 0;           // 0: no surface
+  std::array<Domain, 2> domain;
+  const double* scaled = nullptr;  // C(degree[0], i) * C(degree[1], j) * R_ij, v fastest
+};
+
+// scaled[i][j] = C(order[0] - 1, i) * C(order[1] - 1, j) * points[i][j], v fastest; orders from 1 to 64.
+// scaled may be points.
+void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled);
 
 // Writes curve.components values. The ends of the domain give the first and last control point bit for bit; a
 // curve of degree 0 gives its control point everywhere. Elsewhere, with u = 2^-53,
 //   |error| <= (13 * degree + 4) * u * (1 + O(u)) * sum of C(degree, i) * |t^i * s^(degree - i) * R_i|
 // as long as nothing overflows or becomes subnormal. Never traps or loops on non-finite values.
 void Evaluate(const Curve& curve, const Parameter& at, double* result);
+
+// The curve in u at one v: point i is the curve in v of row i of the net, by the rule above. Then Evaluate
+// gives the point of the surface; |error| is at most
+//   (13 * (degree[0] + degree[1]) + 8) * u * (1 + O(u)) * sum of |terms|.
+// This order, v before u, is the only one used, so a point has the same bits wherever it is needed. As both
+// steps copy at the ends, the four boundary curves have the bits of the curves of the boundary points,
+// whichever direction and end they are reached by. room: (degree[0] + 1) * components doubles, which the
+// curve then uses unless degree[1] is 0.
+Curve CurveAt(const Surface& surface, const Parameter& v, double* room);
 
 }  // namespace glev

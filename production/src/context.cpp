@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "production/src/convert.h"
 
 using glev::Attribute;
 using glev::FindTarget;
+using glev::Grid;
+using glev::GridArgument;
 using glev::Target;
 
 namespace {
@@ -39,9 +42,10 @@ glev_context::glev_context(const glev::Allocator& allocator) : allocator_(alloca
 }
 
 glev_context::~glev_context() {
-  DropPlan1();
-  for (auto& map : maps1_) map.Free(allocator_);
-  for (auto& map : maps2_) map.Free(allocator_);
+  for (const int dimension : {1, 2}) DropPlan(dimension);
+  for (auto& maps : maps_) {
+    for (auto& map : maps) map.Free(allocator_);
+  }
 }
 
 // ---- Errors
@@ -61,24 +65,31 @@ bool glev_context::RefusedInPrimitive() {
 // ---- Maps
 
 template <class Real>
-void glev_context::Map1(glev_enum name, Real u1, Real u2, glev_int stride, glev_int order,
-                        const Real* points) {
+void glev_context::DefineMap(int dimension, glev_enum name,
+                             const std::array<glev::MapDirection<Real>, 2>& directions, const Real* points) {
   const Target target = FindTarget(name);
-  if (target.dimension != 1) return RecordError(GLEV_INVALID_ENUM);
+  if (target.dimension != dimension) return RecordError(GLEV_INVALID_ENUM);
   const int components = glev::kSlotTable[target.slot].components;
-  if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2 || points == nullptr) {
-    return RecordError(GLEV_INVALID_VALUE);
+  for (int d = 0; d < dimension; ++d) {
+    const auto& [u1, u2, stride, order] = directions[d];
+    if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2) {
+      return RecordError(GLEV_INVALID_VALUE);
+    }
   }
+  if (points == nullptr) return RecordError(GLEV_INVALID_VALUE);
   if (RefusedInPrimitive()) return;
   if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
-  if (!maps1_[target.slot].Define(allocator_, components, {u1, u2}, stride, order, points)) {
+  glev::Map& map = maps_[dimension - 1][target.slot];
+  if (!map.Define(allocator_, components, directions[0], directions[1], points)) {
     return RecordError(GLEV_OUT_OF_MEMORY);
   }
-  if (eval_.map1_enabled[target.slot]) DropPlan1();
+  if (eval_.enabled[dimension - 1][target.slot]) DropPlan(dimension);
 }
 
-template void glev_context::Map1(glev_enum, float, float, glev_int, glev_int, const float*);
-template void glev_context::Map1(glev_enum, double, double, glev_int, glev_int, const double*);
+template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection<float>, 2>&,
+                                      const float*);
+template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection<double>, 2>&,
+                                      const double*);
 
 template <class Number>
 void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
@@ -89,7 +100,7 @@ void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
   if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);
   if (RefusedInPrimitive()) return;
 
-  const glev::Map& map = (target.dimension == 1 ? maps1_ : maps2_)[target.slot];
+  const glev::Map& map = maps_[target.dimension - 1][target.slot];
   const auto put = [&v](double value) { glev::Convert(value, glev::StateKind::kNumber, v++); };
   if (query == GLEV_COEFF) {
     const double* points = map.points(target.slot);
@@ -116,8 +127,7 @@ template void glev_context::GetMap(glev_enum, glev_enum, glev_int*);
 bool* glev_context::FindFlag(glev_enum cap) {
   if (cap == GLEV_AUTO_NORMAL) return &eval_.auto_normal;
   const Target target = FindTarget(cap);
-  if (!target) return nullptr;
-  return &(target.dimension == 1 ? eval_.map1_enabled : eval_.map2_enabled)[target.slot];
+  return target ? &eval_.enabled[target.dimension - 1][target.slot] : nullptr;
 }
 
 void glev_context::SetEnabled(glev_enum cap, bool enabled) {
@@ -126,7 +136,7 @@ void glev_context::SetEnabled(glev_enum cap, bool enabled) {
   if (RefusedInPrimitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
-  if (FindTarget(cap).dimension == 1) DropPlan1();
+  DropPlan(FindTarget(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
 }
 
 bool glev_context::IsEnabled(glev_enum cap) {
@@ -140,33 +150,138 @@ bool glev_context::IsEnabled(glev_enum cap) {
 
 // ---- Evaluation
 
-glev_plan* glev_context::CurrentPlan1() {
-  if (plan1_ == nullptr) plan1_ = glev_plan::Create1(allocator_, maps1_, eval_.map1_enabled, eval_.grid1);
-  return plan1_;
-}
-
-void glev_context::DropPlan1() {
-  if (plan1_ != nullptr) plan1_->Release();
-  plan1_ = nullptr;
-}
-
-void glev_context::EvalCoord1(double u) {
-  if (!in_primitive_) return;
-  const glev_plan* plan = CurrentPlan1();
-  if (plan == nullptr) return RecordError(GLEV_OUT_OF_MEMORY);
-  if (plan->components(Attribute::kVertex) == 0) return;
-
-  glev_vertex vertex = current_;
-  plan->Evaluate(Attribute::kVertex, u, vertex.position);
-  if (plan->components(Attribute::kColor) != 0) plan->Evaluate(Attribute::kColor, u, vertex.color);
-  if (plan->components(Attribute::kTexcoord) != 0)
-    plan->Evaluate(Attribute::kTexcoord, u, vertex.texcoord[0]);
-  if (plan->components(Attribute::kNormal) != 0) {
-    std::array<float, 4> normal;
-    plan->Evaluate(Attribute::kNormal, u, normal.data());
-    for (std::size_t k = 0; k < 3; ++k) vertex.normal[k] = normal[k];
+glev_plan* glev_context::CurrentPlan(int dimension) {
+  glev_plan*& plan = plans_[dimension - 1];
+  if (plan == nullptr) {
+    plan = glev_plan::Create(allocator_, {maps_[dimension - 1], eval_.enabled[dimension - 1],
+                                          eval_.grid[dimension - 1], dimension == 2 && eval_.auto_normal});
   }
+  return plan;
+}
+
+void glev_context::DropPlan(int dimension) {
+  glev_plan*& plan = plans_[dimension - 1];
+  if (plan != nullptr) plan->Release();
+  plan = nullptr;
+}
+
+const glev_plan* glev_context::PlanToDraw(int dimension) {
+  const glev_plan* plan = CurrentPlan(dimension);
+  if (plan == nullptr) {
+    RecordError(GLEV_OUT_OF_MEMORY);
+    return nullptr;
+  }
+  return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
+}
+
+template <class Argument>
+void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
+  const glev_plan& plan = row.plan();
+  glev_vertex vertex = current_;
+  const glev::Row::Values position = row.At(Attribute::kVertex, u);
+  glev::RoundTo(vertex.position, position);
+  if (plan.components(Attribute::kColor) != 0) glev::RoundTo(vertex.color, row.At(Attribute::kColor, u));
+  if (plan.components(Attribute::kTexcoord) != 0)
+    glev::RoundTo(vertex.texcoord[0], row.At(Attribute::kTexcoord, u));
+  if (plan.components(Attribute::kNormal) != 0) glev::RoundTo(vertex.normal, row.At(Attribute::kNormal, u));
+  if (plan.automatic_normals()) glev::RoundTo(vertex.normal, row.NormalAt(position, u));
   Emit(vertex);
+}
+
+template <class Argument>
+void glev_context::EvaluateAt(int dimension, const Argument& u, const Argument& v) {
+  if (!in_primitive_) return;
+  const glev_plan* plan = PlanToDraw(dimension);
+  if (plan != nullptr) EmitRow(glev::Row(*plan, v), u);
+}
+
+void glev_context::EvalCoord(int dimension, double u, double v) { EvaluateAt(dimension, u, v); }
+
+void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
+  for (const Grid& direction : grid) {
+    if (direction.segments <= 0) return RecordError(GLEV_INVALID_VALUE);
+  }
+  if (RefusedInPrimitive()) return;
+  eval_.grid[dimension - 1] = grid;
+  DropPlan(dimension);
+}
+
+void glev_context::EvalPoint(int dimension, glev_int i, glev_int j) {
+  const auto& [u, v] = eval_.grid[dimension - 1];
+  EvaluateAt(dimension, GridArgument{u, i}, GridArgument{v, j});
+}
+
+// ---- Meshes (the loops of GL §21.1). Indices are 64 bits wide: one past the last int is no problem then.
+
+template <class Body>
+void glev_context::MeshPrimitive(glev_enum mode, const Body& body) {
+  in_mesh_ = true;
+  in_primitive_ = true;
+  if (sink_.begin != nullptr) sink_.begin(sink_.user, mode);
+  body();
+  if (sink_.end != nullptr) sink_.end(sink_.user);
+  in_primitive_ = false;
+  in_mesh_ = false;
+}
+
+void glev_context::EvalMesh1(glev_enum mode, glev_int i1, glev_int i2) {
+  if (mode != GLEV_POINT && mode != GLEV_LINE) return RecordError(GLEV_INVALID_ENUM);
+  if (RefusedInPrimitive()) return;
+  const glev_plan* plan = PlanToDraw(1);
+  if (plan == nullptr) return;
+
+  const glev::Row row(*plan, 0.0);
+  MeshPrimitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
+    for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, GridArgument{plan->grid(0), i});
+  });
+}
+
+void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2) {
+  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL) return RecordError(GLEV_INVALID_ENUM);
+  if (RefusedInPrimitive()) return;
+  const glev_plan* plan = PlanToDraw(2);
+  if (plan == nullptr) return;
+
+  const auto u = [&](std::int64_t i) { return GridArgument{plan->grid(0), i}; };
+  const auto v = [&](std::int64_t j) { return GridArgument{plan->grid(1), j}; };
+  glev::Row row(*plan);
+  if (mode == GLEV_POINT) {
+    MeshPrimitive(GLEV_POINTS, [&] {
+      for (std::int64_t j = j1; j <= j2; ++j) {
+        row.MoveTo(v(j));
+        for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
+      }
+    });
+  } else if (mode == GLEV_LINE) {
+    for (std::int64_t j = j1; j <= j2; ++j) {
+      row.MoveTo(v(j));
+      MeshPrimitive(GLEV_LINE_STRIP, [&] {
+        for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
+      });
+    }
+    for (std::int64_t i = i1; i <= i2; ++i) {
+      MeshPrimitive(GLEV_LINE_STRIP, [&] {
+        for (std::int64_t j = j1; j <= j2; ++j) {
+          row.MoveTo(v(j));
+          EmitRow(row, u(i));
+        }
+      });
+    }
+  } else {
+    glev::Row next(*plan);
+    glev::Row *lower = &row, *upper = &next;
+    lower->MoveTo(v(j1));
+    for (std::int64_t j = j1; j < j2; ++j) {
+      upper->MoveTo(v(j + 1));
+      MeshPrimitive(GLEV_QUAD_STRIP, [&] {
+        for (std::int64_t i = i1; i <= i2; ++i) {
+          EmitRow(*lower, u(i));
+          EmitRow(*upper, u(i));
+        }
+      });
+      std::swap(lower, upper);
+    }
+  }
 }
 
 // ---- Primitives
@@ -181,7 +296,7 @@ void glev_context::Begin(glev_enum mode) {
 }
 
 void glev_context::End() {
-  if (!in_primitive_) return RecordError(GLEV_INVALID_OPERATION);
+  if (!in_primitive_ || in_mesh_) return RecordError(GLEV_INVALID_OPERATION);
   if (sink_.end != nullptr) sink_.end(sink_.user);
   in_primitive_ = false;
 }
@@ -225,14 +340,15 @@ void glev_context::ActiveTexture(glev_enum texture) {
 // ---- Queries
 
 glev::StateValues glev_context::FindState(glev_enum pname) {
-  const auto& [u, v] = eval_.grid2;
+  const Grid& curve = eval_.grid[0][0];
+  const auto& [u, v] = eval_.grid[1];
   switch (pname) {
     case GLEV_MAX_EVAL_ORDER:
       return {1, {glev::kMaxOrder}};
     case GLEV_MAP1_GRID_DOMAIN:
-      return {2, {eval_.grid1.u1, eval_.grid1.u2}};
+      return {2, {curve.u1, curve.u2}};
     case GLEV_MAP1_GRID_SEGMENTS:
-      return {1, {static_cast<double>(eval_.grid1.segments)}};
+      return {1, {static_cast<double>(curve.segments)}};
     case GLEV_MAP2_GRID_DOMAIN:
       return {4, {u.u1, u.u2, v.u1, v.u2}};
     case GLEV_MAP2_GRID_SEGMENTS:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include <glevaluator.h>
 
@@ -9,17 +10,17 @@
 #include "production/src/map.h"
 #include "production/src/parameter.h"
 #include "production/src/plan.h"
+#include "production/src/row.h"
 #include "production/src/target.h"
 
 namespace glev {
 
 // What PushAttrib(EVAL_BIT) would save: copyable, without the map specifications (GL table 23.40).
 struct EvalAttributes {
-  std::array<bool, kSlots> map1_enabled{};
-  std::array<bool, kSlots> map2_enabled{};
+  // [dimension - 1]
+  std::array<std::array<bool, kSlots>, 2> enabled{};
+  std::array<std::array<Grid, 2>, 2> grid;  // u, v; one-dimensional maps have no use for v
   bool auto_normal = false;
-  Grid grid1;
-  std::array<Grid, 2> grid2;  // u, v
 };
 
 // The answer to a Get: up to four values of state.
@@ -47,13 +48,19 @@ struct glev_context {
   }
   glev_enum GetError();
 
+  // u, and for dimension 2 v.
   template <class Real>
-  void Map1(glev_enum target, Real u1, Real u2, glev_int stride, glev_int order, const Real* points);
+  void DefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection<Real>, 2>& directions,
+                 const Real* points);
   template <class Number>
   void GetMap(glev_enum target, glev_enum query, Number* v);
   void SetEnabled(glev_enum cap, bool enabled);
   bool IsEnabled(glev_enum cap);
-  void EvalCoord1(double u);
+  void SetGrid(int dimension, const std::array<glev::Grid, 2>& grid);
+  void EvalCoord(int dimension, double u, double v);
+  void EvalPoint(int dimension, glev_int i, glev_int j);
+  void EvalMesh1(glev_enum mode, glev_int i1, glev_int i2);
+  void EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2);
 
   void Begin(glev_enum mode);
   void End();
@@ -72,7 +79,7 @@ struct glev_context {
   glev_result SetSink(const glev_sink* sink);
 
   // The plan of the maps as they are now, without a reference of its own for the caller. Null without memory.
-  glev_plan* CurrentPlan1();
+  glev_plan* CurrentPlan(int dimension);
 
  private:
   // True, and INVALID_OPERATION recorded, between Begin and End.
@@ -81,16 +88,27 @@ struct glev_context {
   bool* FindFlag(glev_enum cap);
   // count 0 if there is no such state.
   glev::StateValues FindState(glev_enum pname);
-  void DropPlan1();
+  void DropPlan(int dimension);
+  // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
+  const glev_plan* PlanToDraw(int dimension);
+  // The evaluated vertex at u of the row.
+  template <class Argument>
+  void EmitRow(const glev::Row& row, const Argument& u);
+  template <class Argument>
+  void EvaluateAt(int dimension, const Argument& u, const Argument& v);
+  // A primitive of a mesh: what is drawn by `body`, between Begin and End.
+  template <class Body>
+  void MeshPrimitive(glev_enum mode, const Body& body);
   void Emit(const glev_vertex& vertex) const;
 
   glev::Allocator allocator_;
   glev_enum error_ = GLEV_NO_ERROR;
-  std::array<glev::Map, glev::kSlots> maps1_, maps2_;
+  std::array<std::array<glev::Map, glev::kSlots>, 2> maps_;  // [dimension - 1]
   glev::EvalAttributes eval_;
-  glev_plan* plan1_ = nullptr;  // null when out of date
-  glev_vertex current_{};       // current values; position is not state
+  std::array<glev_plan*, 2> plans_{};  // [dimension - 1]; null when out of date
+  glev_vertex current_{};              // current values; position is not state
   unsigned active_unit_ = 0;
   bool in_primitive_ = false;
+  bool in_mesh_ = false;  // the primitive is a mesh's, not for a callback to end
   glev_sink sink_{};
 };

@@ -9,6 +9,14 @@
 
 namespace glev {
 
+// What Map1 and Map2 are told about one direction. Defaults: the v of a one-dimensional map.
+template <class Real>
+struct MapDirection {
+  Real u1 = 0, u2 = 1;
+  glev_int stride = 0;  // in values
+  glev_int order = 1;
+};
+
 class Map {
  public:
   enum class Type { kFloat, kDouble };
@@ -16,20 +24,24 @@ class Map {
   Map() = default;
   void Free(const Allocator& allocator) { storage_.Free(allocator); }
 
-  // Replaces everything. Point i begins i * stride values after points. False, and nothing changed, without
-  // memory.
+  // Replaces everything. Point (i, j) begins i * u.stride + j * v.stride values after points. False, and
+  // nothing changed, without memory.
   template <class Real>
-  bool Define(const Allocator& allocator, int components, Domain domain, std::ptrdiff_t stride, int order,
-              const Real* points) {
-    if (!storage_.Reserve(allocator, static_cast<std::size_t>(order) * components)) return false;
+  bool Define(const Allocator& allocator, int components, const MapDirection<Real>& u,
+              const MapDirection<Real>& v, const Real* points) {
+    if (!storage_.Reserve(allocator, static_cast<std::size_t>(u.order) * v.order * components)) return false;
     double* out = storage_.data();
-    for (int i = 0; i < order; ++i) {
-      for (int k = 0; k < components; ++k) *out++ = points[i * stride + k];
+    for (std::ptrdiff_t i = 0; i < u.order; ++i) {
+      for (std::ptrdiff_t j = 0; j < v.order; ++j) {
+        for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];
+      }
     }
     defined_ = true;
     type_ = sizeof(Real) == sizeof(float) ? Type::kFloat : Type::kDouble;
-    order_[0] = order;
-    domain_[0] = domain;
+    order_[0] = u.order;
+    order_[1] = v.order;
+    domain_[0] = {u.u1, u.u2};
+    domain_[1] = {v.u1, v.u2};
     return true;
   }
 

@@ -1,4 +1,4 @@
-// Where in its domain a map is evaluated.
+// Where in its domain a map is evaluated, one direction.
 #pragma once
 
 #include <cstdint>
@@ -41,11 +41,12 @@ inline Parameter Locate(const Domain& domain, double u) {
   return {(domain.u2 - u) / width, (u - domain.u1) / width, Parameter::End::kNeither};
 }
 
-// A grid argument. Indices 0 and segments are the ends of the grid exactly (GL §21.1).
+// A grid argument. Indices 0 and segments are the ends of the grid exactly (GL §21.1); where they coincide,
+// every index is.
 inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
   const Grid& grid = argument.grid;
   const std::int64_t i = argument.index;
-  if (i == 0) return Locate(domain, grid.u1);
+  if (i == 0 || grid.u1 == grid.u2) return Locate(domain, grid.u1);
   if (i == grid.segments) return Locate(domain, grid.u2);
   // Affine in i between the coordinates of the grid's ends. If the grid spans the domain these are 0 and 1,
   // and t is i/n correctly rounded.

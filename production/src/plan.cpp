@@ -4,8 +4,8 @@
 
 namespace {
 
-using glev::Allocator, glev::Attribute, glev::Grid, glev::kAttributes, glev::kCacheLine, glev::kSlots,
-    glev::kSlotTable, glev::Map;
+using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::kSlotTable,
+    glev::Map, glev::Surface;
 
 // The highest enabled slot of the attribute, -1 if none is.
 int WinningSlot(Attribute attribute, std::span<const bool, kSlots> enabled) {
@@ -20,32 +20,83 @@ constexpr std::size_t RoundUp(std::size_t bytes) {
   return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
 
+std::size_t BytesOf(std::array<int, 2> order, int components) {
+  return RoundUp(sizeof(double) * order[0] * order[1] * components);
+}
+
+// The orders of the derivative in one direction: 0 there if it is zero.
+std::array<int, 2> TangentOrder(const Map& map, int direction) {
+  std::array<int, 2> order = {map.order(0), map.order(1)};
+  --order[direction];
+  return order;
+}
+
+// The control points of the derivative, without the factor order - 1: differences of neighbours.
+void Differences(const double* points, std::array<int, 2> order, int components, int direction,
+                 double* result) {
+  const auto row = static_cast<std::ptrdiff_t>(order[1]) * components;
+  const std::ptrdiff_t next = direction == 0 ? row : components;
+  const int rows = direction == 0 ? order[0] - 1 : order[0];
+  const std::ptrdiff_t used = direction == 0 ? row : row - components;
+  for (int i = 0; i < rows; ++i) {
+    for (std::ptrdiff_t k = 0; k < used; ++k) *result++ = points[i * row + k + next] - points[i * row + k];
+  }
+}
+
 }  // namespace
 
-glev_plan* glev_plan::Create1(const Allocator& allocator, std::span<const Map, kSlots> maps,
-                              std::span<const bool, kSlots> enabled, const Grid& grid) {
+glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   std::array<int, kAttributes> winners;
+  for (int a = 0; a < kAttributes; ++a) winners[a] = WinningSlot(static_cast<Attribute>(a), source.enabled);
+  const int vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
+  const bool automatic_normals = source.automatic_normals && vertex_slot >= 0;
+  if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
+
   std::size_t bytes = RoundUp(sizeof(glev_plan));
-  for (int a = 0; a < kAttributes; ++a) {
-    winners[a] = WinningSlot(static_cast<Attribute>(a), enabled);
-    if (winners[a] < 0) continue;
-    bytes += RoundUp(sizeof(double) * maps[winners[a]].order(0) * kSlotTable[winners[a]].components);
+  for (const int slot : winners) {
+    if (slot < 0) continue;
+    const Map& map = source.maps[slot];
+    bytes += BytesOf({map.order(0), map.order(1)}, kSlotTable[slot].components);
+  }
+  if (automatic_normals) {
+    for (const int direction : {0, 1}) {
+      bytes += BytesOf(TangentOrder(source.maps[vertex_slot], direction), kSlotTable[vertex_slot].components);
+    }
   }
 
   void* memory = allocator.Allocate(bytes, kCacheLine);
   if (memory == nullptr) return nullptr;
-  auto* plan = new (memory) glev_plan(allocator, bytes, grid);
+  auto* plan = new (memory) glev_plan(allocator, bytes, source.grid);
 
   auto* block = static_cast<std::byte*>(memory) + RoundUp(sizeof(glev_plan));
+  const auto take = [&block](std::array<int, 2> order, int components) {
+    auto* net = reinterpret_cast<double*>(block);
+    block += BytesOf(order, components);
+    return net;
+  };
   for (int a = 0; a < kAttributes; ++a) {
-    if (winners[a] < 0) continue;
     const int slot = winners[a];
-    const Map& map = maps[slot];
+    if (slot < 0) continue;
+    const Map& map = source.maps[slot];
     const int components = kSlotTable[slot].components;
-    auto* scaled = reinterpret_cast<double*>(block);
-    glev::ScaleByBinomials(map.points(slot), map.order(0), components, scaled);
-    plan->curves_[a] = {map.order(0) - 1, components, map.domain(0), scaled};
-    block += RoundUp(sizeof(double) * map.order(0) * components);
+    const std::array<int, 2> order = {map.order(0), map.order(1)};
+    double* net = take(order, components);
+    glev::ScaleByBinomials(map.points(slot), order, components, net);
+    plan->surfaces_[a] = {{order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+  }
+
+  plan->automatic_normals_ = automatic_normals;
+  for (const int direction : {0, 1}) {
+    if (!automatic_normals) break;
+    const Map& map = source.maps[vertex_slot];
+    const std::array<int, 2> order = TangentOrder(map, direction);
+    if (order[direction] == 0) continue;
+    const int components = kSlotTable[vertex_slot].components;
+    double* net = take(order, components);
+    Differences(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
+    glev::ScaleByBinomials(net, order, components, net);
+    plan->tangents_[direction] = {
+        {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
   return plan;
 }

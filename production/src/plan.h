@@ -12,39 +12,46 @@
 #include "production/src/parameter.h"
 #include "production/src/target.h"
 
+// One for each dimension: a one-dimensional map is a surface of degree 0 in v.
 struct glev_plan {
  public:
-  // Of the enabled one-dimensional maps, those that are not outranked. Null without memory. One reference.
-  static glev_plan* Create1(const glev::Allocator& allocator, std::span<const glev::Map, glev::kSlots> maps,
-                            std::span<const bool, glev::kSlots> enabled, const glev::Grid& grid);
+  // The state of one dimension.
+  struct Source {
+    std::span<const glev::Map, glev::kSlots> maps;
+    std::span<const bool, glev::kSlots> enabled;
+    std::array<glev::Grid, 2> grid;  // u, v
+    bool automatic_normals;          // where there is a vertex map
+  };
+
+  // Of the enabled maps, those that are not outranked. Null without memory. One reference.
+  static glev_plan* Create(const glev::Allocator& allocator, const Source& source);
 
   void Retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
   void Release() const;
 
   // 0 without a map.
-  int components(glev::Attribute attribute) const { return curve(attribute).components; }
-  const glev::Grid& grid() const { return grid_; }
-
-  // All four values of an attribute that has a map, the missing ones (0,0,0,1)'s, rounded to float once.
-  // Argument: double or GridArgument.
-  template <class Argument>
-  void Evaluate(glev::Attribute attribute, const Argument& argument, float* result) const {
-    const glev::Curve& c = curve(attribute);
-    std::array<double, 4> value = {0, 0, 0, 1};
-    glev::Evaluate(c, glev::Locate(c.domain, argument), value.data());
-    for (std::size_t k = 0; k < value.size(); ++k) result[k] = static_cast<float>(value[k]);
+  int components(glev::Attribute attribute) const { return surface(attribute).components; }
+  const glev::Surface& surface(glev::Attribute attribute) const {
+    return surfaces_[static_cast<std::size_t>(attribute)];
   }
+
+  // Normals are computed from the vertex map; there is no normal map then.
+  bool automatic_normals() const { return automatic_normals_; }
+  // The derivative of the vertex map by the normalised coordinate of a direction, up to a positive factor.
+  // Absent in a direction of degree 0, where it is zero.
+  const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
+
+  const glev::Grid& grid(int direction) const { return grid_[direction]; }
 
  private:
-  glev_plan(const glev::Allocator& allocator, std::size_t bytes, const glev::Grid& grid)
+  glev_plan(const glev::Allocator& allocator, std::size_t bytes, const std::array<glev::Grid, 2>& grid)
       : allocator_(allocator), bytes_(bytes), grid_(grid) {}
-  const glev::Curve& curve(glev::Attribute attribute) const {
-    return curves_[static_cast<std::size_t>(attribute)];
-  }
 
   mutable std::atomic<std::size_t> references_{1};
   glev::Allocator allocator_;
   std::size_t bytes_;  // of the one block that holds the plan and its coefficients
-  glev::Grid grid_;
-  std::array<glev::Curve, glev::kAttributes> curves_;
+  std::array<glev::Grid, 2> grid_;
+  std::array<glev::Surface, glev::kAttributes> surfaces_;
+  bool automatic_normals_ = false;
+  std::array<glev::Surface, 2> tangents_;
 };

@@ -1,5 +1,5 @@
 /* The public header is C, and a C program can use the library: draws a curve, runs a batch, exits 0 if both
- * agree. */
+ * agree; then the same curve as the edge of a patch. */
 #include <glevaluator.h>
 
 #include <stdio.h>
@@ -48,6 +48,24 @@ int main(void) {
   CHECK(drawn.begun == 1 && drawn.ended == 1 && drawn.count == COUNT);
   CHECK(drawn.positions[2][0] == 2.0f && drawn.positions[2][1] == 1.5f);
   CHECK(memcmp(drawn.positions[4], points[3], sizeof points[3]) == 0);
+
+  /* a patch that the curve is the edge v = 0 of, drawn along that edge */
+  static const float patch[4][2][3] = {
+      {{0, 0, 0}, {0, 0, 1}}, {{1, 2, 0}, {1, 2, 1}}, {{3, 2, 0}, {3, 2, 1}}, {{4, 0, 0}, {4, 0, 1}}};
+  strip edge = {0, 0, 0, {{0}}};
+  const glev_sink edge_sink = {sizeof(glev_sink), &edge, on_begin, on_vertex, on_end};
+  CHECK(glevSetSink(context, &edge_sink) == GLEV_SUCCESS);
+  glevMap2f(context, GLEV_MAP2_VERTEX_3, 0, 1, 6, 4, 0, 1, 3, 2, &patch[0][0][0]);
+  glevMapGrid2f(context, COUNT - 1, 0, 1, 1, 0, 1);
+  glevEnable(context, GLEV_MAP2_VERTEX_3);
+  glevEnable(context, GLEV_AUTO_NORMAL);
+  glevBegin(context, GLEV_LINE_STRIP);
+  for (int i = 0; i < COUNT; ++i) glevEvalPoint2(context, i, 0);
+  glevEnd(context);
+  CHECK(edge.count == COUNT && memcmp(edge.positions, drawn.positions, sizeof edge.positions) == 0);
+  glevEvalMesh2(context, GLEV_LINE, 0, COUNT - 1, 0, 1);
+  CHECK(glevGetError(context) == GLEV_NO_ERROR);
+  CHECK(edge.begun == 1 + 2 + COUNT && edge.ended == 1 + 2 + COUNT && edge.count == 5 * COUNT);
 
   const glev_plan_info info = {.size = sizeof info, .dimension = 1};
   glev_plan* plan;

@@ -44,4 +44,47 @@ inline ExactPoint Bezier(double u1, double u2, const std::vector<double>& points
   return {sum.value / whole, abs(sum.magnitude / whole)};
 }
 
+// The Bernstein polynomials of one direction at one argument, and their derivatives by t, as in the textbook.
+struct ExactBasis {
+  std::vector<Rational> values, derivatives;
+};
+
+inline ExactBasis Basis(double u1, double u2, std::size_t order, double u) {
+  const Rational t = (Exactly(u) - Exactly(u1)) / (Exactly(u2) - Exactly(u1)), s = 1 - t;
+  std::vector<Rational> powers_of_t = {1}, powers_of_s = {1};
+  for (std::size_t i = 1; i < order; ++i) {
+    powers_of_t.push_back(powers_of_t.back() * t);
+    powers_of_s.push_back(powers_of_s.back() * s);
+  }
+  const std::size_t n = order - 1;
+  Rational binomial = 1;
+  ExactBasis basis;
+  for (std::size_t i = 0; i <= n; ++i) {
+    basis.values.push_back(binomial * powers_of_t[i] * powers_of_s[n - i]);
+    Rational slope = 0;
+    if (i > 0) slope += i * powers_of_t[i - 1] * powers_of_s[n - i];
+    if (i < n) slope -= (n - i) * powers_of_t[i] * powers_of_s[n - i - 1];
+    basis.derivatives.push_back(binomial * slope);
+    binomial = binomial * (n - i) / (i + 1);
+  }
+  return basis;
+}
+
+// sum of u[i] * v[j] * R_ij, v fastest: component k of points with `components` values.
+inline ExactPoint Tensor(const std::vector<Rational>& u, const std::vector<Rational>& v,
+                         const std::vector<double>& points, std::size_t components = 1, std::size_t k = 0) {
+  ExactPoint sum;
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    ExactPoint row;
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      const Rational term = v[j] * Exactly(points[(i * v.size() + j) * components + k]);
+      row.value += term;
+      row.magnitude += abs(term);
+    }
+    sum.value += u[i] * row.value;
+    sum.magnitude += abs(u[i]) * row.magnitude;
+  }
+  return sum;
+}
+
 }  // namespace glev_tests

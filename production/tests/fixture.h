@@ -61,7 +61,7 @@ class ContextTest : public ::testing::Test {
   // is.
   std::vector<double> State() const {
     std::vector<double> state;
-    std::array<double, 64 * 4> values{};
+    std::vector<double> values(64 * 64 * 4);
     const auto add = [&](std::size_t count) {
       state.insert(state.end(), values.begin(), values.begin() + count);
     };

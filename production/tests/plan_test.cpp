@@ -91,7 +91,15 @@ TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
   glevEnable(gl, GLEV_MAP1_COLOR_4);
   glev_plan* fourth = Create();
   EXPECT_NE(first, fourth);
-  for (glev_plan* plan : {first, second, third, fourth}) glevReleasePlan(plan);
+  glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // the other dimension's
+  glevEnable(gl, GLEV_MAP2_VERTEX_3);
+  glevEnable(gl, GLEV_AUTO_NORMAL);
+  glev_plan* fifth = Create();
+  EXPECT_EQ(fourth, fifth);
+  glevMapGrid1f(gl, 3, 0, 1);
+  glev_plan* sixth = Create();
+  EXPECT_NE(fourth, sixth);
+  for (glev_plan* plan : {first, second, third, fourth, fifth, sixth}) glevReleasePlan(plan);
   glevReleasePlan(nullptr);
 }
 
@@ -209,11 +217,20 @@ TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
   for (const TargetRow& row : TargetRows()) {
     for (int order : {1, 9, 3, 48}) glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, order, points_);
     glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
-    OneVertex([&] { glevEnable(gl, GLEV_MAP1_VERTEX_3), glevVertex3f(gl, 0, 0, 0); });
+    OneVertex([&] { glevVertex3f(gl, 0, 0, 0); });
+  }
+  glevEnable(gl, GLEV_AUTO_NORMAL);
+  for (const TargetRow& row : TargetRows()) {
+    for (auto [n, m] : {std::pair{1, 1}, {3, 4}, {2, 2}, {1, 16}, {16, 1}}) {
+      glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, 0, 1, 4 * m, n, 0, 1, 4, m, points_);
+      glevEnable(gl, GLEV_MAP2_COLOR_4 + row.offset);
+      glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2);
+    }
   }
   glev_plan* plan = Create();
   OneVertex([&] { glevEvalCoord1f(gl, 0.5f); });
   glevReleasePlan(plan);
+  ExpectError(GLEV_NO_ERROR);
   EXPECT_GT(ledger_.requests, 10);
 }
 
@@ -226,6 +243,34 @@ TEST_F(MemoryTest, EvaluationDoesNotAllocate) {
   for (float u : u_) OneVertex([&] { glevEvalCoord1f(gl, u); });
   EXPECT_EQ(ledger_.requests, before);
   glevReleasePlan(plan);
+}
+
+TEST_F(MemoryTest, MeshesDoNotAllocate) {
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
+  glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 24, 8, 0, 1, 3, 8, points_);
+  for (glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_AUTO_NORMAL}) glevEnable(gl, cap);
+  glevEvalMesh1(gl, GLEV_LINE, 0, 0);
+  glevEvalMesh2(gl, GLEV_POINT, 0, 0, 0, 0);
+  const int before = ledger_.requests;
+  glevEvalMesh1(gl, GLEV_LINE, 0, 100);
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) glevEvalMesh2(gl, mode, 0, 9, 0, 9);
+  EXPECT_EQ(ledger_.requests, before);
+}
+
+TEST_F(MemoryTest, Map2AndMeshesWithoutMemoryChangeAndDrawNothing) {
+  glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 2, 12, 4, 0, 3, 3, 4, points_);
+  for (glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_AUTO_NORMAL}) glevEnable(gl, cap);
+  ledger_.refuse_from = 0;
+  ExpectRefused(GLEV_OUT_OF_MEMORY,
+                [&] { glevMap2f(gl, GLEV_MAP2_VERTEX_3, 5, 6, 3, 60, 5, 6, 3, 2, points_); });
+  recording = {};
+  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
+  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
+  EXPECT_TRUE(recording.begun.empty());
+  ExpectRefusedInPrimitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); });
+  ledger_.refuse_from = -1;
+  ExpectAccepted([&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
+  EXPECT_EQ(recording.vertices.size(), 12u);
 }
 
 TEST_F(MemoryTest, Map1WithoutMemoryChangesNothing) {

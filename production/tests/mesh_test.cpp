@@ -1,0 +1,511 @@
+// Grids, EvalPoint and EvalMesh.
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr glev_enum kModes[] = {GLEV_POINT, GLEV_LINE, GLEV_FILL};
+
+bool SameBits(const glev_vertex& a, const glev_vertex& b) {
+  return std::memcmp(&a, &b, offsetof(glev_vertex, edge_flag) + 1) == 0;
+}
+
+// ---- Grids
+
+class Grids : public ContextTest {
+ protected:
+  std::vector<double> Doubles(glev_enum name, std::size_t count) {
+    std::vector<double> values(count + 1, -77);
+    glevGetDoublev(gl, name, values.data());
+    EXPECT_EQ(values.back(), -77);
+    values.pop_back();
+    return values;
+  }
+};
+
+TEST_F(Grids, AreSetAndRead) {
+  ExpectAccepted([&] { glevMapGrid1f(gl, 7, 0.1f, -3); });
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{7}));
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1f, -3}));
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{1, 1}));
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0, 1, 0, 1}));
+  ExpectAccepted([&] { glevMapGrid1d(gl, INT_MAX, 0.1, 1.0 / 3); });
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1, 1.0 / 3})) << "not rounded";
+  ExpectAccepted([&] { glevMapGrid2f(gl, 3, 0.1f, 2, 4, 5, 6); });
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{3, 4}));
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1f, 2, 5, 6}));
+  ExpectAccepted([&] { glevMapGrid2d(gl, 5, 0.1, 0.2, 6, 0.3, 0.4); });
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{5, 6}));
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
+}
+
+TEST_F(Grids, AreConvertedToTheTypeOfTheQuery) {
+  glevMapGrid2d(gl, 3, 1.6, -2.5, 4, 1e20, 0);
+  int integers[4];
+  glevGetIntegerv(gl, GLEV_MAP2_GRID_DOMAIN, integers);
+  EXPECT_EQ(std::vector<int>(integers, integers + 4), (std::vector<int>{2, -3, INT_MAX, 0}));
+  float floats[4];
+  glevGetFloatv(gl, GLEV_MAP2_GRID_DOMAIN, floats);
+  EXPECT_EQ(Values(floats), (Floats{1.6f, -2.5f, 1e20f, 0}));
+  glev_boolean booleans[4];
+  glevGetBooleanv(gl, GLEV_MAP2_GRID_DOMAIN, booleans);
+  EXPECT_EQ(std::vector<int>(booleans, booleans + 4), (std::vector<int>{1, 1, 1, 0}));
+  glevGetIntegerv(gl, GLEV_MAP2_GRID_SEGMENTS, integers);
+  EXPECT_EQ(integers[0], 3);
+  EXPECT_EQ(integers[1], 4);
+  glevMapGrid1d(gl, 9, -1.6, 0.25);
+  glevGetIntegerv(gl, GLEV_MAP1_GRID_DOMAIN, integers);
+  EXPECT_EQ(integers[0], -2);
+  EXPECT_EQ(integers[1], 0);
+  glevGetFloatv(gl, GLEV_MAP1_GRID_SEGMENTS, floats);
+  EXPECT_EQ(floats[0], 9);
+}
+
+TEST_F(Grids, NumbersOfSegmentsMustBePositive) {
+  for (int n : {0, -1, INT_MIN}) {
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid1d(gl, n, 2, 3); });
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, n, 2, 3, 5, 2, 3); });
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, n, 2, 3, 5, 2, 3); });
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, 5, 2, 3, n, 2, 3); });
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, 5, 2, 3, n, 2, 3); });
+    ExpectRefusedInPrimitive(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
+  }
+}
+
+TEST_F(Grids, NotBetweenBeginAndEnd) {
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1f(gl, 2, 2, 3); });
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1d(gl, 2, 2, 3); });
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2f(gl, 2, 2, 3, 4, 2, 3); });
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2d(gl, 2, 2, 3, 4, 2, 3); });
+}
+
+TEST_F(Grids, EqualEndsAndAnyActiveTextureAreLegal) {
+  glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
+  ExpectAccepted([&] { glevMapGrid1f(gl, 3, 5, 5); });
+  ExpectAccepted([&] { glevMapGrid2f(gl, 3, 5, 5, 4, 6, 6); });
+  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{5, 5}));
+  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{5, 5, 6, 6}));
+}
+
+// ---- Points and meshes: random maps of all attributes, on a grid that is not their domain
+
+// What a mesh must do, by EvalPoint: the loops of GL §21.1.
+struct Primitive {
+  glev_enum mode;
+  std::vector<std::pair<int, int>> points;
+};
+
+std::vector<Primitive> Loops(glev_enum mode, int i1, int i2, int j1, int j2) {
+  std::vector<Primitive> result;
+  if (mode == GLEV_POINT) {
+    result.push_back({GLEV_POINTS, {}});
+    for (int j = j1; j <= j2; ++j) {
+      for (int i = i1; i <= i2; ++i) result[0].points.emplace_back(i, j);
+    }
+  } else if (mode == GLEV_LINE) {
+    for (int j = j1; j <= j2; ++j) {
+      result.push_back({GLEV_LINE_STRIP, {}});
+      for (int i = i1; i <= i2; ++i) result.back().points.emplace_back(i, j);
+    }
+    for (int i = i1; i <= i2; ++i) {
+      result.push_back({GLEV_LINE_STRIP, {}});
+      for (int j = j1; j <= j2; ++j) result.back().points.emplace_back(i, j);
+    }
+  } else {
+    for (int j = j1; j < j2; ++j) {
+      result.push_back({GLEV_QUAD_STRIP, {}});
+      for (int i = i1; i <= i2; ++i) {
+        result.back().points.emplace_back(i, j);
+        result.back().points.emplace_back(i, j + 1);
+      }
+    }
+  }
+  return result;
+}
+
+class Meshes : public ContextTest {
+ protected:
+  Meshes() {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      points_[i] = static_cast<float>(std::sin(1.7 * static_cast<double>(i)) + 0.1);
+    for (const TargetRow& row : TargetRows()) {
+      if (row.offset == GLEV_MAP1_VERTEX_4 - GLEV_MAP1_COLOR_4) continue;
+      const glev_enum one = GLEV_MAP1_COLOR_4 + row.offset, two = GLEV_MAP2_COLOR_4 + row.offset;
+      const float* points = points_.data() + 5 * row.offset;
+      glevMap1f(gl, one, 0.25f, 2.1f, 4, 5, points);
+      glevMap2f(gl, two, 0.2f, 1.3f, 12, 4, 2, -1, 4, 3, points);
+      glevEnable(gl, one);
+      glevEnable(gl, two);
+    }
+    glevMapGrid1f(gl, 7, 0.1f, 0.7f);
+    glevMapGrid2f(gl, 5, 0.1f, 1.7f, 3, -0.9f, 2.2f);
+  }
+  glev_vertex Point(int i) {
+    return OneVertex([&] { glevEvalPoint1(gl, i); });
+  }
+  glev_vertex Point(int i, int j) {
+    return OneVertex([&] { glevEvalPoint2(gl, i, j); });
+  }
+  void Mesh2(glev_enum mode, int i1, int i2, int j1, int j2) {
+    recording = {};
+    ExpectAccepted([&] { glevEvalMesh2(gl, mode, i1, i2, j1, j2); });
+  }
+  void Mesh1(glev_enum mode, int i1, int i2) {
+    recording = {};
+    ExpectAccepted([&] { glevEvalMesh1(gl, mode, i1, i2); });
+  }
+
+  std::array<float, 400> points_;
+};
+
+TEST_F(Meshes, Mesh1DrawsItsPointsInOnePrimitive) {
+  for (auto [mode, primitive] : {std::pair{GLEV_POINT, GLEV_POINTS}, {GLEV_LINE, GLEV_LINE_STRIP}}) {
+    for (auto [i1, i2] : {std::pair{0, 7}, {2, 5}, {-3, 11}, {4, 4}, {5, 4}, {INT_MAX, INT_MIN}}) {
+      Mesh1(mode, i1, i2);
+      EXPECT_EQ(recording.begun, (std::vector<glev_enum>{static_cast<glev_enum>(primitive)}));
+      EXPECT_EQ(recording.ended, 1);
+      const std::vector<glev_vertex> drawn = recording.vertices;
+      ASSERT_EQ(drawn.size(), i1 > i2 ? 0u : static_cast<std::size_t>(i2 - i1 + 1));
+      for (std::size_t k = 0; k < drawn.size(); ++k) {
+        EXPECT_TRUE(SameBits(drawn[k], Point(i1 + static_cast<int>(k)))) << i1 << "+" << k;
+      }
+    }
+  }
+}
+
+TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
+  for (bool automatic : {false, true}) {
+    (automatic ? glevEnable : glevDisable)(gl, GLEV_AUTO_NORMAL);
+    for (glev_enum mode : kModes) {
+      for (auto [i1, i2, j1, j2] : {std::array{0, 5, 0, 3},
+                                    {1, 3, 1, 2},
+                                    {-2, 7, -1, 5},
+                                    {-1, 6, -3, 0},
+                                    {2, 2, 0, 3},
+                                    {0, 5, 2, 2},
+                                    {2, 2, 1, 1},
+                                    {3, 2, 0, 3},
+                                    {0, 5, 2, 1},
+                                    {3, 2, 2, 1}}) {
+        SCOPED_TRACE(testing::Message() << std::hex << mode << std::dec << " i " << i1 << ".." << i2 << " j "
+                                        << j1 << ".." << j2);
+        const std::vector<Primitive> expected = Loops(mode, i1, i2, j1, j2);
+        Mesh2(mode, i1, i2, j1, j2);
+        const Recording drawn = recording;
+        std::vector<glev_enum> begun;
+        std::vector<std::pair<int, int>> points;
+        for (const Primitive& primitive : expected) {
+          begun.push_back(primitive.mode);
+          points.insert(points.end(), primitive.points.begin(), primitive.points.end());
+        }
+        EXPECT_EQ(drawn.begun, begun);
+        EXPECT_EQ(drawn.ended, static_cast<int>(begun.size()));
+        ASSERT_EQ(drawn.vertices.size(), points.size());
+        for (std::size_t k = 0; k < points.size(); ++k) {
+          EXPECT_TRUE(SameBits(drawn.vertices[k], Point(points[k].first, points[k].second)))
+              << "vertex " << k;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Meshes, VerticesAreInTheirPrimitives) {
+  // begin, vertices and end in one sequence
+  std::vector<int> events;
+  const glev_sink sink = {
+      sizeof(glev_sink), &events,
+      [](void* user, glev_enum mode) {
+        static_cast<std::vector<int>*>(user)->push_back(100 + static_cast<int>(mode));
+      },
+      [](void* user, const glev_vertex*) { static_cast<std::vector<int>*>(user)->push_back(1); },
+      [](void* user) { static_cast<std::vector<int>*>(user)->push_back(-1); }};
+  glevSetSink(gl, &sink);
+  glevEvalMesh2(gl, GLEV_FILL, 0, 1, 0, 2);
+  EXPECT_EQ(events, (std::vector<int>{108, 1, 1, 1, 1, -1, 108, 1, 1, 1, 1, -1}));
+  events.clear();
+  glevEvalMesh2(gl, GLEV_LINE, 0, 1, 0, 2);
+  EXPECT_EQ(events, (std::vector<int>{103, 1, 1, -1, 103, 1,   1, -1, 103, 1, 1, -1,  //
+                                      103, 1, 1, 1,  -1,  103, 1, 1,  1,   -1}));
+  ExpectError(GLEV_NO_ERROR);
+}
+
+TEST_F(Meshes, TheEndsOfTheGridAreExact) {
+  // Maps so narrow that one rounding of the argument shows.
+  const float ramp[] = {0, 0, 0, 1, 1, 1};
+  for (int n = 1; n <= 300; ++n) {
+    for (auto [u1, u2] : {std::pair{0.1f, 0.7f}, {1.0f / 3, -5.1f}, {1000.1f, 1e-3f}}) {
+      glevMapGrid1f(gl, n, u1, u2);
+      glevMapGrid2f(gl, n, u1, u2, n, u2, u1);
+      for (auto [index, u] : {std::pair{0, u1}, {n, u2}}) {
+        glevMap1f(gl, GLEV_MAP1_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, ramp);
+        ASSERT_EQ(Point(index).position[0], 0) << n << " " << u;
+        glevMap2f(gl, GLEV_MAP2_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, 0, 1, 3, 1, ramp);
+        ASSERT_EQ(Point(index, 0).position[0], 0) << n << " " << u;
+        glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, u, std::nextafter(u, 2e3f), 3, 2, ramp);
+        ASSERT_EQ(Point(0, n - index).position[0], 0) << n << " " << u;
+      }
+    }
+  }
+}
+
+TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
+  // i/n of the way, for a line over the grid itself
+  const float line[] = {0, 0, 0, 3, 3, 3};
+  for (int n : {3, 10, 10000, INT_MAX}) {
+    glevMapGrid1f(gl, n, 0.1f, 0.7f);
+    glevMapGrid2f(gl, n, 0.1f, 0.7f, n, -2, 5);
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0.1f, 0.7f, 3, 2, line);
+    for (int i : {1, 2, n / 2, n - 1, n + (n < INT_MAX ? 1 : 0), -1, -n}) {
+      const auto expected = static_cast<float>(3.0 * i / n);
+      EXPECT_EQ(Point(i).position[0], expected) << i << "/" << n;
+      glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0.1f, 0.7f, 3, 2, 0, 1, 3, 1, line);
+      EXPECT_EQ(Point(i, 5).position[0], expected) << i << "/" << n;
+      glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, -2, 5, 3, 2, line);
+      EXPECT_EQ(Point(5, i).position[0], expected) << i << "/" << n;
+    }
+  }
+}
+
+TEST_F(Meshes, AGridOfEqualEndsIsOnePoint) {
+  glevMapGrid1f(gl, 7, 0.37f, 0.37f);
+  glevMapGrid2f(gl, 7, 0.37f, 0.37f, 11, 0.61f, 0.61f);
+  const glev_vertex one = OneVertex([&] { glevEvalCoord1f(gl, 0.37f); });
+  const glev_vertex two = OneVertex([&] { glevEvalCoord2f(gl, 0.37f, 0.61f); });
+  for (int i : {-3, 0, 1, 2, 3, 4, 5, 6, 7, 100}) {
+    EXPECT_TRUE(SameBits(Point(i), one)) << i;
+    EXPECT_TRUE(SameBits(Point(i, i + 1), two)) << i;
+  }
+}
+
+TEST_F(Meshes, IndicesAtTheEndsOfInt) {
+  glevMapGrid1f(gl, INT_MAX, 0, 1);
+  glevMapGrid2f(gl, 1, 0, 1, 1, 0, 1);
+  for (int i : {INT_MIN, INT_MAX}) {
+    Point(i);
+    Point(i, i);
+    Point(i, 0);
+  }
+  Mesh1(GLEV_LINE, INT_MAX - 2, INT_MAX);
+  EXPECT_EQ(recording.vertices.size(), 3u);
+  Mesh1(GLEV_POINT, INT_MIN, INT_MIN + 1);
+  EXPECT_EQ(recording.vertices.size(), 2u);
+  for (glev_enum mode : kModes) {
+    Mesh2(mode, INT_MAX - 1, INT_MAX, INT_MAX - 1, INT_MAX);
+    EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
+    Mesh2(mode, INT_MIN, INT_MIN + 1, INT_MIN, INT_MIN + 1);
+    EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
+  }
+}
+
+TEST_F(Meshes, OtherModesAreRefusedFirst) {
+  for (bool vertex_map : {true, false}) {
+    for (const TargetRow& row : TargetRows()) {
+      if (vertex_map) break;
+      glevDisable(gl, GLEV_MAP1_COLOR_4 + row.offset);
+      glevDisable(gl, GLEV_MAP2_COLOR_4 + row.offset);
+    }
+    for (glev_enum mode : {0, 1, 3, 7, 8, 0x1AFF, 0x1B03, GLEV_FILL}) {
+      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 1, 0); });
+      ExpectRefusedInPrimitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+      if (mode == GLEV_FILL) continue;
+      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 1, 0, 0, 1); });
+      ExpectRefusedInPrimitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+    }
+  }
+  EXPECT_EQ(recording.begun.size(), 2 * (8u + 7u)) << "those of the test itself";
+}
+
+TEST_F(Meshes, NotBetweenBeginAndEnd) {
+  for (glev_enum mode : kModes) {
+    ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+    if (mode != GLEV_FILL)
+      ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+  }
+  EXPECT_EQ(recording.begun.size(), 5u);
+  EXPECT_EQ(recording.ended, 5) << "the open primitive is not disturbed";
+}
+
+TEST_F(Meshes, WithoutAVertexMapOfTheDimensionNothingHappens) {
+  glevDisable(gl, GLEV_MAP2_VERTEX_3);
+  glevEnable(gl, GLEV_AUTO_NORMAL);
+  for (glev_enum mode : kModes) {
+    Mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
+    EXPECT_TRUE(recording.begun.empty() && recording.vertices.empty() && recording.ended == 0);
+  }
+  glevBegin(gl, GLEV_POINTS);
+  glevEvalPoint2(gl, 1, 1);
+  glevEvalCoord2f(gl, 0.37f, 0);
+  glevEnd(gl);
+  EXPECT_TRUE(recording.vertices.empty());
+  Mesh1(GLEV_LINE, 0, 3);
+  EXPECT_EQ(recording.vertices.size(), 4u);
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  glevEnable(gl, GLEV_MAP2_VERTEX_3);
+  Mesh1(GLEV_LINE, INT_MIN, INT_MAX);
+  EXPECT_TRUE(recording.begun.empty());
+  Mesh2(GLEV_POINT, 0, 1, 0, 2);
+  EXPECT_EQ(recording.vertices.size(), 6u);
+}
+
+TEST_F(Meshes, PointsOutsideBeginAndEndAreIgnored) {
+  ExpectAccepted([&] { glevEvalPoint1(gl, 1); });
+  ExpectAccepted([&] { glevEvalPoint2(gl, 1, 1); });
+  ExpectAccepted([&] { glevEvalCoord2f(gl, 1, 1); });
+  EXPECT_TRUE(recording.vertices.empty());
+}
+
+TEST_F(Meshes, StateIsLeftAlone) {
+  glevEnable(gl, GLEV_AUTO_NORMAL);
+  glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
+  glevNormal3f(gl, 5, 6, 7);
+  glevTexCoord4f(gl, 5, 6, 7, 8);
+  const std::vector<double> before = State();
+  for (glev_enum mode : kModes) Mesh2(mode, -1, 6, -1, 4);
+  Mesh1(GLEV_LINE, -1, 8);
+  EXPECT_EQ(State(), before);
+}
+
+TEST_F(Meshes, TheGridInForceCounts) {
+  const glev_vertex before = Point(1, 1), before1 = Point(1);
+  glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.2f);
+  const glev_vertex u = Point(1, 1);
+  glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.1f);
+  const glev_vertex v = Point(1, 1);
+  EXPECT_NE(before.position[0], u.position[0]);
+  EXPECT_NE(v.position[0], u.position[0]);
+  EXPECT_TRUE(SameBits(Point(1), before1));
+  glevMapGrid1f(gl, 7, 0.1f, 0.8f);
+  EXPECT_NE(Point(1).position[0], before1.position[0]);
+  Mesh1(GLEV_POINT, 1, 1);
+  const glev_vertex drawn = recording.vertices.at(0);
+  EXPECT_TRUE(SameBits(drawn, Point(1)));
+  Mesh2(GLEV_POINT, 1, 1, 1, 1);
+  EXPECT_TRUE(SameBits(recording.vertices.at(0), v));
+}
+
+// ---- A sink that calls back
+
+struct Caller {
+  glev_context* gl;
+  void (*call)(glev_context*);
+  std::vector<glev_vertex> vertices;
+  int ended = 0;
+
+  glev_sink Sink() {
+    return {sizeof(glev_sink), this, nullptr,
+            [](void* user, const glev_vertex* v) {
+              auto* self = static_cast<Caller*>(user);
+              self->vertices.push_back(*v);
+              self->call(self->gl);
+            },
+            [](void* user) { ++static_cast<Caller*>(user)->ended; }};
+  }
+};
+
+TEST_F(Meshes, ACallbackMayChangeCurrentValues) {
+  glevDisable(gl, GLEV_MAP2_COLOR_4);
+  glevColor4f(gl, 0, 0, 0, 1);
+  Caller caller = {gl,
+                   [](glev_context* context) {
+                     glevColor4f(context, 1, 0, 0, 1);
+                     glevEdgeFlag(context, GLEV_FALSE);
+                   },
+                   {}};
+  const glev_sink sink = caller.Sink();
+  glevSetSink(gl, &sink);
+  for (glev_enum mode : kModes) {
+    glevColor4f(gl, 0, 0, 0, 1);
+    caller.vertices.clear();
+    ExpectAccepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
+    for (std::size_t k = 0; k < caller.vertices.size(); ++k) {
+      EXPECT_EQ(caller.vertices[k].color[0], k == 0 ? 0.0f : 1.0f) << k;
+    }
+  }
+}
+
+TEST_F(Meshes, ACallbackCannotEndTheMeshOrChangeItsMaps) {
+  Caller caller = {gl, nullptr, {}};
+  const glev_sink sink = caller.Sink();
+  glevSetSink(gl, &sink);
+  const std::vector<double> before = State();
+  void (*const calls[])(glev_context*) = {
+      [](glev_context* context) { glevEnd(context); },
+      [](glev_context* context) { glevBegin(context, GLEV_POINTS); },
+      [](glev_context* context) { glevDisable(context, GLEV_MAP2_VERTEX_3); },
+      [](glev_context* context) { glevMapGrid2f(context, 9, 0, 1, 9, 0, 1); },
+      [](glev_context* context) { glevEvalMesh2(context, GLEV_POINT, 0, 3, 0, 3); },
+  };
+  for (const auto& call : calls) {
+    caller.call = call;
+    caller.vertices.clear();
+    caller.ended = 0;
+    glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2);
+    ExpectError(GLEV_INVALID_OPERATION);
+    EXPECT_EQ(caller.vertices.size(), 12u);
+    EXPECT_EQ(caller.ended, 2);
+    caller.vertices.clear();
+    glevEvalMesh1(gl, GLEV_LINE, 0, 2);
+    ExpectError(GLEV_INVALID_OPERATION);
+    EXPECT_EQ(caller.vertices.size(), 3u);
+    EXPECT_EQ(State(), before);
+  }
+  // Outside meshes End belongs to the caller.
+  caller.call = [](glev_context*) {};
+  ExpectAccepted([&] { glevBegin(gl, GLEV_POINTS), glevEnd(gl); });
+}
+
+TEST_F(Meshes, ACallbackMayEvaluate) {
+  static int depth;
+  depth = 0;
+  Caller caller = {gl,
+                   [](glev_context* context) {
+                     if (depth != 0) return;
+                     ++depth;
+                     glevEvalCoord1f(context, 0.5f);
+                     glevEvalPoint2(context, 1, 1);
+                     --depth;
+                   },
+                   {}};
+  const glev_vertex one = OneVertex([&] { glevEvalCoord1f(gl, 0.5f); }), two = Point(1, 1);
+  Mesh2(GLEV_POINT, 0, 1, 0, 0);
+  const std::vector<glev_vertex> plain = recording.vertices;
+  const glev_sink sink = caller.Sink();
+  glevSetSink(gl, &sink);
+  ExpectAccepted([&] { glevEvalMesh2(gl, GLEV_POINT, 0, 1, 0, 0); });
+  ASSERT_EQ(caller.vertices.size(), 6u);
+  const glev_vertex expected[] = {plain[0], one, two, plain[1], one, two};
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_TRUE(SameBits(caller.vertices[k], expected[k])) << k;
+}
+
+TEST_F(Meshes, WithoutASinkNothingBreaks) {
+  glevSetSink(gl, nullptr);
+  for (glev_enum mode : kModes) ExpectAccepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
+  ExpectAccepted([&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
+}
+
+TEST_F(Meshes, NotANumberDoesNoHarm) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  for (double bad : {kInf, -kInf, std::nan(""), 1.7e308}) {
+    glevMapGrid1d(gl, 3, 0, bad);
+    Mesh1(GLEV_LINE, -1, 4);
+    EXPECT_EQ(recording.vertices.size(), 6u);
+    glevMapGrid2d(gl, 3, bad, -1.7e308, 3, bad, bad);
+    for (glev_enum mode : kModes) Mesh2(mode, 0, 3, 0, 3);
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests
