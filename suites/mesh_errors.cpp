@@ -152,6 +152,50 @@ EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND")
   expect_refused_inside(t, true);
 }
 
+// Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
+EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
+  struct Attempt {
+    Calls call;
+    GLenum error;
+  };
+  std::vector<Attempt> attempts;
+  for (const bool two : {false, true}) {
+    for (const GLenum mode : good_modes(two)) {
+      attempts.push_back({[=](gl::Case& c) { mesh(c, two, mode); }, GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) { mesh(c, two, mode, true); }, GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) {
+                            disable_maps(c);
+                            mesh(c, two, mode);
+                          },
+                          GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) {
+                            c.Begin(GL_LINES);
+                            mesh(c, two, mode);
+                            c.End();
+                          },
+                          GL_INVALID_OPERATION});
+    }
+    attempts.push_back({[=](gl::Case& c) { mesh(c, two, GL_QUADS); }, GL_INVALID_ENUM});
+  }
+  for (const bool begin : {true, false}) {
+    gl::Case c(begin ? "Begin and End after each" : "End alone after each");
+    std::vector<gl::Ref> own, after;
+    for (const Attempt& attempt : attempts) {
+      enable_vertices(c);
+      attempt.call(c);
+      own.push_back(c.GetError());
+      if (begin) c.Begin(GL_POINTS);
+      c.End();
+      after.push_back(c.GetError());
+    }
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      played.expect_error(own[i], {attempts[i].error});
+      played.expect_error(after[i], {begin ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION}});
+    }
+  }
+}
+
 // Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
 EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
   constexpr GLint kIndices[] = {-3,
