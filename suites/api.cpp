@@ -4,12 +4,12 @@
 #include <cstring>
 #include <functional>
 
-#include "suites/maps.h"
+#include "suites/maps2.h"
 
 namespace evalcts {
 namespace {
 
-// A legal call of a command of the one-dimensional side, where it may stand.
+// A legal call of a command, where it may stand.
 struct LegalCall {
   const char* name;
   void (*call)(gl::Case&);
@@ -26,6 +26,14 @@ void in_begin_end(gl::Case& c, const std::function<void()>& call) {
   c.End();
 }
 
+void in_begin_end2(gl::Case& c, const std::function<void()>& call) {
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 1, kPoints);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Begin(GL_POINTS);
+  call();
+  c.End();
+}
+
 constexpr LegalCall kLegalCalls[] = {
     {"Map1f", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, kPoints); }},
     {"Map1d", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0, 1, 3, 2, kRealPoints); }},
@@ -37,11 +45,32 @@ constexpr LegalCall kLegalCalls[] = {
     {"GetMapdv", [](gl::Case& c) { c.GetMapdv(GL_MAP1_VERTEX_3, GL_DOMAIN, gl::out<GLdouble>(2)); }},
     {"GetMapiv", [](gl::Case& c) { c.GetMapiv(GL_MAP1_VERTEX_3, GL_DOMAIN, gl::out<GLint>(2)); }}};
 
-constexpr GLenum kFirstMap1 = 0x0D90;
+// The commands of two dimensions, and of grids of either.
+constexpr LegalCall kLegalCalls2[] = {
+    {"Map2f", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 1, kPoints); }},
+    {"Map2d", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 1, kRealPoints); }},
+    {"MapGrid1f", [](gl::Case& c) { c.MapGrid1f(3, 0, 1); }},
+    {"MapGrid1d", [](gl::Case& c) { c.MapGrid1d(3, 0, 1); }},
+    {"MapGrid2f", [](gl::Case& c) { c.MapGrid2f(3, 0, 1, 2, 0, 1); }},
+    {"MapGrid2d", [](gl::Case& c) { c.MapGrid2d(3, 0, 1, 2, 0, 1); }},
+    {"EvalCoord2f", [](gl::Case& c) { in_begin_end2(c, [&] { c.EvalCoord2f(0.5, 0.25); }); }},
+    {"EvalCoord2d", [](gl::Case& c) { in_begin_end2(c, [&] { c.EvalCoord2d(0.5, 0.25); }); }},
+    {"EvalCoord2fv",
+     [](gl::Case& c) { in_begin_end2(c, [&] {
+                         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
+                       }); }},
+    {"EvalCoord2dv",
+     [](gl::Case& c) { in_begin_end2(c, [&] {
+                         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
+                       }); }},
+    {"EvalPoint1", [](gl::Case& c) { in_begin_end(c, [&] { c.EvalPoint1(1); }); }},
+    {"EvalPoint2", [](gl::Case& c) { in_begin_end2(c, [&] { c.EvalPoint2(1, 0); }); }},
+    {"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_LINE, 0, 1); }},
+    {"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_FILL, 0, 1, 0, 1); }}};
 
-}  // namespace
+constexpr GLenum kFirstMap1 = 0x0D90, kFirstMap2 = 0x0DB0;
 
-EVALCTS_TESTS(Api, EntryPoint, kLegalCalls, const LegalCall& legal, must, "EV-API-ENTRY/1-D") {
+void expect_legal(Test& t, const LegalCall& legal) {
   gl::Case c("a legal call");
   legal.call(c);
   const gl::Ref error = c.GetError();
@@ -58,6 +87,16 @@ EVALCTS_TESTS(Api, EntryPoint, kLegalCalls, const LegalCall& legal, must, "EV-AP
     failure.captured = "none";
     t.fail(failure);
   }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Api, EntryPoint, kLegalCalls, const LegalCall& legal, must, "EV-API-ENTRY/1-D") {
+  expect_legal(t, legal);
+}
+
+EVALCTS_TESTS(Api, EntryPoint2, kLegalCalls2, const LegalCall& legal, must, "EV-API-ENTRY/2-D") {
+  expect_legal(t, legal);
 }
 
 // The tokens by number: nine maps that differ in order, domain and k, defined and queried by value.
@@ -85,6 +124,38 @@ EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1") {
     played.expect_values(domains[i], std::vector<GLfloat>{static_cast<float>(n), static_cast<float>(n + 1)});
     played.expect_values(coefficients[i],
                          std::vector<GLfloat>(static_cast<std::size_t>((1 + n % 8) * kValues[i]), 0.25f));
+  }
+}
+
+EVALCTS_TEST(Api, Map2TokensByValue, must, "EV-API-ENUM-MAP2") {
+  constexpr int kValues[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};
+  // Before it is defined each map holds what its name says.
+  const std::vector<std::vector<GLfloat>> initial = {
+      {1, 1, 1, 1}, {1}, {0, 0, 1}, {0}, {0, 0}, {0, 0, 0}, {0, 0, 0, 1}, {0, 0, 0}, {0, 0, 0, 1}};
+  gl::Case c("0x0DB0 to 0x0DB8");
+  std::vector<gl::Ref> first, errors, orders, domains, coefficients;
+  const auto token = [](int i) { return kFirstMap2 + static_cast<GLenum>(i); };
+  for (int i = 0; i < 9; ++i) first.push_back(c.GetMapfv(token(i), 0x0A00, gl::out<GLfloat>(8)));
+  for (int i = 0; i < 9; ++i) {
+    c.Map2f(token(i), i, i + 1, kValues[i], 1 + i % 4, 2 * i, -1, kValues[i], 1 + i % 3,
+            std::vector<float>(64, 0.25f));
+    errors.push_back(c.GetError());
+  }
+  for (int i = 0; i < 9; ++i) {
+    orders.push_back(c.GetMapiv(token(i), 0x0A01, gl::out<GLint>(2)));
+    domains.push_back(c.GetMapfv(token(i), 0x0A02, gl::out<GLfloat>(4)));
+    coefficients.push_back(c.GetMapfv(token(i), 0x0A00, gl::out<GLfloat>(64)));
+  }
+  Played played = t.play(c);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const int n = static_cast<int>(i), uorder = 1 + n % 4, vorder = 1 + n % 3;
+    const auto real = static_cast<float>(n);
+    played.expect_values(first[i], initial[i]);
+    played.expect_no_error(errors[i]);
+    played.expect_values(orders[i], std::vector<GLint>{uorder, vorder});
+    played.expect_values(domains[i], std::vector<GLfloat>{real, real + 1, 2 * real, -1});
+    played.expect_values(coefficients[i],
+                         std::vector<GLfloat>(static_cast<std::size_t>(uorder * vorder * kValues[i]), 0.25f));
   }
 }
 
@@ -119,6 +190,30 @@ EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
   played.expect_values(order, std::vector<GLint>{t.gl().max_eval_order});
 }
 
+EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D") {
+  gl::Case c("0x1B00 to 0x1B02 and their neighbours");
+  std::vector<gl::Ref> good, bad;
+  for (const GLenum mode : {0x1B00u, 0x1B01u, 0x1B02u}) {
+    c.EvalMesh2(mode, 0, 1, 0, 1);
+    good.push_back(c.GetError());
+  }
+  for (const GLenum mode : {0x1B00u, 0x1B01u}) {
+    c.EvalMesh1(mode, 0, 1);
+    good.push_back(c.GetError());
+  }
+  for (const GLenum mode : {0x1AFFu, 0x1B03u}) {
+    c.EvalMesh1(mode, 0, 1);
+    bad.push_back(c.GetError());
+    c.EvalMesh2(mode, 0, 1, 0, 1);
+    bad.push_back(c.GetError());
+  }
+  c.EvalMesh1(0x1B02, 0, 1);
+  bad.push_back(c.GetError());
+  Played played = t.play(c);
+  for (const gl::Ref error : good) played.expect_no_error(error);
+  for (const gl::Ref error : bad) played.expect_error(error, {GL_INVALID_ENUM});
+}
+
 // Data given in one form is seen by the other: state ...
 EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must, "EV-API-FD/1-D") {
   const Map1 map =
@@ -129,6 +224,17 @@ EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must
   const MapQuery query = query_map1(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
   expect_map1(played, query, map, !form.doubles);
+}
+
+EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, must, "EV-API-FD/2-D") {
+  Map2 map = random_map2(t, form.target, 3, 4, 21, 5);
+  map.u1 = -1, map.u2 = 3, map.v1 = 8, map.v2 = 4.5;
+  gl::Case c("given in one form and queried in the other");
+  define(c, random_map2(t, form.target, 4, 2), !form.doubles);
+  define(c, map, form.doubles);
+  const MapQuery query = query_map2(c, form.target, t.max_order(), !form.doubles);
+  Played played = t.play(c);
+  expect_map2(played, query, map, !form.doubles);
 }
 
 // ... and values.

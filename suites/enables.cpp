@@ -1,5 +1,5 @@
 // Section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
-#include "suites/maps.h"
+#include "suites/maps2.h"
 
 namespace evalcts {
 namespace {
@@ -54,6 +54,22 @@ EVALCTS_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP")
     } else {
       c.Disable(cap);
     }
+    const std::vector<gl::Ref> refs = query_enables(c);
+    Played played = t.play(c);
+    const std::vector<GLenum> caps = all_caps();
+    for (std::size_t i = 0; i < caps.size(); ++i) played.expect_result(refs[i], (caps[i] == cap) == alone_on);
+  }
+}
+
+// ... whatever maps of two dimensions and grids hold.
+EVALCTS_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+  for (const bool alone_on : {true, false}) {
+    gl::Case c(alone_on ? "alone on" : "alone off");
+    for (const GLenum other : all_caps())
+      if ((other == cap) == alone_on) c.Enable(other);
+    for (const GLenum target : gl::kMap2Targets) define(c, random_map2(t, target, 3, 2));
+    c.MapGrid1f(5, 2, 3);
+    c.MapGrid2f(6, 4, 5, 7, 8, 9);
     const std::vector<gl::Ref> refs = query_enables(c);
     Played played = t.play(c);
     const std::vector<GLenum> caps = all_caps();

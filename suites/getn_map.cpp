@@ -1,7 +1,7 @@
 // Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
 #include <fmt/format.h>
 
-#include "suites/maps.h"
+#include "suites/maps2.h"
 
 namespace evalcts {
 namespace {
@@ -38,24 +38,56 @@ constexpr Getter kGetters[] = {
      }}};
 
 struct Answer {
+  GLenum target;
   GLenum query;
   std::size_t values;
 };
-// Of a one-dimensional map.
-std::vector<Answer> answers(GLenum target, int order) {
-  return {
-      {GL_ORDER, 1}, {GL_DOMAIN, 2}, {GL_COEFF, static_cast<std::size_t>(order * gl::components_of(target))}};
-}
 
-constexpr int kOrder = 3;
+constexpr int kOrder = 3, kUOrder = 2, kVOrder = 4;
 // Enough for every answer here, and for what a wrong implementation may write.
 constexpr std::size_t kRoom = 64;
 
-// Every target with a map of its own.
-gl::Case with_maps(Test& t, const std::string& identity) {
+// What a test is made with: every target of one dimension with a map of its own, and all their answers.
+struct Dimension {
+  const char* shown;
+  void (*define_all)(Test& t, gl::Case& c);
+  std::vector<Answer> (*answers)();
+};
+constexpr Dimension k1D = {"",
+                           [](Test& t, gl::Case& c) {
+                             for (const GLenum target : gl::kMap1Targets)
+                               define(c, random_map(t, target, kOrder));
+                           },
+                           [] {
+                             std::vector<Answer> all;
+                             for (const GLenum target : gl::kMap1Targets) {
+                               all.push_back({target, GL_ORDER, 1});
+                               all.push_back({target, GL_DOMAIN, 2});
+                               const int points = kOrder * gl::components_of(target);
+                               all.push_back({target, GL_COEFF, static_cast<std::size_t>(points)});
+                             }
+                             return all;
+                           }};
+constexpr Dimension k2D = {", two dimensions",
+                           [](Test& t, gl::Case& c) {
+                             for (const GLenum target : gl::kMap2Targets)
+                               define(c, random_map2(t, target, kUOrder, kVOrder));
+                           },
+                           [] {
+                             std::vector<Answer> all;
+                             for (const GLenum target : gl::kMap2Targets) {
+                               all.push_back({target, GL_ORDER, 2});
+                               all.push_back({target, GL_DOMAIN, 4});
+                               const int points = kUOrder * kVOrder * gl::components_of(target);
+                               all.push_back({target, GL_COEFF, static_cast<std::size_t>(points)});
+                             }
+                             return all;
+                           }};
+
+gl::Case with_maps(Test& t, const Dimension& dimension, const std::string& identity) {
   t.require(4, 5, "GL_ARB_robustness");
   gl::Case c(identity);
-  for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, kOrder));
+  dimension.define_all(t, c);
   return c;
 }
 
@@ -66,7 +98,7 @@ GLsizei bytes_of(const Getter& getter, const Answer& answer) {
 // A call that has to fail with one of these errors and to write nothing.
 void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
                     GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
-  gl::Case c = with_maps(t, identity);
+  gl::Case c = with_maps(t, k1D, identity);
   if (inside) c.Begin(GL_POINTS);
   const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
   if (inside) c.End();
@@ -82,16 +114,14 @@ std::string named(GLenum target, GLenum query) {
   return gl::token_name(target) + " " + gl::token_name(query);
 }
 
-}  // namespace
-
-EVALCTS_TESTS(GetnMap, SameAsGetMap, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
-  gl::Case c = with_maps(t, "every target and query, room to spare");
+void expect_same_as_get_map(Test& t, const Dimension& dimension, const Getter& getter) {
+  gl::Case c =
+      with_maps(t, dimension, fmt::format("every target and query, room to spare{}", dimension.shown));
   std::vector<std::pair<gl::Ref, gl::Ref>> pairs;
-  for (const GLenum target : gl::kMap1Targets)
-    for (const Answer& answer : answers(target, kOrder))
-      pairs.emplace_back(
-          getter.get(c, target, answer.query, kRoom),
-          getter.getn(c, target, answer.query, static_cast<GLsizei>(kRoom * getter.element), kRoom));
+  for (const Answer& answer : dimension.answers())
+    pairs.emplace_back(
+        getter.get(c, answer.target, answer.query, kRoom),
+        getter.getn(c, answer.target, answer.query, static_cast<GLsizei>(kRoom * getter.element), kRoom));
   Played played = t.play(c);
   for (const auto& [get, getn] : pairs) {
     // The answer of GetMap shows that something was written at all.
@@ -101,20 +131,21 @@ EVALCTS_TESTS(GetnMap, SameAsGetMap, kGetters, const Getter& getter, must, "EV-G
   }
 }
 
-EVALCTS_TESTS(GetnMap, ExactSizeIsEnough, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
-  gl::Case c = with_maps(t, "every target and query, exactly as many bytes as the answer has");
+void expect_exact_size_enough(Test& t, const Dimension& dimension, const Getter& getter) {
+  gl::Case c = with_maps(
+      t, dimension,
+      fmt::format("every target and query, exactly as many bytes as the answer has{}", dimension.shown));
   struct Asked {
     gl::Ref get, getn, error;
   };
   std::vector<Asked> all;
-  for (const GLenum target : gl::kMap1Targets)
-    for (const Answer& answer : answers(target, kOrder)) {
-      Asked asked;
-      asked.get = getter.get(c, target, answer.query, answer.values);
-      asked.getn = getter.getn(c, target, answer.query, bytes_of(getter, answer), answer.values);
-      asked.error = c.GetError();
-      all.push_back(asked);
-    }
+  for (const Answer& answer : dimension.answers()) {
+    Asked asked;
+    asked.get = getter.get(c, answer.target, answer.query, answer.values);
+    asked.getn = getter.getn(c, answer.target, answer.query, bytes_of(getter, answer), answer.values);
+    asked.error = c.GetError();
+    all.push_back(asked);
+  }
   Played played = t.play(c);
   for (const Asked& asked : all) {
     played.expect_no_error(asked.error);
@@ -122,22 +153,73 @@ EVALCTS_TESTS(GetnMap, ExactSizeIsEnough, kGetters, const Getter& getter, must, 
   }
 }
 
-EVALCTS_TESTS(GetnMap, TooSmall, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
-  for (const GLenum target : gl::kMap1Targets)
-    for (const Answer& answer : answers(target, kOrder)) {
-      const GLsizei exact = bytes_of(getter, answer);
-      for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
-        expect_refused(t, getter, fmt::format("{} {} of {} bytes", named(target, answer.query), bytes, exact),
-                       target, answer.query, bytes, {GL_INVALID_OPERATION});
+// All answers of two dimensions, each asked for with these sizes: refused, with nothing written.
+void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& identity,
+                           std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element),
+                           std::initializer_list<GLenum> errors) {
+  gl::Case c = with_maps(t, k2D, identity);
+  std::vector<std::pair<gl::Ref, gl::Ref>> asked;
+  for (const Answer& answer : k2D.answers())
+    for (const GLsizei bytes : sizes(bytes_of(getter, answer), static_cast<GLsizei>(getter.element))) {
+      const gl::Ref get = getter.getn(c, answer.target, answer.query, bytes, kRoom);
+      asked.emplace_back(get, c.GetError());
     }
+  Played played = t.play(c);
+  for (const auto& [get, error] : asked) {
+    played.expect_error(error, errors);
+    played.expect_nothing_written(get);
+  }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(GetnMap, SameAsGetMap, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
+  expect_same_as_get_map(t, k1D, getter);
+}
+
+EVALCTS_TESTS(GetnMap, SameAsGetMap2, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
+  expect_same_as_get_map(t, k2D, getter);
+}
+
+EVALCTS_TESTS(GetnMap, ExactSizeIsEnough, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
+  expect_exact_size_enough(t, k1D, getter);
+}
+
+EVALCTS_TESTS(GetnMap, ExactSizeIsEnough2, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
+  expect_exact_size_enough(t, k2D, getter);
+}
+
+EVALCTS_TESTS(GetnMap, TooSmall, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
+  for (const Answer& answer : k1D.answers()) {
+    const GLsizei exact = bytes_of(getter, answer);
+    for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
+      expect_refused(t, getter,
+                     fmt::format("{} {} of {} bytes", named(answer.target, answer.query), bytes, exact),
+                     answer.target, answer.query, bytes, {GL_INVALID_OPERATION});
+  }
+}
+
+EVALCTS_TESTS(GetnMap, TooSmall2, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
+  expect_sizes_refused2(t, getter, "one byte, one value, all of them too few, for every target and query",
+                        [](GLsizei exact, GLsizei element) {
+                          return std::vector<GLsizei>{exact - 1, exact - element, 0};
+                        },
+                        {GL_INVALID_OPERATION});
 }
 
 EVALCTS_TESTS(GetnMap, NegativeSize, kGetters, const Getter& getter, must, "EV-GETN-NEGATIVE") {
-  for (const GLenum target : gl::kMap1Targets)
-    for (const Answer& answer : answers(target, kOrder))
-      for (const GLsizei bytes : {-1, -1000})
-        expect_refused(t, getter, fmt::format("{} {} bytes", named(target, answer.query), bytes), target,
-                       answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+  for (const Answer& answer : k1D.answers())
+    for (const GLsizei bytes : {-1, -1000})
+      expect_refused(t, getter, fmt::format("{} {} bytes", named(answer.target, answer.query), bytes),
+                     answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+}
+
+EVALCTS_TESTS(GetnMap, NegativeSize2, kGetters, const Getter& getter, must, "EV-GETN-NEGATIVE") {
+  expect_sizes_refused2(t, getter, "-1 and -1000 bytes, for every target and query",
+                        [](GLsizei, GLsizei) {
+                          return std::vector<GLsizei>{-1, -1000};
+                        },
+                        {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 }
 
 EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV-GETN-ERRORS") {

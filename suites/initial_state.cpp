@@ -1,5 +1,5 @@
 // Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
-#include "suites/maps.h"
+#include "suites/maps2.h"
 
 namespace evalcts {
 namespace {
@@ -185,6 +185,26 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D") {
     defining.expect_no_error(error);
     defining.expect_values(defined, std::vector<GLint>{order});
   }
+}
+
+// The same value serves two dimensions, and u as well as v.
+EVALCTS_TESTS(InitialState, MaxEvalOrder2, gl::kMap2Targets, GLenum target, must, "EV-INIT-MAXORDER/2-D") {
+  const int max = t.max_order();
+  gl::Case c("MAX x MAX, MAX x 2, 2 x MAX, and one more");
+  std::vector<gl::Ref> accepted, defined, refused;
+  const std::pair<int, int> orders[] = {{max, max}, {max, 2}, {2, max}};
+  for (const auto& [u, v] : orders) {
+    define(c, random_map2(t, target, u, v));
+    accepted.push_back(c.GetError());
+    defined.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
+    define(c, random_map2(t, target, u == max ? max + 1 : u, v == max ? max + 1 : v));
+    refused.push_back(c.GetError());
+  }
+  Played played = t.play(c);
+  for (const gl::Ref error : accepted) played.expect_no_error(error);
+  for (const gl::Ref error : refused) played.expect_error(error, {GL_INVALID_VALUE});
+  for (std::size_t i = 0; i < defined.size(); ++i)
+    played.expect_values(defined[i], std::vector<GLint>{orders[i].first, orders[i].second});
 }
 
 }  // namespace evalcts

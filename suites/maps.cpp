@@ -3,26 +3,20 @@
 #include <algorithm>
 
 namespace evalcts {
-namespace {
 
-template <class T>
-std::vector<T> converted(const std::vector<double>& values) {
-  std::vector<T> out;
-  out.reserve(values.size());
-  for (const double value : values) out.push_back(static_cast<T>(value));
-  return out;
-}
-
-std::vector<TargetForm> make_target_forms(bool with_index) {
+std::vector<TargetForm> make_target_forms(std::span<const GLenum> targets) {
   std::vector<TargetForm> all;
-  for (const GLenum target : gl::kMap1Targets)
-    for (const Form& form : kForms)
-      if (with_index || target != GL_MAP1_INDEX)
-        all.push_back({gl::token_name(target).substr(3) + "_" + form.name, target, form.doubles});
+  for (const GLenum target : targets)
+    for (const Form& form : kForms) all.push_back({label(target) + "_" + form.name, target, form.doubles});
   return all;
 }
 
-}  // namespace
+std::vector<GLenum> without_index(std::span<const GLenum> targets) {
+  std::vector<GLenum> others(targets.begin(), targets.end());
+  std::erase(others, static_cast<GLenum>(GL_MAP1_INDEX));
+  std::erase(others, static_cast<GLenum>(GL_MAP2_INDEX));
+  return others;
+}
 
 std::vector<double> Map1::coefficients() const {
   std::vector<double> packed;
@@ -67,21 +61,17 @@ Map1 random_map(Test& t, GLenum target, int order, int stride) {
 std::string label(GLenum token) { return gl::token_name(token).substr(3); }
 
 const std::vector<TargetForm>& target_forms() {
-  static const std::vector<TargetForm> all = make_target_forms(true);
+  static const std::vector<TargetForm> all = make_target_forms(gl::kMap1Targets);
   return all;
 }
 
 const std::vector<TargetForm>& visible_target_forms() {
-  static const std::vector<TargetForm> all = make_target_forms(false);
+  static const std::vector<TargetForm> all = make_target_forms(visible_targets());
   return all;
 }
 
 const std::vector<GLenum>& visible_targets() {
-  static const std::vector<GLenum> all = [] {
-    std::vector<GLenum> targets(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
-    std::erase(targets, static_cast<GLenum>(GL_MAP1_INDEX));
-    return targets;
-  }();
+  static const std::vector<GLenum> all = without_index(gl::kMap1Targets);
   return all;
 }
 
@@ -111,13 +101,18 @@ gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles) {
 Attributes attribute_of(GLenum target) {
   switch (target) {
     case GL_MAP1_VERTEX_3:
+    case GL_MAP2_VERTEX_3:
     case GL_MAP1_VERTEX_4:
+    case GL_MAP2_VERTEX_4:
       return kPosition;
     case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
       return kColor;
     case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
       return kNormal;
     case GL_MAP1_INDEX:
+    case GL_MAP2_INDEX:
       throw NotObservable("INDEX maps show in colour-index contexts only");
     default:
       return kTextureCoordinate0;
@@ -126,8 +121,15 @@ Attributes attribute_of(GLenum target) {
 
 void enable_visibly(gl::Case& c, GLenum target) {
   if (attribute_of(target) != kPosition) {
-    define(c, make_map1(GL_MAP1_VERTEX_3, {0.25, 0.5, 0.75}));
-    c.Enable(GL_MAP1_VERTEX_3);
+    const std::vector<GLfloat> point = {0.25f, 0.5f, 0.75f};
+    const bool two =
+        std::find(gl::kMap2Targets.begin(), gl::kMap2Targets.end(), target) != gl::kMap2Targets.end();
+    if (two) {
+      c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 1, 0, 1, 3, 1, point);
+    } else {
+      c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 1, point);
+    }
+    c.Enable(two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
   }
   c.Enable(target);
 }
@@ -180,11 +182,15 @@ MapQuery query_map1(gl::Case& c, GLenum target, int max_order, bool doubles) {
 }
 
 void expect_map1(Played& played, const MapQuery& query, const Map1& map, bool doubles) {
+  expect_answers(played, query, {map.order}, {map.u1, map.u2}, map.coefficients(), doubles);
+}
+
+void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& order,
+                    const std::vector<double>& domain, const std::vector<double>& coefficients,
+                    bool doubles) {
   // Queries promise single precision, to one part in 10^5 (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
   constexpr double kTolerance = 1e-5;
-  played.expect_values(query.order, std::vector<GLint>{map.order});
-  const std::vector<double> domain = {map.u1, map.u2};
-  const std::vector<double> coefficients = map.coefficients();
+  played.expect_values(query.order, order);
   if (doubles) {
     played.expect_values_near(query.domain, domain, kTolerance);
     played.expect_values_near(query.coefficients, coefficients, kTolerance);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ std::vector<double> random_values(std::mt19937& random, std::size_t count);
 Map1 random_map(Test& t, GLenum target, int order);
 Map1 random_map(Test& t, GLenum target, int order, int stride);
 
+template <class T>
+std::vector<T> converted(const std::vector<double>& values) {
+  std::vector<T> out;
+  out.reserve(values.size());
+  for (const double value : values) out.push_back(static_cast<T>(value));
+  return out;
+}
+
 // "MAP1_VERTEX_3"
 std::string label(GLenum token);
 
@@ -54,7 +63,10 @@ struct TargetForm {
   GLenum target;
   bool doubles;
 };
-// All nine targets, or the eight whose values show (INDEX shows in colour-index contexts only).
+std::vector<TargetForm> make_target_forms(std::span<const GLenum> targets);
+// The targets of one dimension but its INDEX.
+std::vector<GLenum> without_index(std::span<const GLenum> targets);
+// All nine MAP1 targets, or the eight whose values show (INDEX shows in colour-index contexts only).
 const std::vector<TargetForm>& target_forms();
 const std::vector<TargetForm>& visible_target_forms();
 const std::vector<GLenum>& visible_targets();
@@ -67,10 +79,11 @@ gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
 // EvalCoord1fv or EvalCoord1dv; the array ends before an inaccessible page.
 gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
 
-// What has to be observed to see the values of a target.
+// What has to be observed to see the values of a target of either dimension.
 Attributes attribute_of(GLenum target);
 
-// Enables the target and, where it gives no vertex itself, a constant vertex map as its carrier.
+// Enables the target and, where it gives no vertex itself, a constant vertex map of its dimension
+// as its carrier.
 void enable_visibly(gl::Case& c, GLenum target);
 
 // Everything that a failing command must leave alone: order, domain and points of all 18 maps, their enables,
@@ -89,5 +102,8 @@ struct MapQuery {
 MapQuery query_map1(gl::Case& c, GLenum target, int max_order, bool doubles = false);
 // ... are those of this map, to single precision where it was given in doubles.
 void expect_map1(Played& played, const MapQuery& query, const Map1& map, bool doubles = false);
+// The same for either dimension, by what each query has to answer.
+void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& order,
+                    const std::vector<double>& domain, const std::vector<double>& coefficients, bool doubles);
 
 }  // namespace evalcts

@@ -1,0 +1,234 @@
+// Sections 14 to 16 of the requirements, the errors: which modes EvalMesh refuses, where it may not stand,
+// and that no index of EvalPoint is wrong.
+#include <fmt/format.h>
+
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+// EvalMesh1 or EvalMesh2, over a range that is small (U-INTMAX-MESH) or empty.
+void mesh(gl::Case& c, bool two, GLenum mode, bool empty = false) {
+  const GLint last = empty ? -1 : 2;
+  if (two) {
+    c.EvalMesh2(mode, 0, last, 0, last);
+  } else {
+    c.EvalMesh1(mode, 0, last);
+  }
+}
+
+// Whatever is no mode of the command, neighbours and primitives above all.
+std::vector<GLenum> bad_modes(bool two) {
+  std::vector<GLenum> modes = {GL_POINTS,    GL_LINES,         GL_LINE_LOOP,     GL_LINE_STRIP,
+                               GL_TRIANGLES, GL_QUADS,         GL_QUAD_STRIP,    GL_POLYGON,
+                               0x1AFF,       0x1B03,           GL_FLAT,          GL_FRONT_AND_BACK,
+                               0xFFFFFFFFu,  GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, GL_TEXTURE_2D};
+  if (!two) modes.push_back(GL_FILL);
+  return modes;
+}
+
+std::vector<GLenum> good_modes(bool two) {
+  if (two) return {GL_POINT, GL_LINE, GL_FILL};
+  return {GL_POINT, GL_LINE};
+}
+
+// One-dimensional and two-dimensional vertex maps enabled, or no map at all.
+void enable_vertices(gl::Case& c) {
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_4);
+}
+void disable_maps(gl::Case& c) {
+  for (const GLenum target : gl::kMap1Targets) c.Disable(target);
+  for (const GLenum target : gl::kMap2Targets) c.Disable(target);
+}
+
+std::vector<Calls> bad_meshes(bool two, bool empty = false) {
+  std::vector<Calls> calls;
+  for (const GLenum mode : bad_modes(two)) calls.push_back([=](gl::Case& c) { mesh(c, two, mode, empty); });
+  return calls;
+}
+
+void expect_bad_modes_refused(Test& t, bool two) {
+  expect_refused(t, "every other second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
+
+  // The error is that of the mode: the same call with a good one is none.
+  gl::Case c("good modes, vertex maps enabled");
+  enable_vertices(c);
+  std::vector<gl::Ref> errors;
+  for (const GLenum mode : good_modes(two)) {
+    mesh(c, two, mode);
+    errors.push_back(c.GetError());
+  }
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+}
+
+void expect_mode_checked_first(Test& t, bool two) {
+  for (const bool enabled : {false, true})
+    for (const bool empty : {false, true}) {
+      if (enabled && !empty) continue;
+      gl::Case c(fmt::format("{}, {} range", enabled ? "vertex maps enabled" : "all maps disabled",
+                             empty ? "empty" : "small"));
+      if (enabled) {
+        enable_vertices(c);
+      } else {
+        disable_maps(c);
+      }
+      const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+      std::vector<gl::Ref> errors, none;
+      for (const Calls& call : bad_meshes(two, empty)) {
+        call(c);
+        errors.push_back(c.GetError());
+        none.push_back(c.GetError());
+      }
+      for (const GLenum mode : good_modes(two)) {
+        mesh(c, two, mode, empty);
+        none.push_back(c.GetError());
+      }
+      const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+      Played played = t.play(c);
+      for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_ENUM});
+      for (const gl::Ref error : none) played.expect_no_error(error);
+      expect_unchanged(played, before, after);
+    }
+}
+
+void expect_refused_inside(Test& t, bool two) {
+  const auto inside = [two](GLenum primitive, GLenum mode, bool empty, bool after_vertex) -> Calls {
+    return [=](gl::Case& c) {
+      c.Begin(primitive);
+      if (after_vertex) c.Vertex3f(1, 2, 3);
+      mesh(c, two, mode, empty);
+      c.End();
+    };
+  };
+  std::vector<Calls> bad;
+  for (const GLenum primitive : {GL_POINTS, GL_LINE_STRIP, GL_QUADS, GL_POLYGON})
+    for (const GLenum mode : good_modes(two))
+      for (const bool after_vertex : {false, true})
+        bad.push_back(inside(primitive, mode, false, after_vertex));
+  expect_refused(t, "good modes", bad, {GL_INVALID_OPERATION});
+
+  bad.clear();
+  for (const GLenum mode : good_modes(two)) bad.push_back(inside(GL_TRIANGLES, mode, true, false));
+  expect_refused(t, "good modes, empty range", bad, {GL_INVALID_OPERATION});
+
+  // Both conditions hold; either error will do.
+  bad.clear();
+  for (const GLenum mode : {GL_QUADS, GL_LINES, 0x1B03})
+    bad.push_back(inside(GL_TRIANGLES, mode, false, false));
+  expect_refused(t, "bad modes", bad, {GL_INVALID_ENUM, GL_INVALID_OPERATION});
+
+  gl::Case c("all maps disabled");
+  disable_maps(c);
+  std::vector<gl::Ref> errors;
+  for (const GLenum mode : good_modes(two)) {
+    inside(GL_LINES, mode, false, false)(c);
+    errors.push_back(c.GetError());
+  }
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_OPERATION});
+}
+
+}  // namespace
+
+EVALCTS_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE") { expect_bad_modes_refused(t, false); }
+
+EVALCTS_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE") { expect_bad_modes_refused(t, true); }
+
+EVALCTS_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST") {
+  expect_mode_checked_first(t, false);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST") {
+  expect_mode_checked_first(t, true);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND") {
+  expect_refused_inside(t, false);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND") {
+  expect_refused_inside(t, true);
+}
+
+// Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
+EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
+  struct Attempt {
+    Calls call;
+    GLenum error;
+  };
+  std::vector<Attempt> attempts;
+  for (const bool two : {false, true}) {
+    for (const GLenum mode : good_modes(two)) {
+      attempts.push_back({[=](gl::Case& c) { mesh(c, two, mode); }, GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) { mesh(c, two, mode, true); }, GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) {
+                            disable_maps(c);
+                            mesh(c, two, mode);
+                          },
+                          GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) {
+                            c.Begin(GL_LINES);
+                            mesh(c, two, mode);
+                            c.End();
+                          },
+                          GL_INVALID_OPERATION});
+    }
+    attempts.push_back({[=](gl::Case& c) { mesh(c, two, GL_QUADS); }, GL_INVALID_ENUM});
+  }
+  for (const bool begin : {true, false}) {
+    gl::Case c(begin ? "Begin and End after each" : "End alone after each");
+    std::vector<gl::Ref> own, after;
+    for (const Attempt& attempt : attempts) {
+      enable_vertices(c);
+      attempt.call(c);
+      own.push_back(c.GetError());
+      if (begin) c.Begin(GL_POINTS);
+      c.End();
+      after.push_back(c.GetError());
+    }
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      played.expect_error(own[i], {attempts[i].error});
+      played.expect_error(after[i], {begin ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION}});
+    }
+  }
+}
+
+// Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
+EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
+  constexpr GLint kIndices[] = {-3,
+                                12,
+                                -1,
+                                0x1000001,
+                                std::numeric_limits<GLint>::max(),
+                                -0x7FFFFFFF,
+                                std::numeric_limits<GLint>::min()};
+  gl::Case c("-3, n+4, -1, 2^24+1, the highest, the lowest but one and the lowest int");
+  define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}));
+  define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}));
+  enable_vertices(c);
+  c.Disable(GL_MAP2_VERTEX_4);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid1f(8, 0.25f, 0.75f);
+  c.MapGrid2f(8, 0.25f, 0.75f, 5, 1, -1);
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  std::vector<gl::Ref> errors;
+  for (const GLint i : kIndices) {
+    c.Begin(GL_POINTS);
+    c.EvalPoint1(i);
+    c.End();
+    errors.push_back(c.GetError());
+    c.Begin(GL_POINTS);
+    for (const GLint j : kIndices) c.EvalPoint2(i, j);
+    c.End();
+    errors.push_back(c.GetError());
+  }
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+  expect_unchanged(played, before, after);
+}
+
+}  // namespace evalcts

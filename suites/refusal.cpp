@@ -1,0 +1,56 @@
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+// What a failing command would damage.
+void prepare(gl::Case& c, bool odd_enabled) {
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+  for (int i = 0; i < 9; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    const auto points = [i](GLenum target, int count) {
+      std::vector<double> values;
+      for (int p = 0; p < count * gl::components_of(target); ++p) values.push_back(0.125 * p + i);
+      return values;
+    };
+    const GLenum one = gl::kMap1Targets[index], two = gl::kMap2Targets[index];
+    define(c, make_map1(one, -1.0 - i, 2, 4, points(one, 2)));
+    const int uorder = 2 + i % 2, vorder = 4 - i % 3;
+    Map2 map = make_map2(two, uorder, vorder, points(two, uorder * vorder));
+    map.u1 = -2.0 - i, map.u2 = 3, map.v1 = 5, map.v2 = -4.5 - i;
+    define(c, map);
+    if ((i % 2 == 1) == odd_enabled) {
+      c.Enable(one);
+    } else {
+      c.Enable(two);
+    }
+  }
+  if (odd_enabled) c.Enable(GL_AUTO_NORMAL);
+  c.MapGrid1f(7, -1.5f, 2.25f);
+  c.MapGrid2f(5, 0.5f, -3, 9, 2, 6.5f);
+  c.GetError();  // an error of these legal calls is for other tests to find
+}
+
+}  // namespace
+
+void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
+                    std::initializer_list<GLenum> allowed) {
+  gl::Case c(identity);
+  prepare(c, t.random()() % 2 == 1);  // either, over the cases of a test
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  std::vector<gl::Ref> first, second;
+  for (const Calls& bad_call : bad_calls) {
+    bad_call(c);
+    first.push_back(c.GetError());
+    second.push_back(c.GetError());
+  }
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  for (const gl::Ref error : first) played.expect_error(error, allowed);
+  for (const gl::Ref error : second) played.expect_no_error(error);
+  expect_unchanged(played, before, after);
+}
+
+}  // namespace evalcts
