@@ -5,9 +5,10 @@
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
-//   process; "start": crash when a context is made; "lenient": strides below k are taken for k;
-//   "control": every explicit vertex crashes; "control-error": it leaves an error behind;
-//   "history": in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more.
+//   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
+//   "lenient": strides below k are taken for k; "control": every explicit vertex crashes; "control-error": it
+//   leaves an error behind; "history": in a context where that happened, GetMapiv says that maps of VERTEX_3
+//   have one point more.
 #include <glevaluator.h>
 #include <unistd.h>
 
@@ -38,7 +39,7 @@ void crash() {
 }
 
 [[maybe_unused]] void misbehave() {
-  if (drill("crash") || (drill("second") && seven_was_seen)) crash();
+  if (drill("crash") || drill("both") || (drill("second") && seven_was_seen)) crash();
   if (drill("abort")) std::abort();
   if (drill("exit")) _exit(7);
   if (drill("kill")) raise(SIGKILL);
@@ -88,6 +89,7 @@ EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint o
 }
 EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                     const GLdouble* points) {
+  while (drill("both") && target == GL_MAP1_INDEX && order == 5) pause();
   glevMap1d(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
