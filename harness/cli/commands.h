@@ -25,8 +25,9 @@ struct RunOptions {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
-  std::string output;    // empty: the usual folder
-  std::string baseline;  // folder, "none", or empty for the shipped ones
+  std::optional<int> jobs;  // processes for each implementation
+  std::string output;       // empty: the usual folder
+  std::string baseline;     // folder, "none", or empty for the shipped ones
   bool write_baseline = false;
   bool strict = false;
   bool reuse_context = false;

@@ -44,6 +44,11 @@ int main(int argc, char** argv) {
   run_command->add_option("--seed", run_options.seed, "seed of the random tests");
   run_command->add_option("--timeout", run_options.seconds_per_test, "seconds for each test")
       ->check(CLI::PositiveNumber);
+  run_command
+      ->add_option("--jobs", run_options.jobs,
+                   "processes that share the tests of an implementation (default: one for each core, at most "
+                   "8; one with --shuffle)")
+      ->check(CLI::Range(1, 256));
   run_command->add_option("--output", run_options.output, "folder for results and report");
   run_command->add_option(
       "--baseline", run_options.baseline,

@@ -1,5 +1,6 @@
 #include <evalcts/reports.h>
 #include <fmt/format.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -22,6 +23,8 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+
+constexpr int kMostUsualJobs = 8;
 
 void stop_when_asked() {
   struct sigaction action {};
@@ -71,6 +74,13 @@ int exit_code_of(const json& result, bool named, bool strict) {
   return code;
 }
 
+// As many processes as there are cores for this one, within reason.
+int usual_jobs() {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) != 0) return 1;
+  return std::clamp(CPU_COUNT(&cores), 1, kMostUsualJobs);
+}
+
 bool is_file_name(const std::string& label) {
   for (const char c : label)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') return false;
@@ -88,6 +98,8 @@ int run(const RunOptions& options) {
   request.depth = options.depth;
   request.seed = options.seed;
   request.seconds_per_test = options.seconds_per_test;
+  // Which tests a process has behind it when it comes to the next depends on chance, but for a single one.
+  request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
   request.output = output;
   request.command = options.command;
   request.program = options.program;

@@ -11,13 +11,16 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <thread>
 
 #include "harness/runner/child_process.h"
+#include "harness/runner/claims.h"
 #include "harness/runner/control_case.h"
 #include "harness/runner/history.h"
+#include "harness/runner/suite_child.h"
 
 namespace evalcts {
 
@@ -53,48 +56,12 @@ std::string machine() {
                      std::thread::hardware_concurrency());
 }
 
-// The growing file of events of one child: each complete line once.
-class EventReader {
- public:
-  explicit EventReader(fs::path path) : path_(std::move(path)) {}
-
-  std::vector<json> next() {
-    std::vector<json> events;
-    std::ifstream file(path_, std::ios::binary);
-    if (!file) return events;
-    file.seekg(offset_);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    std::size_t begin = 0;
-    for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
-      json event = json::parse(text.substr(begin, end - begin), nullptr, false);
-      if (event.is_object()) events.push_back(std::move(event));
-    }
-    offset_ += static_cast<std::streamoff>(begin);
-    return events;
-  }
-
- private:
-  fs::path path_;
-  std::streamoff offset_ = 0;
-};
-
-// What one child made of a list of tests.
-struct ChildRun {
-  std::map<std::string, json> records;
-  std::vector<std::string> finished;                      // in the order in which they ran
-  std::string in_flight;                                  // the test that the child died in
-  json last_case;                                         // of that test, where cases were traced
-  std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
-  bool hung = false;
-  bool cut_short = false;  // by the end of the time for a search
-  bool complete = false;
-  Ending ending;
-};
-
 class Run {
  public:
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
-      : request_(request), progress_(progress) {}
+      : request_(request),
+        progress_(progress),
+        scratch_(request.output / ("scratch-" + file_label(request.name, pass()))) {}
 
   json run() {
     remove_stale_files();
@@ -115,14 +82,11 @@ class Run {
   }
 
   void remove_stale_files() const {
-    for (const auto& [kind, extension] : {std::pair{"results", "json"},
-                                          {"records", "jsonl"},
-                                          {"junit", "xml"},
-                                          {"log", "txt"},
-                                          {"scratch", "jsonl"},
-                                          {"scratch", "txt"},
-                                          {"scratch", "json"}})
+    for (const auto& [kind, extension] :
+         {std::pair{"results", "json"}, {"records", "jsonl"}, {"junit", "xml"}, {"log", "txt"}})
       fs::remove(file(kind, extension));
+    fs::remove_all(scratch_);
+    fs::create_directory(scratch_);
   }
 
   json header() const {
@@ -189,7 +153,7 @@ class Run {
 
   // Asks a child of its own one question. An empty answer comes with a reason.
   json ask(const std::vector<std::string>& question, std::string& reason) const {
-    const fs::path answer_file = file("scratch", "json");
+    const fs::path answer_file = scratch_ / "answer.json";
     fs::remove(answer_file);
     std::vector<std::string> command = suite_command();
     command.push_back("--die-with-parent");
@@ -246,101 +210,121 @@ class Run {
   // --- running tests -------------------------------------------------------------------------------------
 
   // `tests`: lines of the file that --tests takes.
-  ChildRun run_child(const std::vector<std::string>& tests, const fs::path& events, bool trace_cases,
-                     bool report_progress) {
-    const fs::path list = file("scratch", "txt");
-    {
-      std::ofstream stream(list);
-      for (const std::string& test : tests) stream << test << '\n';
-      if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write {}", list.string()));
-    }
+  std::vector<std::string> command_for(const std::vector<std::string>& tests, const fs::path& list,
+                                       const fs::path& events) const {
+    std::ofstream stream(list);
+    for (const std::string& test : tests) stream << test << '\n';
+    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", list.string()));
+    fs::remove(events);
     std::vector<std::string> command = suite_command();
     command.insert(command.end(),
                    {"--die-with-parent", "--tests", list.string(), "--records", events.string(), "--captures",
                     captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
-    if (trace_cases) command.push_back("--trace-cases");
     if (second_pass()) command.push_back("--reuse-context");
-
-    ChildRun result;
-    EventReader reader(events);
-    if (&events == &records_file_) reader = std::move(*main_reader_);
-    ChildProcess child(command, file("log", "txt").string());
-    auto begun = Clock::now();
-    std::optional<Ending> ending;
-    while (true) {
-      ending = child.wait(kLook);
-      for (const json& event : reader.next()) {
-        take(event, result, report_progress);
-        begun = Clock::now();
-      }
-      if (ending) break;
-      if (interrupted) {
-        child.kill();
-        continue;
-      }
-      if (deadline_ && Clock::now() > *deadline_) {
-        result.cut_short = true;
-        child.kill();
-        continue;
-      }
-      if (seconds_since(begun) > request_.seconds_per_test) {
-        result.hung = true;
-        child.kill();
-      }
-    }
-    result.ending = *ending;
-    if (&events == &records_file_) main_reader_ = std::move(reader);
-    return result;
+    return command;
   }
 
-  void take(const json& event, ChildRun& result, bool report_progress) {
-    const std::string kind = event.value("event", "");
-    if (kind == "start") {
-      result.in_flight = event.value("name", "");
-      result.last_case = nullptr;
-      if (report_progress)
-        progress_({"test", records_.size() + result.records.size(), request_.tests.size(), result.in_flight});
-    } else if (kind == "case") {
-      result.last_case = event;
-      result.cases[result.in_flight].push_back(event.value("case", ""));
-    } else if (kind == "result") {
-      const json& record = event["record"];
-      result.finished.push_back(record["name"]);
-      result.records[record["name"]] = record;
-      result.in_flight.clear();
-    } else if (kind == "end") {
-      result.complete = true;
-    }
+  // Some tests once more, one process after the other: what they do is not a result.
+  ChildRun run_scratch(const std::vector<std::string>& tests, bool trace_cases) const {
+    const fs::path events = scratch_ / "again.jsonl";
+    std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
+    if (trace_cases) command.push_back("--trace-cases");
+    SuiteChild child(command, events, file("log", "txt"), request_.seconds_per_test);
+    while (!child.look(kLook, deadline_)) continue;
+    return child.run();
   }
 
   void run_tests() {
     records_file_ = file("records", "jsonl");
-    main_reader_.emplace(records_file_);
     for (const json& test : request_.tests)
       if (const Baseline::Pattern* skip = baseline_.skip(test["name"])) {
         add_record(test["name"], "skipped", skip->reason, nullptr);
         records_[test["name"]]["baseline_reason"] = skip->reason;
       }
-    int empty_starts = 0;
+    int fruitless = 0;
     while (!interrupted) {
       std::vector<std::string> remaining;
       for (const json& test : request_.tests)
         if (!records_.count(test["name"])) remaining.push_back(test["name"]);
       if (remaining.empty()) return;
-      ChildRun child = run_child(remaining, records_file_, false, true);
-      records_.merge(child.records);
-      sequences_.push_back(child.finished);
-      if (interrupted) return;
-      if (!child.in_flight.empty()) {
-        record_death(child);
-      } else if (!child.complete && child.finished.empty() && ++empty_starts >= kMostEmptyStarts) {
-        for (const std::string& name : remaining)
-          add_record(name, child.hung ? "timeout" : "crash",
-                     fmt::format("the process ended with {} before its first test", describe(child.ending)),
-                     nullptr);
-        return;
+      const std::size_t before = records_.size();
+      const std::vector<ChildRun> ended = run_side_by_side(remaining);
+      for (const ChildRun& child : ended)
+        if (!child.in_flight.empty()) record_death(child);
+      if (interrupted || records_.size() > before || ++fruitless < kMostEmptyStarts) continue;
+      const ChildRun& last = ended.back();
+      for (const std::string& name : remaining)
+        add_record(name, last.hung ? "timeout" : "crash",
+                   fmt::format("the process ended with {} before its first test", describe(last.ending)),
+                   nullptr);
+    }
+  }
+
+  // Plays the tests in several processes, each of which takes the next one that none has taken. A process
+  // that dies is replaced. Their results are in records_; the return value is how each of them ended, but for
+  // those that an interruption killed in a test.
+  std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
+    Claims::create(scratch_ / "claims", tests.size());
+    const Claims claims(scratch_ / "claims");
+    std::vector<std::unique_ptr<SuiteChild>> jobs(
+        std::min(static_cast<std::size_t>(second_pass() ? 1 : request_.jobs), tests.size()));
+    const auto of_job = [this](std::size_t job, const char* extension) {
+      return scratch_ / fmt::format("job-{}.{}", job + 1, extension);
+    };
+    const auto start = [&](std::size_t job) {
+      std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
+      command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1"});
+      jobs[job] = std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"),
+                                               request_.seconds_per_test);
+    };
+    for (std::size_t job = 0; job < jobs.size(); ++job) start(job);
+    std::vector<ChildRun> ended;
+    for (std::size_t running = jobs.size(); running > 0;) {
+      for (std::size_t job = 0; job < jobs.size(); ++job) {
+        if (!jobs[job]) continue;
+        if (!jobs[job]->look(kLook / static_cast<double>(running), {},
+                             [this](const json& event) { note(event); }))
+          continue;
+        ChildRun run = jobs[job]->run();
+        jobs[job].reset();
+        --running;
+        append_to_log(of_job(job, "log"));
+        sequences_.push_back(run.finished);
+        if (interrupted) {
+          run.in_flight.clear();
+        } else if (!run.complete && (!run.finished.empty() || !run.in_flight.empty()) &&
+                   !claims.all_taken()) {
+          start(job);
+          ++running;
+        }
+        ended.push_back(std::move(run));
       }
     }
+    return ended;
+  }
+
+  // Takes in what a process of run_side_by_side reports.
+  void note(const json& event) {
+    const std::string kind = event.value("event", "");
+    if (kind == "start") {
+      progress_({"test", records_.size(), request_.tests.size(), event.value("name", "")});
+    } else if (kind == "result") {
+      records_[event["record"]["name"]] = event["record"];
+    }
+    if (kind != "end") append_to_records(event);
+  }
+
+  void append_to_records(const json& event) const {
+    std::ofstream file(records_file_, std::ios::app);
+    file << event.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
+    if (!file.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", records_file_.string()));
+  }
+
+  void append_to_log(const fs::path& part) const {
+    std::ifstream from(part, std::ios::binary);
+    if (from && from.peek() != std::ifstream::traits_type::eof())
+      std::ofstream(file("log", "txt"), std::ios::app | std::ios::binary) << from.rdbuf();
+    fs::remove(part);
   }
 
   const json& test(const std::string& name) const {
@@ -365,10 +349,7 @@ class Run {
           {{"case", last_case["case"]}, {"message", message}, {"calls", last_case["calls"]}});
     }
     // The file of records is complete without the result file: append what the child could not.
-    std::ofstream(records_file_, std::ios::app)
-        << json{{"event", "result"}, {"record", record}}.dump(-1, ' ', false, json::error_handler_t::replace)
-        << '\n';
-    main_reader_->next();
+    append_to_records({{"event", "result"}, {"record", record}});
     records_[name] = std::move(record);
   }
 
@@ -380,8 +361,12 @@ class Run {
     const std::string verdict = child.hung ? "timeout" : "crash";
     const std::string how = child.hung ? fmt::format("no answer within {} seconds", request_.seconds_per_test)
                                        : "the process ended with " + describe(child.ending);
-    const ChildRun alone = run_scratch({name}, true);
-    if (interrupted) return;
+    ChildRun alone;
+    if (!interrupted) alone = run_scratch({name}, true);
+    if (interrupted) {
+      add_record(name, verdict, how + "; not confirmed, the run was interrupted", nullptr);
+      return;
+    }
     const std::string last_case = alone.last_case.is_object() ? alone.last_case.value("case", "") : "";
     if (!alone.in_flight.empty() && is_control(last_case)) {
       add_record(name, "not-observable", fmt::format("pipeline: {} in '{}'", how, last_case), nullptr);
@@ -393,14 +378,6 @@ class Run {
     }
     add_record(name, verdict, how + "; passes alone", nullptr);
     add_history(records_[name], child.finished);
-  }
-
-  ChildRun run_scratch(const std::vector<std::string>& tests, bool trace_cases) {
-    const fs::path events = file("scratch", "jsonl");
-    fs::remove(events);
-    ChildRun result = run_child(tests, events, trace_cases, false);
-    fs::remove(events);
-    return result;
   }
 
   // --- what a failure depends on -------------------------------------------------------------------------
@@ -547,22 +524,20 @@ class Run {
       result["tests"].push_back(found->second);
     }
     result["summary"] = summary;
-    for (const auto& [kind, extension] :
-         {std::pair{"scratch", "jsonl"}, {"scratch", "txt"}, {"scratch", "json"}})
-      fs::remove(file(kind, extension));
+    fs::remove_all(scratch_);
     write_atomically(file("results", "json"), to_text(result));
     return result;
   }
 
   const RunRequest& request_;
   const std::function<void(const Progress&)>& progress_;
+  const fs::path scratch_;  // folder for what goes between the runner and its children
   std::vector<std::string> captures_;
   std::map<std::string, json> records_;
   fs::path records_file_;
-  std::optional<EventReader> main_reader_;
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
-  std::optional<Clock::time_point> deadline_;        // of the search in progress
+  SuiteChild::Deadline deadline_;                    // of the search in progress
   double searches_left_ = kSearchesBudget;
   std::set<std::string> searched_;  // tests whose history was looked for
   std::vector<std::string> guess_;  // the latest history: what one test does to the next, it does to others

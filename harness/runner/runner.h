@@ -23,6 +23,7 @@ struct RunRequest {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
+  int jobs = 1;  // processes that share the tests (a pass over one shared context: always one)
   std::filesystem::path output;     // an existing folder
   std::string command;              // as the user typed it, for the record
   std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with

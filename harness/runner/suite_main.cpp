@@ -20,6 +20,7 @@
 
 #include "harness/gl/call_log.h"
 #include "harness/implementations/reused_context.h"
+#include "harness/runner/claims.h"
 #include "harness/runner/reproduction.h"
 #include "harness/runner/test.h"
 
@@ -38,7 +39,7 @@ struct Options {
   bool captures_given = false;
   std::string depth = "full";
   std::uint32_t seed = 1;
-  std::string records, tests, answer, prove, reproduce;
+  std::string records, tests, claims, answer, prove, reproduce;
   bool describe = false, list = false, trace_cases = false, die_with_parent = false, reuse_context = false;
 };
 
@@ -74,6 +75,7 @@ class RecordFile {
 // A test to run, all of it or its first cases only.
 struct Chosen {
   TestInfo info;
+  std::size_t position = 0;  // in the list of tests
   std::size_t most_cases = std::numeric_limits<std::size_t>::max();
 };
 
@@ -86,6 +88,7 @@ struct Program {
   std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<RecordFile> records;
+  std::unique_ptr<Claims> claims;  // where several processes share the list of tests
 };
 
 // How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
@@ -95,6 +98,10 @@ class GoogleTestAdapter : public testing::Test {
 
   void TestBody() override {
     const TestInfo& info = chosen_.info;
+    if (program_.claims) {
+      if (!program_.claims->take(chosen_.position)) return;
+      std::cout << "[ RUN      ] " << info.full_name() << std::endl;  // GoogleTest is told to be brief
+    }
     Record record;
     record.name = info.full_name();
     for (const std::string_view id : info.requirements) record.requirements.emplace_back(id);
@@ -204,7 +211,7 @@ json prove_one(Program& program) {
 std::vector<Chosen> tests_to_register(const std::string& path) {
   std::vector<Chosen> tests;
   if (path.empty()) {
-    for (const TestInfo& info : all_tests()) tests.push_back({info});
+    for (const TestInfo& info : all_tests()) tests.push_back({info, tests.size()});
     return tests;
   }
   std::map<std::string, const TestInfo*> by_name;
@@ -215,7 +222,7 @@ std::vector<Chosen> tests_to_register(const std::string& path) {
     const std::size_t tab = line.find('\t');
     const auto found = by_name.find(line.substr(0, tab));
     if (found == by_name.end()) throw std::runtime_error("there is no test '" + line + "'");
-    tests.push_back({*found->second});
+    tests.push_back({*found->second, tests.size()});
     if (tab != std::string::npos) tests.back().most_cases = std::stoul(line.substr(tab + 1));
   }
   return tests;
@@ -237,6 +244,9 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--tests", options.tests,
                  "file with the names of the tests to run, one a line, in this order; after a tab, how many "
                  "of its cases (a test that is cut short decides nothing)");
+  app.add_option("--claims", options.claims,
+                 "file shared with other processes that have the same list: each test is run by one of them")
+      ->needs("--tests");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
   app.add_option("--reproduce", options.reproduce,
@@ -273,6 +283,7 @@ int run(int argc, char** argv) {
   }
   const std::vector<Chosen> tests = tests_to_register(options.tests);
   program.records = std::make_unique<RecordFile>(options.records);
+  if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
   const bool only_list = testing::GTEST_FLAG(list_tests);
   if (!only_list) {
     try {

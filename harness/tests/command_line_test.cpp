@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
@@ -43,6 +44,8 @@ TEST_F(CommandLine, WrongUseIsTwo) {
         {"run", "--implementation", "nonsense"},
         {"run", "--filter", "No.SuchTest"},
         {"run", "--depth", "abysmal"},
+        {"run", "--jobs", "0"},
+        {"run", "--jobs", "many"},
         {"list", "nonsense"},
         {"explain", "nonsense"},
         {"run", "--output", "/proc/evalcts"},
@@ -137,14 +140,16 @@ struct Way {
   const char* what;
   const char* verdict;
   const char* message;
+  const char* jobs = "1";
   friend void PrintTo(const Way& way, std::ostream* out) { *out << way.what; }
 };
 
 class Deaths : public CommandLine, public testing::WithParamInterface<Way> {};
 
 TEST_P(Deaths, CostOneTestAndNameItsCalls) {
-  const auto [what, verdict, message] = GetParam();
-  const Outcome outcome = drill(what, {"--filter", "Map1State.Stride/*:InitialState.O*", "--timeout", "2"});
+  const auto [what, verdict, message, jobs] = GetParam();
+  const Outcome outcome =
+      drill(what, {"--filter", "Map1State.Stride/*:InitialState.O*", "--timeout", "2", "--jobs", jobs});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   const json result = results("drill");
   EXPECT_EQ(result["status"], "complete");
@@ -166,8 +171,40 @@ TEST_P(Deaths, CostOneTestAndNameItsCalls) {
 INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
                          testing::Values(Way{"crash", "crash", "SIGSEGV"}, Way{"abort", "crash", "SIGABRT"},
                                          Way{"exit", "crash", "exit code 7"}, Way{"kill", "crash", "SIGKILL"},
-                                         Way{"hang", "timeout", "no answer within 2 seconds"}),
-                         [](const auto& way) { return way.param.what; });
+                                         Way{"hang", "timeout", "no answer within 2 seconds"},
+                                         Way{"crash", "crash", "SIGSEGV", "3"},
+                                         Way{"hang", "timeout", "no answer within 2 seconds", "3"}),
+                         [](const auto& way) { return std::string(way.param.what) + "_" + way.param.jobs; });
+
+// However many processes share the tests, each is run once, and the result is the same but for the times.
+TEST_F(CommandLine, JobsDecideTheSame) {
+  const auto run = [&](const std::string& jobs) {
+    const Outcome outcome = drill(
+        "lenient", {"--filter", "Map1State.*_f:Map1Errors.StrideBelowK/*:InitialState.*", "--jobs", jobs});
+    EXPECT_EQ(outcome.code, 1) << outcome.text;
+    std::map<std::string, int> lines;
+    std::ifstream records(folder_ / "records-drill.jsonl");
+    for (std::string line; std::getline(records, line);) {
+      const json event = json::parse(line, nullptr, false);
+      EXPECT_TRUE(event.is_object()) << line;
+      if (event["event"] == "result") ++lines[event["record"]["name"]];
+    }
+    json result = results("drill");
+    EXPECT_GT(result["tests"].size(), 50u);
+    EXPECT_EQ(lines.size(), result["tests"].size());
+    for (const auto& [name, count] : lines) EXPECT_EQ(count, 1) << name;
+    std::size_t logged = 0;
+    std::ifstream log(folder_ / "log-drill.txt");
+    for (std::string line; std::getline(log, line);) logged += line.starts_with("[ RUN ");
+    EXPECT_EQ(logged, result["tests"].size());
+    EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
+    result.erase("command");
+    for (json& test : result["tests"]) test.erase("seconds");
+    return result.dump();
+  };
+  const std::string one = run("1");
+  EXPECT_EQ(run("3"), one);
+}
 
 TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
   const std::string name = "CurrentValues.Color/AT_ONCE/EvalCoord1f";
@@ -189,7 +226,8 @@ TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
   const Outcome outcome = drill("second", {"--filter",
                                            "Map1State.EveryOrderAccepted/MAP1_COLOR_4_*:"
                                            "Map1State.EveryOrderAccepted/MAP1_NORMAL_d:"
-                                           "Map1State.Stride/MAP1_INDEX_f"});
+                                           "Map1State.Stride/MAP1_INDEX_f",
+                                           "--jobs", "1"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   const std::string message = test_named(results("drill"), kVictim)["message"];
   EXPECT_NE(message.find("passes alone"), std::string::npos) << message;
@@ -575,7 +613,8 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
       EVALCTS_PROGRAM,  "run",       "--implementation",
       "osmesa",         "--library", DRILL_LIBRARY,
       "--name",         "drill",     "--output",
-      folder_.string(), "--filter",  "Map1State.Stride/*:InitialState.O*"};
+      folder_.string(), "--filter",  "Map1State.Stride/*:InitialState.O*",
+      "--jobs",         "1"};
   ChildProcess run(arguments, (folder_ / "command.log").string());
   // Twice: the first child hangs in the test, the second confirms.
   pid_t killed = 0;
@@ -583,7 +622,7 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
     for (int i = 0; i < 1000; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       const pid_t child = child_of(run.id());
-      std::ifstream records(folder_ / (round ? "scratch-drill.jsonl" : "records-drill.jsonl"));
+      std::ifstream records(folder_ / (round ? "scratch-drill/again.jsonl" : "records-drill.jsonl"));
       std::string last;
       for (std::string line; std::getline(records, line);) last = line;
       if (child > 0 && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&
@@ -605,26 +644,50 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
   EXPECT_EQ(result["summary"]["crash"], 1);
 }
 
+// What was obtained before the signal is kept: with three processes all but the test that hangs, and the
+// crash of another that there was no time to confirm.
 TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
-  setenv("EVALCTS_DRILL", "hang", 1);
-  ChildProcess run(
-      {EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--name", "drill",
-       "--output", folder_.string(), "--filter", "Map1State.Stride/*:InitialState.O*"},
-      (folder_ / "command.log").string());
-  for (int i = 0; i < 1000; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    std::ifstream records(folder_ / "records-drill.jsonl");
-    const std::string text((std::istreambuf_iterator<char>(records)), std::istreambuf_iterator<char>());
-    if (text.find("MAP1_INDEX_f") != std::string::npos) break;
-  }
-  kill(run.id(), SIGINT);
-  const auto ending = run.wait(20);
-  ASSERT_TRUE(ending);
-  EXPECT_EQ(ending->value, 2);
-  const json result = results("drill");
-  EXPECT_EQ(result["status"], "interrupted");
-  EXPECT_EQ(test_named(result, "InitialState.OrderOf1D")["verdict"], "pass");
-  EXPECT_TRUE(fs::exists(folder_ / "junit-drill.xml"));
+  for (const std::string jobs : {"1", "3"})
+    for (const int signal : {SIGINT, SIGTERM}) {
+      fs::remove(folder_ / "records-drill.jsonl");
+      setenv("EVALCTS_DRILL", jobs == "1" ? "hang" : "both", 1);
+      ChildProcess run({EVALCTS_PROGRAM, "run", "--implementation", "osmesa", "--library", DRILL_LIBRARY,
+                        "--name", "drill", "--output", folder_.string(), "--filter",
+                        "Map1State.Stride/*:InitialState.O*", "--jobs", jobs},
+                       (folder_ / "command.log").string());
+      const auto reached = [&] {
+        bool started = false, last_ended = false;
+        std::ifstream records(folder_ / "records-drill.jsonl");
+        for (std::string line; std::getline(records, line);) {
+          const json event = json::parse(line, nullptr, false);
+          if (!event.is_object()) continue;
+          if (event["event"] == "start") started = started || event["name"] == kVictim;
+          if (event["event"] == "result")
+            last_ended = last_ended || event["record"]["name"] == "Map1State.Stride/MAP1_VERTEX_4_f";
+        }
+        return started && (jobs == "1" || last_ended);
+      };
+      for (int i = 0; i < 1000 && !reached(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      kill(run.id(), signal);
+      const auto ending = run.wait(20);
+      ASSERT_TRUE(ending);
+      EXPECT_EQ(ending->value, 2);
+      const json result = results("drill");
+      EXPECT_EQ(result["status"], "interrupted");
+      EXPECT_EQ(test_named(result, "InitialState.OrderOf1D")["verdict"], "pass");
+      const json victim = test_named(result, kVictim);
+      if (jobs == "1") {
+        EXPECT_TRUE(victim.is_null());
+      } else {
+        EXPECT_EQ(test_named(result, "Map1State.Stride/MAP1_VERTEX_4_f")["verdict"], "pass");
+        EXPECT_TRUE(test_named(result, "Map1State.Stride/MAP1_INDEX_d").is_null());
+        ASSERT_FALSE(victim.is_null());
+        EXPECT_EQ(victim["verdict"], "crash");
+        EXPECT_NE(victim["message"].get<std::string>().find("not confirmed"), std::string::npos) << victim;
+      }
+      EXPECT_TRUE(fs::exists(folder_ / "junit-drill.xml"));
+      EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
+    }
 }
 
 }  // namespace

@@ -5,9 +5,10 @@
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
-//   process; "start": crash when a context is made; "lenient": strides below k are taken for k;
-//   "control": every explicit vertex crashes; "control-error": it leaves an error behind;
-//   "history": in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more.
+//   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
+//   "lenient": strides below k are taken for k; "control": every explicit vertex crashes, "control-error": it
+//   leaves an error behind, and every evaluated one loses the current colour; "history": in a context where
+//   that happened, GetMapiv says that maps of VERTEX_3 have one point more.
 #include <glevaluator.h>
 #include <unistd.h>
 
@@ -38,7 +39,7 @@ void crash() {
 }
 
 [[maybe_unused]] void misbehave() {
-  if (drill("crash") || (drill("second") && seven_was_seen)) crash();
+  if (drill("crash") || drill("both") || (drill("second") && seven_was_seen)) crash();
   if (drill("abort")) std::abort();
   if (drill("exit")) _exit(7);
   if (drill("kill")) raise(SIGKILL);
@@ -88,6 +89,7 @@ EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint o
 }
 EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                     const GLdouble* points) {
+  while (drill("both") && target == GL_MAP1_INDEX && order == 5) pause();
   glevMap1d(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glColor4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
@@ -102,7 +104,10 @@ EXPORT void glVertex3f(GLfloat x, GLfloat y, GLfloat z) {
 EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, x, y, z); }
 EXPORT void glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { glevTexCoord4f(current, s, t, r, q); }
 EXPORT void glGetDoublev(GLenum name, GLdouble* values) { glevGetDoublev(current, name, values); }
-EXPORT void glEvalCoord1f(GLfloat u) { glevEvalCoord1f(current, u); }
+EXPORT void glEvalCoord1f(GLfloat u) {
+  glevEvalCoord1f(current, u);
+  if (drill("control") || drill("control-error")) glevColor4f(current, 9, 9, 9, 9);
+}
 EXPORT void glGetMapfv(GLenum target, GLenum query, GLfloat* values) {
   glevGetMapfv(current, target, query, values);
 }

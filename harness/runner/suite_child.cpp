@@ -1,0 +1,66 @@
+#include "harness/runner/suite_child.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "harness/runner/runner.h"
+
+namespace evalcts {
+
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+SuiteChild::SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
+                       const std::filesystem::path& log, double seconds_per_test)
+    : events_(events), seconds_per_test_(seconds_per_test), process_(command, log.string()) {}
+
+bool SuiteChild::look(double seconds, const Deadline& deadline,
+                      const std::function<void(const json& event)>& each) {
+  const std::optional<Ending> ending = process_.wait(seconds);
+  std::ifstream file(events_, std::ios::binary);
+  file.seekg(read_);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::size_t begin = 0;
+  for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    const json event = json::parse(text.substr(begin, end - begin), nullptr, false);
+    if (!event.is_object()) continue;
+    take(event);
+    if (each) each(event);
+    latest_event_ = Clock::now();
+  }
+  read_ += static_cast<std::streamoff>(begin);
+  if (ending) {
+    run_.ending = *ending;
+    return true;
+  }
+  if (interrupted) {
+    process_.kill();
+  } else if (deadline && Clock::now() > *deadline) {
+    run_.cut_short = true;
+    process_.kill();
+  } else if (std::chrono::duration<double>(Clock::now() - latest_event_).count() > seconds_per_test_) {
+    run_.hung = true;
+    process_.kill();
+  }
+  return false;
+}
+
+void SuiteChild::take(const json& event) {
+  const std::string kind = event.value("event", "");
+  if (kind == "start") {
+    run_.in_flight = event.value("name", "");
+    run_.last_case = nullptr;
+  } else if (kind == "case") {
+    run_.last_case = event;
+    run_.cases[run_.in_flight].push_back(event.value("case", ""));
+  } else if (kind == "result") {
+    const json& record = event["record"];
+    run_.finished.push_back(record["name"]);
+    run_.records[record["name"]] = record;
+    run_.in_flight.clear();
+  } else if (kind == "end") {
+    run_.complete = true;
+  }
+}
+
+}  // namespace evalcts
