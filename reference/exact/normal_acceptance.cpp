@@ -185,13 +185,12 @@ double size(const Vector& m) { return std::hypot(m[0].to_double(), m[1].to_doubl
 bool is_between(double x, double low, double high) { return low <= x && x <= high; }
 
 // What is met on the way has to be of a size that single precision squares without loss: before and after the
-// division by w, with derivatives in t or in u.
+// division by w, with derivatives in t or in u. (That bounds |w| too: w^4 is their ratio.)
 bool sizes_are_ordinary(const Estimates& a, double u_width, const Estimates& b, double v_width, double m,
                         double w) {
   const auto all_within = [](const Estimates& tangent, double limit) {
     return std::all_of(tangent.begin(), tangent.end(), [&](const Estimate& x) { return x.most() <= limit; });
   };
-  if (!is_between(w, 0x1p-16, 0x1p16)) return false;
   for (const double w2 : {1.0, w * w}) {
     for (const bool in_domain : {false, true}) {
       const double du = in_domain ? u_width : 1, dv = in_domain ? v_width : 1;

@@ -4,6 +4,7 @@
 #include <reference/normal.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
 #include <limits>
 
 #include "reference/tests/patch.h"
@@ -265,6 +266,21 @@ TEST(NormalAcceptance, JudgesNothingWithoutANormal) {
   EXPECT_FALSE(judged(square<3>(1e300), 0.5, 0.5));
   EXPECT_FALSE(judged(square<3>(1e-300), 0.5, 0.5));
   EXPECT_FALSE(judged(square<4>(1e70, 1e70), 1e200, 0.5));
+}
+
+// A square that goes away until its size is lost in the errors of its place.
+TEST(NormalAcceptance, StopsJudgingWhereTheRequirementsDo) {
+  int judged = 0, not_judged = 0;
+  for (double place = 10; place < 1e5; place *= 1.1) {
+    const Patch patch = make_patch<3>(2, 2, [=](int i, int j) {
+      return std::array{std::floor(place) + i, 1.0 * j, 0.0};
+    });
+    const bool expected = second_acceptance(patch, at(0.5), at(0.5)).judged;
+    EXPECT_EQ(normal_acceptance(patch.surface(), at(0.5), at(0.5)).bound.has_value(), expected) << place;
+    ++(expected ? judged : not_judged);
+  }
+  EXPECT_GT(judged, 10);
+  EXPECT_GT(not_judged, 10);
 }
 
 // What an implementation might do, exactly but for the last rounding.

@@ -64,7 +64,7 @@ struct NormalAcceptance {
   Vector m;
   // Whether the bounds are a "must" here; elsewhere any result will do. As for the values of all components
   // (acceptance.h); and single precision has to be able to square what is met on the way, before and after
-  // the division by w, for derivatives in t or in u: |w| from 2^-16 to 2^16, the components of the tangents
+  // the division by w, for derivatives in t or in u: the components of the tangents
   // up to 2^32, |m| from 2^-32 to 2^32.
   bool must_applies;
   // Of each component of m/|m|. None (not judged) where the exact normal is lost in the errors of the
