@@ -216,8 +216,8 @@ void set_all(gl::Case& c, const Setting& setting) {
 
 // Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
 // map on, after every order of setting.
-EVALCTS_DELIVERED_TESTS(CurrentValues, EveryOrderOfSetting, kQueried, const Queried& queried, must,
-                        "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D") {
+EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, EveryOrderOfSetting, kQueried,
+                 const Queried& queried, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D") {
   std::vector<Map1> maps;
   for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
   bool observed = false;
@@ -251,7 +251,8 @@ EVALCTS_DELIVERED_TESTS(CurrentValues, EveryOrderOfSetting, kQueried, const Quer
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
 }
 
-EVALCTS_DELIVERED_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {
+EVALCTS_TEST_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, EdgeFlag, must,
+                "EV-CUR-EDGEFLAG/1-D") {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     gl::Case c(flag ? "TRUE" : "FALSE");
     for (const GLenum target : gl::kMap1Targets) {
@@ -260,7 +261,7 @@ EVALCTS_DELIVERED_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D") {
     }
     c.EdgeFlag(flag);
     c.Begin(GL_TRIANGLES);
-    for (int i = 0; i < 6; ++i) c.EvalCoord1f(static_cast<float>(i) / 5);
+    for (int i = 0; i < 6; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
     c.End();
     const gl::Ref after = c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1));
     Played played = t.play(c);

@@ -292,11 +292,12 @@ void Test::note_capture(const Capture& capture) {
     record_.captures.push_back(capture.name());
 }
 
-Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices) {
+Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices,
+                          PrimitiveKinds kinds) {
   const gl::Case script = begin_case(written).script;
-  const Capture* capture = captures_for(required, kPoints, false).front();
+  const Capture* capture = captures_for(required, kinds, false).front();
   note_capture(*capture);
-  return capture->observe(*subject_.implementation, script, {required, most_vertices, kPoints});
+  return capture->observe(*subject_.implementation, script, {required, most_vertices, kinds});
 }
 
 RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingShader& shader,

@@ -125,9 +125,10 @@ class Test {
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
 
-  // Observes a case that draws points through the first capture that sees `required`; the test judges by
-  // itself.
-  Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices);
+  // Observes a case that draws these kinds of primitives through the first capture that sees `required`; the
+  // test judges by itself.
+  Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
+                      PrimitiveKinds kinds = kPoints);
   // The same through a vertex shader of the test's own. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);

@@ -1,0 +1,423 @@
+// Section 10 of the requirements: the normals that AUTO_NORMAL generates. Their directions are judged by the
+// accuracy rule for normals, with what is allowed to any method of computing them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "suites/grid_cases.h"
+
+namespace evalcts {
+namespace {
+
+constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+// A net of points from a function of the indices.
+using Net = std::function<std::array<double, 4>(int i, int j)>;
+
+Map2 surface(GLenum target, int uorder, int vorder, const Net& net) {
+  std::vector<double> points;
+  for (int i = 0; i < uorder; ++i)
+    for (int j = 0; j < vorder; ++j) {
+      const std::array<double, 4> point = net(i, j);
+      points.insert(points.end(), point.begin(), point.begin() + gl::components_of(target));
+    }
+  return make_map2(target, uorder, vorder, points);
+}
+
+// u along +x, v along +y: the normal is (0,0,1).
+std::array<double, 4> plane(int i, int j) { return {1.0 * i, 1.0 * j, 0, 1}; }
+std::array<double, 4> plane_flipped(int i, int j) { return {1.0 * j, 1.0 * i, 0, 1}; }
+// A plane in general position.
+std::array<double, 4> tilted(int i, int j) {
+  return {2 + i + 0.25 * j, 0.5 * j - 0.125 * i, 1 + 0.5 * i - j, 1};
+}
+// A biquadratic bump over the unit square.
+std::array<double, 4> bump(int i, int j) { return {0.5 * i, 0.5 * j, i == 1 && j == 1 ? 2.0 : 0.0, 1}; }
+// A bicubic patch, a little twisted.
+std::array<double, 4> wave(int i, int j) {
+  return {i + 0.2 * ((i + j) % 2), j - 0.3 * (i % 2), 0.8 * ((i * j) % 3) - 0.1 * i, 1};
+}
+// The plane with w from 1 to 4: its points are those of `plane` times w.
+std::array<double, 4> weighted_plane(int i, int j) {
+  const double w = 1 + i + 2 * j;
+  return {i * w, j * w, 0.5 * w, w};
+}
+// A quarter of a cylinder about the z axis, exactly.
+std::array<double, 4> cylinder(int i, int j) {
+  const double w = i == 1 ? std::sqrt(0.5) : 1.0;
+  return {(i < 2 ? 1 : 0) * w, (i > 0 ? 1 : 0) * w, 1.5 * j * w, w};
+}
+// An eighth of a sphere: circles over circles.
+std::array<double, 4> sphere(int i, int j) {
+  const double wi = i == 1 ? std::sqrt(0.5) : 1.0, wj = j == 1 ? std::sqrt(0.5) : 1.0;
+  const double r = j < 2 ? 1 : 0, z = j > 0 ? 1 : 0;
+  return {(i < 2 ? 1 : 0) * r * wi * wj, (i > 0 ? 1 : 0) * r * wi * wj, z * wi * wj, wi * wj};
+}
+
+struct Patch {
+  const char* name;
+  GLenum target;
+  int uorder, vorder;
+  std::array<double, 4> (*net)(int i, int j);
+
+  Map2 map() const { return surface(target, uorder, vorder, net); }
+};
+constexpr Patch kPolynomial[] = {{"BUMP_3X3", GL_MAP2_VERTEX_3, 3, 3, bump},
+                                 {"WAVE_4X4", GL_MAP2_VERTEX_3, 4, 4, wave},
+                                 {"WAVE_2X5", GL_MAP2_VERTEX_3, 2, 5, wave},
+                                 {"WAVE_6X3", GL_MAP2_VERTEX_3, 6, 3, wave},
+                                 {"WAVE_4X4_W1", GL_MAP2_VERTEX_4, 4, 4, wave}};
+constexpr Patch kRational[] = {{"PLANE_2X2", GL_MAP2_VERTEX_4, 2, 2, weighted_plane},
+                               {"PLANE_3X4", GL_MAP2_VERTEX_4, 3, 4, weighted_plane},
+                               {"CYLINDER", GL_MAP2_VERTEX_4, 3, 2, cylinder},
+                               {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere}};
+
+void set_current_values(gl::Case& c) {
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+}
+
+void define_and_enable(gl::Case& c, const Map2& map) {
+  define(c, map);
+  c.Enable(map.target);
+}
+
+// A lattice that has no degenerate point of the patches above.
+void evaluate_inside(gl::Case& c, const Map2& map, int steps = 4) {
+  c.Begin(GL_POINTS);
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j < steps; ++j)
+      c.EvalCoord2f(map.u1 + (map.u2 - map.u1) * i / steps, map.v1 + (map.v2 - map.v1) * j / steps);
+  c.End();
+}
+
+void expect_normals(Test& t, const std::string& identity, const std::vector<Map2>& maps,
+                    Attributes required = kPosition | kNormal) {
+  gl::Case c(identity);
+  set_current_values(c);
+  c.Enable(GL_AUTO_NORMAL);
+  for (const Map2& map : maps) {
+    define_and_enable(c, map);
+    evaluate_inside(c, map);
+    c.Disable(map.target);
+  }
+  t.expect_emission(c, required);
+}
+
+// With and without a vertex shader: the rule is the same but for the length.
+struct Lengths {
+  const char* name;
+  Attributes required;
+};
+constexpr Lengths kLengths[] = {{"UNIT", kPosition | kNormal | kUnitNormal}, {"SHADER", kPosition | kNormal}};
+
+}  // namespace
+
+// --- Where the normal comes from -------------------------------------------------------------------------
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, Used, must, "EV-AUTON-USED") {
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
+    gl::Case c(label(target));
+    set_current_values(c);
+    define_and_enable(c, surface(target, 3, 3, bump));
+    c.Enable(GL_AUTO_NORMAL);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.25f, 0.5f, 1.0f})
+      for (const float v : {0.0f, 0.375f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
+    c.End();
+    t.expect_emission(c, kPosition | kNormal);
+  }
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE",
+                "EV-AUTON-OFF-MAP", "EV-AUTON-OFF-NONE") {
+  gl::Case c("a NORMAL map with and without AUTO_NORMAL, AUTO_NORMAL alone, neither");
+  set_current_values(c);
+  define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
+  define(c, random_map2(t, GL_MAP2_NORMAL, 2, 3));
+  for (const auto& [automatic, map] :
+       {std::pair{true, true}, {false, true}, {true, false}, {false, false}, {true, true}}) {
+    automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
+    map ? c.Enable(GL_MAP2_NORMAL) : c.Disable(GL_MAP2_NORMAL);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kNormal);
+}
+
+namespace {
+
+std::vector<gl::Delivery> one_dimensional() {
+  std::vector<gl::Delivery> deliveries = gl::curve_deliveries();
+  std::erase_if(deliveries, [](const gl::Delivery& delivery) { return delivery.lifted; });
+  return deliveries;
+}
+
+}  // namespace
+
+EVALCTS_TEST_BY(one_dimensional(), AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D") {
+  gl::Case c("AUTO_NORMAL with a MAP1_NORMAL map, then without");
+  set_current_values(c);
+  c.Enable(GL_AUTO_NORMAL);
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_NORMAL}) {
+    define(c, random_map(t, target, 3));
+    c.Enable(target);
+  }
+  for (const bool map : {true, false}) {
+    if (!map) c.Disable(GL_MAP1_NORMAL);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord1f(u);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kNormal);
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OfTheMapThatIsDrawn, must,
+                "EV-AUTON-VERTEX4WINS") {
+  gl::Case c("VERTEX_3 and VERTEX_4 of different orientation, then each alone");
+  c.Enable(GL_AUTO_NORMAL);
+  define_and_enable(c, surface(GL_MAP2_VERTEX_3, 2, 2, tilted));
+  define_and_enable(c, surface(GL_MAP2_VERTEX_4, 3, 3, sphere));
+  for (int round = 0; round < 3; ++round) {
+    if (round == 1) c.Disable(GL_MAP2_VERTEX_4);
+    if (round == 2) c.Enable(GL_MAP2_VERTEX_4), c.Disable(GL_MAP2_VERTEX_3);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 0.5f * u + 0.125f);
+    c.End();
+  }
+  t.expect_emission(c, kPosition | kNormal);
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NothingWithoutVertexMap, must,
+                "EV-AUTON-NOVERTEX") {
+  gl::Case c("AUTO_NORMAL and all maps but those of vertices");
+  enable_maps(t, c, true);
+  c.Disable(GL_MAP2_VERTEX_4);
+  define_and_enable(c, surface(GL_MAP2_NORMAL, 2, 2, plane));
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT") {
+  gl::Case c("queried after evaluation, seen by the next vertex without AUTO_NORMAL");
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  const gl::Ref before = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+  define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
+  c.End();
+  const gl::Ref after = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+  Played played = t.play(c);
+  played.expect_same(before, after);
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NextVertexHasTheCurrentNormal, must,
+                "EV-AUTON-CURRENT") {
+  gl::Case c("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
+  set_current_values(c);
+  define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  c.EvalCoord2f(0.25f, 0.5f);
+  c.Vertex3f(1, 2, 3);
+  c.EvalCoord2f(0.75f, 0.5f);
+  c.End();
+  c.Disable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  c.EvalCoord2f(0.25f, 0.5f);
+  c.End();
+  t.expect_emission(c, kPosition | kNormal);
+}
+
+// --- Direction and length --------------------------------------------------------------------------------
+
+EVALCTS_TESTS(AutomaticNormals, Direction, kLengths, const Lengths& lengths, must, "EV-AUTON-DIRECTION") {
+  expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
+                 {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
+                  surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
+                  surface(GL_MAP2_VERTEX_3, 3, 4, tilted), surface(GL_MAP2_VERTEX_4, 2, 2, tilted)},
+                 lengths.required);
+}
+
+EVALCTS_TESTS(AutomaticNormals, Curved, kPolynomial, const Patch& patch, must, "EV-AUTON-CURVED",
+              "EV-AUTON-METHOD") {
+  Map2 shifted = patch.map();
+  shifted.u1 = 2;
+  shifted.u2 = 5;
+  shifted.v1 = -3;
+  shifted.v2 = -1;
+  expect_normals(t, "over [0,1] and over [2,5] x [-3,-1]", {patch.map(), shifted});
+}
+
+// What GL 1.0 demanded: the analytic normal, to the accuracy of the operations.
+EVALCTS_TESTS(AutomaticNormals, Analytic, kPolynomial, const Patch& patch, quality, "EV-AUTON-METHOD") {
+  expect_normals(t, "the analytic normal", {patch.map()});
+}
+
+EVALCTS_TESTS(AutomaticNormals, Rational, kRational, const Patch& patch, must, "EV-AUTON-RATIONAL") {
+  expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()});
+}
+
+// The sign is free there (U-AUTON-REVSIGN), the rest is not.
+EVALCTS_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& lengths, must, "EV-AUTON-CURVED") {
+  std::vector<Map2> maps;
+  for (const auto& [u_reversed, v_reversed] : {std::pair{true, false}, {false, true}, {true, true}}) {
+    Map2 map = surface(GL_MAP2_VERTEX_3, 4, 4, wave);
+    if (u_reversed) std::swap(map.u1, map.u2);
+    if (v_reversed) std::swap(map.v1, map.v2);
+    maps.push_back(map);
+  }
+  expect_normals(t, "u, v, and both reversed", maps, lengths.required);
+}
+
+EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
+  std::vector<Map2> maps;
+  for (const double size : {0.01, 1.0, 37.0, 1000.0})
+    for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
+      Map2 map = patch.map();
+      for (std::size_t i = 0; i < map.points.size(); ++i)
+        if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
+      maps.push_back(map);
+    }
+  Map2 wide = surface(GL_MAP2_VERTEX_3, 3, 3, bump);
+  wide.u2 = 100;
+  wide.v2 = 0.125;
+  maps.push_back(wide);
+  expect_normals(t, "patches of size 0.01 to 1000, and over [0,100] x [0,1/8]", maps,
+                 kPosition | kNormal | kUnitNormal);
+}
+
+// A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
+EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER") {
+  t.require(2, 0, "GL_ARB_vertex_shader");
+  std::vector<Map2> maps;
+  for (const double size : {0.125, 1.0, 10.0})
+    for (const Patch& patch : {Patch{"", GL_MAP2_VERTEX_3, 2, 2, plane}, kPolynomial[0], kRational[2]}) {
+      Map2 map = patch.map();
+      for (std::size_t i = 0; i < map.points.size(); ++i)
+        if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
+      maps.push_back(map);
+    }
+  expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kPosition | kNormal | kShaderNormal);
+}
+
+// --- Everything else stays -------------------------------------------------------------------------------
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX") {
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
+    gl::Case c(label(target) + " with colour and texture coordinate maps");
+    set_current_values(c);
+    for (const GLenum other : {GL_MAP2_COLOR_4, GL_MAP2_TEXTURE_COORD_3}) {
+      define(c, random_map2(t, other, 3, 2));
+      c.Enable(other);
+    }
+    define_and_enable(c, surface(target, 4, 4, wave));
+    for (const bool automatic : {true, false}) {
+      automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
+      c.Begin(GL_POINTS);
+      for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord2f(u, 1 - u);
+      c.End();
+    }
+    t.expect_emission(c, kUnit0);
+  }
+}
+
+EVALCTS_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch& patch, quality,
+              "EV-AUTON-SAMEVERTEX") {
+  gl::Case c("off, then on");
+  const Map2 map = patch.map();
+  define_and_enable(c, map);
+  evaluate_inside(c, map);
+  c.Enable(GL_AUTO_NORMAL);
+  evaluate_inside(c, map);
+  const Observation seen = t.observe(c, kPosition, 64);
+  std::vector<std::array<float, 4>> positions;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    for (const ObservedVertex& vertex : primitive.vertices) positions.push_back(vertex.position);
+  const std::size_t half = positions.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    if (positions[i] == positions[half + i]) continue;
+    Failure failure;
+    failure.case_identity = c.identity();
+    failure.what = fmt::format("position of vertex {}", i);
+    failure.expected = fmt::format("({:a}, {:a}, {:a}, {:a}) as without AUTO_NORMAL", positions[i][0],
+                                   positions[i][1], positions[i][2], positions[i][3]);
+    const auto& moved = positions[half + i];
+    failure.captured = fmt::format("({:a}, {:a}, {:a}, {:a})", moved[0], moved[1], moved[2], moved[3]);
+    failure.message = failure.what + " changes by some bits when AUTO_NORMAL is switched on";
+    t.fail(std::move(failure));
+  }
+}
+
+namespace {
+
+struct MeshMode {
+  const char* name;
+  GLenum mode;
+};
+constexpr MeshMode kModes[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}, {"FILL", GL_FILL}};
+
+}  // namespace
+
+EVALCTS_TESTS(AutomaticNormals, InMeshes, kModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
+  gl::Case c("polynomial and rational patches");
+  set_current_values(c);
+  c.Enable(GL_AUTO_NORMAL);
+  map_grid(c, {4, 0, 1}, {3, 0, 0.75f});
+  for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
+    define_and_enable(c, patch.map());
+    c.EvalMesh2(mode.mode, 0, 4, 0, 3);
+    c.Disable(patch.target);
+  }
+  t.expect_emission(c, kPosition | kNormal);
+}
+
+// Nothing is said of the normal there (U-AUTON-ZERO, U-AUTON-W0); the position is right, and what comes later
+// works.
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE") {
+  const auto point = [](int, int) { return std::array<double, 4>{0.5, -1, 2, 1}; };
+  const auto line = [](int i, int j) { return std::array<double, 4>{1.0 * (i + j), 2.0 * (i + j), 0.25, 1}; };
+  const auto fan = [](int i, int j) {
+    return std::array<double, 4>{1.0 * i * (j + 1), 1.0 * i * (2 - j), 0.5 * i, 1};
+  };
+  const auto zero_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 0}; };
+  const auto changing_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 1.0 - i}; };
+  struct Degenerate {
+    const char* name;
+    Map2 map;
+  };
+  const std::vector<Degenerate> patches = {{"all points equal", surface(GL_MAP2_VERTEX_3, 3, 3, point)},
+                                           {"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},
+                                           {"order 1 in v", surface(GL_MAP2_VERTEX_4, 3, 1, wave)},
+                                           {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)},
+                                           {"parallel derivatives", surface(GL_MAP2_VERTEX_3, 3, 3, line)},
+                                           {"an edge that is a point", surface(GL_MAP2_VERTEX_3, 3, 3, fan)},
+                                           {"a pole of a sphere", surface(GL_MAP2_VERTEX_4, 3, 3, sphere)},
+                                           {"w = 0", surface(GL_MAP2_VERTEX_4, 2, 2, zero_w)},
+                                           {"w through 0", surface(GL_MAP2_VERTEX_4, 3, 2, changing_w)}};
+  for (const auto& [name, map] : patches) {
+    gl::Case c(name);
+    c.Enable(GL_AUTO_NORMAL);
+    define_and_enable(c, map);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.5f, 1.0f})
+      for (const float v : {0.0f, 0.25f, 1.0f}) c.EvalCoord2f(u, v);
+    c.End();
+    c.Disable(map.target);
+    define_and_enable(c, surface(GL_MAP2_VERTEX_3, 2, 2, tilted));
+    c.Begin(GL_POINTS);
+    c.EvalCoord2f(0.5f, 0.25f);
+    c.End();
+    t.expect_emission(c, kPosition);
+  }
+}
+
+}  // namespace evalcts

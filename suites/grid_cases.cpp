@@ -1,0 +1,169 @@
+#include "suites/grid_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace evalcts {
+
+gl::Ref map_grid(gl::Case& c, const Grid& u) { return c.MapGrid1f(u.segments, u.first, u.last); }
+
+gl::Ref map_grid(gl::Case& c, const Grid& u, const Grid& v) {
+  return c.MapGrid2f(u.segments, u.first, u.last, v.segments, v.first, v.last);
+}
+
+std::vector<Grid> awkward_grids() {
+  return {{1, 0, 1},     {4, -0.5f, 2.5f},  {3, 0.1f, 0.7f},
+          {7, 2, -1},    {10, 1e-3f, 2.1f}, {49, 0.3f, 1.0f / 3},
+          {93, 1, 1.7f}, {1000, -0.3f, 1},  {65536, 0.1f, 0.2f}};
+}
+
+void enable_maps(Test& t, gl::Case& c, bool two) {
+  for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}) {
+    const int order = target == GL_MAP1_NORMAL ? 2 : 4;
+    if (two) {
+      Map2 map = random_map2(t, target - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4, order, 6 - order);
+      map.u1 = -1;
+      map.u2 = 3;
+      map.v1 = 2;
+      map.v2 = 1;
+      define(c, map);
+      c.Enable(map.target);
+    } else {
+      Map1 map = random_map(t, target, order);
+      map.u1 = -1;
+      map.u2 = 3;
+      define(c, map);
+      c.Enable(map.target);
+    }
+  }
+}
+
+void map_grid(gl::Case& c, const Along& along, const Grid& grid) {
+  const Grid across = {2, 0, 1};
+  if (!along.two) {
+    map_grid(c, grid);
+  } else if (along.v) {
+    map_grid(c, across, grid);
+  } else {
+    map_grid(c, grid, across);
+  }
+}
+
+std::vector<Grid> probed_grids(Test& t) {
+  std::vector<Grid> grids;
+  const auto add = [&](const Grid& grid) {
+    const float end = std::max(std::abs(grid.first), std::abs(grid.last));
+    if (std::abs(grid.last - grid.first) / static_cast<float>(grid.segments) > 4e-5f * std::max(end, 1.0f))
+      grids.push_back(grid);
+  };
+  for (const Grid& grid : awkward_grids()) add(grid);
+  for (int segments = 1; segments <= t.by_depth(60, 300, 1000); ++segments) add({segments, 0.1f, 0.7f});
+  for (int i = 0; i < t.by_depth(60, 300, 3000); ++i) {
+    const std::vector<double> ends = random_values(t.random(), 2);
+    add({1 + static_cast<int>(t.random()() % 100), static_cast<float>(3 * ends[0]),
+         static_cast<float>(7 * ends[1])});
+  }
+  return grids;
+}
+
+namespace {
+
+void define_probe(gl::Case& c, const Along& along, float value) {
+  const float width = std::max(1e-5f * std::abs(value), 1e-5f);
+  const std::vector<float> points = {0, 0.25f, 0.5f, 1, 0.25f, 0.5f};
+  if (!along.two) {
+    c.Map1f(GL_MAP1_VERTEX_3, value, value + width, 3, 2, points);
+  } else if (along.v) {
+    c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 1, value, value + width, 3, 2, points);
+  } else {
+    c.Map2f(GL_MAP2_VERTEX_3, value, value + width, 3, 2, 0, 1, 6, 1, points);
+  }
+}
+
+void evaluate_at(gl::Case& c, const Along& along, float value) {
+  if (!along.two) {
+    c.EvalCoord1f(value);
+  } else if (along.v) {
+    c.EvalCoord2f(0.5f, value);
+  } else {
+    c.EvalCoord2f(value, 0.5f);
+  }
+}
+
+// A primitive of the kind, all of whose vertices are that one.
+void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
+  c.Begin(kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_QUADS);
+  for (int i = 0; i < (kind == kPoints ? 1 : kind == kLines ? 2 : 4); ++i) evaluate_at(c, along, value);
+  c.End();
+}
+
+// What came out for one grid; the current texture coordinate says what a vertex belongs to.
+struct Probed {
+  static constexpr int kTags = 3;
+  std::optional<float> at_end, at_neighbour;
+  std::vector<float> near_end;  // of what is under test
+};
+
+}  // namespace
+
+void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind,
+                      const std::function<void(gl::Case&, const Grid&)>& draw, std::size_t most_vertices) {
+  const std::vector<Grid> grids = probed_grids(t);
+  gl::Case c(fmt::format("{} grids", grids.size()));
+  c.Enable(along.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+  float tag = 0;
+  for (const Grid& grid : grids) {
+    const float end = last ? grid.last : grid.first;
+    define_probe(c, along, end);
+    map_grid(c, along, grid);
+    c.TexCoord1f(tag++);
+    draw_at(c, along, kind, end);
+    c.TexCoord1f(tag++);
+    draw_at(c, along, kind, std::nextafter(end, end + 1));
+    c.TexCoord1f(tag++);
+    draw(c, grid);
+  }
+
+  const Observation seen =
+      t.observe(c, kPosition | kTextureCoordinate0, most_vertices + 8 * grids.size(), kind);
+  std::vector<Probed> probed(grids.size());
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    for (const ObservedVertex& vertex : primitive.vertices) {
+      const auto number = static_cast<std::size_t>(vertex.texture_coordinate[0][0]);
+      if (number >= Probed::kTags * probed.size()) continue;
+      Probed& of = probed[number / Probed::kTags];
+      const float x = vertex.position[0];
+      if (number % Probed::kTags == 0) {
+        of.at_end = x;
+      } else if (number % Probed::kTags == 1) {
+        of.at_neighbour = x;
+      } else if (std::abs(x) < 0.5f) {
+        of.near_end.push_back(x);
+      }
+    }
+
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const auto& [at_end, at_neighbour, near_end] = probed[i];
+    if (!at_end || !at_neighbour || *at_end == *at_neighbour) continue;
+    ++told;
+    const auto wrong = std::ranges::find_if(near_end, [&](float x) { return x != *at_end; });
+    if (!near_end.empty() && wrong == near_end.end()) continue;
+    Failure failure;
+    failure.case_identity = c.identity();
+    failure.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
+                               last ? "last" : "first", grids[i].segments, grids[i].first, grids[i].last);
+    failure.expected = fmt::format("x = {:a}", *at_end);
+    failure.captured = near_end.empty() ? "no vertex near it" : fmt::format("x = {:a}", *wrong);
+    failure.message = fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}",
+                                  failure.what, along.v ? "v" : "u", last ? grids[i].last : grids[i].first,
+                                  failure.captured, failure.expected);
+    t.fail(std::move(failure));
+  }
+  if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");
+}
+
+}  // namespace evalcts

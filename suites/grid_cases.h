@@ -1,0 +1,57 @@
+// Grids for tests, in one dimension and in two, and the probe that shows at which argument a grid point is
+// evaluated.
+#pragma once
+
+#include <functional>
+
+#include "suites/maps2.h"
+
+namespace evalcts {
+
+// One direction of a grid, as MapGrid is given it.
+struct Grid {
+  int segments;
+  float first, last;
+};
+gl::Ref map_grid(gl::Case& c, const Grid& u);
+gl::Ref map_grid(gl::Case& c, const Grid& u, const Grid& v);
+
+// Grids whose ends and steps are awkward in single precision. None is the domain of awkward_domain maps.
+std::vector<Grid> awkward_grids();
+
+struct Dimension {
+  const char* name;
+  bool two;
+};
+inline constexpr Dimension kDimensions[] = {{"1-D", false}, {"2-D", true}};
+
+// Enables maps of all kinds that show but one texture map, over [-1,3] and, in two dimensions, x [2,1].
+void enable_maps(Test& t, gl::Case& c, bool two);
+
+// --- Probes (technique O8 of the requirements) ---
+
+// A direction of the evaluation that a probe looks along.
+struct Along {
+  const char* name;  // part of test names
+  bool two;          // EvalPoint2 and EvalMesh2 instead of EvalPoint1 and EvalMesh1
+  bool v;            // the grid under test is that of v
+};
+inline constexpr Along kAlong[] = {{"1-D_U", false, false}, {"2-D_U", true, false}, {"2-D_V", true, true}};
+
+// MapGrid with the grid in the direction of the probe; in the other there is one of two steps over [0,1].
+void map_grid(gl::Case& c, const Along& along, const Grid& grid);
+
+// The first or the last end of many grids: 1 to some hundred segments over an awkward interval, and random
+// ones, none with steps too small for the probe.
+std::vector<Grid> probed_grids(Test& t);
+
+// At an end of a grid the argument is that end itself. For each grid: what `draw` draws (called after
+// map_grid, with the grid; primitives of one kind) goes through a map whose x is 0 at the end, 1 a little
+// further on (1e-5 of it, more where it is small) and so on, so that the neighbouring number shows as another
+// value. Those of its vertices that lie near the end have to be, bit for bit, what EvalCoord gives there.
+// Where EvalCoord does not tell the neighbouring number apart, nothing is said. Throws NotObservable if that
+// is so of all grids.
+void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind,
+                      const std::function<void(gl::Case&, const Grid&)>& draw, std::size_t most_vertices);
+
+}  // namespace evalcts

@@ -1,0 +1,468 @@
+// Sections 15 and 16 of the requirements: which vertices a mesh has, in which primitives and where. What
+// becomes of the primitives further down is in mesh_pipeline.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "suites/grid_cases.h"
+
+namespace evalcts {
+namespace {
+
+constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+struct MeshMode {
+  const char* name;
+  GLenum mode;
+  PrimitiveKind kind;
+};
+constexpr MeshMode kModes1[] = {{"POINT", GL_POINT, kPoints}, {"LINE", GL_LINE, kLines}};
+constexpr MeshMode kModes2[] = {
+    {"POINT", GL_POINT, kPoints}, {"LINE", GL_LINE, kLines}, {"FILL", GL_FILL, kPolygons}};
+
+const Grid kV = {5, 1.9f, 1.2f};
+
+// i1, i2, j1, j2.
+struct Range {
+  int i1, i2, j1, j2;
+};
+
+void set_current_values(gl::Case& c) {
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.6f, -0.5f, 0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+}
+
+// Meshes over the ranges, for each of the grids.
+void expect_meshes1(Test& t, const MeshMode& mode, const std::string& identity,
+                    const std::vector<Grid>& grids, const std::vector<std::pair<int, int>>& ranges) {
+  gl::Case c(identity);
+  enable_maps(t, c, false);
+  for (const Grid& grid : grids) {
+    map_grid(c, grid);
+    for (const auto& [first, last] : ranges) c.EvalMesh1(mode.mode, first, last);
+  }
+  t.expect_emission(c, kUnit0);
+}
+
+void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
+                    const std::vector<std::pair<Grid, Grid>>& grids, const std::vector<Range>& ranges) {
+  gl::Case c(identity);
+  enable_maps(t, c, true);
+  for (const auto& [u, v] : grids) {
+    map_grid(c, u, v);
+    for (const auto& [i1, i2, j1, j2] : ranges) c.EvalMesh2(mode.mode, i1, i2, j1, j2);
+  }
+  t.expect_emission(c, kUnit0);
+}
+
+}  // namespace
+
+// --- EvalMesh1 -------------------------------------------------------------------------------------------
+
+EVALCTS_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS") {
+  expect_meshes1(t, kModes1[0], "whole meshes of points",
+                 {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
+}
+
+// N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
+EVALCTS_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS") {
+  expect_meshes1(t, kModes1[1], "whole meshes of lines",
+                 {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
+}
+
+EVALCTS_TESTS(Mesh1, SubRange, kModes1, const MeshMode& mode, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS") {
+  expect_meshes1(t, mode, "parts of meshes", awkward_grids(),
+                 {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
+}
+
+EVALCTS_TESTS(Mesh1, OutsideTheGrid, kModes1, const MeshMode& mode, must, "EV-MESH1-NEGATIVE") {
+  expect_meshes1(t, mode, "indices below 0 and above n",
+                 {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
+                 {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
+}
+
+EVALCTS_TESTS(Mesh1, EmptyRange, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
+  expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
+                 {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}});
+  expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
+}
+
+// One point, or a strip of one vertex, which is nothing.
+EVALCTS_TESTS(Mesh1, SinglePoint, kModes1, const MeshMode& mode, must, "EV-MESH1-SINGLE") {
+  expect_meshes1(t, mode, "i1 equal to i2", {{4, 0, 1}, {3, 0.1f, 0.7f}},
+                 {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
+}
+
+EVALCTS_TESTS(Mesh1, EqualEnds, kModes1, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+  expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
+}
+
+EVALCTS_TESTS(Mesh1, ReversedGrid, kModes1, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+  expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
+}
+
+EVALCTS_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mode, must, "EV-MESH1-NOVERTEX") {
+  gl::Case c("all maps but those of vertices, and those of two dimensions");
+  enable_maps(t, c, false);
+  enable_maps(t, c, true);
+  c.Disable(GL_MAP1_VERTEX_4);
+  map_grid(c, {4, 0, 1});
+  c.EvalMesh1(mode.mode, 0, 4);
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& mode, must, "EV-MESH1-ONLY1D") {
+  gl::Case c("MAP2 maps, another grid and AUTO_NORMAL");
+  set_current_values(c);
+  enable_maps(t, c, true);
+  c.Enable(GL_AUTO_NORMAL);
+  map_grid(c, {4, 0.1f, 0.7f});
+  map_grid(c, {3, -1, 2}, kV);
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.EvalMesh1(mode.mode, 0, 4);
+  t.expect_emission(c, kUnit0);
+}
+
+EVALCTS_TESTS(Mesh1, CurrentValues, kModes1, const MeshMode& mode, must, "EV-MESH1-CURRENT") {
+  gl::Case c("a vertex map only, current values changed between meshes");
+  define(c, random_map(t, GL_MAP1_VERTEX_4, 4));
+  c.Enable(GL_MAP1_VERTEX_4);
+  map_grid(c, {6, 0, 1});
+  c.EvalMesh1(mode.mode, 0, 6);
+  set_current_values(c);
+  c.EvalMesh1(mode.mode, 0, 6);
+  c.Color3f(0.9f, 0.8f, 0.7f);
+  c.TexCoord1f(-3);
+  c.EvalMesh1(mode.mode, 2, 4);
+  t.expect_emission(c, kUnit0);
+}
+
+namespace {
+
+// A map on which the argument itself shows: linear over the grid. What a sum of n steps loses leaves the
+// acceptance interval, what a product and a sum lose does not.
+void expect_no_accumulation1(Test& t, const MeshMode& mode, int segments) {
+  gl::Case c(fmt::format("{} segments from 0 to 1, from 0.1 to 0.7 and from 1 to 3", segments));
+  for (const Grid& grid : {Grid{segments, 0, 1}, Grid{segments, 0.1f, 0.7f}, Grid{segments, 1, 3}}) {
+    define(c, make_map1(GL_MAP1_VERTEX_3, grid.first, grid.last, 3, {-1, 0, 1, 1, 2, -1}));
+    c.Enable(GL_MAP1_VERTEX_3);
+    map_grid(c, grid);
+    c.EvalMesh1(mode.mode, 0, segments);
+  }
+  t.expect_emission(c, kPosition);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Mesh1, ErrorDoesNotAccumulate, kModes1, const MeshMode& mode, must, "EV-MESH1-NOACCUM") {
+  expect_no_accumulation1(t, mode, t.by_depth(3000, 10000, 10000));
+}
+
+namespace {
+
+// Whole meshes where that is not much, else some steps up to the end that is looked at and beyond.
+std::pair<int, int> range_at(const Grid& grid, bool last, int whole) {
+  if (grid.segments <= whole) return {-1, grid.segments + 1};
+  return last ? std::pair{grid.segments - 3, grid.segments + 1} : std::pair{-3, 3};
+}
+
+void expect_exact1(Test& t, const MeshMode& mode, bool last) {
+  std::size_t most = 0;
+  for (const Grid& grid : probed_grids(t)) most += 2 * static_cast<std::size_t>(grid.segments + 8);
+  expect_exact_end(
+      t, kAlong[0], last, mode.kind,
+      [&](gl::Case& c, const Grid& grid) {
+        const auto [first, end] = range_at(grid, last, t.by_depth(60, 300, 300));
+        c.EvalMesh1(mode.mode, first, end);
+      },
+      2 * most);
+}
+
+struct Exactness2 {
+  std::string name;
+  MeshMode mode;
+  Along along;
+  bool last;
+};
+std::vector<Exactness2> exactness2() {
+  std::vector<Exactness2> all;
+  for (const MeshMode& mode : kModes2)
+    for (const Along& along : {kAlong[1], kAlong[2]})
+      for (const bool last : {false, true})
+        all.push_back({fmt::format("{}_{}_{}", mode.name, along.v ? "V" : "U", last ? "LAST" : "FIRST"), mode,
+                       along, last});
+  return all;
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Mesh1, FirstIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-0") {
+  expect_exact1(t, mode, false);
+}
+EVALCTS_TESTS(Mesh1, LastIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-N") {
+  expect_exact1(t, mode, true);
+}
+
+// In both directions; across it one step, so that FILL has both sides of a strip.
+EVALCTS_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which, must, "EV-MESH2-EXACT") {
+  const int whole = t.by_depth(20, 40, 300);
+  std::size_t most = 0;
+  for (const Grid& grid : probed_grids(t))
+    most += static_cast<std::size_t>(12 * (std::min(grid.segments, whole) + 8));
+  expect_exact_end(
+      t, which.along, which.last, which.mode.kind,
+      [&](gl::Case& c, const Grid& grid) {
+        const auto [first, end] = range_at(grid, which.last, whole);
+        if (which.along.v) {
+          c.EvalMesh2(which.mode.mode, 0, 1, first, end);
+        } else {
+          c.EvalMesh2(which.mode.mode, first, end, 1, 2);
+        }
+      },
+      most);
+}
+
+// --- EvalMesh2 -------------------------------------------------------------------------------------------
+
+namespace {
+
+const std::vector<std::pair<Grid, Grid>> kGrids2 = {
+    {{1, 0, 1}, {1, 0, 1}}, {{4, -0.5f, 2.5f}, {3, 0.1f, 0.7f}}, {{3, 2, -1}, {6, 1, 2}}};
+
+void expect_whole_meshes2(Test& t, const MeshMode& mode) {
+  expect_meshes2(t, mode, "whole meshes", kGrids2, {{0, 1, 0, 1}, {0, 4, 0, 3}, {0, 3, 0, 6}});
+}
+
+}  // namespace
+
+EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS") {
+  expect_whole_meshes2(t, kModes2[0]);
+}
+// First the strips along i, then those along j; nothing is merged.
+EVALCTS_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP") {
+  expect_whole_meshes2(t, kModes2[1]);
+}
+// As quads in the order of rows, whole or in two triangles.
+EVALCTS_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS") { expect_whole_meshes2(t, kModes2[2]); }
+
+EVALCTS_TESTS(Mesh2, SubRange, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS") {
+  std::vector<std::pair<Grid, Grid>> grids;
+  for (const Grid& grid : awkward_grids()) grids.emplace_back(grid, kV);
+  grids.emplace_back(kV, Grid{1000, 0.1f, 0.7f});
+  expect_meshes2(t, mode, "parts of meshes", grids, {{1, 3, 2, 4}, {2, 3, 0, 1}, {5, 7, 3, 5}, {0, 2, 4, 5}});
+}
+
+EVALCTS_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must, "EV-MESH2-RANGE") {
+  expect_meshes2(t, mode, "indices below 0 and above un and vn",
+                 {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
+                 {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}});
+}
+
+EVALCTS_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
+  expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
+                 {{1, 0, 0, 3}, {0, 4, 1, 0}, {2, 1, 2, 1}, {4, 0, 0, 0}, {0, 0, 3, 2}, {0, -5, 0, 2}});
+  expect_meshes2(t, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}},
+                 {{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}});
+  if (mode.mode == GL_FILL)
+    expect_meshes2(t, mode, "FILL without width or height", {{{4, 0, 1}, {3, 1, 2}}},
+                   {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
+}
+
+// A strip along one direction only, or nothing.
+EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE") {
+  expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
+                 {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
+}
+
+EVALCTS_TESTS(Mesh2, EqualEnds, kModes2, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+  expect_meshes2(t, mode, "all points, or all of a row, coincide",
+                 {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
+                 {{0, 3, 0, 2}});
+}
+
+EVALCTS_TESTS(Mesh2, ReversedGrid, kModes2, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+  expect_meshes2(t, mode, "du, dv and both negative",
+                 {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
+                 {{0, 3, 0, 2}});
+}
+
+EVALCTS_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mode, must, "EV-MESH2-NOVERTEX") {
+  gl::Case c("all maps but those of vertices, and those of one dimension");
+  enable_maps(t, c, true);
+  enable_maps(t, c, false);
+  c.Disable(GL_MAP2_VERTEX_4);
+  c.Enable(GL_AUTO_NORMAL);
+  map_grid(c, {4, 0, 1}, kV);
+  c.EvalMesh2(mode.mode, 0, 4, 0, 3);
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& mode, must, "EV-MESH2-ONLY2D") {
+  gl::Case c("MAP1 maps and another grid");
+  set_current_values(c);
+  enable_maps(t, c, false);
+  map_grid(c, {3, 0.1f, 0.7f}, kV);
+  map_grid(c, {4, -1, 2});
+  define(c, random_map2(t, GL_MAP2_VERTEX_3, 4, 3));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.EvalMesh2(mode.mode, 0, 3, 0, 3);
+  t.expect_emission(c, kUnit0);
+}
+
+EVALCTS_TESTS(Mesh2, CurrentValues, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS",
+              "EV-COORD-CURRENT/2-D") {
+  gl::Case c("a vertex map only, current values changed between meshes");
+  define(c, random_map2(t, GL_MAP2_VERTEX_4, 4, 3));
+  c.Enable(GL_MAP2_VERTEX_4);
+  map_grid(c, {3, 0, 1}, {2, 0, 1});
+  c.EvalMesh2(mode.mode, 0, 3, 0, 2);
+  set_current_values(c);
+  c.EvalMesh2(mode.mode, 0, 3, 0, 2);
+  c.Color3f(0.9f, 0.8f, 0.7f);
+  c.TexCoord1f(-3);
+  c.EvalMesh2(mode.mode, 1, 2, 1, 2);
+  t.expect_emission(c, kUnit0);
+}
+
+EVALCTS_TESTS(Mesh2, ErrorDoesNotAccumulate, kModes2, const MeshMode& mode, must, "EV-MESH2-NOACCUM") {
+  const int segments = t.by_depth(1000, 2000, 5000);
+  gl::Case c(fmt::format("{} segments in either direction", segments));
+  const Grid across = {2, 0, 1};
+  for (const Grid& grid : {Grid{segments, 0, 1}, Grid{segments, 0.1f, 0.7f}}) {
+    for (const bool along_v : {false, true}) {
+      Map2 map = along_v ? make_map2(GL_MAP2_VERTEX_3, 1, 2, {-1, 0, 1, 1, 2, -1})
+                         : make_map2(GL_MAP2_VERTEX_3, 2, 1, {-1, 0, 1, 1, 2, -1});
+      (along_v ? map.v1 : map.u1) = grid.first;
+      (along_v ? map.v2 : map.u2) = grid.last;
+      define(c, map);
+      c.Enable(map.target);
+      if (along_v) {
+        map_grid(c, across, grid);
+        c.EvalMesh2(mode.mode, 0, 1, 0, segments);
+      } else {
+        map_grid(c, grid, across);
+        c.EvalMesh2(mode.mode, 0, segments, 0, 1);
+      }
+    }
+  }
+  t.expect_emission(c, kPosition);
+}
+
+// --- The same vertex wherever it is drawn ----------------------------------------------------------------
+
+namespace {
+
+// What came out, by the index of the grid point.
+using ByPoint = std::map<std::pair<int, int>, std::vector<std::array<float, 4>>>;
+
+// Meshes over the ranges. Texture coordinates are linear over the grid and tell which point a vertex is.
+ByPoint draw_numbered(Test& t, const MeshMode& mode, const std::vector<Range>& ranges, const Map2& vertices) {
+  const Grid u = {37, 0.1f, 0.7f}, v = {11, 1.9f, 1.2f};
+  gl::Case c(fmt::format("{} in {}", ranges.size() == 1 ? "a whole mesh" : "a mesh in parts", mode.name));
+  define(c, vertices);
+  c.Enable(vertices.target);
+  Map2 numbers = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, {0, 0, 0, 11, 37, 0, 37, 11});
+  numbers.u1 = u.first;
+  numbers.u2 = u.last;
+  numbers.v1 = v.first;
+  numbers.v2 = v.last;
+  define(c, numbers);
+  c.Enable(numbers.target);
+  map_grid(c, u, v);
+  for (const auto& [i1, i2, j1, j2] : ranges) c.EvalMesh2(mode.mode, i1, i2, j1, j2);
+  const Observation seen = t.observe(c, kPosition | kTextureCoordinate0, 6 * 40 * 12, mode.kind);
+  ByPoint points;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    for (const ObservedVertex& vertex : primitive.vertices) {
+      const auto index = [&](std::size_t k) {
+        return static_cast<int>(std::lround(std::clamp(vertex.texture_coordinate[0][k], -100.0f, 100.0f)));
+      };
+      points[{index(0), index(1)}].push_back(vertex.position);
+    }
+  return points;
+}
+
+void fail_at(Test& t, const std::string& what, const std::pair<int, int>& point,
+             const std::array<float, 4>& a, const std::array<float, 4>& b) {
+  Failure failure;
+  failure.case_identity = what;
+  failure.what = fmt::format("point ({}, {})", point.first, point.second);
+  failure.expected = fmt::format("{:a}, {:a}, {:a}, {:a}", a[0], a[1], a[2], a[3]);
+  failure.captured = fmt::format("{:a}, {:a}, {:a}, {:a}", b[0], b[1], b[2], b[3]);
+  failure.message = fmt::format("{} has other bits {}", failure.what, what);
+  t.fail(std::move(failure));
+}
+
+// The first of each.
+void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, const ByPoint& others) {
+  std::size_t compared = 0;
+  for (const auto& [point, positions] : others) {
+    const auto found = all.find(point);
+    if (found == all.end()) continue;
+    ++compared;
+    if (found->second.front() != positions.front())
+      fail_at(t, what, point, found->second.front(), positions.front());
+  }
+  if (compared < 12) throw NotObservable("the points of the mesh do not come out, which other tests say");
+}
+
+const Range kWhole = {0, 37, 0, 11};
+
+}  // namespace
+
+// Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
+EVALCTS_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], kModes2[2]}), const MeshMode& mode,
+              must, "EV-MESH2-SHAREDROW") {
+  const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map2(t, GL_MAP2_VERTEX_4, 4, 4));
+  std::size_t shared = 0;
+  for (const auto& [point, positions] : points) {
+    if (positions.size() > 1) ++shared;
+    const auto other = std::ranges::find_if(positions, [&](const auto& p) { return p != positions.front(); });
+    if (other != positions.end())
+      fail_at(t, "in the primitives that share it", point, positions.front(), *other);
+  }
+  if (shared < 100) throw NotObservable("the points of the mesh do not come out, which other tests say");
+}
+
+EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE") {
+  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
+  const ByPoint points = draw_numbered(t, kModes2[0], {kWhole}, map);
+  expect_same_bits(t, "in LINE than in POINT", points, draw_numbered(t, kModes2[1], {kWhole}, map));
+  expect_same_bits(t, "in FILL than in POINT", points, draw_numbered(t, kModes2[2], {kWhole}, map));
+}
+
+EVALCTS_TESTS(Mesh2, PartsAgree, kModes2, const MeshMode& mode, quality, "EV-MESH2-MODESAGREE") {
+  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
+  const ByPoint whole = draw_numbered(t, mode, {kWhole}, map);
+  expect_same_bits(t, "in a part of the mesh", whole,
+                   draw_numbered(t, mode, {{3, 9, 2, 4}, {30, 37, 5, 11}, {20, 22, 0, 1}}, map));
+}
+
+// ... and in one dimension.
+EVALCTS_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, "EV-MESH1-SUBRANGE") {
+  Map1 map = random_map(t, GL_MAP1_VERTEX_4, 4);
+  const auto draw = [&](const std::vector<std::pair<int, int>>& ranges) {
+    gl::Case c(ranges.size() == 1 ? "a whole mesh" : "parts of it");
+    define(c, map);
+    c.Enable(map.target);
+    define(c, make_map1(GL_MAP1_TEXTURE_COORD_1, 0.1f, 0.7f, 1, {0, 100}));
+    c.Enable(GL_MAP1_TEXTURE_COORD_1);
+    map_grid(c, {100, 0.1f, 0.7f});
+    for (const auto& [first, last] : ranges) c.EvalMesh1(mode.mode, first, last);
+    const Observation seen = t.observe(c, kPosition | kTextureCoordinate0, 300, mode.kind);
+    ByPoint points;
+    for (const ObservedPrimitive& primitive : seen.primitives)
+      for (const ObservedVertex& vertex : primitive.vertices) {
+        const float s = std::clamp(vertex.texture_coordinate[0][0], -1.0f, 101.0f);
+        points[{static_cast<int>(std::lround(s)), 0}].push_back(vertex.position);
+      }
+    return points;
+  };
+  expect_same_bits(t, "in a part of the mesh", draw({{0, 100}}), draw({{2, 9}, {50, 60}, {97, 100}}));
+}
+
+}  // namespace evalcts

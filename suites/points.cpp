@@ -1,0 +1,191 @@
+// Section 14 of the requirements, and what section 13 says of values: evaluation at the points of a grid.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "suites/grid_cases.h"
+
+namespace evalcts {
+namespace {
+
+constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+const Grid kOther = {5, 1.9f, 1.2f};  // of v
+
+void define_grid(gl::Case& c, bool two, const Grid& grid) {
+  if (two) {
+    map_grid(c, grid, kOther);
+  } else {
+    map_grid(c, grid);
+  }
+}
+
+void eval_point(gl::Case& c, bool two, int i) {
+  if (two) {
+    c.EvalPoint2(i, (3 * i % 7 + 7) % 7 - 1);  // from -1 to 5
+  } else {
+    c.EvalPoint1(i);
+  }
+}
+
+void eval_points(gl::Case& c, bool two, int first, int last) {
+  c.Begin(GL_POINTS);
+  for (int i = first; i <= last; ++i) eval_point(c, two, i);
+  c.End();
+}
+
+void expect_points(Test& t, bool two, const std::string& identity, const std::vector<Grid>& grids,
+                   int outside) {
+  gl::Case c(identity);
+  enable_maps(t, c, two);
+  for (const Grid& grid : grids) {
+    define_grid(c, two, grid);
+    eval_points(c, two, -outside, std::min(grid.segments, 12) + outside);
+    if (grid.segments > 12) eval_points(c, two, grid.segments / 2, grid.segments / 2 + 3);
+    if (grid.segments > 12) eval_points(c, two, grid.segments - 3, grid.segments + outside);
+  }
+  t.expect_emission(c, kUnit0);
+}
+
+}  // namespace
+
+EVALCTS_TEST(Points, SameAsEvalCoord1, must, "EV-POINT1-EQUIV", "EV-GRID-NOTMAP/1-D",
+             "EV-POINT-LIKEMESH/1-D") {
+  expect_points(t, false, "awkward grids", awkward_grids(), 0);
+}
+EVALCTS_TEST(Points, SameAsEvalCoord2, must, "EV-POINT2-EQUIV", "EV-GRID-NOTMAP/2-D",
+             "EV-POINT-LIKEMESH/2-D") {
+  expect_points(t, true, "awkward grids", awkward_grids(), 0);
+}
+
+EVALCTS_TESTS(Points, OutsideTheGrid, kDimensions, const Dimension& d, must, "EV-POINT-RANGE") {
+  expect_points(t, d.two, "indices from -4 to n+4", {{4, 0, 1}, {3, 0.1f, 0.7f}, {100, 2, -1}, {1, 1, 1.5f}},
+                4);
+}
+
+EVALCTS_TESTS(Points, EqualEnds, kDimensions, const Dimension& d, must, "EV-GRID-EQUAL") {
+  expect_points(t, d.two, "all points of the grid coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}, {1000, 0, 0}}, 3);
+}
+
+EVALCTS_TESTS(Points, Reversed, kDimensions, const Dimension& d, must, "EV-GRID-REVERSED") {
+  expect_points(t, d.two, "from the larger end to the smaller",
+                {{4, 1, 0}, {3, 0.7f, 0.1f}, {50, 2.5f, -0.9f}}, 2);
+}
+
+// The argument between the ends of such a grid is that of a large index times a small step.
+EVALCTS_TESTS(Points, LargestCounts, kDimensions, const Dimension& d, must, "EV-GRID-LARGE") {
+  gl::Case c("up to 2^31-1 segments");
+  enable_maps(t, c, d.two);
+  for (const int segments : {1 << 20, 1 << 24, (1 << 24) + 1, 1 << 30, 0x7fffffff}) {
+    define_grid(c, d.two, {segments, 0.25f, 2});
+    c.Begin(GL_POINTS);
+    for (const int i : {0, 1, segments / 3, segments / 2, segments - 1, segments}) {
+      if (d.two) {
+        c.EvalPoint2(i, 2);
+      } else {
+        c.EvalPoint1(i);
+      }
+    }
+    c.End();
+  }
+  t.expect_emission(c, kUnit0);
+}
+
+// The grid in force is the one of the moment, for points as for meshes.
+EVALCTS_TESTS(Points, GridOfTheMoment, kDimensions, const Dimension& d, must, "EV-GRID-LATE") {
+  gl::Case c("grids change between points, between meshes, with and without maps");
+  define_grid(c, d.two, {4, 0, 1});
+  enable_maps(t, c, d.two);
+  eval_points(c, d.two, 0, 4);
+  for (const Grid& grid : {Grid{4, 1, 2}, Grid{8, 1, 2}, Grid{8, 0, 2}, Grid{2, -1, 1}}) {
+    define_grid(c, d.two, grid);
+    eval_points(c, d.two, 0, 3);
+    if (d.two) {
+      c.EvalMesh2(GL_POINT, 0, 2, 1, 2);
+    } else {
+      c.EvalMesh1(GL_POINT, 0, 3);
+    }
+  }
+  t.expect_emission(c, kUnit0);
+}
+
+namespace {
+
+void expect_exact(Test& t, const Along& along, bool last) {
+  const auto draw = [&](gl::Case& c, const Grid& grid) {
+    const int i = last ? grid.segments : 0;
+    c.Begin(GL_POINTS);
+    if (!along.two) {
+      c.EvalPoint1(i);
+    } else if (along.v) {
+      c.EvalPoint2(1, i);
+    } else {
+      c.EvalPoint2(i, 1);
+    }
+    c.End();
+  };
+  expect_exact_end(t, along, last, kPoints, draw, 20000);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Points, FirstIsExact, kAlong, const Along& along, must, "EV-POINT-EXACT-0") {
+  expect_exact(t, along, false);
+}
+EVALCTS_TESTS(Points, LastIsExact, kAlong, const Along& along, must, "EV-POINT-EXACT-N") {
+  expect_exact(t, along, true);
+}
+
+// The same index is the same domain value in both, and so the same vertex.
+EVALCTS_TESTS(Points, SameBitsAsMesh, kDimensions, const Dimension& d, quality, "EV-POINT-LIKEMESH") {
+  gl::Case c("points, then meshes of them");
+  enable_maps(t, c, d.two);
+  std::size_t count = 0;
+  for (const Grid& grid : awkward_grids()) {
+    const int last = std::min(grid.segments, 40);
+    define_grid(c, d.two, grid);
+    c.Begin(GL_POINTS);
+    for (int j = 0; j <= (d.two ? 2 : 0); ++j)
+      for (int i = -2; i <= last; ++i) {
+        if (d.two) {
+          c.EvalPoint2(i, j);
+        } else {
+          c.EvalPoint1(i);
+        }
+        ++count;
+      }
+    c.End();
+    if (d.two) {
+      c.EvalMesh2(GL_POINT, -2, last, 0, 2);
+    } else {
+      c.EvalMesh1(GL_POINT, -2, last);
+    }
+  }
+  const Observation seen = t.observe(c, kUnit0, 2 * count);
+  std::vector<ObservedVertex> vertices;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  if (vertices.size() != 2 * count)
+    throw NotObservable("the number of vertices is wrong, which other tests say");
+  std::size_t first = 0;
+  for (const Grid& grid : awkward_grids()) {
+    const auto of_grid = static_cast<std::size_t>(std::min(grid.segments, 40) + 3) * (d.two ? 3 : 1);
+    for (std::size_t i = first; i < first + of_grid; ++i) {
+      const ObservedVertex &point = vertices[i], &mesh = vertices[i + of_grid];
+      if (point.position == mesh.position && point.color == mesh.color && point.normal == mesh.normal &&
+          point.texture_coordinate[0] == mesh.texture_coordinate[0])
+        continue;
+      Failure failure;
+      failure.case_identity = c.identity();
+      failure.what = fmt::format("point {} of the grid of {} segments from {:a} to {:a}", i - first,
+                                 grid.segments, grid.first, grid.last);
+      failure.expected = fmt::format("x = {:a} as by EvalPoint", point.position[0]);
+      failure.captured = fmt::format("x = {:a}", mesh.position[0]);
+      failure.message = failure.what + " has other values in a mesh";
+      t.fail(std::move(failure));
+    }
+    first += 2 * of_grid;
+  }
+}
+
+}  // namespace evalcts
