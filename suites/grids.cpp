@@ -218,6 +218,34 @@ EVALCTS_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, "EV-GRI
   }
 }
 
+// The primitive goes on, and what follows is evaluated on the old grid.
+EVALCTS_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
+              "EV-GRID-ERR-NOEFFECT") {
+  gl::Case c("points of both grids around MapGrid1 and MapGrid2");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_3);
+  set(c, Grid1{4, 0, 1}, form.doubles);
+  set(c, Grid2{4, 0, 1, 2, 1, 0}, form.doubles);
+  const auto points = [&c] {
+    c.EvalPoint1(1);
+    c.EvalPoint2(3, 1);
+    c.Vertex3f(0.5f, 0.25f, -1);
+  };
+  c.Begin(GL_POINTS);
+  points();
+  set(c, Grid1{8, 2, 3}, form.doubles);
+  points();
+  set(c, Grid2{8, 2, 3, 5, 6, 7}, form.doubles);
+  points();
+  c.End();
+  c.Begin(GL_POINTS);
+  points();
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
 // A refused call is over with its error: the next legal one sets the grid.
 EVALCTS_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must, "EV-GRID-ERR-NOEFFECT") {
   gl::Case c("refused, then legal");

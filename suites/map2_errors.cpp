@@ -155,6 +155,59 @@ EVALCTS_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm&
                  {GL_INVALID_OPERATION});
 }
 
+// The primitive goes on as if the refused command had not been there.
+EVALCTS_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const TargetForm& form, must,
+              "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT", "EV-BE-IGNORED/2-D") {
+  gl::Case c("EvalCoord2, Map2, EvalCoord2, Vertex");
+  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {1, 2, 3, 4, 5, 6, -7, 8, -9, 2.5, 0.25, -1}));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Begin(GL_POINTS);
+  evaluate2(c, 0.25, 0.75);
+  define(c, legal_map(form.target), form.doubles);
+  evaluate2(c, 0.75, 0.5);
+  c.Vertex3f(1, 2, 3);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+// What is evaluated after a refused call of each kind is what the last legal call defined.
+EVALCTS_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), const TargetForm& form, must,
+              "EV-MAP2-ERR-NOEFFECT") {
+  gl::Case c("refused for orders, strides, domains, target, Begin/End, evaluated after each");
+  define(c, random_map2(t, form.target, 3, 4));
+  enable_visibly(c, form.target);
+  const auto evaluate_after = [&](const Map2& bad) {
+    define(c, bad, form.doubles);
+    c.GetError();
+    c.Begin(GL_POINTS);
+    for (const auto& [u, v] : {std::pair{0.0, 0.0}, {0.3125, 0.75}, {1.0, 1.0}})
+      evaluate2(c, u, v, form.doubles);
+    c.End();
+  };
+  for (const Direction& direction : {kU, kV}) {
+    Map2 bad = legal_map(form.target);
+    bad.*direction.order = 0;
+    evaluate_after(bad);
+    bad = legal_map(form.target);
+    bad.*direction.stride = 0;
+    evaluate_after(bad);
+    bad = legal_map(form.target);
+    bad.*direction.last = bad.*direction.first;
+    evaluate_after(bad);
+  }
+  Map2 bad = legal_map(form.target);
+  bad.target = form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0];  // the MAP1 namesake
+  evaluate_after(bad);
+  c.Begin(GL_POINTS);
+  define(c, legal_map(form.target), form.doubles);
+  c.End();
+  c.GetError();
+  c.Begin(GL_POINTS);
+  evaluate2(c, 0.6875, 0.125, form.doubles);
+  c.End();
+  t.expect_emission(c, attribute_of(form.target));
+}
+
 EVALCTS_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetForm& form, must,
               "EV-MAP2-ERR-ACTIVETEX", "EV-MAP2-ERR-NOEFFECT", "EV-EXT-MT-RULE/2-D") {
   t.require(1, 3, "GL_ARB_multitexture");

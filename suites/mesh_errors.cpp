@@ -130,6 +130,51 @@ void expect_refused_inside(Test& t, bool two) {
   for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_OPERATION});
 }
 
+// Maps and grids of both dimensions, as a mesh that is drawn would show.
+void define_vertices(gl::Case& c) {
+  define(c, make_map1(GL_MAP1_VERTEX_3, {0.5, -0.25, 0.125, 0.75, 0.5, -0.5}));
+  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2,
+                      {0.1, 0.2, 0.3, 0.4, -0.5, 0.6, -0.7, 0.8, -0.9, 0.25, 0.5, 0.75}));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid1f(2, 0, 1);
+  c.MapGrid2f(2, 0, 1, 2, 0, 1);
+}
+
+// A mesh that is refused draws nothing, and the primitive around it goes on.
+void expect_primitive_undisturbed(Test& t, bool two) {
+  for (const GLenum primitive : {GL_POINTS, GL_LINE_STRIP, GL_TRIANGLES})
+    for (const GLenum mode : good_modes(two)) {
+      gl::Case c(
+          fmt::format("{} between two vertices of {}", gl::token_name(mode), gl::primitive_name(primitive)));
+      define_vertices(c);
+      c.Begin(primitive);
+      c.EvalCoord1f(0.25f);
+      mesh(c, two, mode);
+      c.EvalCoord2f(0.75f, 0.5f);
+      c.Vertex3f(-1, 0.5, 3);
+      c.End();
+      t.expect_emission(c, kPosition);
+    }
+}
+
+void expect_nothing_drawn(Test& t, bool two) {
+  gl::Case c("bad modes between two points");
+  define_vertices(c);
+  const auto point = [&c](float x) {
+    c.Begin(GL_POINTS);
+    c.Vertex3f(x, 0.25, 0.5);
+    c.End();
+  };
+  point(0.125);
+  for (const Calls& call : bad_meshes(two)) {
+    call(c);
+    c.GetError();
+  }
+  point(0.75);
+  t.expect_emission(c, kPosition);
+}
+
 }  // namespace
 
 EVALCTS_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE") { expect_bad_modes_refused(t, false); }
@@ -150,6 +195,22 @@ EVALCTS_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND")
 
 EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND") {
   expect_refused_inside(t, true);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE") {
+  expect_nothing_drawn(t, false);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE") {
+  expect_nothing_drawn(t, true);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND", "EV-BE-IGNORED/1-D") {
+  expect_primitive_undisturbed(t, false);
+}
+
+EVALCTS_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND", "EV-BE-IGNORED/2-D") {
+  expect_primitive_undisturbed(t, true);
 }
 
 // Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
