@@ -236,8 +236,10 @@ GLEV_API void glevMap1d(glev_context* context, glev_enum target, glev_double u1,
  * point (i,j), i in the direction of u, begins i*ustride + j*vstride values (not bytes) after `points`. The
  * strides are independent: either may be the larger one, and points may share memory. Everything is copied
  * before the call returns and kept as double, values of the f form exactly as given. u1 > u2 and v1 > v2 are
- * legal. INVALID_ENUM: target is not one of the nine MAP2 names. INVALID_VALUE: an order < 1 or >
- * MAX_EVAL_ORDER (64), a stride < number of values of a control point, u1 = u2, v1 = v2, points null.
+ * legal.
+ * INVALID_ENUM: target is not one of the nine MAP2 names.
+ * INVALID_VALUE: an order < 1 or > MAX_EVAL_ORDER (64), a stride < number of values of a control point,
+ *   u1 = u2, v1 = v2, points null.
  * INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not TEXTURE0.
  * OUT_OF_MEMORY: nothing changed. */
 GLEV_API void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2,
@@ -270,17 +272,18 @@ GLEV_API glev_boolean glevIsEnabled(glev_context* context, glev_enum cap);
  * Color4, Normal3, TexCoord and then Vertex had been issued, but the current values stay as they were.
  * VERTEX_4 wins over VERTEX_3, and the TEXTURE_COORD map with most values over the others; missing values are
  * (0,0,0,1)'s. What has no enabled map comes from the current values. With no vertex map of that dimension
- * enabled nothing at all happens. Each result is computed in double and rounded once to float; at the ends of
- * the domain it is the control point there exactly, and along a boundary of a MAP2 map it has the bits of the
- * MAP1 map of the control points along it. Any argument is legal. Ignored between End and Begin (undefined in
- * the GL). INVALID_VALUE: u null (v forms). OUT_OF_MEMORY: no vertex emitted; only in the first call after a
- * change of maps, enables or the grid.
+ * enabled nothing at all happens.
+ * Each result is computed in double and rounded once to float; at the ends of the domain it is the control
+ * point there exactly, and along an edge of a MAP2 map it has the bits of the MAP1 map of the control points
+ * along that edge. Any argument is legal. Ignored between End and Begin (undefined in the GL).
+ * INVALID_VALUE: u null (v forms).
+ * OUT_OF_MEMORY: no vertex emitted; only in the first call after a change of maps, enables or the grid.
  *
  * AUTO_NORMAL gives vertices of MAP2 maps the unit normal along q_u x q_v, whatever MAP2_NORMAL says, where q
  * is the winning vertex map (for VERTEX_4 (x,y,z)/w) and the derivatives are by the normalised coordinates:
  * reversing a domain does not turn the normal. Where the product is zero (an edge that is one point, order 1
- * in a direction) or not finite the normal is (0,0,0). There is no vertex shader here, so normals are always
- * of unit length. */
+ * in a direction) or not finite the normal is (0,0,0). There is no vertex shader here, so all others are of
+ * unit length. */
 GLEV_API void glevEvalCoord1f(glev_context* context, glev_float u);
 GLEV_API void glevEvalCoord1d(glev_context* context, glev_double u);
 GLEV_API void glevEvalCoord1fv(glev_context* context, const glev_float* u);
@@ -295,7 +298,9 @@ GLEV_API void glevEvalCoord2dv(glev_context* context, const glev_double* u);
 /* Sets the grid of EvalPoint1 and EvalMesh1 (MapGrid2: of EvalPoint2 and EvalMesh2): n segments from u1 to
  * u2, kept as double. Grid point i stands for the real number u1 + i*(u2 - u1)/n, which is not rounded, and
  * for exactly u1 and u2 at i = 0 and i = n. The ends have nothing to do with the domains of maps; equal ends
- * are legal. INVALID_VALUE: a number of segments <= 0. INVALID_OPERATION: between Begin and End. */
+ * are legal.
+ * INVALID_VALUE: a number of segments <= 0.
+ * INVALID_OPERATION: between Begin and End. */
 GLEV_API void glevMapGrid1f(glev_context* context, glev_int n, glev_float u1, glev_float u2);
 GLEV_API void glevMapGrid1d(glev_context* context, glev_int n, glev_double u1, glev_double u2);
 GLEV_API void glevMapGrid2f(glev_context* context, glev_int un, glev_float u1, glev_float u2, glev_int vn,
@@ -307,14 +312,16 @@ GLEV_API void glevMapGrid2d(glev_context* context, glev_int un, glev_double u1, 
 GLEV_API void glevEvalPoint1(glev_context* context, glev_int i);
 GLEV_API void glevEvalPoint2(glev_context* context, glev_int i, glev_int j);
 
-/* Draws the grid points i1 to i2 in rising order, each with the bits that EvalPoint gives it: POINT as one
- * Begin(POINTS), LINE as one Begin(LINE_STRIP). EvalMesh2: POINT as one Begin(POINTS), i fastest; LINE as a
- * LINE_STRIP along i for each j, then one along j for each i; FILL as a QUAD_STRIP (i,j), (i,j+1) for each j
- * from j1 to j2 - 1. The sink sees these primitives, also those that an empty range leaves without vertices.
- * Without an enabled vertex map of that dimension nothing happens. Current values that a callback changes
- * count from the next vertex on. INVALID_ENUM: mode is not POINT or LINE, or for EvalMesh2 FILL. First of
- * all, also if nothing would be drawn. INVALID_OPERATION: between Begin and End. OUT_OF_MEMORY: nothing
- * drawn; as for EvalCoord. */
+/* Draws the grid points i1 to i2 in rising order, each with the bits that EvalPoint gives it:
+ * EvalMesh1: POINT as one Begin(POINTS), LINE as one Begin(LINE_STRIP).
+ * EvalMesh2: POINT as one Begin(POINTS), i fastest; LINE as a LINE_STRIP along i for each j, then one along j
+ *   for each i; FILL as a QUAD_STRIP (i,j), (i,j+1) for each j from j1 to j2 - 1.
+ * The sink sees these primitives, also those that an empty range leaves without vertices. Without an enabled
+ * vertex map of that dimension nothing happens. Current values that a callback changes count from the next
+ * vertex on.
+ * INVALID_ENUM: mode is not POINT or LINE, or for EvalMesh2 FILL; also if nothing would be drawn.
+ * INVALID_OPERATION: between Begin and End.
+ * OUT_OF_MEMORY: nothing drawn; as for EvalCoord. */
 GLEV_API void glevEvalMesh1(glev_context* context, glev_enum mode, glev_int i1, glev_int i2);
 GLEV_API void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, glev_int i2, glev_int j1,
                             glev_int j2);
@@ -323,8 +330,9 @@ GLEV_API void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, 
 
 /* Begin calls the sink's begin, End its end. mode: POINTS to POLYGON, or one of the four with adjacency
  * (0x000A to 0x000D).
- * INVALID_ENUM: mode is something else. INVALID_OPERATION: Begin after Begin; End without Begin, or of a mesh;
- * mode PATCHES (0x000E), as there is no tessellation. */
+ * INVALID_ENUM: mode is something else.
+ * INVALID_OPERATION: Begin after Begin; End without Begin, or within a mesh; mode PATCHES (0x000E), as there
+ * is no tessellation. */
 GLEV_API void glevBegin(glev_context* context, glev_enum mode);
 GLEV_API void glevEnd(glev_context* context);
 
@@ -442,9 +450,9 @@ GLEV_API const glev_ubyte* glevGetString(glev_context* context, glev_enum name);
 
 /* ---- Plans ---- */
 
-/* An immutable snapshot of what evaluation needs: the maps that are enabled and not outranked, and the grid.
- * Only of the one-dimensional ones in this version. It is reference-counted: who creates or retains it
- * releases it. Later changes of the context do not reach it, and it may outlive the context. Evaluation never
+/* An immutable snapshot of what evaluation needs: the maps that are enabled and not outranked, and the grid;
+ * in this version the one-dimensional ones only. It is reference-counted: who creates or retains it releases
+ * it. Later changes of the context do not reach it, and it may outlive the context. Evaluation never
  * allocates. All calls on plans are safe from any thread. */
 
 typedef struct glev_plan_info {

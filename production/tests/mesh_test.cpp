@@ -259,6 +259,27 @@ TEST_F(Meshes, TheEndsOfTheGridAreExact) {
   }
 }
 
+TEST_F(Meshes, TheEndsOfTheGridAreExactInDouble) {
+  // u1 + n * (u2 - u1) / n would miss many of these.
+  const double ramp[] = {0, 0, 0, 1, 1, 1};
+  for (int n = 1; n <= 20; ++n) {
+    for (auto [u1, u2] : {std::pair{0.1, 0.7}, {1.0 / 3, -5.1}, {1000.1, 1e-3}, {0.3, 0.1}}) {
+      glevMapGrid1d(gl, n, u1, u2);
+      glevMapGrid2d(gl, n, u1, u2, n, u2, u1);
+      for (auto [index, u] : {std::pair{0, u1}, {n, u2}}) {
+        glevMap1d(gl, GLEV_MAP1_VERTEX_3, u, std::nextafter(u, 2e3), 3, 2, ramp);
+        ASSERT_EQ(Point(index).position[0], 0) << n << " " << u;
+        glevMap2d(gl, GLEV_MAP2_VERTEX_3, u, std::nextafter(u, 2e3), 3, 2, 0, 1, 3, 1, ramp);
+        ASSERT_EQ(Point(index, 0).position[0], 0) << n << " " << u;
+        glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, u, std::nextafter(u, 2e3), 3, 2, ramp);
+        ASSERT_EQ(Point(0, n - index).position[0], 0) << n << " " << u;
+        Mesh2(GLEV_FILL, 0, 0, n - index, n - index + 1);
+        ASSERT_EQ(recording.vertices.at(0).position[0], 0) << n << " " << u;
+      }
+    }
+  }
+}
+
 TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
   // i/n of the way, for a line over the grid itself
   const float line[] = {0, 0, 0, 3, 3, 3};

@@ -146,6 +146,18 @@ TEST_F(Normals, SizeDoesNotMatter) {
   }
 }
 
+TEST_F(Normals, TheCommonFactorOfHomogeneousCoordinatesDoesNotMatter) {
+  for (double factor : {1e-300, 1e-200, 1e-30, 1e30, 1e200, 1e300}) {
+    std::vector<double> points = {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4};
+    for (double& x : points) x *= factor;
+    Define({0, 1, 0, 1}, 2, 2, 4, points);
+    const Floats normal = At(0.3, 0.6);
+    EXPECT_NEAR(normal[0], 0, 1e-12) << factor;
+    EXPECT_NEAR(normal[1], 0, 1e-12) << factor;
+    EXPECT_EQ(normal[2], 1) << factor;
+  }
+}
+
 TEST_F(Normals, AThinSliverHasOne) {
   for (double thin : {1e-20, 1e-150, 1e-200, 1e-300}) {
     Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, thin, 0, 1, 0, 0, 2, thin, 0});

@@ -201,6 +201,19 @@ TEST(Parameters, GridPointsOfTheDomainItselfAreCorrectlyRounded) {
   }
 }
 
+TEST(Parameters, AGridOfEqualEndsIsThatArgument) {
+  const glev::Domain domain = {0.1, 0.73};
+  for (glev_int n : {1, 3, 7, 10}) {
+    for (double u : {0.37, 0.1, 0.73, -5.3}) {
+      const glev::Parameter one = glev::Locate(domain, u);
+      for (std::int64_t i = -3; i <= n + 3; ++i) {
+        const glev::Parameter at = glev::Locate(domain, glev::GridArgument{{u, u, n}, i});
+        EXPECT_TRUE(at.s == one.s && at.t == one.t && at.end == one.end) << i << "/" << n << " of " << u;
+      }
+    }
+  }
+}
+
 TEST(Parameters, GridPointsOfOtherGridsAreCloseToTheExactPoint) {
   const glev::Domain domain = {2, 5};
   for (const glev::Grid& grid : {glev::Grid{0, 10, 7}, {4.9, 2.2, 13}, {3, 3, 4}}) {
