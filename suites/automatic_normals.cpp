@@ -132,14 +132,14 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, Used, must, "EV-AUTO
   }
 }
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE",
-                "EV-AUTON-OFF-MAP", "EV-AUTON-OFF-NONE") {
-  gl::Case c("a NORMAL map with and without AUTO_NORMAL, AUTO_NORMAL alone, neither");
+namespace {
+
+void expect_with(Test& t, const std::string& identity, const std::vector<std::pair<bool, bool>>& switches) {
+  gl::Case c(identity);
   set_current_values(c);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   define(c, random_map2(t, GL_MAP2_NORMAL, 2, 3));
-  for (const auto& [automatic, map] :
-       {std::pair{true, true}, {false, true}, {true, false}, {false, false}, {true, true}}) {
+  for (const auto& [automatic, map] : switches) {
     automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
     map ? c.Enable(GL_MAP2_NORMAL) : c.Disable(GL_MAP2_NORMAL);
     c.Begin(GL_POINTS);
@@ -147,6 +147,27 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, BeforeNormalMap, mus
     c.End();
   }
   t.expect_emission(c, kPosition | kNormal);
+}
+
+}  // namespace
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE") {
+  expect_with(t, "AUTO_NORMAL and a NORMAL map", {{true, true}});
+}
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NormalMapWhenOff, must, "EV-AUTON-OFF-MAP") {
+  expect_with(t, "a NORMAL map", {{false, true}});
+}
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, CurrentNormalWhenOff, must, "EV-AUTON-OFF-NONE") {
+  expect_with(t, "neither AUTO_NORMAL nor a NORMAL map", {{false, false}});
+}
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, SwitchedOn, must, "EV-AUTON-OVERRIDE",
+                "EV-AUTON-OFF-MAP") {
+  expect_with(t, "a NORMAL map, AUTO_NORMAL on, off and on",
+              {{false, true}, {true, true}, {false, true}, {true, true}});
+}
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, SwitchedOff, must, "EV-AUTON-OFF-NONE") {
+  expect_with(t, "all that makes a normal is switched off",
+              {{true, true}, {true, false}, {false, false}, {true, false}});
 }
 
 namespace {
@@ -160,20 +181,19 @@ std::vector<gl::Delivery> one_dimensional() {
 }  // namespace
 
 EVALCTS_TEST_BY(one_dimensional(), AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D") {
-  gl::Case c("AUTO_NORMAL with a MAP1_NORMAL map, then without");
-  set_current_values(c);
-  c.Enable(GL_AUTO_NORMAL);
-  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_NORMAL}) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
   for (const bool map : {true, false}) {
-    if (!map) c.Disable(GL_MAP1_NORMAL);
+    gl::Case c(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
+    set_current_values(c);
+    c.Enable(GL_AUTO_NORMAL);
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_NORMAL}) {
+      define(c, random_map(t, target, 3));
+      if (map || target == GL_MAP1_VERTEX_3) c.Enable(target);
+    }
     c.Begin(GL_POINTS);
     for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord1f(u);
     c.End();
+    t.expect_emission(c, kPosition | kNormal);
   }
-  t.expect_emission(c, kPosition | kNormal);
 }
 
 EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OfTheMapThatIsDrawn, must,
@@ -320,8 +340,8 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, mus
       c.Enable(other);
     }
     define_and_enable(c, surface(target, 4, 4, wave));
-    for (const bool automatic : {true, false}) {
-      automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
+    for (const bool automatic : {false, true}) {
+      if (automatic) c.Enable(GL_AUTO_NORMAL);
       c.Begin(GL_POINTS);
       for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord2f(u, 1 - u);
       c.End();

@@ -517,12 +517,11 @@ EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-
 }
 
 // Subsets of the nine enables with a vertex map, in Gray code: one flag changes at a time. INDEX is among
-// them, though its values do not show. At thorough depth all are evaluated; otherwise those that so many
-// steps apart (no factor of the number of subsets) leave: some captures make each subset a program of the
-// library's own. What happens without a vertex map has tests of its own.
+// them, though its values do not show. At quick depth those that so many steps apart (no factor of the number
+// of subsets) leave: some captures make each subset a program of the library's own. What happens without a vertex map has tests of its own.
 EVALCTS_DELIVERED_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D",
                        "EV-PREC-PERKIND/1-D", "EV-EN-MULTI") {
-  const unsigned step = t.depth() == Depth::thorough ? 1 : t.depth() == Depth::full ? 7 : 13;
+  const unsigned step = t.depth() == Depth::quick ? 13 : 1;
   gl::Case c("subsets of the nine enables");
   set_current_values(c);
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));

@@ -195,9 +195,11 @@ EVALCTS_DELIVERED_TESTS(Pipeline, Stage, kStages, const Stage& stage, must, "EV-
     define_maps(evaluated);
   }
   evaluated.Begin(stage.mode);
-  for (const float u : view == View::pixel ? std::vector<float>{0.5f}
-                                           : std::vector<float>{0.0f, 0.125f, 0.375f, 0.625f, 0.875f, 1.0f})
-    evaluated.EvalCoord1f(u);
+  if (view == View::pixel) {
+    evaluated.EvalCoord1f(0.5f);
+  } else {
+    for (int i = 0; i <= 8; ++i) evaluated.EvalCoord1f(static_cast<float>(i) / 8);
+  }
   evaluated.End();
 
   const gl::Case explicit_commands = as_explicit_commands(predict(evaluated, t.max_order()));

@@ -69,8 +69,7 @@ bool is_map(EntryPoint entry) {
 // Commands that are legal between Begin and End only, evaluation apart.
 bool is_vertex(EntryPoint entry) {
   const std::string_view name = name_of(entry);
-  return name.starts_with("Vertex") && !name.starts_with("VertexAttrib") &&
-         !name.starts_with("VertexPointer");
+  return name.starts_with("glVertex") && name != "glVertexPointer" && !name.starts_with("glVertexAttrib");
 }
 
 // Replaces evaluation at coordinates by evaluation at the points of grids.
@@ -168,13 +167,12 @@ class OnGrids {
     return rising == 1;
   }
 
-  // Grids of which the point is the first or the last end, in turn.
+  // Grids of which the point is the first end. That the last one is exact, too, is for tests of its own.
   Grids grids_of_point(const std::vector<double>& at) {
     Grids grids;
     for (const double x : at) {
       const double other = x == 2 ? 3 : 0.5 * x + 1;
-      const bool is_first = ends_++ % 2 == 0;
-      grids.push_back(is_first ? GridThrough{1, x, other, {0}} : GridThrough{3, other, x, {3}});
+      grids.push_back({1 + 2 * (grids_++ % 2), x, other, {0}});
     }
     return grids;
   }
@@ -270,7 +268,7 @@ class OnGrids {
   const Case& script_;
   bool meshes_;
   std::size_t next_ = 0;  // the command of the case that is delivered next
-  std::size_t ends_ = 0;
+  int grids_ = 0;
   DeliveredCase delivered_;
 };
 
@@ -303,6 +301,8 @@ DeliveredCase Delivery::apply(const Case& script) const {
       return one_for_one(script, doubles, evaluation == Evaluation::array);
   }
 }
+
+bool Delivery::is_plain() const { return evaluation == Evaluation::coordinates && !doubles; }
 
 const std::vector<Delivery>& curve_deliveries() {
   using enum Delivery::Evaluation;

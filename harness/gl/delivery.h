@@ -28,12 +28,15 @@ struct Delivery {
   // their last digits on the way to floats.
   //
   // point: a primitive whose arguments lie on a grid gets that grid (MapGrid) and EvalPoint for EvalCoord; of
-  // other points each is a primitive and has a grid of its own, of which it is one end or the other.
+  // other points each is a primitive and has a grid of its own, of which it is the first end.
   // mesh: EvalMesh in place of whole primitives: POINT meshes, one for each point or run of points on a grid,
   // and LINE meshes for line strips along a grid.
   // Throws std::logic_error where that cannot be done: other primitives whose arguments are on no grid of
   // less than 2^16 segments, and for meshes all primitives but points and line strips.
   DeliveredCase apply(const Case& script) const;
+
+  // EvalCoord1f and EvalCoord2f: the commands that cases are written with.
+  bool is_plain() const;
 };
 
 // For cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1, EvalMesh1, and the

@@ -206,8 +206,13 @@ void Played::expect(bool holds, gl::Ref command, const std::string& message, con
 
 int Test::max_order() const { return std::clamp(subject_.info.max_eval_order, 8, 64); }
 
+Depth Test::depth() const {
+  if (subject_.depth == Depth::full && delivery_ && !delivery_->is_plain()) return Depth::quick;
+  return subject_.depth;
+}
+
 int Test::by_depth(int quick, int full, int thorough) const {
-  switch (subject_.depth) {
+  switch (depth()) {
     case Depth::quick:
       return quick;
     case Depth::full:
@@ -225,10 +230,13 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
       fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
 }
 
-// Every test at thorough depth; otherwise one in four (sixteen at quick depth), the same ones each time:
-// another capture of the same case costs a library far more than the case.
-bool Test::cross_checked() const {
-  return hash(record_.name) % static_cast<std::uint32_t>(by_depth(16, 4, 1)) == 0;
+// Every test at thorough depth; otherwise one in sixteen, the same ones each time, and not those of many
+// primitives: another capture of the same case costs a library far more than the case.
+bool Test::cross_checked(const Prediction& prediction) const {
+  constexpr std::uint32_t kOneOf = 16;
+  constexpr std::size_t kManyPrimitives = 64;
+  if (subject_.depth == Depth::thorough) return true;
+  return hash(record_.name) % kOneOf == 0 && prediction.primitives.size() <= kManyPrimitives;
 }
 
 // Counts the case and returns it as it is delivered.
@@ -334,7 +342,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
   };
   std::vector<Look> looks;
   for (const Capture* capture : captures_for(required, kinds, prediction.has_nonpositive_w())) {
-    if (!looks.empty() && !cross_checked()) break;
+    if (!looks.empty() && !cross_checked(prediction)) break;
     // The first shows all it can; the others cross-check what the test is about.
     const Attributes wanted = looks.empty() ? capture->attributes() : required;
     Topology topology = topology_of(prediction, *capture);

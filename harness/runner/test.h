@@ -104,7 +104,9 @@ class Test {
   const ImplementationInfo& gl() const { return subject_.info; }
   // The largest order, or 8 where the implementation claims less (EV-INIT-MAXORDER is a test of its own).
   int max_order() const;
-  Depth depth() const { return subject_.depth; }
+  // At full depth quick for all deliveries but the plain ones: what remains to be shown there is that they do
+  // the same.
+  Depth depth() const;
   // One of three values by depth.
   int by_depth(int quick, int full, int thorough) const;
   // Random numbers of this test: the same for the same seed, whatever other tests run.
@@ -119,9 +121,9 @@ class Test {
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
-  // Observes what the case emits through the first capture that can see it (in one test of four, at thorough
-  // depth in all, through the others as well: they have to agree), and judges it against the executable
-  // specification at the level of the test. `required` attributes must be observed, or the test is
+  // Observes what the case emits through the first capture that can see it (in one test of sixteen, at
+  // thorough depth in all, through the others as well: they have to agree), and judges it against the
+  // executable specification at the level of the test. `required` attributes must be observed, or the test is
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
 
@@ -142,7 +144,7 @@ class Test {
  private:
   friend class Played;
   gl::DeliveredCase begin_case(const gl::Case& script);
-  bool cross_checked() const;
+  bool cross_checked(const Prediction& prediction) const;
   std::vector<Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) const;
   void note_capture(const Capture& capture);
   Topology topology_of(const Prediction& prediction, const Capture& capture) const;

@@ -172,5 +172,63 @@ TEST(Accuracy, KeepsTheWorst) {
   EXPECT_EQ(a.not_correctly_rounded, 1u);
 }
 
+// --- Automatic normals -----------------------------------------------------------------------------------
+
+// A plane of 10 by 10 whose normal is (0,0,1), of length 100 before normalisation; over [1,0] in u if
+// reversed.
+struct Plane {
+  Prediction prediction;
+  Observation seen;
+
+  Plane(bool reversed, Attributes how, std::array<float, 3> normal) {
+    gl::Case c;
+    c.Map2f(GL_MAP2_VERTEX_3, reversed ? 1 : 0, reversed ? 0 : 1, 6, 2, 0, 1, 3, 2,
+            std::vector<float>{0, 0, 5, 0, 10, 5, 10, 0, 5, 10, 10, 5});
+    c.Enable(GL_MAP2_VERTEX_3);
+    c.Enable(GL_AUTO_NORMAL);
+    c.Begin(GL_POINTS);
+    c.EvalCoord2f(0.5f, 0.25f);
+    c.End();
+    prediction = predict(c, 8);
+    seen.attributes = kNormal | how;
+    seen.primitives.push_back({GL_POINTS, {ObservedVertex{}}});
+    seen.primitives[0].vertices[0].normal = normal;
+  }
+
+  std::size_t mismatches(JudgeOptions options = {}) const {
+    return judge(prediction, seen, options).mismatches.size();
+  }
+};
+
+TEST(JudgeNormals, DemandUnitLengthWithoutAShader) {
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, 1}).mismatches(), 0u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, 100}).mismatches(), 1u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, -1}).mismatches(), 1u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, 0}).mismatches(), 1u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0.01f, 0, 1}).mismatches(), 1u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {NAN, 0, 1}).mismatches(), 1u);
+}
+
+TEST(JudgeNormals, AllowAnyMethodUnlessQualityIsAsked) {
+  const Plane plane(false, kUnitNormal, {0.0015f, 0, 0.9999989f});
+  EXPECT_EQ(plane.mismatches(), 0u);
+  EXPECT_EQ(plane.mismatches({.level = Level::quality}), 1u);
+}
+
+TEST(JudgeNormals, HaveAnyLengthWithAShaderUnlessAsked) {
+  EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, 100}).mismatches(), 0u);
+  EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, 1}).mismatches(), 0u);
+  EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, -100}).mismatches(), 1u);
+  const JudgeOptions lengths{.lengths_of_shader_normals = true};
+  EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, 100}).mismatches(lengths), 0u);
+  EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, 1}).mismatches(lengths), 1u);
+}
+
+TEST(JudgeNormals, HaveEitherSignWhereADomainIsReversed) {
+  EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, 1}).mismatches(), 0u);
+  EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, -1}).mismatches(), 0u);
+  EXPECT_EQ(Plane(true, kUnitNormal, {0, 1, 0}).mismatches(), 1u);
+}
+
 }  // namespace
 }  // namespace evalcts

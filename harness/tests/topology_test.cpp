@@ -67,5 +67,43 @@ TEST(Topology, CapturesThatTakeApartDifferentlyAgree) {
   EXPECT_NE(disagreement({two, *triangles}, {observed(GL_POLYGON, {{10, 11, 12, 14}}), *polygon}), "");
 }
 
+// --- Quads by what came out ------------------------------------------------------------------------------
+
+using Numbers = std::vector<std::size_t>;
+
+TEST(MatchQuads, FindsEitherDiagonalAndAnyTurn) {
+  const Prediction strip = predicted(GL_QUAD_STRIP, 6);  // 0 1 3 2 and 2 3 5 4
+  const auto matched =
+      match_quads(strip, observed(GL_TRIANGLES, {{13, 12, 10}, {11, 13, 10}, {12, 13, 14}, {13, 15, 14}}));
+  ASSERT_TRUE(matched);
+  EXPECT_EQ(matched->vertices, (Numbers{3, 2, 0, 1, 3, 0, 2, 3, 4, 3, 5, 4}));
+  const auto whole = match_quads(strip, observed(GL_POLYGON, {{13, 12, 10, 11}, {12, 13, 15, 14}}));
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->vertices, (Numbers{3, 2, 0, 1, 2, 3, 5, 4}));
+}
+
+TEST(MatchQuads, SeesTheOtherWindingAndTheWrongQuad) {
+  const Prediction quad = predicted(GL_QUADS, 4);
+  const auto mismatches = [&](const Observation& seen) {
+    const auto matched = match_quads(quad, seen);
+    return matched ? judge(quad, *matched, seen, {}).mismatches.size() : 99;
+  };
+  EXPECT_EQ(mismatches(observed(GL_TRIANGLES, {{10, 11, 12}, {12, 13, 10}})), 0u);
+  EXPECT_GT(mismatches(observed(GL_TRIANGLES, {{10, 12, 11}, {12, 13, 10}})), 0u);
+  EXPECT_GT(mismatches(observed(GL_POLYGON, {{13, 12, 11, 10}})), 0u);
+  EXPECT_GT(mismatches(observed(GL_POLYGON, {{10, 11, 12, 14}})), 0u);
+  EXPECT_GT(mismatches(observed(GL_TRIANGLES, {{10, 11, 12}, {10, 11, 12}})), 0u);
+}
+
+TEST(MatchQuads, NeedsAsManyAsThereAre) {
+  const Prediction quads = predicted(GL_QUADS, 9);  // the ninth is left over
+  EXPECT_TRUE(match_quads(quads, observed(GL_POLYGON, {{10, 11, 12, 13}, {14, 15, 16, 17}})));
+  EXPECT_FALSE(match_quads(quads, observed(GL_POLYGON, {{10, 11, 12, 13}})));
+  EXPECT_FALSE(
+      match_quads(quads, observed(GL_POLYGON, {{10, 11, 12, 13}, {14, 15, 16, 17}, {14, 15, 16, 17}})));
+  EXPECT_FALSE(match_quads(quads, observed(GL_TRIANGLES, {{10, 11, 12}, {10, 12, 13}, {14, 15, 16}})));
+  EXPECT_FALSE(match_quads(predicted(GL_TRIANGLES, 3), observed(GL_TRIANGLES, {{10, 11, 12}})));
+}
+
 }  // namespace
 }  // namespace evalcts
