@@ -400,29 +400,16 @@ EVALCTS_TESTS(AutomaticNormals, InMeshes, kModes, const MeshMode& mode, must, "E
   t.expect_emission(c, kPosition | kNormal);
 }
 
+namespace {
+
+struct Degenerate {
+  const char* name;
+  Map2 map;
+};
+
 // Nothing is said of the normal there (U-AUTON-ZERO, U-AUTON-W0); the position is right, and what comes later
 // works.
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE") {
-  const auto point = [](int, int) { return std::array<double, 4>{0.5, -1, 2, 1}; };
-  const auto line = [](int i, int j) { return std::array<double, 4>{1.0 * (i + j), 2.0 * (i + j), 0.25, 1}; };
-  const auto fan = [](int i, int j) {
-    return std::array<double, 4>{1.0 * i * (j + 1), 1.0 * i * (2 - j), 0.5 * i, 1};
-  };
-  const auto zero_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 0}; };
-  const auto changing_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 1.0 - i}; };
-  struct Degenerate {
-    const char* name;
-    Map2 map;
-  };
-  const std::vector<Degenerate> patches = {{"all points equal", surface(GL_MAP2_VERTEX_3, 3, 3, point)},
-                                           {"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},
-                                           {"order 1 in v", surface(GL_MAP2_VERTEX_4, 3, 1, wave)},
-                                           {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)},
-                                           {"parallel derivatives", surface(GL_MAP2_VERTEX_3, 3, 3, line)},
-                                           {"an edge that is a point", surface(GL_MAP2_VERTEX_3, 3, 3, fan)},
-                                           {"a pole of a sphere", surface(GL_MAP2_VERTEX_4, 3, 3, sphere)},
-                                           {"w = 0", surface(GL_MAP2_VERTEX_4, 2, 2, zero_w)},
-                                           {"w through 0", surface(GL_MAP2_VERTEX_4, 3, 2, changing_w)}};
+void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
   for (const auto& [name, map] : patches) {
     gl::Case c(name);
     c.Enable(GL_AUTO_NORMAL);
@@ -438,6 +425,31 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, m
     c.End();
     t.expect_emission(c, kPosition);
   }
+}
+
+}  // namespace
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE") {
+  const auto point = [](int, int) { return std::array<double, 4>{0.5, -1, 2, 1}; };
+  const auto line = [](int i, int j) { return std::array<double, 4>{1.0 * (i + j), 2.0 * (i + j), 0.25, 1}; };
+  const auto fan = [](int i, int j) {
+    return std::array<double, 4>{1.0 * i * (j + 1), 1.0 * i * (2 - j), 0.5 * i, 1};
+  };
+  const auto zero_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 0}; };
+  const auto changing_w = [](int i, int j) { return std::array<double, 4>{1.0 * i, 1.0 * j, 0.5, 1.0 - i}; };
+  expect_survival(t, {{"all points equal", surface(GL_MAP2_VERTEX_3, 3, 3, point)},
+                      {"parallel derivatives", surface(GL_MAP2_VERTEX_3, 3, 3, line)},
+                      {"an edge that is a point", surface(GL_MAP2_VERTEX_3, 3, 3, fan)},
+                      {"a pole of a sphere", surface(GL_MAP2_VERTEX_4, 3, 3, sphere)},
+                      {"w = 0", surface(GL_MAP2_VERTEX_4, 2, 2, zero_w)},
+                      {"w through 0", surface(GL_MAP2_VERTEX_4, 3, 2, changing_w)}});
+}
+
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OrderOne, must, "EV-AUTON-DEGENERATE",
+                "EV-AUTON-SAMEVERTEX") {
+  expect_survival(t, {{"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},
+                      {"order 1 in v", surface(GL_MAP2_VERTEX_4, 3, 1, wave)},
+                      {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)}});
 }
 
 }  // namespace evalcts

@@ -127,43 +127,49 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
     draw(c, grid);
   }
 
-  const Observation seen =
-      t.observe(c, kPosition | kTextureCoordinate0, most_vertices + 8 * grids.size(), kind);
-  std::vector<Probed> probed(grids.size());
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    for (const ObservedVertex& vertex : primitive.vertices) {
-      const auto number = static_cast<std::size_t>(vertex.texture_coordinate[0][0]);
-      if (number >= Probed::kTags * probed.size()) continue;
-      Probed& of = probed[number / Probed::kTags];
-      const float x = vertex.position[0];
-      if (number % Probed::kTags == 0) {
-        of.at_end = x;
-      } else if (number % Probed::kTags == 1) {
-        of.at_neighbour = x;
-      } else if (std::abs(x) < 0.5f) {
-        of.near_end.push_back(x);
+  const auto judge = [&](const Observation& seen) {
+    std::vector<Probed> probed(grids.size());
+    for (const ObservedPrimitive& primitive : seen.primitives)
+      for (const ObservedVertex& vertex : primitive.vertices) {
+        const auto number = static_cast<std::size_t>(std::max(vertex.texture_coordinate[0][0], 0.0f));
+        if (number >= Probed::kTags * probed.size()) continue;
+        Probed& of = probed[number / Probed::kTags];
+        const float x = vertex.position[0];
+        if (number % Probed::kTags == 0) {
+          of.at_end = x;
+        } else if (number % Probed::kTags == 1) {
+          of.at_neighbour = x;
+        } else if (std::abs(x) < 0.5f) {
+          of.near_end.push_back(x);
+        }
       }
-    }
 
-  std::size_t told = 0;
-  for (std::size_t i = 0; i < grids.size(); ++i) {
-    const auto& [at_end, at_neighbour, near_end] = probed[i];
-    if (!at_end || !at_neighbour || *at_end == *at_neighbour) continue;
-    ++told;
-    const auto wrong = std::ranges::find_if(near_end, [&](float x) { return x != *at_end; });
-    if (!near_end.empty() && wrong == near_end.end()) continue;
-    Failure failure;
-    failure.case_identity = c.identity();
-    failure.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
-                               last ? "last" : "first", grids[i].segments, grids[i].first, grids[i].last);
-    failure.expected = fmt::format("x = {:a}", *at_end);
-    failure.captured = near_end.empty() ? "no vertex near it" : fmt::format("x = {:a}", *wrong);
-    failure.message = fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}",
-                                  failure.what, along.v ? "v" : "u", last ? grids[i].last : grids[i].first,
-                                  failure.captured, failure.expected);
-    t.fail(std::move(failure));
-  }
-  if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");
+    std::vector<Mismatch> mismatches;
+    std::size_t told = 0;
+    for (std::size_t i = 0; i < grids.size(); ++i) {
+      const auto& [at_end, at_neighbour, near_end] = probed[i];
+      if (!at_end || !at_neighbour || *at_end == *at_neighbour) continue;
+      ++told;
+      const float right = *at_end;
+      const auto wrong = std::ranges::find_if(near_end, [right](float x) { return x != right; });
+      if (!near_end.empty() && wrong == near_end.end()) continue;
+      const Grid& grid = grids[i];
+      Mismatch mismatch;
+      mismatch.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
+                                  last ? "last" : "first", grid.segments, grid.first, grid.last);
+      mismatch.expected = fmt::format("x = {:a}", right);
+      mismatch.captured = near_end.empty() ? "no vertex near it" : fmt::format("x = {:a}", *wrong);
+      mismatch.message = fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}",
+                                     mismatch.what, along.v ? "v" : "u", last ? grid.last : grid.first,
+                                     mismatch.captured, mismatch.expected);
+      mismatch.lowest = mismatch.highest = static_cast<double>(right);
+      mismatch.got = near_end.empty() ? 1 : static_cast<double>(*wrong);
+      mismatches.push_back(std::move(mismatch));
+    }
+    if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");
+    return mismatches;
+  };
+  t.expect_observation(c, kPosition | kTextureCoordinate0, most_vertices + 8 * grids.size(), kind, judge);
 }
 
 }  // namespace evalcts

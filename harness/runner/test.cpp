@@ -367,22 +367,6 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
                                       differs));
   }
 
-  const auto record_failure = [&](const Capture& capture, const Mismatch& mismatch, const auto& still) {
-    Failure failure;
-    failure.case_identity = script.identity();
-    failure.message = mismatch.message;
-    failure.what = mismatch.what;
-    failure.expected = mismatch.expected;
-    failure.captured = mismatch.captured;
-    failure.exact = mismatch.exact;
-    if (!mismatch.exact.empty()) {
-      failure.ulp = mismatch.ulp;
-      failure.condition_aware = mismatch.condition_aware;
-    }
-    failure.capture = capture.name();
-    if (subject_.reproduction) failure.check = subject_.reproduction->check_of(mismatch, still);
-    fail(std::move(failure), all_calls(script));
-  };
   const auto& [capture, topology, observation] = looks.front();  // the others agree with it
   const JudgeOptions options{.level = record_.level,
                              .measured = required,
@@ -396,24 +380,52 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     return judgement;
   };
   const Judgement judgement = judged(observation);
-  for (const Mismatch& mismatch : judgement.mismatches) {
-    // Whether another run of the same capture leads to the same mismatch, as often (a vertex may come out
-    // several times).
-    const auto times = [&](const std::vector<Mismatch>& all) {
-      return std::count_if(all.begin(), all.end(), [&](const Mismatch& other) {
-        return other.what == mismatch.what && other.captured == mismatch.captured;
-      });
-    };
-    const auto still = [&, capture = capture](Implementation& implementation) {
-      const Observation again =
-          capture->observe(implementation, script, {capture->attributes(), room, kinds});
-      return times(judged(again).mismatches) == times(judgement.mismatches);
-    };
-    record_failure(*capture, mismatch, still);
-  }
+  fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
+            [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
     record_.accuracy->add(judgement.accuracy);
+  }
+}
+
+void Test::expect_observation(const gl::Case& written, Attributes required, std::size_t most_vertices,
+                              PrimitiveKinds kinds, const OwnJudge& judge) {
+  const gl::Case script = begin_case(written).script;
+  const Capture* capture = captures_for(required, kinds, false).front();
+  note_capture(*capture);
+  const Wanted wanted{required, most_vertices, kinds};
+  fail_each(script, *capture, wanted, capture->observe(*subject_.implementation, script, wanted), judge);
+}
+
+void Test::fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
+                     const Observation& seen, const OwnJudge& judge) {
+  const std::vector<Mismatch> mismatches = judge(seen);
+  for (const Mismatch& mismatch : mismatches) {
+    Failure failure;
+    failure.case_identity = script.identity();
+    failure.message = mismatch.message;
+    failure.what = mismatch.what;
+    failure.expected = mismatch.expected;
+    failure.captured = mismatch.captured;
+    failure.exact = mismatch.exact;
+    if (!mismatch.exact.empty()) {
+      failure.ulp = mismatch.ulp;
+      failure.condition_aware = mismatch.condition_aware;
+    }
+    failure.capture = capture.name();
+    if (subject_.reproduction) {
+      // Whether another run of the same capture leads to the same mismatch, as often (a vertex may come out
+      // several times).
+      const auto times = [&](const std::vector<Mismatch>& all) {
+        return std::count_if(all.begin(), all.end(), [&](const Mismatch& other) {
+          return other.what == mismatch.what && other.captured == mismatch.captured;
+        });
+      };
+      failure.check = subject_.reproduction->check_of(mismatch, [&](Implementation& implementation) {
+        return times(judge(capture.observe(implementation, script, wanted))) == times(mismatches);
+      });
+    }
+    fail(std::move(failure), all_calls(script));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "harness/gl/player.h"
 #include "harness/gl/tokens.h"
 #include "harness/implementations/implementation.h"
+#include "harness/judge/judge.h"
 #include "harness/judge/topology.h"
 #include "harness/runner/record.h"
 
@@ -131,7 +132,13 @@ class Test {
   // test judges by itself.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
                       PrimitiveKinds kinds = kPoints);
-  // The same through a vertex shader of the test's own. Throws NotObservable.
+  // What is wrong with what came out; may throw NotObservable.
+  using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
+  // The same, and fails for each mismatch that the test's own judge finds.
+  void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
+                          PrimitiveKinds kinds, const OwnJudge& judge);
+
+  // What comes out through a vertex shader of the test's own. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
@@ -147,6 +154,9 @@ class Test {
   bool cross_checked(const Prediction& prediction) const;
   std::vector<Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) const;
   void note_capture(const Capture& capture);
+  // A failure for each mismatch that `judge` finds in what the capture saw of the case.
+  void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
+                 const Observation& seen, const OwnJudge& judge);
   Topology topology_of(const Prediction& prediction, const Capture& capture) const;
 
   const Subject& subject_;

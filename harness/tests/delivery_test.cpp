@@ -145,6 +145,7 @@ TEST(Delivery, EvalMeshForWholePrimitives) {
   triangles.Begin(GL_TRIANGLES);
   triangles.EvalCoord1f(0.1f);
   triangles.EvalCoord1f(0.3f);
+  triangles.EvalCoord1f(0.9f);
   triangles.End();
   EXPECT_THROW(by("EvalMesh1").apply(triangles), std::logic_error);
   EXPECT_THROW(by("EvalPoint1").apply(triangles), std::logic_error);
