@@ -1,0 +1,201 @@
+// Section 10 of the requirements, further down the pipeline: generated normals are transformed, rescaled and
+// lit like those of Normal3, and reach a vertex program as they are.
+#include <fmt/format.h>
+
+#include "harness/judge/prediction.h"
+#include "suites/maps2.h"
+#include "suites/pictures.h"
+
+namespace evalcts {
+namespace {
+
+const std::vector<float> kTwice = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
+// Twice as large and turned about the axis (1,1,1).
+const std::vector<float> kTurnedTwice = {0, 2, 0, 0, 0, 0, 2, 0, 2, 0, 0, 0, 0, 0, 0, 1};
+// No similarity: normals go another way than tangents.
+const std::vector<float> kSheared = {1, 0, 0, 0, 0.75f, 2, 0, 0, -0.5f, 0, 0.5f, 0, 0, 0, 0, 1};
+
+// A bicubic patch within -0.25 to 0.25, curved in both directions, times the size.
+Map2 patch(double size) {
+  std::vector<double> points;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (const double value : {(i - 1.5) / 6 + 0.02 * j, (j - 1.5) / 6, 0.12 * ((i * j) % 3) - 0.05 * i})
+        points.push_back(size * value);
+  return make_map2(GL_MAP2_VERTEX_3, 4, 4, points);
+}
+
+gl::Case points_of(const Map2& map, bool automatic = true) {
+  gl::Case c;
+  define(c, map);
+  c.Enable(map.target);
+  if (automatic) c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.25f, 0.625f, 1.0f})
+    for (const float v : {0.125f, 0.5f, 1.0f}) c.EvalCoord2f(u, v);
+  c.End();
+  return c;
+}
+
+gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
+  return as_explicit_commands(predict(evaluated, t.max_order()));
+}
+
+// Texture coordinates are normals in eye space.
+void show_normals(gl::Case& c) {
+  set_up_texture(c);
+  for (const auto& [coordinate, enable] :
+       {std::pair{GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}, {GL_R, GL_TEXTURE_GEN_R}}) {
+    c.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_NORMAL_MAP);
+    c.Enable(enable);
+  }
+}
+
+void light(gl::Case& c) {
+  c.Enable(GL_LIGHTING);
+  c.Enable(GL_LIGHT0);
+  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.36f, 0.48f, 0.8f, 0});
+}
+
+struct Stage {
+  const char* name;
+  std::vector<float> before;  // the modelview matrix without the stage
+  std::vector<float> matrix;  // and with it
+  GLenum capability;          // enabled by it, or 0
+};
+const std::vector<float> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+const Stage kStages[] = {{"SCALE", kIdentity, kTwice, 0},
+                         {"SHEAR", kIdentity, kSheared, 0},
+                         {"SHEAR_AND_NORMALIZE", kSheared, kSheared, GL_NORMALIZE},
+                         {"SCALE_AND_NORMALIZE", kTurnedTwice, kTurnedTwice, GL_NORMALIZE},
+                         {"SCALE_AND_RESCALE", kTurnedTwice, kTurnedTwice, GL_RESCALE_NORMAL}};
+
+}  // namespace
+
+EVALCTS_TESTS_BY(gl::surface_deliveries(), AutomaticNormals, Transformed, kStages, const Stage& stage, must,
+                 "EV-AUTON-FFTRANSFORM") {
+  t.require(1, 3);
+  const auto state = [&](const std::vector<float>& matrix, GLenum capability) {
+    gl::Case c;
+    c.LoadMatrixf(matrix);
+    if (capability) c.Enable(capability);
+    show_normals(c);
+    return c;
+  };
+  const gl::Case staged = state(stage.matrix, stage.capability);
+  const gl::Case evaluated = points_of(patch(1));
+  const gl::Case explicit_points = explicit_commands(t, evaluated);
+  const Picture control = feedback(t, "control: explicit vertices", staged, explicit_points);
+  require_an_effect(control,
+                    feedback(t, "control: without the stage", state(stage.before, 0), explicit_points));
+  expect_like_explicit(feedback(t, "evaluated", staged, evaluated), control);
+}
+
+// Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
+  gl::Case state;
+  light(state);
+  // Nothing is clipped.
+  state.MatrixMode(GL_PROJECTION);
+  state.LoadMatrixf(std::vector<float>{1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1});
+  for (const double size : {0.01, 1.0, 1000.0}) {
+    const gl::Case evaluated = points_of(patch(size));
+    const gl::Case explicit_points = explicit_commands(t, evaluated);
+    gl::Case halved;
+    for (gl::Command command : explicit_points.commands()) {
+      if (command.entry == gl::EntryPoint::Normal3f)
+        for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;
+      halved.add(command);
+    }
+    const std::string name = fmt::format("a patch of size {}", size / 2);
+    const Picture control = feedback(t, "control: " + name, state, explicit_points);
+    require_an_effect(control, feedback(t, "control: half as long normals", state, halved));
+    expect_like_explicit(feedback(t, name, state, evaluated), control);
+  }
+}
+
+// AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
+  gl::Case state;
+  light(state);
+  gl::Case evaluated;
+  evaluated.Normal3f(0.8f, -0.36f, 0.48f);
+  evaluated.append(points_of(patch(1), false));
+  gl::Case automatic;
+  automatic.Enable(GL_AUTO_NORMAL);
+  automatic.append(evaluated);
+  const Picture control = feedback(t, "control: explicit vertices", state, explicit_commands(t, evaluated));
+  require_an_effect(control, feedback(t, "control: explicit vertices with generated normals", state,
+                                      explicit_commands(t, automatic)));
+  expect_like_explicit(feedback(t, "evaluated", state, evaluated), control);
+}
+
+namespace {
+
+// The normal as texture coordinates, the rest as without a program.
+constexpr char kNormalProgram[] =
+    "!!ARBvp1.0\n"
+    "OPTION ARB_position_invariant;\n"
+    "MOV result.color, vertex.color;\n"
+    "MOV result.texcoord[0], vertex.normal;\n"
+    "END\n";
+
+void use_program(gl::Case& c, const std::string& text) {
+  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 1);
+  c.ProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), gl::text(text));
+  c.Enable(GL_VERTEX_PROGRAM_ARB);
+}
+
+// A plane over the unit domain: everywhere the same derivatives, du and dv.
+struct Plane {
+  const char* name;
+  std::array<double, 3> du, dv;
+  int uorder, vorder;
+};
+constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
+                             {"a quarter by a quarter", {0.25, 0, 0}, {0, 0.25, 0}, 2, 2},
+                             {"tilted, order 4 by 3", {6, 3, -1.5}, {-1, 4, 2}, 4, 3}};
+
+}  // namespace
+
+// n = du x dv as it is.
+EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NotNormalizedForVertexProgram, must,
+                "EV-AUTON-VP") {
+  if (!t.gl().extensions.count("GL_ARB_vertex_program")) throw NotSupported("needs GL_ARB_vertex_program");
+  gl::Case state;
+  set_up_texture(state);
+  state.MatrixMode(GL_PROJECTION);
+  state.LoadMatrixf(std::vector<float>{0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 1});
+  use_program(state, kNormalProgram);
+  for (const Plane& plane : kPlanes) {
+    std::vector<double> points;
+    for (int i = 0; i < plane.uorder; ++i)
+      for (int j = 0; j < plane.vorder; ++j)
+        for (std::size_t k = 0; k < 3; ++k)
+          points.push_back(plane.du[k] * i / (plane.uorder - 1) + plane.dv[k] * j / (plane.vorder - 1));
+    const gl::Case evaluated = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
+    std::vector<double> normal;
+    for (std::size_t k = 0; k < 3; ++k)
+      normal.push_back(plane.du[(k + 1) % 3] * plane.dv[(k + 2) % 3] -
+                       plane.du[(k + 2) % 3] * plane.dv[(k + 1) % 3]);
+    // The explicit vertices have unit normals for now.
+    const gl::Case units = explicit_commands(t, evaluated);
+    gl::Case explicit_points;
+    for (const gl::Command& command : units.commands()) {
+      if (command.entry == gl::EntryPoint::Normal3f) {
+        explicit_points.Normal3f(normal[0], normal[1], normal[2]);
+      } else {
+        explicit_points.add(command);
+      }
+    }
+    const Picture control = feedback(t, fmt::format("control: {}", plane.name), state, explicit_points);
+    for (const FeedbackPrimitive& point : primitives_of(control))
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!alike({point.vertices[0][8 + k]}, {normal[k]}))
+          throw NotObservable("pipeline: the program does not see explicit normals as they are");
+    require_an_effect(control, feedback(t, "control: unit normals", state, units));
+    expect_like_explicit(feedback(t, plane.name, state, evaluated), control);
+  }
+}
+
+}  // namespace evalcts
