@@ -55,8 +55,14 @@ gl::Case mesh(GLenum mode, bool mirrored = false) {
   return c;
 }
 
+// Without EdgeFlag: the current one counts for all vertices, and an implementation may lose everything where
+// it is set between them.
 gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
-  return as_explicit_commands(predict(evaluated, t.max_order()));
+  const gl::Case with_flags = as_explicit_commands(predict(evaluated, t.max_order()));
+  gl::Case c;
+  for (const gl::Command& command : with_flags.commands())
+    if (command.entry != gl::EntryPoint::EdgeFlag) c.add(command);
+  return c;
 }
 
 // --- Where to look ---------------------------------------------------------------------------------------
@@ -106,9 +112,9 @@ struct Outlines {
   friend bool operator==(const Outlines&, const Outlines&) = default;
 };
 
-Outlines outlines_of(const Picture& picture) {
+Outlines outlines_of(const Part& part) {
   Outlines outlines;
-  for (const FeedbackPrimitive& primitive : primitives_of(picture)) {
+  for (const FeedbackPrimitive& primitive : primitives_of(part)) {
     if (primitive.token == GL_POINT_TOKEN) {
       outlines.points.insert(point_of(primitive.vertices[0]));
     } else if (primitive.token == GL_POLYGON_TOKEN) {
@@ -148,12 +154,12 @@ std::string describe(const Outlines& outlines) {
   return text + fmt::format(", {} points, {} polygons", outlines.points.size(), outlines.polygons);
 }
 
-void expect_outlines(Picture& picture, bool holds, const std::string& subject, const Outlines& seen,
-                     const Outlines& expected) {
-  picture.played.expect(holds, picture.parts[0].shown,
-                        fmt::format("{} comes out as {}, explicit quad strips as {}", subject, describe(seen),
-                                    describe(expected)),
-                        describe(expected), describe(seen));
+void expect_outlines(Picture& picture, const Part& part, bool holds, const Outlines& expected) {
+  const std::string seen = describe(outlines_of(part));
+  picture.played.expect(holds, part.shown,
+                        fmt::format("a FILL mesh comes out as {}, explicit quad strips as {} ({})", seen,
+                                    describe(expected), part.name),
+                        describe(expected), seen);
 }
 
 struct PolygonMode {
@@ -168,12 +174,21 @@ gl::Case state_of(const PolygonMode& polygon_mode) {
   return state;
 }
 
+// With either edge flag.
+std::vector<Scene> outlined_scenes(const PolygonMode& polygon_mode, const gl::Case& drawing) {
+  std::vector<Scene> scenes;
+  for (const bool flag : {true, false}) {
+    gl::Case state = state_of(polygon_mode);
+    if (!flag) state.EdgeFlag(GL_FALSE);
+    scenes.emplace_back(flag ? "edge flag TRUE" : "edge flag FALSE", state, drawing);
+  }
+  return scenes;
+}
+
 // Explicit quad strips have to come out as quads.
-Picture control_of_quads(Test& t, const PolygonMode& polygon_mode, const gl::Case& state) {
-  Picture control = feedback(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)));
-  if (outlines_of(control) != outlines_of_quads(polygon_mode.mode))
+void require_quads(const Part& control, const Outlines& quads) {
+  if (outlines_of(control) != quads)
     throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
-  return control;
 }
 
 }  // namespace
@@ -182,11 +197,34 @@ Picture control_of_quads(Test& t, const PolygonMode& polygon_mode, const gl::Cas
 
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
 EVALCTS_TESTS(Mesh2, FillIsQuads, kOutlined, const PolygonMode& polygon_mode, must, "EV-MESH2-ISQUADS") {
-  const gl::Case state = state_of(polygon_mode);
-  const Outlines expected = outlines_of(control_of_quads(t, polygon_mode, state));
-  Picture picture = feedback(t, "evaluated", state, mesh(GL_FILL));
-  const Outlines seen = outlines_of(picture);
-  expect_outlines(picture, seen == expected, "a FILL mesh", seen, expected);
+  const gl::Case state = state_of(polygon_mode), evaluated = mesh(GL_FILL);
+  const Outlines quads = outlines_of_quads(polygon_mode.mode);
+  require_quads(feedback(t, "control: explicit quad strips", state, explicit_commands(t, evaluated)).parts[0],
+                quads);
+  Picture picture = feedback(t, "evaluated", state, evaluated);
+  expect_outlines(picture, picture.parts[0], outlines_of(picture.parts[0]) == quads, quads);
+}
+
+// Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
+EVALCTS_TESTS(Mesh2, EdgeFlagHasNoInfluence, kOutlined, const PolygonMode& polygon_mode, must,
+              "EV-MESH2-EDGEFLAG") {
+  const gl::Case evaluated = mesh(GL_FILL);
+  const Outlines quads = outlines_of_quads(polygon_mode.mode);
+  const Picture control = feedback(t, "control: explicit quad strips",
+                                   outlined_scenes(polygon_mode, explicit_commands(t, evaluated)));
+  for (const Part& part : control.parts) require_quads(part, quads);
+  Picture picture = feedback(t, "evaluated", outlined_scenes(polygon_mode, evaluated));
+  const Outlines with = outlines_of(picture.parts[0]), without = outlines_of(picture.parts[1]);
+  picture.played.expect(with == without, picture.parts[1].shown,
+                        fmt::format("a FILL mesh comes out as {} with edge flag FALSE, as {} with TRUE",
+                                    describe(without), describe(with)),
+                        describe(with), describe(without));
+  for (const Part& part : picture.parts) {
+    const Outlines seen = outlines_of(part);
+    const bool has_all =
+        std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
+    expect_outlines(picture, part, has_all, quads);
+  }
 }
 
 EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
@@ -215,27 +253,8 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
   }
 }
 
-// Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
-EVALCTS_TESTS(Mesh2, EdgeFlagHasNoInfluence, kOutlined, const PolygonMode& polygon_mode, must,
-              "EV-MESH2-EDGEFLAG") {
-  gl::Case state = state_of(polygon_mode);
-  state.EdgeFlag(GL_FALSE);
-  const Outlines quads = outlines_of(control_of_quads(t, polygon_mode, state));
-  const Outlines with = outlines_of(feedback(t, "edge flag TRUE", state_of(polygon_mode), mesh(GL_FILL)));
-  Picture picture = feedback(t, "edge flag FALSE", state, mesh(GL_FILL));
-  const Outlines seen = outlines_of(picture);
-  picture.played.expect(seen == with, picture.parts[0].shown,
-                        fmt::format("a FILL mesh comes out as {} with edge flag FALSE, as {} with TRUE",
-                                    describe(seen), describe(with)),
-                        describe(with), describe(seen));
-  const bool has_all =
-      std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
-  expect_outlines(picture, has_all, "a FILL mesh", seen, quads);
-}
-
 // Whatever the split inside, the vertices are those of the mesh and the middle is covered.
 EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
-  gl::Case evaluated = mesh(GL_FILL);
   // Seen from the front as the patch is; z twists the quads.
   const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
   const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
@@ -246,18 +265,18 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
   twisted.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
   const gl::Case strips = explicit_commands(t, twisted);
 
-  const Outlines expected = outlines_of(feedback(t, "control: explicit quad strips", {}, strips));
+  const Outlines expected = outlines_of(feedback(t, "control: vertices", {}, strips).parts[0]);
   if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
     throw NotObservable("pipeline: explicit quad strips do not come out whole");
   Picture polygons = feedback(t, "vertices", {}, twisted);
-  const Outlines seen = outlines_of(polygons);
-  expect_outlines(polygons, seen.corners == expected.corners, "a FILL mesh", seen, expected);
+  expect_outlines(polygons, polygons.parts[0], outlines_of(polygons.parts[0]).corners == expected.corners,
+                  expected);
 
   std::vector<Area> middles;
   for_each_quad([&](int i, int j) {
     middles.push_back({kLeft + kWidth * i + kWidth / 2, kBottom + kHeight * j + kHeight / 2});
   });
-  const Picture control = pixels(t, "control: explicit quad strips", {}, strips, middles);
+  const Picture control = pixels(t, "control: middles of the quads", {}, strips, middles);
   Picture picture = pixels(t, "middles of the quads", {}, twisted, middles);
   for (std::size_t i = 0; i < middles.size(); ++i) {
     if (!lit(control.parts[i])) throw NotObservable("pipeline: explicit quad strips do not come out whole");
@@ -308,59 +327,89 @@ EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST") {
 
 // --- Facing ----------------------------------------------------------------------------------------------
 
+namespace {
+
+// A way to draw the patch, and how each pixel of it is to look.
+struct Facing {
+  std::string name;
+  bool mirrored;
+  gl::Case state;
+  bool drawn;
+  std::vector<double> color;  // empty: any
+};
+
+void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_normals,
+                    const char* not_observable) {
+  const std::vector<Area> areas = samples_in_halves();
+  std::vector<Scene> evaluated, strips;
+  for (const Facing& facing : facings) {
+    gl::Case drawing;
+    if (automatic_normals) drawing.Enable(GL_AUTO_NORMAL);
+    drawing.append(mesh(GL_FILL, facing.mirrored));
+    evaluated.emplace_back(facing.name, facing.state, drawing);
+    strips.emplace_back(facing.name, facing.state, explicit_commands(t, drawing));
+  }
+  const Picture control = pixels(t, "control: explicit quad strips", strips, areas);
+  for (std::size_t i = 0; i < control.parts.size(); ++i) {
+    const Part& part = control.parts[i];
+    const Facing& facing = facings[i / areas.size()];
+    const bool right_color = facing.color.empty() || alike(part.values, facing.color);
+    if (lit(part) != facing.drawn || !right_color) throw NotObservable(not_observable);
+  }
+  expect_like_explicit(pixels(t, "evaluated", evaluated, areas), control);
+}
+
+}  // namespace
+
 // The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
 EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING") {
-  const std::vector<Area> areas = samples_in_halves();
-  for (const bool mirrored : {false, true})
-    for (const GLenum front : {GL_CCW, GL_CW})
-      for (const GLenum culled : {GL_BACK, GL_FRONT}) {
+  std::vector<Facing> facings;
+  for (const GLenum front : {GL_CCW, GL_CW})
+    for (const GLenum culled : {GL_BACK, GL_FRONT})
+      for (const bool mirrored : {false, true}) {
+        const GLenum facing = (front == GL_CW) != mirrored ? GL_FRONT : GL_BACK;
         gl::Case state;
         state.Enable(GL_CULL_FACE);
-        if (front != GL_CCW) state.FrontFace(front);    // the initial value counts, too
-        if (culled != GL_BACK) state.CullFace(culled);  // likewise
-        const GLenum facing = (front == GL_CW) != mirrored ? GL_FRONT : GL_BACK;
-        const bool drawn = facing != culled;
-        const std::string name =
-            fmt::format("{}, front faces {}, {} faces culled", mirrored ? "u along +y" : "u along +x",
-                        front == GL_CCW ? "CCW" : "CW", culled == GL_BACK ? "back" : "front");
-        const gl::Case evaluated = mesh(GL_FILL, mirrored);
-        const Picture control = pixels(t, "control: " + name, state, explicit_commands(t, evaluated), areas);
-        for (const Part& part : control.parts)
-          if (lit(part) != drawn) throw NotObservable("pipeline: explicit quad strips are culled otherwise");
-        expect_like_explicit(pixels(t, name, state, evaluated, areas), control);
+        // The first scenes are drawn with the initial values.
+        if (!facings.empty()) {
+          state.FrontFace(front);
+          state.CullFace(culled);
+        }
+        facings.push_back(
+            {fmt::format("{}, front faces {}, {} faces culled", mirrored ? "u along +y" : "u along +x",
+                         front == GL_CCW ? "CCW" : "CW", culled == GL_BACK ? "back" : "front"),
+             mirrored,
+             state,
+             facing != culled,
+             {}});
       }
+  expect_facings(t, facings, false, "pipeline: explicit quad strips are culled otherwise");
 }
 
 // The generated normal points to the viewer where the facet is seen from the back: the back material with the
 // normal reversed. Mirrored, the front material with the normal as it is.
 EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE") {
   using Values = std::vector<float>;
-  const std::vector<Area> areas = samples_in_halves();
+  std::vector<Facing> facings;
   for (const bool mirrored : {false, true})
-    for (const bool light_from_behind : {false, true}) {
+    for (const bool from_behind : {false, true}) {
       gl::Case state;
       state.Enable(GL_LIGHTING);
       state.Enable(GL_LIGHT0);
-      state.Lightfv(GL_LIGHT0, GL_POSITION, Values{0, 0, light_from_behind ? -1.0f : 1.0f, 0});
+      state.Lightfv(GL_LIGHT0, GL_POSITION, Values{0, 0, from_behind ? -1.0f : 1.0f, 0});
       state.LightModelfv(GL_LIGHT_MODEL_AMBIENT, Values{0, 0, 0, 1});
       state.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, Values{1});
       state.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, Values{0, 0.5f, 0, 1});
       state.Materialfv(GL_FRONT, GL_EMISSION, Values{0.75f, 0, 0, 1});
       state.Materialfv(GL_BACK, GL_EMISSION, Values{0, 0, 0.75f, 1});
-      gl::Case evaluated;
-      evaluated.Enable(GL_AUTO_NORMAL);
-      evaluated.append(mesh(GL_FILL, mirrored));
-
-      const std::string name = fmt::format("{}, light from {}", mirrored ? "u along +y" : "u along +x",
-                                           light_from_behind ? "behind" : "the viewer");
-      const Picture control = pixels(t, "control: " + name, state, explicit_commands(t, evaluated), areas);
-      const std::vector<double> color = {mirrored ? 0.75 : 0, light_from_behind ? 0.5 : 0,
-                                         mirrored ? 0 : 0.75, 1};
-      for (const Part& part : control.parts)
-        if (!alike(part.values, color))
-          throw NotObservable("pipeline: explicit quad strips are not lit on two sides");
-      expect_like_explicit(pixels(t, name, state, evaluated, areas), control);
+      facings.push_back({fmt::format("{}, light from {}", mirrored ? "u along +y" : "u along +x",
+                                     from_behind ? "behind" : "the viewer"),
+                         mirrored,
+                         state,
+                         true,
+                         {mirrored ? 0.75 : 0, from_behind ? 0.5 : 0, mirrored ? 0 : 0.75, 1}});
     }
+  expect_facings(t, facings, true, "pipeline: explicit quad strips are not lit on two sides");
 }
 
 // --- What is of polygons only ----------------------------------------------------------------------------
@@ -389,80 +438,93 @@ constexpr OfPolygons kOfPolygons[] = {
        c.PolygonOffset(0.0f, -0x1p22f);  // half of what there is in front of it, in 24 bits
      }}};
 
-struct NotPolygons {
-  std::string name;
-  GLenum mode;
-  OfPolygons stage;
-};
-std::vector<NotPolygons> not_polygons() {
-  std::vector<NotPolygons> all;
-  for (const auto& [name, mode] : {std::pair{"POINT", GL_POINT}, {"LINE", GL_LINE}})
-    for (const OfPolygons& stage : kOfPolygons)
-      all.push_back({fmt::format("{}_{}", name, stage.name), static_cast<GLenum>(mode), stage});
-  return all;
-}
-
-// Depths at the vertices, on the edges and in the middles; or feedback, where a token for a stipple that
-// starts anew is as good as none.
-Picture look(Test& t, const OfPolygons& stage, const std::string& identity, bool with_stage,
-             const gl::Case& drawing) {
-  gl::Case state;
-  if (with_stage) stage.set(state);
+// The drawings without the stage, then with it: depths at the vertices, on the edges and in the middles, or
+// feedback.
+Picture look(Test& t, const OfPolygons& stage, const std::string& identity,
+             const std::vector<gl::Case>& drawings) {
+  std::vector<Scene> scenes;
+  for (const bool with_stage : {false, true})
+    for (const gl::Case& drawing : drawings) {
+      gl::Case state;
+      if (stage.in_depth) {
+        state.Enable(GL_DEPTH_TEST);
+        state.PointSize(4.0f);
+      }
+      if (with_stage) stage.set(state);
+      scenes.emplace_back(with_stage ? "with the stage" : "without the stage", state, drawing);
+    }
   if (stage.in_depth) {
-    state.Enable(GL_DEPTH_TEST);
-    state.PointSize(4.0f);
     std::vector<Area> areas;
     for_each_quad([&](int i, int j) {
       for (const int dx : {-1, kWidth / 2})
         for (const int dy : {-1, kHeight / 2})
           areas.push_back({kLeft + kWidth * i + dx, kBottom + kHeight * j + dy, 2, 2});
     });
-    return pixels(t, identity, state, drawing, areas, GL_DEPTH_COMPONENT);
+    return pixels(t, identity, scenes, areas, GL_DEPTH_COMPONENT);
   }
-  Picture picture = feedback(t, identity, state, drawing);
-  for (double& value : picture.parts[0].values)
-    if (value == GL_LINE_RESET_TOKEN) value = GL_LINE_TOKEN;
+  Picture picture = feedback(t, identity, scenes);
+  forget_stipple_starts(picture);
   return picture;
+}
+
+// The parts of one drawing, in one row.
+std::vector<double> values_of(const Picture& picture, std::size_t scene, std::size_t scenes) {
+  const std::size_t each = picture.parts.size() / scenes;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < each; ++i) {
+    const std::vector<double>& more = picture.parts[scene * each + i].values;
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return values;
 }
 
 }  // namespace
 
-EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, not_polygons(), const NotPolygons& which, must,
+EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kOfPolygons, const OfPolygons& stage, must,
               "EV-MESH2-NOPOLYMODE") {
-  const gl::Case evaluated = mesh(which.mode);
-  const gl::Case quads = explicit_commands(t, mesh(GL_FILL));
-  const auto effect = [&](const char* identity, bool with_stage) {
-    return look(t, which.stage, identity, with_stage, quads);
+  const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
+  // Polygons last.
+  const Picture control = look(t, stage, "control: explicit vertices",
+                               {explicit_commands(t, meshes[0]), explicit_commands(t, meshes[1]),
+                                explicit_commands(t, mesh(GL_FILL))});
+  const auto values = [&](std::size_t drawing, bool with_stage) {
+    return values_of(control, drawing + (with_stage ? 3 : 0), 6);
   };
-  if (alike(effect("control: polygons", true), effect("control: polygons without the stage", false), kEffect))
+  if (alike(values(2, true), values(2, false), kEffect))
     throw NotObservable("pipeline: the stage does not show with explicit polygons");
-  const gl::Case primitives = explicit_commands(t, evaluated);
-  const Picture control = look(t, which.stage, "control: explicit vertices", true, primitives);
-  if (!alike(control, look(t, which.stage, "control: without the stage", false, primitives)))
-    throw NotObservable("pipeline: explicit points and lines change like polygons");
-  expect_like_explicit(look(t, which.stage, "evaluated", true, evaluated), control);
+  for (const std::size_t i : {0u, 1u})
+    if (!alike(values(i, true), values(i, false)))
+      throw NotObservable("pipeline: explicit points and lines change like polygons");
+
+  Picture picture = look(t, stage, "evaluated", meshes);
+  const std::size_t each = picture.parts.size() / 4;
+  for (std::size_t scene = 0; scene < 4; ++scene)
+    for (std::size_t i = 0; i < each; ++i)
+      expect_like_explicit(picture.played, picture.parts[scene * each + i],
+                           control.parts[(scene < 2 ? scene : scene + 1) * each + i]);
 }
 
 // In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
 EVALCTS_TESTS(Mesh2, FillsArePolygons, kOfPolygons, const OfPolygons& stage, must, "EV-MESH2-NOPOLYMODE") {
   const gl::Case evaluated = mesh(GL_FILL);
-  const gl::Case quads = explicit_commands(t, evaluated);
-  const Picture control = look(t, stage, "control: explicit quad strips", true, quads);
-  if (alike(control, look(t, stage, "control: without the stage", false, quads), kEffect))
+  const Picture control = look(t, stage, "control: explicit quad strips", {explicit_commands(t, evaluated)});
+  if (alike(values_of(control, 0, 2), values_of(control, 1, 2), kEffect))
     throw NotObservable("pipeline: the stage does not show with explicit polygons");
-  Picture picture = look(t, stage, "evaluated", true, evaluated);
+  Picture picture = look(t, stage, "evaluated", {evaluated});
   if (stage.in_depth) {
     expect_like_explicit(std::move(picture), control);
     return;
   }
-  const Outlines seen = outlines_of(picture), expected = outlines_of(control);
-  const auto places = [](const std::multiset<Point>& points) {
-    return std::set<Point>(points.begin(), points.end());
-  };
-  const bool holds = places(seen.points) == places(expected.points) &&
-                     std::ranges::includes(seen.edges, expected.edges) &&
-                     seen.edges.empty() == expected.edges.empty() && seen.corners == expected.corners;
-  expect_outlines(picture, holds, "a FILL mesh", seen, expected);
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    const Outlines seen = outlines_of(picture.parts[i]), expected = outlines_of(control.parts[i]);
+    const auto places = [](const std::multiset<Point>& points) {
+      return std::set<Point>(points.begin(), points.end());
+    };
+    const bool holds = places(seen.points) == places(expected.points) &&
+                       std::ranges::includes(seen.edges, expected.edges) &&
+                       seen.edges.empty() == expected.edges.empty() && seen.corners == expected.corners;
+    expect_outlines(picture, picture.parts[i], holds, expected);
+  }
 }
 
 // --- Line stippling --------------------------------------------------------------------------------------
@@ -540,9 +602,9 @@ gl::Case apart(const gl::Case& strips) {
 }
 
 // For each segment, whether the stipple starts anew.
-std::vector<bool> starts_of(const Picture& picture) {
+std::vector<bool> starts_of(const Part& part) {
   std::vector<bool> starts;
-  for (const FeedbackPrimitive& primitive : primitives_of(picture))
+  for (const FeedbackPrimitive& primitive : primitives_of(part))
     starts.push_back(primitive.token == GL_LINE_RESET_TOKEN);
   return starts;
 }
@@ -551,14 +613,20 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
                     const std::vector<Area>& areas) {
   const gl::Case state = state_of(stipple);
   const gl::Case strips = explicit_commands(t, evaluated);
-  const Picture control = pixels(t, "control: explicit line strips", state, strips, areas, GL_RED);
-  require_an_effect(control, pixels(t, "control: separate lines", state, apart(strips), areas, GL_RED));
-  require_an_effect(control, pixels(t, "control: without stipple", {}, strips, areas, GL_RED));
+  const Picture control =
+      pixels(t, "control: explicit line strips",
+             {{"", {}, strips}, {"", state, apart(strips)}, {"", state, strips}}, areas, GL_RED);
+  const std::size_t count = areas.size();
+  const auto values = [&](std::size_t scene) { return values_of(control, scene, 3); };
+  for (const std::size_t other : {0u, 1u}) require_an_effect(values(2), values(other));
   // The pixels after the first vertex, none of them on another line: the pattern starts at each strip.
-  for (const Part& part : control.parts)
-    if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, control.values().begin() + 5))
+  const std::vector<Part> expected(control.parts.end() - static_cast<std::ptrdiff_t>(count),
+                                   control.parts.end());
+  for (const Part& part : expected)
+    if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, expected[0].values.begin() + 5))
       throw NotObservable("pipeline: the stipple does not start anew at each explicit line strip");
-  expect_like_explicit(pixels(t, "evaluated", state, evaluated, areas, GL_RED), control);
+  Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
+  for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
 }
 
 // No LINE_RESET_TOKEN but at the first segment of a strip; that there is one, is not asked
@@ -567,12 +635,12 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
   const gl::Case state = state_of(kStipples[0]);
   const Picture control =
       feedback(t, "control: explicit line strips", state, explicit_commands(t, evaluated));
-  const std::vector<bool> expected = starts_of(control);
+  const std::vector<bool> expected = starts_of(control.parts[0]);
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (expected[i] != (i % kSegments == 0))
       throw NotObservable("pipeline: explicit line strips have no LINE_RESET_TOKEN at their beginnings only");
   Picture picture = feedback(t, "evaluated", state, evaluated);
-  const std::vector<bool> seen = starts_of(picture);
+  const std::vector<bool> seen = starts_of(picture.parts[0]);
   picture.played.expect(seen.size() == expected.size(), picture.parts[0].shown,
                         fmt::format("{} segments come out, expected {}", seen.size(), expected.size()),
                         fmt::format("{} segments", expected.size()), fmt::format("{} segments", seen.size()));

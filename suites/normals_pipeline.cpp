@@ -72,50 +72,49 @@ const Stage kStages[] = {{"SCALE", kIdentity, kTwice, 0},
 
 }  // namespace
 
-EVALCTS_TESTS_BY(gl::surface_deliveries(), AutomaticNormals, Transformed, kStages, const Stage& stage, must,
-                 "EV-AUTON-FFTRANSFORM") {
+EVALCTS_TESTS(AutomaticNormals, Transformed, kStages, const Stage& stage, must, "EV-AUTON-FFTRANSFORM") {
   t.require(1, 3);
-  const auto state = [&](const std::vector<float>& matrix, GLenum capability) {
-    gl::Case c;
-    c.LoadMatrixf(matrix);
-    if (capability) c.Enable(capability);
-    show_normals(c);
-    return c;
-  };
-  const gl::Case staged = state(stage.matrix, stage.capability);
+  gl::Case before, staged;
+  before.LoadMatrixf(stage.before);
+  show_normals(before);
+  staged.LoadMatrixf(stage.matrix);
+  if (stage.capability) staged.Enable(stage.capability);
   const gl::Case evaluated = points_of(patch(1));
-  const gl::Case explicit_points = explicit_commands(t, evaluated);
-  const Picture control = feedback(t, "control: explicit vertices", staged, explicit_points);
-  require_an_effect(control,
-                    feedback(t, "control: without the stage", state(stage.before, 0), explicit_points));
-  expect_like_explicit(feedback(t, "evaluated", staged, evaluated), control);
+  const auto scenes = [&](const gl::Case& drawing) {
+    return std::vector<Scene>{{"without the stage", before, drawing}, {"with the stage", staged, drawing}};
+  };
+  const Picture control = feedback(t, "control: explicit vertices", scenes(explicit_commands(t, evaluated)));
+  require_an_effect(control.parts[1].values, control.parts[0].values);
+  expect_like_explicit(feedback(t, "evaluated", scenes(evaluated)), control);
 }
 
 // Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
+EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
   gl::Case state;
   light(state);
   // Nothing is clipped.
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1});
+  std::vector<Scene> evaluated, units, halves;
   for (const double size : {0.01, 1.0, 1000.0}) {
-    const gl::Case evaluated = points_of(patch(size));
-    const gl::Case explicit_points = explicit_commands(t, evaluated);
-    gl::Case halved;
-    for (gl::Command command : explicit_points.commands()) {
+    const gl::Case drawing = points_of(patch(size));
+    const std::string name = fmt::format("a patch of size {}", size / 2);
+    evaluated.emplace_back(name, state, drawing);
+    units.emplace_back(name, state, explicit_commands(t, drawing));
+    halves.emplace_back(name, gl::Case());
+    for (gl::Command command : units.back().commands.commands()) {
       if (command.entry == gl::EntryPoint::Normal3f)
         for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;
-      halved.add(command);
+      halves.back().commands.add(command);
     }
-    const std::string name = fmt::format("a patch of size {}", size / 2);
-    const Picture control = feedback(t, "control: " + name, state, explicit_points);
-    require_an_effect(control, feedback(t, "control: half as long normals", state, halved));
-    expect_like_explicit(feedback(t, name, state, evaluated), control);
   }
+  const Picture control = feedback(t, "control: explicit vertices", units);
+  require_an_effect(control, feedback(t, "control: half as long normals", halves));
+  expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 }
 
 // AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
+EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
   gl::Case state;
   light(state);
   gl::Case evaluated;
@@ -124,9 +123,10 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, InitiallyOff, must, 
   gl::Case automatic;
   automatic.Enable(GL_AUTO_NORMAL);
   automatic.append(evaluated);
-  const Picture control = feedback(t, "control: explicit vertices", state, explicit_commands(t, evaluated));
-  require_an_effect(control, feedback(t, "control: explicit vertices with generated normals", state,
-                                      explicit_commands(t, automatic)));
+  const Picture control = feedback(t, "control: explicit vertices",
+                                   {{"the current normal", state, explicit_commands(t, evaluated)},
+                                    {"generated normals", state, explicit_commands(t, automatic)}});
+  require_an_effect(control.parts[0].values, control.parts[1].values);
   expect_like_explicit(feedback(t, "evaluated", state, evaluated), control);
 }
 
@@ -159,43 +159,44 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
 }  // namespace
 
 // n = du x dv as it is.
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NotNormalizedForVertexProgram, must,
-                "EV-AUTON-VP") {
+EVALCTS_TEST(AutomaticNormals, NotNormalizedForVertexProgram, must, "EV-AUTON-VP") {
   if (!t.gl().extensions.count("GL_ARB_vertex_program")) throw NotSupported("needs GL_ARB_vertex_program");
   gl::Case state;
   set_up_texture(state);
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 1});
   use_program(state, kNormalProgram);
+  std::vector<Scene> evaluated, with_normals;
+  std::vector<std::vector<double>> normals;
   for (const Plane& plane : kPlanes) {
-    std::vector<double> points;
+    std::vector<double> points, normal;
     for (int i = 0; i < plane.uorder; ++i)
       for (int j = 0; j < plane.vorder; ++j)
         for (std::size_t k = 0; k < 3; ++k)
           points.push_back(plane.du[k] * i / (plane.uorder - 1) + plane.dv[k] * j / (plane.vorder - 1));
-    const gl::Case evaluated = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
-    std::vector<double> normal;
     for (std::size_t k = 0; k < 3; ++k)
       normal.push_back(plane.du[(k + 1) % 3] * plane.dv[(k + 2) % 3] -
                        plane.du[(k + 2) % 3] * plane.dv[(k + 1) % 3]);
-    // The explicit vertices have unit normals for now.
-    const gl::Case units = explicit_commands(t, evaluated);
-    gl::Case explicit_points;
+    normals.push_back(normal);
+    const gl::Case drawing = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
+    evaluated.emplace_back(plane.name, state, drawing);
+    // As the specification plays the commands, the normals are units.
+    const gl::Case units = explicit_commands(t, drawing);
+    with_normals.emplace_back(plane.name, state);
     for (const gl::Command& command : units.commands()) {
       if (command.entry == gl::EntryPoint::Normal3f) {
-        explicit_points.Normal3f(normal[0], normal[1], normal[2]);
+        with_normals.back().commands.Normal3f(normal[0], normal[1], normal[2]);
       } else {
-        explicit_points.add(command);
+        with_normals.back().commands.add(command);
       }
     }
-    const Picture control = feedback(t, fmt::format("control: {}", plane.name), state, explicit_points);
-    for (const FeedbackPrimitive& point : primitives_of(control))
-      for (std::size_t k = 0; k < 3; ++k)
-        if (!alike({point.vertices[0][8 + k]}, {normal[k]}))
-          throw NotObservable("pipeline: the program does not see explicit normals as they are");
-    require_an_effect(control, feedback(t, "control: unit normals", state, units));
-    expect_like_explicit(feedback(t, plane.name, state, evaluated), control);
   }
+  const Picture control = feedback(t, "control: explicit vertices", with_normals);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    for (const FeedbackPrimitive& point : primitives_of(control.parts[i]))
+      if (!alike(std::vector<double>(&point.vertices[0][8], &point.vertices[0][11]), normals[i]))
+        throw NotObservable("pipeline: the program does not see explicit normals as they are");
+  expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 }
 
 }  // namespace evalcts

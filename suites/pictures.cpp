@@ -33,23 +33,36 @@ std::string name_of(const Area& area) {
 
 }  // namespace
 
-Picture feedback(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing) {
+Picture feedback(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
-  c.append(state);
-  const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(kRoom));
-  c.RenderMode(GL_FEEDBACK);
-  c.append(drawing);
-  const gl::Ref count = c.RenderMode(GL_RENDER);
-  Played played = t.play(c);
-  const auto returned = static_cast<GLint>(played.trace().result(count));
-  if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
-  const std::vector<GLfloat> all = played.trace().values<GLfloat>(buffer);
-  const auto end = all.begin() + std::min<std::ptrdiff_t>(kRoom, returned);
-  return {std::move(played), {{"the feedback buffer", buffer, {all.begin(), end}}}};
+  struct Refs {
+    gl::Ref buffer, count;
+  };
+  std::vector<Refs> refs;
+  for (const Scene& scene : scenes) {
+    const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(kRoom));
+    c.RenderMode(GL_FEEDBACK);
+    c.append(scene.commands);
+    refs.push_back({buffer, c.RenderMode(GL_RENDER)});
+  }
+  Picture picture = {t.play(c), {}};
+  const gl::Trace& trace = picture.played.trace();
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const auto returned = static_cast<GLint>(trace.result(refs[i].count));
+    if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
+    const std::vector<GLfloat> all = trace.values<GLfloat>(refs[i].buffer);
+    const auto end = all.begin() + std::min<std::ptrdiff_t>(kRoom, returned);
+    picture.parts.push_back({scenes[i].name, refs[i].buffer, {all.begin(), end}});
+  }
+  return picture;
 }
 
-std::vector<FeedbackPrimitive> primitives_of(const Picture& feedback) {
-  const std::vector<double>& values = feedback.values();
+Picture feedback(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing) {
+  return feedback(t, identity, {Scene("in feedback mode", state, drawing)});
+}
+
+std::vector<FeedbackPrimitive> primitives_of(const Part& feedback) {
+  const std::vector<double>& values = feedback.values;
   std::vector<FeedbackPrimitive> primitives;
   for (std::size_t i = 0; i < values.size();) {
     const auto token = static_cast<GLenum>(values[i++]);
@@ -62,45 +75,50 @@ std::vector<FeedbackPrimitive> primitives_of(const Picture& feedback) {
       throw NotObservable("something other than points, lines and polygons came back in feedback mode");
     }
     if (count > (values.size() - i) / 12) throw NotObservable("the feedback buffer ends within a primitive");
-    FeedbackPrimitive& primitive = primitives.emplace_back(token);
+    FeedbackPrimitive primitive = {token, {}};
     for (; count > 0; --count, i += 12)
       std::copy_n(&values[i], 12, primitive.vertices.emplace_back().begin());
+    primitives.push_back(std::move(primitive));
   }
   return primitives;
 }
 
-Picture pixels(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+void forget_stipple_starts(Picture& feedback) {
+  for (Part& part : feedback.parts)
+    std::ranges::replace(part.values, double{GL_LINE_RESET_TOKEN}, double{GL_LINE_TOKEN});
+}
+
+Picture pixels(Test& t, const std::string& identity, const std::vector<Scene>& scenes,
                const std::vector<Area>& areas, GLenum format) {
   gl::Case c(identity);
   c.Viewport(0, 0, kSide, kSide);
-  c.append(state);
   c.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  c.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  c.append(drawing);
   std::vector<Part> parts;
-  for (const Area& area : areas) {
-    const std::size_t count = channels_of(format) * static_cast<std::size_t>(area.width * area.height);
-    parts.push_back(
-        {name_of(area),
-         c.ReadPixels(area.x, area.y, area.width, area.height, format, GL_FLOAT, gl::out<GLfloat>(count)),
-         {}});
+  for (const Scene& scene : scenes) {
+    c.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    c.append(scene.commands);
+    for (const Area& area : areas) {
+      const std::size_t count = channels_of(format) * static_cast<std::size_t>(area.width * area.height);
+      const gl::Ref read =
+          c.ReadPixels(area.x, area.y, area.width, area.height, format, GL_FLOAT, gl::out<GLfloat>(count));
+      parts.push_back({scene.name.empty() ? name_of(area) : scene.name + ": " + name_of(area), read, {}});
+    }
   }
-  Played played = t.play(c);
-  for (Part& part : parts) {
-    const std::vector<GLfloat> values = played.trace().values<GLfloat>(part.shown);
+  Picture picture = {t.play(c), std::move(parts)};
+  for (Part& part : picture.parts) {
+    const std::vector<GLfloat> values = picture.played.trace().values<GLfloat>(part.shown);
     part.values.assign(values.begin(), values.end());
   }
-  return {std::move(played), std::move(parts)};
+  return picture;
+}
+
+Picture pixels(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+               const std::vector<Area>& areas, GLenum format) {
+  return pixels(t, identity, {Scene("", state, drawing)}, areas, format);
 }
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
   return a.size() == b.size() && first_difference(a, b, tolerance) == a.size();
-}
-
-bool alike(const Picture& a, const Picture& b, double tolerance) {
-  return std::ranges::equal(a.parts, b.parts, [&](const Part& one, const Part& other) {
-    return alike(one.values, other.values, tolerance);
-  });
 }
 
 void require_an_effect(const std::vector<double>& with, const std::vector<double>& without) {
@@ -110,27 +128,30 @@ void require_an_effect(const std::vector<double>& with, const std::vector<double
 }
 
 void require_an_effect(const Picture& with, const Picture& without) {
+  const bool alike_in_all = std::ranges::equal(with.parts, without.parts, [](const Part& a, const Part& b) {
+    return alike(a.values, b.values, kEffect);
+  });
   if (std::ranges::all_of(with.parts, [](const Part& part) { return part.values.empty(); }))
     throw NotObservable("pipeline: nothing comes out of explicit vertices");
-  if (alike(with, without, kEffect))
-    throw NotObservable("pipeline: the stage does not show with explicit vertices");
+  if (alike_in_all) throw NotObservable("pipeline: the stage does not show with explicit vertices");
+}
+
+void expect_like_explicit(Played& played, const Part& seen, const Part& control) {
+  const std::size_t where = first_difference(seen.values, control.values, kTolerance);
+  const auto text = [&](const std::vector<double>& values) {
+    if (where >= values.size()) return fmt::format("{} values", values.size());
+    return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
+  };
+  const std::string expected = text(control.values), captured = text(seen.values);
+  played.expect(alike(seen.values, control.values), seen.shown,
+                fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {} ({})",
+                            captured, expected, seen.name),
+                expected, captured);
 }
 
 void expect_like_explicit(Picture picture, const Picture& control) {
-  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
-    const std::vector<double>& seen = picture.parts[i].values;
-    const std::vector<double>& expected = control.parts.at(i).values;
-    const std::size_t where = first_difference(seen, expected, kTolerance);
-    const auto text = [&](const std::vector<double>& values) {
-      if (where >= values.size()) return fmt::format("{} values", values.size());
-      return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
-    };
-    picture.played.expect(
-        alike(seen, expected), picture.parts[i].shown,
-        fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {} ({})", text(seen),
-                    text(expected), picture.parts[i].name),
-        text(expected), text(seen));
-  }
+  for (std::size_t i = 0; i < picture.parts.size(); ++i)
+    expect_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
 }
 
 void set_up_texture(gl::Case& c) {

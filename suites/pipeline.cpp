@@ -22,9 +22,7 @@ Picture look(Test& t, View view, const std::string& identity, const gl::Case& st
     return pixels(t, identity, large_points, drawing, {{kSide / 2, kSide / 2}});
   }
   Picture picture = feedback(t, identity, state, drawing);
-  // Whether a stipple starts anew is for other tests.
-  for (double& value : picture.parts[0].values)
-    if (value == GL_LINE_RESET_TOKEN) value = GL_LINE_TOKEN;
+  forget_stipple_starts(picture);
   return picture;
 }
 
