@@ -57,35 +57,42 @@ void light(gl::Case& c) {
   c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.36f, 0.48f, 0.8f, 0});
 }
 
+const std::vector<float> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
 struct Stage {
   const char* name;
-  std::vector<float> before;  // the modelview matrix without the stage
-  std::vector<float> matrix;  // and with it
-  GLenum capability;          // enabled by it, or 0
+  GLenum capability;  // enabled by it, or 0: the matrix is the stage
+  std::vector<std::vector<float>> matrices;
 };
-const std::vector<float> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-const Stage kStages[] = {{"SCALE", kIdentity, kTwice, 0},
-                         {"SHEAR", kIdentity, kSheared, 0},
-                         {"SHEAR_AND_NORMALIZE", kSheared, kSheared, GL_NORMALIZE},
-                         {"SCALE_AND_NORMALIZE", kTurnedTwice, kTurnedTwice, GL_NORMALIZE},
-                         {"SCALE_AND_RESCALE", kTurnedTwice, kTurnedTwice, GL_RESCALE_NORMAL}};
+const Stage kStages[] = {{"MODEL_VIEW", 0, {kTwice, kSheared}},
+                         {"NORMALIZE", GL_NORMALIZE, {kTurnedTwice, kSheared}},
+                         {"RESCALE", GL_RESCALE_NORMAL, {kTurnedTwice}}};
 
 }  // namespace
 
 EVALCTS_TESTS(AutomaticNormals, Transformed, kStages, const Stage& stage, must, "EV-AUTON-FFTRANSFORM") {
   t.require(1, 3);
-  gl::Case before, staged;
-  before.LoadMatrixf(stage.before);
-  show_normals(before);
-  staged.LoadMatrixf(stage.matrix);
-  if (stage.capability) staged.Enable(stage.capability);
   const gl::Case evaluated = points_of(patch(1));
-  const auto scenes = [&](const gl::Case& drawing) {
-    return std::vector<Scene>{{"without the stage", before, drawing}, {"with the stage", staged, drawing}};
+  const auto add = [&](std::vector<Scene>& to, bool staged, const gl::Case& drawing) {
+    for (const std::vector<float>& matrix : stage.matrices) {
+      gl::Case state;
+      state.LoadMatrixf(staged || stage.capability ? matrix : kIdentity);
+      if (staged && stage.capability) state.Enable(stage.capability);
+      show_normals(state);
+      to.emplace_back(matrix == kSheared ? "sheared" : "twice as large", state, drawing);
+    }
   };
-  const Picture control = feedback(t, "control: explicit vertices", scenes(explicit_commands(t, evaluated)));
-  require_an_effect(control.parts[1].values, control.parts[0].values);
-  expect_like_explicit(feedback(t, "evaluated", scenes(evaluated)), control);
+  const gl::Case explicit_points = explicit_commands(t, evaluated);
+  std::vector<Scene> controls, evaluations;
+  add(controls, false, explicit_points);
+  add(controls, true, explicit_points);
+  add(evaluations, true, evaluated);
+  Picture control = feedback(t, "control: explicit vertices", controls);
+  const std::size_t count = stage.matrices.size();
+  for (std::size_t i = 0; i < count; ++i)
+    require_an_effect(control.parts[count + i].values, control.parts[i].values);
+  control.parts.erase(control.parts.begin(), control.parts.begin() + static_cast<std::ptrdiff_t>(count));
+  expect_like_explicit(feedback(t, "evaluated", evaluations), control);
 }
 
 // Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
@@ -95,21 +102,21 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
   // Nothing is clipped.
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1});
-  std::vector<Scene> evaluated, units, halves;
+  std::vector<Scene> evaluated, controls;
   for (const double size : {0.01, 1.0, 1000.0}) {
     const gl::Case drawing = points_of(patch(size));
     const std::string name = fmt::format("a patch of size {}", size / 2);
     evaluated.emplace_back(name, state, drawing);
-    units.emplace_back(name, state, explicit_commands(t, drawing));
-    halves.emplace_back(name, gl::Case());
-    for (gl::Command command : units.back().commands.commands()) {
-      if (command.entry == gl::EntryPoint::Normal3f)
-        for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;
-      halves.back().commands.add(command);
-    }
+    controls.emplace_back(name, state, explicit_commands(t, drawing));
   }
-  const Picture control = feedback(t, "control: explicit vertices", units);
-  require_an_effect(control, feedback(t, "control: half as long normals", halves));
+  controls.emplace_back("half as long normals", gl::Case());
+  for (gl::Command command : controls.front().commands.commands()) {
+    if (command.entry == gl::EntryPoint::Normal3f)
+      for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;
+    controls.back().commands.add(command);
+  }
+  const Picture control = feedback(t, "control: explicit vertices", controls);
+  require_an_effect(control.parts.front().values, control.parts.back().values);
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 }
 
