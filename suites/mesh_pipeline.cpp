@@ -439,7 +439,7 @@ constexpr OfPolygons kOffset[] = {
     {"polygon offset", [](gl::Case& c) {
        for (const GLenum offset : {GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
          c.Enable(offset);
-       c.PolygonOffset(0.0f, -0x1p22f);  // half of what there is in front of it, in 24 bits
+       c.PolygonOffset(0.0f, -0x1p21f);  // a quarter or an eighth of the range, in 24 bits
      }}};
 
 // Where it shows: feedback has no polygon offset.

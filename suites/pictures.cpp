@@ -10,7 +10,7 @@
 namespace evalcts {
 namespace {
 
-constexpr std::size_t kRoom = 4096;
+constexpr std::size_t kRoom = 2048;
 
 bool differs(double a, double b, double tolerance) {
   return !(std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b)));

@@ -167,6 +167,8 @@ const std::unordered_map<GLenum, const char*>& names() {
       TOKEN(GL_NORMALIZE),
       TOKEN(GL_RESCALE_NORMAL),
       TOKEN(GL_DEPTH_COMPONENT),
+      TOKEN(GL_RED),
+      TOKEN(GL_FLOAT),
       TOKEN(GL_VERTEX_PROGRAM_ARB),
       TOKEN(GL_PROGRAM_FORMAT_ASCII_ARB)};
 #undef TOKEN
