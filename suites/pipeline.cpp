@@ -1,38 +1,12 @@
 // Section 7 of the requirements, what follows the evaluation: evaluated vertices go through the pipeline like
 // explicit ones, under whatever state and whatever commands stand between them. Both are drawn in the same
 // implementation under the same state; only the evaluation itself may differ, by the accuracy rule.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "harness/judge/prediction.h"
 #include "suites/maps.h"
+#include "suites/pictures.h"
 
 namespace evalcts {
 namespace {
-
-// Window coordinates, colours and texture coordinates of well-conditioned maps of low order: what the
-// accuracy rule leaves to an evaluation (1e-5 a step, some ten steps) times the gain of the stages below, at
-// most 64. A stage that is left out shows by far more: see require_an_effect().
-constexpr double kTolerance = 0.02;
-constexpr double kEffect = 10 * kTolerance;
-
-constexpr std::size_t kRoom = 4096;
-
-bool differs(double a, double b, double tolerance) {
-  return !(std::abs(a - b) <= tolerance * std::max(1.0, std::abs(b)));
-}
-
-// Where two lists differ; their common length where neither does.
-std::size_t first_difference(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
-  const std::size_t size = std::min(a.size(), b.size());
-  std::size_t i = 0;
-  while (i < size && !differs(a[i], b[i], tolerance)) ++i;
-  return i;
-}
-bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
-  return a.size() == b.size() && first_difference(a, b, tolerance) == a.size();
-}
 
 // How to look at a drawing.
 enum class View {
@@ -40,61 +14,21 @@ enum class View {
   pixel,     // one pixel in the middle, for what feedback does not show
 };
 
-struct Picture {
-  Played played;
-  gl::Ref shown;
-  std::vector<double> values;
-};
-
-// Draws under the state.
 Picture look(Test& t, View view, const std::string& identity, const gl::Case& state,
              const gl::Case& drawing) {
-  gl::Case c(identity);
-  c.append(state);
   if (view == View::pixel) {
-    c.ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    c.Clear(GL_COLOR_BUFFER_BIT);
-    c.PointSize(16.0f);
-    c.append(drawing);
-    const gl::Ref pixel = c.ReadPixels(32, 32, 1, 1, GL_RGBA, GL_FLOAT, gl::out<GLfloat>(4));
-    Played played = t.play(c);
-    const std::vector<GLfloat> values = played.trace().values<GLfloat>(pixel);
-    return {std::move(played), pixel, {values.begin(), values.end()}};
+    gl::Case large_points = state;
+    large_points.PointSize(16.0f);
+    return pixels(t, identity, large_points, drawing, {{kSide / 2, kSide / 2}});
   }
-  const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(kRoom));
-  c.RenderMode(GL_FEEDBACK);
-  c.append(drawing);
-  const gl::Ref count = c.RenderMode(GL_RENDER);
-  Played played = t.play(c);
-  const auto returned = static_cast<GLint>(played.trace().result(count));
-  if (returned < 0) throw NotObservable("pipeline: the feedback buffer overflows");
-  std::vector<GLfloat> values = played.trace().values<GLfloat>(buffer);
-  values.resize(std::min(values.size(), static_cast<std::size_t>(returned)));
-  // Whether a stipple starts anew is for other tests.
-  for (GLfloat& value : values)
-    if (value == GL_LINE_RESET_TOKEN) value = GL_LINE_TOKEN;
-  return {std::move(played), buffer, {values.begin(), values.end()}};
-}
-
-// The explicit commands have to show the stage, or nothing can be said of it.
-void require_an_effect(const std::vector<double>& with, const std::vector<double>& without) {
-  if (with.empty()) throw NotObservable("pipeline: nothing comes out of explicit vertices");
-  if (alike(with, without, kEffect))
-    throw NotObservable("pipeline: the stage does not show with explicit vertices");
+  Picture picture = feedback(t, identity, state, drawing);
+  forget_stipple_starts(picture);
+  return picture;
 }
 
 void expect_like_explicit(Test& t, View view, const std::string& identity, const gl::Case& state,
                           const gl::Case& evaluated, const Picture& control) {
-  Picture picture = look(t, view, identity, state, evaluated);
-  const std::size_t where = first_difference(picture.values, control.values, kTolerance);
-  const auto text = [&](const std::vector<double>& values) {
-    if (where >= values.size()) return fmt::format("{} values", values.size());
-    return fmt::format("{:.7g} at {} of {} values", values[where], where, values.size());
-  };
-  picture.played.expect(alike(picture.values, control.values, kTolerance), picture.shown,
-                        fmt::format("evaluated vertices come out of the pipeline as {}, explicit ones as {}",
-                                    text(picture.values), text(control.values)),
-                        text(control.values), text(picture.values));
+  evalcts::expect_like_explicit(look(t, view, identity, state, evaluated), control);
 }
 
 // --- Stages ----------------------------------------------------------------------------------------------
@@ -154,15 +88,6 @@ constexpr Stage kStages[] = {
        c.Enable(GL_CLIP_PLANE0);
      }}};
 
-// A complete texture: some implementations skip texture coordinates and their generation without one.
-void set_up_texture(gl::Case& c) {
-  c.BindTexture(GL_TEXTURE_2D, 1);
-  c.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, std::vector<GLubyte>(4, 255));
-  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  c.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  c.Enable(GL_TEXTURE_2D);
-}
-
 // Maps of all kinds, well inside the view volume.
 void define_maps(gl::Case& c) {
   define(c, make_map1(GL_MAP1_VERTEX_4, {-0.5, -0.25, -0.5, 1, 0.25, 0.875, 0.25, 1.25, 0.75, -0.5, 0.5, 1}));
@@ -204,8 +129,7 @@ EVALCTS_DELIVERED_TESTS(Pipeline, Stage, kStages, const Stage& stage, must, "EV-
 
   const gl::Case explicit_commands = as_explicit_commands(predict(evaluated, t.max_order()));
   const Picture control = look(t, view, "control: explicit vertices", staged, explicit_commands);
-  require_an_effect(control.values,
-                    look(t, view, "control: without the stage", plain, explicit_commands).values);
+  require_an_effect(control, look(t, view, "control: without the stage", plain, explicit_commands));
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
 }
 
@@ -278,8 +202,9 @@ EVALCTS_DELIVERED_TESTS(Pipeline, BetweenEvaluations, kBetween, const Between& b
     return c;
   };
   const Picture control = look(t, view, "control: explicit vertices", state, draw_both(false));
-  const auto half = control.values.begin() + static_cast<std::ptrdiff_t>(control.values.size() / 2);
-  require_an_effect({half, control.values.end()}, {control.values.begin(), half});
+  const std::vector<double>& values = control.values();
+  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  require_an_effect(std::vector<double>(half, values.end()), std::vector<double>(values.begin(), half));
   expect_like_explicit(t, view, "evaluated", state, draw_both(true), control);
 }
 
@@ -306,7 +231,7 @@ EVALCTS_DELIVERED_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
     if (command.entry != gl::EntryPoint::EdgeFlag) all_edges.add(command);
 
   const Picture control = look(t, view, "control: explicit vertices", state, flags);
-  require_an_effect(control.values, look(t, view, "control: all edges", state, all_edges).values);
+  require_an_effect(control, look(t, view, "control: all edges", state, all_edges));
   expect_like_explicit(t, view, "evaluated", state, evaluated, control);
 }
 

@@ -134,6 +134,8 @@ void lighting_and_fog(Case& c, const ImplementationInfo&) {
 
 void programs_and_buffers(Case& c, const ImplementationInfo&) {
   c.UseProgram(0);
+  c.Disable(GL_VERTEX_PROGRAM_ARB);
+  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 0);
   for (const GLenum target :
        {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
     c.BindBuffer(target, 0);
@@ -186,6 +188,12 @@ void pipeline(Case& c, const ImplementationInfo&) {
     c.ClipPlane(GL_CLIP_PLANE0 + i, std::vector<GLdouble>(4, 0.0));
   }
   c.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  c.PolygonOffset(0, 0);
+  c.CullFace(GL_BACK);
+  c.FrontFace(GL_CCW);
+  c.ShadeModel(GL_SMOOTH);
+  c.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  c.LineStipple(1, 0xFFFF);
   c.PointSize(1);
   c.ClearColor(0, 0, 0, 0);
   for (const GLenum capability :
@@ -245,12 +253,13 @@ class Remains {
       if (command.entry == EntryPoint::CreateProgram) programs_.insert(returned());
       if (command.entry == EntryPoint::GenBuffers) written(buffers_);
       if (command.entry == EntryPoint::GenQueries) written(queries_);
-      // Textures and lists are made by names of one's own choice.
+      // Textures, assembly programs and lists are made by names of one's own choice.
       const auto given = [&](std::size_t argument, std::set<GLuint>& names) {
         if (const auto* name = std::get_if<std::int64_t>(&command.arguments[argument]))
           names.insert(static_cast<GLuint>(*name));
       };
       if (command.entry == EntryPoint::BindTexture) given(1, textures_);
+      if (command.entry == EntryPoint::BindProgramARB) given(1, assembly_programs_);
       if (command.entry == EntryPoint::NewList) given(0, lists_);
     }
   }
@@ -268,6 +277,8 @@ class Remains {
     for (const GLuint shader : shaders_) c.DeleteShader(shader);
     if (!queries_.empty()) c.DeleteQueries(queries_.size(), array_of(queries_));
     if (!buffers_.empty()) c.DeleteBuffers(buffers_.size(), array_of(buffers_));
+    if (!assembly_programs_.empty())
+      c.DeleteProgramsARB(assembly_programs_.size(), array_of(assembly_programs_));
     for (const GLuint list : lists_) c.DeleteLists(list, 1);
     if (!textures_.empty()) c.DeleteTextures(textures_.size(), array_of(textures_));
     return c;
@@ -289,7 +300,7 @@ class Remains {
   }
 
   std::vector<std::pair<EntryPoint, std::vector<gl::Value>>> open_;  // commands that close, latest last
-  std::set<GLuint> shaders_, programs_, buffers_, queries_, textures_, lists_;
+  std::set<GLuint> shaders_, programs_, buffers_, queries_, textures_, assembly_programs_, lists_;
 };
 
 // Nothing here uses the result of another command, so that commands can be left out.

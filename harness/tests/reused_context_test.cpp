@@ -69,6 +69,12 @@ Case disturbing(int units) {
   c.Lightfv(GL_LIGHT0, GL_DIFFUSE, std::vector<GLfloat>(4, 0.25f));
   c.LightModelfv(GL_LIGHT_MODEL_AMBIENT, std::vector<GLfloat>(4, 0.25f));
   c.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  c.PolygonOffset(2, 3);
+  c.CullFace(GL_FRONT);
+  c.FrontFace(GL_CW);
+  c.ShadeModel(GL_FLAT);
+  c.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+  c.LineStipple(3, 0x0F0F);
   c.PointSize(3);
   c.ClearColor(1, 1, 1, 1);
   c.Begin(GL_TRIANGLES);
@@ -117,6 +123,13 @@ Case asking(int units) {
                             GL_FOG_END,
                             GL_LIGHT_MODEL_AMBIENT,
                             GL_POLYGON_MODE,
+                            GL_POLYGON_OFFSET_FACTOR,
+                            GL_CULL_FACE_MODE,
+                            GL_FRONT_FACE,
+                            GL_SHADE_MODEL,
+                            GL_PROVOKING_VERTEX,
+                            GL_LINE_STIPPLE_PATTERN,
+                            GL_LINE_STIPPLE_REPEAT,
                             GL_POINT_SIZE,
                             GL_COLOR_CLEAR_VALUE})
     c.GetFloatv(name, gl::out<GLfloat>(16));

@@ -1,0 +1,708 @@
+// Sections 15 and 16 of the requirements, further down the pipeline: what becomes of the primitives of a mesh
+// in polygon mode, culling, polygon offset, flat shading, two-sided lighting and line stippling. Strips are
+// drawn explicitly under the same state first: these have to show the rule.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include "harness/judge/prediction.h"
+#include "suites/grid_cases.h"
+#include "suites/pictures.h"
+
+namespace evalcts {
+namespace {
+
+// --- The patch -------------------------------------------------------------------------------------------
+
+// 3 by 2 quads in the plane z = 0, 16 by 24 pixels each: vertex (i, j) is at pixel (8 + 16 i, 8 + 24 j), with
+// u along +x and v along +y. Mirrored, u is along +y and v along +x.
+constexpr int kColumns = 3, kRows = 2;
+constexpr int kLeft = 8, kBottom = 8, kWidth = 16, kHeight = 24;
+
+// No colour is black, and those of neighbours are far apart.
+std::array<double, 4> color_at(int i, int j) {
+  return {0.1 + 0.9 * i / kColumns, 0.2 + 0.8 * j / kRows, 0.5, 1};
+}
+
+void define_patch(gl::Case& c, bool mirrored = false) {
+  const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
+  const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
+  // R_00, R_01, R_10, R_11.
+  define(c, mirrored ? make_map2(GL_MAP2_VERTEX_3, 2, 2,
+                                 {left, bottom, 0, right, bottom, 0, left, top, 0, right, top, 0})
+                     : make_map2(GL_MAP2_VERTEX_3, 2, 2,
+                                 {left, bottom, 0, left, top, 0, right, bottom, 0, right, top, 0}));
+  std::vector<double> colors;
+  for (const int i : {0, kColumns})
+    for (const int j : {0, kRows})
+      for (const double value : color_at(i, j)) colors.push_back(value);
+  define(c, make_map2(GL_MAP2_COLOR_4, 2, 2, colors));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(GL_MAP2_COLOR_4);
+  if (mirrored) {
+    map_grid(c, {kRows, 0, 1}, {kColumns, 0, 1});
+  } else {
+    map_grid(c, {kColumns, 0, 1}, {kRows, 0, 1});
+  }
+}
+
+gl::Case mesh(GLenum mode, bool mirrored = false) {
+  gl::Case c;
+  define_patch(c, mirrored);
+  c.EvalMesh2(mode, 0, mirrored ? kRows : kColumns, 0, mirrored ? kColumns : kRows);
+  return c;
+}
+
+// Without EdgeFlag: the current one counts for all vertices, and an implementation may lose everything where
+// it is set between them.
+gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
+  const gl::Case with_flags = as_explicit_commands(predict(evaluated, t.max_order()));
+  gl::Case c;
+  for (const gl::Command& command : with_flags.commands())
+    if (command.entry != gl::EntryPoint::EdgeFlag) c.add(command);
+  return c;
+}
+
+// --- Where to look ---------------------------------------------------------------------------------------
+
+template <class Action>
+void for_each_quad(Action action) {
+  for (int j = 0; j < kRows; ++j)
+    for (int i = 0; i < kColumns; ++i) action(i, j);
+}
+
+// Four pixels in each quad, two in either half, whichever diagonal parts it.
+constexpr std::size_t kSamples = 4;
+std::vector<Area> samples_in_halves() {
+  std::vector<Area> areas;
+  for_each_quad([&](int i, int j) {
+    const int x = kLeft + kWidth * i, y = kBottom + kHeight * j;
+    for (const auto& [dx, dy] : {std::pair{8, 4}, {13, 12}, {8, 19}, {3, 12}})
+      areas.push_back({x + dx, y + dy});
+  });
+  return areas;
+}
+
+bool lit(const Part& part) {
+  return std::ranges::any_of(part.values, [](double value) { return value > 0.05; });
+}
+
+// --- What feedback shows ---------------------------------------------------------------------------------
+
+// Window coordinates, to the next pixel: all vertices of the patch are at whole ones.
+using Point = std::pair<long, long>;
+using Edge = std::pair<Point, Point>;  // the smaller one first
+
+Point point_of(const std::array<double, 12>& vertex) {
+  const auto whole = [](double value) { return std::lround(std::clamp(value, -1e6, 1e6)); };
+  return {whole(vertex[0]), whole(vertex[1])};
+}
+
+Edge edge_of(const Point& a, const Point& b) { return {std::min(a, b), std::max(a, b)}; }
+
+// What came of filled quads: their edges as lines, their corners as points, or polygons.
+struct Outlines {
+  std::multiset<Edge> edges;
+  std::multiset<Point> points;
+  std::set<Point> corners;  // of polygons
+  std::size_t polygons = 0;
+
+  friend bool operator==(const Outlines&, const Outlines&) = default;
+};
+
+Outlines outlines_of(const Part& part) {
+  Outlines outlines;
+  for (const FeedbackPrimitive& primitive : primitives_of(part)) {
+    if (primitive.token == GL_POINT_TOKEN) {
+      outlines.points.insert(point_of(primitive.vertices[0]));
+    } else if (primitive.token == GL_POLYGON_TOKEN) {
+      ++outlines.polygons;
+      for (const auto& vertex : primitive.vertices) outlines.corners.insert(point_of(vertex));
+    } else {
+      outlines.edges.insert(edge_of(point_of(primitive.vertices[0]), point_of(primitive.vertices[1])));
+    }
+  }
+  return outlines;
+}
+
+// Of all quads of the patch: four edges, and a point for each edge that begins there.
+Outlines outlines_of_quads(GLenum polygon_mode) {
+  Outlines outlines;
+  for_each_quad([&](int i, int j) {
+    const long left = kLeft + kWidth * i, right = left + kWidth;
+    const long bottom = kBottom + kHeight * j, top = bottom + kHeight;
+    const Point corners[] = {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (polygon_mode == GL_POINT) {
+        outlines.points.insert(corners[k]);
+      } else {
+        outlines.edges.insert(edge_of(corners[k], corners[(k + 1) % 4]));
+      }
+    }
+  });
+  return outlines;
+}
+
+std::string describe(const Outlines& outlines) {
+  const auto diagonals = std::ranges::count_if(outlines.edges, [](const Edge& edge) {
+    return edge.first.first != edge.second.first && edge.first.second != edge.second.second;
+  });
+  std::string text = fmt::format("{} edges", outlines.edges.size());
+  if (diagonals) text += fmt::format(" ({} of them diagonals)", diagonals);
+  return text + fmt::format(", {} points, {} polygons", outlines.points.size(), outlines.polygons);
+}
+
+void expect_outlines(Picture& picture, const Part& part, bool holds, const Outlines& expected) {
+  const std::string seen = describe(outlines_of(part));
+  picture.played.expect(holds, part.shown,
+                        fmt::format("a FILL mesh comes out as {}, explicit quad strips as {} ({})", seen,
+                                    describe(expected), part.name),
+                        describe(expected), seen);
+}
+
+struct PolygonMode {
+  const char* name;
+  GLenum mode;
+};
+constexpr PolygonMode kOutlined[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}};
+
+gl::Case polygon_mode(GLenum mode) {
+  gl::Case state;
+  state.PolygonMode(GL_FRONT_AND_BACK, mode);
+  return state;
+}
+
+// In either polygon mode, with the edge flag.
+void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing) {
+  for (const PolygonMode& outlined : kOutlined) {
+    gl::Case state = polygon_mode(outlined.mode);
+    state.EdgeFlag(static_cast<GLboolean>(flag));
+    scenes.emplace_back(fmt::format("polygon mode {}, edge flag {}", outlined.name, flag ? "TRUE" : "FALSE"),
+                        state, drawing);
+  }
+}
+
+// Explicit quad strips have to come out as quads.
+void require_quads(const Picture& control) {
+  for (std::size_t i = 0; i < control.parts.size(); ++i)
+    if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2].mode))
+      throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
+}
+
+}  // namespace
+
+// --- Quads -----------------------------------------------------------------------------------------------
+
+// A quad has four edges, none of them inside; in POINT, a point where each of them begins.
+EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
+  std::vector<Scene> strips, evaluated;
+  add_outlined(strips, true, explicit_commands(t, mesh(GL_FILL)));
+  add_outlined(evaluated, true, mesh(GL_FILL));
+  require_quads(feedback(t, "control: explicit quad strips", strips));
+  Picture picture = feedback(t, "evaluated", evaluated);
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    const Outlines quads = outlines_of_quads(kOutlined[i].mode);
+    expect_outlines(picture, picture.parts[i], outlines_of(picture.parts[i]) == quads, quads);
+  }
+}
+
+// Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
+EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG") {
+  std::vector<Scene> strips, evaluated;
+  for (const bool flag : {true, false}) {
+    add_outlined(strips, flag, explicit_commands(t, mesh(GL_FILL)));
+    add_outlined(evaluated, flag, mesh(GL_FILL));
+  }
+  require_quads(feedback(t, "control: explicit quad strips", strips));
+  Picture picture = feedback(t, "evaluated", evaluated);
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    const Part& part = picture.parts[i];
+    const Outlines seen = outlines_of(part), with = outlines_of(picture.parts[i % 2]);
+    const Outlines quads = outlines_of_quads(kOutlined[i % 2].mode);
+    const bool has_all =
+        std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
+    expect_outlines(picture, part, has_all, quads);
+    picture.played.expect(seen == with, part.shown,
+                          fmt::format("a FILL mesh comes out as {} with edge flag FALSE, as {} with TRUE",
+                                      describe(seen), describe(with)),
+                          describe(with), describe(seen));
+  }
+}
+
+EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
+  const gl::Case state = polygon_mode(GL_LINE);
+  // Either diagonal goes through the middle.
+  std::vector<Area> areas;
+  for_each_quad([&](int i, int j) {
+    const int x = kLeft + kWidth * i, y = kBottom + kHeight * j;
+    areas.push_back({x + kWidth / 2 - 2, y + kHeight / 2 - 2, 4, 4});
+    areas.push_back({x - 1, y + kHeight / 2, 3, 3});
+    areas.push_back({x + kWidth / 2, y - 1, 3, 3});
+  });
+  const auto is_edge = [](std::size_t part) { return part % 3 != 0; };
+  const Picture control =
+      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas, GL_RED);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    if (lit(control.parts[i]) != is_edge(i))
+      throw NotObservable("pipeline: explicit quad strips do not show their edges and nothing else");
+  Picture picture = pixels(t, "evaluated", state, mesh(GL_FILL), areas, GL_RED);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const Part& part = picture.parts[i];
+    const char* const where = is_edge(i) ? "on an edge of a quad" : "in the middle of a quad";
+    picture.played.expect(lit(part) == is_edge(i), part.shown,
+                          fmt::format("{}, {}, is {}", part.name, where, lit(part) ? "drawn" : "not drawn"),
+                          is_edge(i) ? "drawn" : "not drawn", lit(part) ? "drawn" : "not drawn");
+  }
+}
+
+// Whatever the split inside, the vertices are those of the mesh and the middle is covered.
+EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
+  // Seen from the front as the patch is; z twists the quads.
+  const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
+  const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
+  gl::Case twisted;
+  define_patch(twisted);
+  define(twisted, make_map2(GL_MAP2_VERTEX_3, 2, 2,
+                            {left, bottom, -0.75, left, top, 0.75, right, bottom, 0.75, right, top, -0.75}));
+  twisted.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
+  const gl::Case strips = explicit_commands(t, twisted);
+
+  const Outlines expected = outlines_of(feedback(t, "control: vertices", {}, strips).parts[0]);
+  if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
+    throw NotObservable("pipeline: explicit quad strips do not come out whole");
+  Picture polygons = feedback(t, "vertices", {}, twisted);
+  expect_outlines(polygons, polygons.parts[0], outlines_of(polygons.parts[0]).corners == expected.corners,
+                  expected);
+
+  std::vector<Area> middles;
+  for_each_quad([&](int i, int j) {
+    middles.push_back({kLeft + kWidth * i + kWidth / 2, kBottom + kHeight * j + kHeight / 2});
+  });
+  const Picture control = pixels(t, "control: middles of the quads", {}, strips, middles);
+  Picture picture = pixels(t, "middles of the quads", {}, twisted, middles);
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    if (!lit(control.parts[i])) throw NotObservable("pipeline: explicit quad strips do not come out whole");
+    const Part& part = picture.parts[i];
+    picture.played.expect(lit(part), part.shown,
+                          fmt::format("{}, in the middle of a quad, is not drawn", part.name), "drawn",
+                          "not drawn");
+  }
+}
+
+// --- Flat shading ----------------------------------------------------------------------------------------
+
+namespace {
+
+// Each quad has one colour, that of the vertex (i + 1, j + 1) or (i, j).
+void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
+  const std::vector<Area> areas = samples_in_halves();
+  const Picture control =
+      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas);
+  std::size_t sample = 0;
+  for_each_quad([&](int i, int j) {
+    const auto color = first_vertex ? color_at(i, j) : color_at(i + 1, j + 1);
+    for (std::size_t k = 0; k < kSamples; ++k)
+      if (!alike(control.parts[sample++].values, {color.begin(), color.end()}))
+        throw NotObservable("pipeline: explicit quads do not have the colour of their provoking vertex");
+  });
+  expect_like_explicit(pixels(t, "evaluated", state, mesh(GL_FILL), areas), control);
+}
+
+}  // namespace
+
+EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT") {
+  gl::Case state;
+  state.ShadeModel(GL_FLAT);
+  expect_flat(t, state, false);
+}
+
+EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST") {
+  t.require(3, 2, "GL_ARB_provoking_vertex");
+  gl::Case question("control: whether quads follow");
+  const gl::Ref follow = question.GetIntegerv(GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, gl::out<GLint>(1));
+  const bool quads_follow = t.play(question).trace().values<GLint>(follow)[0] != 0;
+  gl::Case state;
+  state.ShadeModel(GL_FLAT);
+  state.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+  expect_flat(t, state, quads_follow);
+}
+
+// --- Facing ----------------------------------------------------------------------------------------------
+
+namespace {
+
+// A way to draw the patch, and how each pixel of it is to look.
+struct Facing {
+  std::string name;
+  bool mirrored;
+  gl::Case state;
+  bool drawn;
+  std::vector<double> color;  // empty: any
+};
+
+void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_normals,
+                    const char* not_observable) {
+  const std::vector<Area> areas = samples_in_halves();
+  std::vector<Scene> evaluated, strips;
+  for (const Facing& facing : facings) {
+    gl::Case drawing;
+    if (automatic_normals) drawing.Enable(GL_AUTO_NORMAL);
+    drawing.append(mesh(GL_FILL, facing.mirrored));
+    evaluated.emplace_back(facing.name, facing.state, drawing);
+    strips.emplace_back(facing.name, facing.state, explicit_commands(t, drawing));
+  }
+  const Picture control = pixels(t, "control: explicit quad strips", strips, areas);
+  for (std::size_t i = 0; i < control.parts.size(); ++i) {
+    const Part& part = control.parts[i];
+    const Facing& facing = facings[i / areas.size()];
+    const bool right_color = facing.color.empty() || alike(part.values, facing.color);
+    if (lit(part) != facing.drawn || !right_color) throw NotObservable(not_observable);
+  }
+  expect_like_explicit(pixels(t, "evaluated", evaluated, areas), control);
+}
+
+}  // namespace
+
+// The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
+EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING") {
+  std::vector<Facing> facings;
+  for (const GLenum front : {GL_CCW, GL_CW})
+    for (const GLenum culled : {GL_BACK, GL_FRONT})
+      for (const bool mirrored : {false, true}) {
+        const GLenum facing = (front == GL_CW) != mirrored ? GL_FRONT : GL_BACK;
+        gl::Case state;
+        state.Enable(GL_CULL_FACE);
+        // The first scenes are drawn with the initial values.
+        if (!facings.empty()) {
+          state.FrontFace(front);
+          state.CullFace(culled);
+        }
+        facings.push_back(
+            {fmt::format("{}, front faces {}, {} faces culled", mirrored ? "u along +y" : "u along +x",
+                         front == GL_CCW ? "CCW" : "CW", culled == GL_BACK ? "back" : "front"),
+             mirrored,
+             state,
+             facing != culled,
+             {}});
+      }
+  expect_facings(t, facings, false, "pipeline: explicit quad strips are culled otherwise");
+}
+
+// The generated normal points to the viewer where the facet is seen from the back: the back material with the
+// normal reversed. Mirrored, the front material with the normal as it is.
+EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE") {
+  using Values = std::vector<float>;
+  std::vector<Facing> facings;
+  for (const bool mirrored : {false, true})
+    for (const bool from_behind : {false, true}) {
+      gl::Case state;
+      state.Enable(GL_LIGHTING);
+      state.Enable(GL_LIGHT0);
+      state.Lightfv(GL_LIGHT0, GL_POSITION, Values{0, 0, from_behind ? -1.0f : 1.0f, 0});
+      state.LightModelfv(GL_LIGHT_MODEL_AMBIENT, Values{0, 0, 0, 1});
+      state.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, Values{1});
+      state.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, Values{0, 0.5f, 0, 1});
+      state.Materialfv(GL_FRONT, GL_EMISSION, Values{0.75f, 0, 0, 1});
+      state.Materialfv(GL_BACK, GL_EMISSION, Values{0, 0, 0.75f, 1});
+      facings.push_back({fmt::format("{}, light from {}", mirrored ? "u along +y" : "u along +x",
+                                     from_behind ? "behind" : "the viewer"),
+                         mirrored,
+                         state,
+                         true,
+                         {mirrored ? 0.75 : 0, from_behind ? 0.5 : 0, mirrored ? 0 : 0.75, 1}});
+    }
+  expect_facings(t, facings, true, "pipeline: explicit quad strips are not lit on two sides");
+}
+
+// --- What is of polygons only ----------------------------------------------------------------------------
+
+namespace {
+
+// Polygons change by it, points and lines do not.
+struct OfPolygons {
+  const char* name;
+  void (*set)(gl::Case&);
+};
+constexpr OfPolygons kModesAndCulling[] = {
+    {"polygon mode POINT", [](gl::Case& c) { c.PolygonMode(GL_FRONT_AND_BACK, GL_POINT); }},
+    {"polygon mode LINE", [](gl::Case& c) { c.PolygonMode(GL_FRONT_AND_BACK, GL_LINE); }},
+    // The patch is seen from the back.
+    {"polygon mode LINE of back faces", [](gl::Case& c) { c.PolygonMode(GL_BACK, GL_LINE); }},
+    {"culling", [](gl::Case& c) {
+       c.CullFace(GL_FRONT_AND_BACK);
+       c.Enable(GL_CULL_FACE);
+     }}};
+constexpr OfPolygons kOffset[] = {
+    {"polygon offset", [](gl::Case& c) {
+       for (const GLenum offset : {GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
+         c.Enable(offset);
+       c.PolygonOffset(0.0f, -0x1p21f);  // a quarter or an eighth of the range, in 24 bits
+     }}};
+
+// Where it shows: feedback has no polygon offset.
+struct Stages {
+  const char* name;
+  bool in_depth;
+  std::span<const OfPolygons> stages;
+};
+constexpr Stages kStages[] = {{"MODE_AND_CULLING", false, kModesAndCulling}, {"OFFSET", true, kOffset}};
+
+// The drawings without a stage, then with each of the stages: depths at the vertices, on the edges and in the
+// middles, or feedback.
+class Looks {
+ public:
+  Looks(Test& t, const Stages& stages, const std::string& identity, const std::vector<gl::Case>& drawings)
+      : drawings_(drawings.size()),
+        scenes_(drawings_ * (1 + stages.stages.size())),
+        picture_(take(t, stages, identity, drawings)) {}
+
+  Picture& picture() { return picture_; }
+  std::span<const Part> parts(std::size_t stage, std::size_t drawing) const {
+    const std::size_t each = picture_.parts.size() / scenes_;
+    return std::span(picture_.parts).subspan((stage * drawings_ + drawing) * each, each);
+  }
+  bool has_effect(std::size_t stage, std::size_t drawing, double tolerance) const {
+    const auto with = parts(stage, drawing), without = parts(0, drawing);
+    return !std::ranges::equal(
+        with, without, [&](const Part& a, const Part& b) { return alike(a.values, b.values, tolerance); });
+  }
+
+ private:
+  static Picture take(Test& t, const Stages& stages, const std::string& identity,
+                      const std::vector<gl::Case>& drawings) {
+    std::vector<Scene> scenes;
+    const auto add = [&](const char* name, gl::Case state) {
+      for (const gl::Case& drawing : drawings) scenes.emplace_back(name, state, drawing);
+    };
+    gl::Case plain;
+    plain.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    plain.Disable(GL_CULL_FACE);
+    if (stages.in_depth) {
+      plain.Enable(GL_DEPTH_TEST);
+      plain.PointSize(4.0f);
+    }
+    add("no stage", plain);
+    for (const OfPolygons& stage : stages.stages) {
+      gl::Case state = plain;
+      stage.set(state);
+      add(stage.name, state);
+    }
+    if (stages.in_depth) {
+      std::vector<Area> areas;
+      for_each_quad([&](int i, int j) {
+        for (const int dx : {-1, kWidth / 2})
+          for (const int dy : {-1, kHeight / 2})
+            areas.push_back({kLeft + kWidth * i + dx, kBottom + kHeight * j + dy, 2, 2});
+      });
+      return pixels(t, identity, scenes, areas, GL_DEPTH_COMPONENT);
+    }
+    Picture picture = feedback(t, identity, scenes);
+    forget_stipple_starts(picture);
+    return picture;
+  }
+
+  std::size_t drawings_, scenes_;
+  Picture picture_;
+};
+
+}  // namespace
+
+EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages, must,
+              "EV-MESH2-NOPOLYMODE") {
+  const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
+  const Looks control(t, stages, "control: explicit vertices",
+                      {explicit_commands(t, meshes[0]), explicit_commands(t, meshes[1]),
+                       explicit_commands(t, mesh(GL_FILL))});
+  for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage) {
+    if (!control.has_effect(stage, 2, kEffect))
+      throw NotObservable("pipeline: the stage does not show with explicit polygons");
+    if (control.has_effect(stage, 0, kTolerance) || control.has_effect(stage, 1, kTolerance))
+      throw NotObservable("pipeline: explicit points and lines change like polygons");
+  }
+  Looks looks(t, stages, "evaluated", meshes);
+  for (std::size_t stage = 0; stage <= stages.stages.size(); ++stage)
+    for (const std::size_t drawing : {0u, 1u}) {
+      const auto seen = looks.parts(stage, drawing), expected = control.parts(stage, drawing);
+      for (std::size_t i = 0; i < seen.size(); ++i)
+        expect_like_explicit(looks.picture().played, seen[i], expected[i]);
+    }
+}
+
+// In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
+EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-MESH2-NOPOLYMODE") {
+  const gl::Case evaluated = mesh(GL_FILL);
+  const Looks control(t, stages, "control: explicit quad strips", {explicit_commands(t, evaluated)});
+  for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
+    if (!control.has_effect(stage, 0, kEffect))
+      throw NotObservable("pipeline: the stage does not show with explicit polygons");
+  Looks looks(t, stages, "evaluated", {evaluated});
+  const auto places = [](const std::multiset<Point>& points) {
+    return std::set<Point>(points.begin(), points.end());
+  };
+  for (std::size_t stage = 0; stage <= stages.stages.size(); ++stage) {
+    const auto all_seen = looks.parts(stage, 0), all_expected = control.parts(stage, 0);
+    for (std::size_t i = 0; i < all_seen.size(); ++i) {
+      if (stages.in_depth) {
+        expect_like_explicit(looks.picture().played, all_seen[i], all_expected[i]);
+        continue;
+      }
+      const Outlines seen = outlines_of(all_seen[i]), expected = outlines_of(all_expected[i]);
+      const bool holds = places(seen.points) == places(expected.points) &&
+                         std::ranges::includes(seen.edges, expected.edges) &&
+                         seen.edges.empty() == expected.edges.empty() && seen.corners == expected.corners;
+      expect_outlines(looks.picture(), all_seen[i], holds, expected);
+    }
+  }
+}
+
+// --- Line stippling --------------------------------------------------------------------------------------
+
+namespace {
+
+// Lines lie at the middles of pixels; no vertex is near the border of one, nor a segment about a whole number
+// of pixels long. A strip is no multiple of a pattern long, so that it shows where one starts anew.
+constexpr int kSegments = 5;
+constexpr double kFirst = 4.5, kStepU = 11.2, kStepV = 10.4;
+
+struct Stipple {
+  const char* name;
+  int factor;
+  GLushort pattern;
+};
+constexpr Stipple kStipples[] = {{"FACTOR_1", 1, 0x00FF}, {"FACTOR_2", 2, 0x0C37}};
+
+gl::Case state_of(const Stipple& stipple) {
+  gl::Case state;
+  state.LineStipple(stipple.factor, stipple.pattern);
+  state.Enable(GL_LINE_STIPPLE);
+  return state;
+}
+
+// Two meshes of one row, the second one at another height.
+gl::Case stippled_mesh1() {
+  gl::Case c;
+  map_grid(c, {kSegments, 0, 1});
+  c.Enable(GL_MAP1_VERTEX_3);
+  for (const double y : {16.5, 40.5}) {
+    define(c, make_map1(GL_MAP1_VERTEX_3, {at_pixel(kFirst), at_pixel(y), 0,
+                                           at_pixel(kFirst + kSegments * kStepU), at_pixel(y), 0}));
+    c.EvalMesh1(GL_LINE, 0, kSegments);
+  }
+  return c;
+}
+
+gl::Case stippled_mesh2() {
+  gl::Case c;
+  map_grid(c, {kSegments, 0, 1}, {kSegments, 0, 1});
+  const double low = at_pixel(kFirst), right = at_pixel(kFirst + kSegments * kStepU),
+               top = at_pixel(kFirst + kSegments * kStepV);
+  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.EvalMesh2(GL_LINE, 0, kSegments, 0, kSegments);
+  return c;
+}
+
+// The strips taken apart, so that the pattern starts at each segment.
+gl::Case apart(const gl::Case& strips) {
+  gl::Case c;
+  std::vector<gl::Command> vertices;
+  for (const gl::Command& command : strips.commands()) {
+    switch (command.entry) {
+      case gl::EntryPoint::Begin:
+        c.Begin(GL_LINES);
+        vertices.clear();
+        break;
+      case gl::EntryPoint::Vertex4f:
+        if (!vertices.empty()) {
+          c.add(vertices.back());
+          c.add(command);
+        }
+        vertices.push_back(command);
+        break;
+      case gl::EntryPoint::End:
+        c.End();
+        break;
+      default:
+        break;
+    }
+  }
+  return c;
+}
+
+// For each segment, whether the stipple starts anew.
+std::vector<bool> starts_of(const Part& part) {
+  std::vector<bool> starts;
+  for (const FeedbackPrimitive& primitive : primitives_of(part))
+    starts.push_back(primitive.token == GL_LINE_RESET_TOKEN);
+  return starts;
+}
+
+void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
+                    const std::vector<Area>& areas) {
+  const gl::Case state = state_of(stipple);
+  const gl::Case strips = explicit_commands(t, evaluated);
+  const Picture control =
+      pixels(t, "control: explicit line strips",
+             {{"", {}, strips}, {"", state, apart(strips)}, {"", state, strips}}, areas, GL_RED);
+  const std::size_t count = areas.size();
+  const auto values = [&](std::size_t scene) {
+    std::vector<double> all;
+    for (const Part& part : std::span(control.parts).subspan(scene * count, count))
+      all.insert(all.end(), part.values.begin(), part.values.end());
+    return all;
+  };
+  for (const std::size_t other : {0u, 1u}) require_an_effect(values(2), values(other));
+  // The pixels after the first vertex, none of them on another line: the pattern starts at each strip.
+  const std::vector<Part> expected(control.parts.end() - static_cast<std::ptrdiff_t>(count),
+                                   control.parts.end());
+  for (const Part& part : expected)
+    if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, expected[0].values.begin() + 5))
+      throw NotObservable("pipeline: the stipple does not start anew at each explicit line strip");
+  Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
+  for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
+}
+
+// No LINE_RESET_TOKEN but at the first segment of a strip; that there is one, is not asked
+// (U-FEEDBACK-RESET).
+void expect_starts(Test& t, const gl::Case& evaluated) {
+  const gl::Case state = state_of(kStipples[0]);
+  const Picture control =
+      feedback(t, "control: explicit line strips", state, explicit_commands(t, evaluated));
+  const std::vector<bool> expected = starts_of(control.parts[0]);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (expected[i] != (i % kSegments == 0))
+      throw NotObservable("pipeline: explicit line strips have no LINE_RESET_TOKEN at their beginnings only");
+  Picture picture = feedback(t, "evaluated", state, evaluated);
+  const std::vector<bool> seen = starts_of(picture.parts[0]);
+  picture.played.expect(seen.size() == expected.size(), picture.parts[0].shown,
+                        fmt::format("{} segments come out, expected {}", seen.size(), expected.size()),
+                        fmt::format("{} segments", expected.size()), fmt::format("{} segments", seen.size()));
+  for (std::size_t i = 0; i < std::min(seen.size(), expected.size()); ++i)
+    picture.played.expect(!seen[i] || expected[i], picture.parts[0].shown,
+                          fmt::format("LINE_RESET_TOKEN at segment {} of a strip", i % kSegments + 1),
+                          "LINE_TOKEN", "LINE_RESET_TOKEN");
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Mesh1, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH1-STIPPLE") {
+  expect_stipple(t, stipple, stippled_mesh1(), {{0, 16, kSide, 1}, {0, 40, kSide, 1}});
+}
+
+EVALCTS_TEST(Mesh1, StippleInFeedback, must, "EV-MESH1-STIPPLE") { expect_starts(t, stippled_mesh1()); }
+
+EVALCTS_TESTS(Mesh2, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH2-STIPPLE") {
+  std::vector<Area> areas;
+  for (int i = 0; i <= kSegments; ++i) {
+    areas.push_back({0, static_cast<int>(kFirst + i * kStepV), kSide, 1});
+    areas.push_back({static_cast<int>(kFirst + i * kStepU), 0, 1, kSide});
+  }
+  expect_stipple(t, stipple, stippled_mesh2(), areas);
+}
+
+EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE") { expect_starts(t, stippled_mesh2()); }
+
+}  // namespace evalcts
