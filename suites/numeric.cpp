@@ -24,7 +24,11 @@ struct Domain {
 // Most of them awkward in single precision.
 constexpr Domain kDomains[] = {{0, 1}, {2, 5}, {1, -3}, {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
 
-std::vector<gl::Delivery> one_dimensional(std::vector<gl::Delivery> deliveries) {
+// Arguments in arrays are another rule (EV-API-V).
+std::vector<gl::Delivery> of_curves() { return gl::without_arrays(gl::curve_deliveries()); }
+std::vector<gl::Delivery> of_surfaces() { return gl::without_arrays(gl::surface_deliveries()); }
+std::vector<gl::Delivery> in_one_dimension() {
+  std::vector<gl::Delivery> deliveries = of_curves();
   std::erase_if(deliveries, [](const gl::Delivery& delivery) { return delivery.lifted; });
   return deliveries;
 }
@@ -117,8 +121,8 @@ void evaluate_at(gl::Case& c, bool two, double u) {
 namespace {
 
 void expect_end(Test& t, const char* identity, double Domain::*end) {
-  for (const Kinds& kinds : kKinds1) {
-    gl::Case c(fmt::format("{}: {}", kinds.name, identity));
+  gl::Case c(identity);
+  for (const Kinds& kinds : kKinds1)
     for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::quick ? 1 : 5) {
       const Domain& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
       define_random(t, c, kinds, false, order, domain);
@@ -126,15 +130,14 @@ void expect_end(Test& t, const char* identity, double Domain::*end) {
       evaluate(c, domain.*end);
       c.End();
     }
-    t.expect_emission(c, kUnit0);
-  }
+  t.expect_emission(c, kUnit0);
 }
 
 // At the start of the domain: the first control point, bit for bit.
 void expect_first_point(Test& t, bool two) {
-  for (const Kinds& kinds : kinds_of(two)) {
-    gl::Case c(fmt::format("{}: u1 of each domain", kinds.name));
-    std::vector<ObservedVertex> expected;
+  gl::Case c("u1 of each domain");
+  std::vector<ObservedVertex> expected;
+  for (const Kinds& kinds : kinds_of(two))
     for (const Domain& domain : kDomains)
       for (const int order : {1, 2, 3, 4, 7, t.max_order()}) {
         ObservedVertex vertex;
@@ -164,29 +167,27 @@ void expect_first_point(Test& t, bool two) {
         c.End();
         expected.push_back(vertex);
       }
-    const Observation seen = t.observe(c, kUnit0, expected.size() + 8);
-    const std::vector<ObservedVertex> got = vertices_of(seen);
-    if (got.size() != expected.size())
-      throw NotObservable("the vertices do not come out, which other tests say");
-    const Attributes compared = seen.clamped_colors ? kUnit0 & ~static_cast<Attributes>(kColor) : kUnit0;
-    expect_same(t, c, expected, got, compared, "the first control point is",
-                [](std::size_t i) { return fmt::format("vertex {}", i); });
-  }
+  const Observation seen = t.observe(c, kUnit0, expected.size() + 8);
+  const std::vector<ObservedVertex> got = vertices_of(seen);
+  if (got.size() != expected.size())
+    throw NotObservable("the vertices do not come out, which other tests say");
+  const Attributes compared = seen.clamped_colors ? kUnit0 & ~static_cast<Attributes>(kColor) : kUnit0;
+  expect_same(t, c, expected, got, compared, "the first control point is",
+              [](std::size_t i) { return fmt::format("vertex {}", i); });
 }
 
 }  // namespace
 
-EVALCTS_DELIVERED_TEST(Numeric, StartOfDomain, must, "EV-NUM-START/1-D") {
+EVALCTS_TEST_BY(of_curves(), Numeric, StartOfDomain, must, "EV-NUM-START/1-D") {
   expect_end(t, "u1, every order", &Domain::u1);
 }
-EVALCTS_DELIVERED_TEST(Numeric, EndOfDomain, must, "EV-NUM-END/1-D") {
+EVALCTS_TEST_BY(of_curves(), Numeric, EndOfDomain, must, "EV-NUM-END/1-D") {
   expect_end(t, "u2, every order", &Domain::u2);
 }
-EVALCTS_TEST_BY(one_dimensional(gl::curve_deliveries()), Numeric, StartIsFirstPoint, quality,
-                "EV-NUM-START/1-D") {
+EVALCTS_TEST_BY(in_one_dimension(), Numeric, StartIsFirstPoint, quality, "EV-NUM-START/1-D") {
   expect_first_point(t, false);
 }
-EVALCTS_TEST_BY(gl::surface_deliveries(), Numeric, StartIsCorner, quality, "EV-NUM-START/2-D") {
+EVALCTS_TEST_BY(of_surfaces(), Numeric, StartIsCorner, quality, "EV-NUM-START/2-D") {
   expect_first_point(t, true);
 }
 
@@ -205,21 +206,6 @@ std::vector<double> large_points(Test& t, GLenum target, int order) {
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = (i % 3 == 1 ? (i % 2 ? 1 : -1) : points[i]) * largest(t, target);
   return points;
-}
-
-void expect_large_points(Test& t, const std::vector<GLenum>& targets) {
-  for (const GLenum target : targets) {
-    gl::Case c(label(target));
-    enable_visibly(c, target);
-    for (const int order : {1, 2, 3, 4, 7, 12}) {
-      if (order > t.max_order()) continue;
-      define(c, make_map1(target, large_points(t, target, order)));
-      c.Begin(GL_POINTS);
-      for (const double u : {0.0, 0.25, 0.7, 0.9375, 1.0}) evaluate(c, static_cast<float>(u));
-      c.End();
-    }
-    t.expect_emission(c, attribute_of(target));
-  }
 }
 
 void expect_large_points_kept(Test& t, const std::vector<GLenum>& targets) {
@@ -242,29 +228,38 @@ void expect_large_points_kept(Test& t, const std::vector<GLenum>& targets) {
   }
 }
 
-const std::vector<GLenum> kNotColors = {GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4,        GL_MAP1_NORMAL,
-                                        GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
-                                        GL_MAP1_TEXTURE_COORD_4};
+const std::vector<GLenum> kNotColors = {
+    GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4,        GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
+    GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
 
 }  // namespace
 
-EVALCTS_DELIVERED_TEST(Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D") {
-  expect_large_points(t, kNotColors);
+EVALCTS_TEST_BY(of_curves(), Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D") {
+  gl::Case c("points up to the largest of each target");
+  for (const Kinds& kinds : kKinds1)
+    for (const int order : {1, 2, 3, 4, 7, 12}) {
+      if (order > t.max_order()) continue;
+      for (const GLenum target : kinds.targets) {
+        define(c, make_map1(target, large_points(t, target, order)));
+        c.Enable(target);
+      }
+      c.Begin(GL_POINTS);
+      for (const double u : {0.0, 0.25, 0.7, 0.9375, 1.0}) evaluate(c, static_cast<float>(u));
+      c.End();
+    }
+  t.expect_emission(c, kUnit0);
 }
 EVALCTS_TEST(Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D") {
   expect_large_points_kept(t, kNotColors);
-}
-EVALCTS_DELIVERED_TEST(Numeric, LargeColors, must, "EV-NUM-RANGE-COLOR/1-D") {
-  expect_large_points(t, {GL_MAP1_COLOR_4});
 }
 EVALCTS_TEST(Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-RANGE-COLOR/2-D") {
   expect_large_points_kept(t, {GL_MAP1_COLOR_4});
 }
 
 // Domains and arguments of that size.
-EVALCTS_DELIVERED_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D") {
-  for (const Kinds& kinds : kKinds1) {
-    gl::Case c(fmt::format("{}: domains up to 2^32", kinds.name));
+EVALCTS_TEST_BY(of_curves(), Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D") {
+  gl::Case c("domains up to 2^32");
+  for (const Kinds& kinds : kKinds1)
     for (const Domain& domain : {Domain{0, 0x1p32}, {-0x1p32, 0x1p32}, {0x1p31, 0x1p32}, {-0x1p32, 1}})
       for (const int order : {2, 4, 7}) {
         define_random(t, c, kinds, false, order, domain);
@@ -273,15 +268,14 @@ EVALCTS_DELIVERED_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D") {
           evaluate(c, static_cast<float>(domain.u1 + (domain.u2 - domain.u1) * x));
         c.End();
       }
-    t.expect_emission(c, kUnit0);
-  }
+  t.expect_emission(c, kUnit0);
 }
 
 // Negative zero, subnormal numbers and those next to them, as arguments, points and one end of a domain.
-EVALCTS_DELIVERED_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D") {
+EVALCTS_TEST_BY(of_curves(), Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D") {
   constexpr double kSmall[] = {-0.0, 0x1p-149, -0x1p-149, 0x1p-130, -0x1.8p-127, 0x1p-126, -0x1p-126};
-  for (const Kinds& kinds : kKinds1) {
-    gl::Case c(fmt::format("{}: arguments and points", kinds.name));
+  gl::Case c("arguments and points");
+  for (const Kinds& kinds : kKinds1)
     for (const Domain& domain : {Domain{0, 1}, {-0.0, 2}, {-1, 3}, {1, -0.0}})
       for (const int order : {1, 2, 4, 8}) {
         for (const GLenum target : kinds.targets) {
@@ -299,8 +293,7 @@ EVALCTS_DELIVERED_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL
         evaluate(c, 0.5);
         c.End();
       }
-    t.expect_emission(c, kUnit0);
-  }
+  t.expect_emission(c, kUnit0);
 }
 
 namespace {
@@ -441,10 +434,8 @@ void feed_grid(Test&, gl::Case& c, bool two, bool doubles, double value, const M
   }
 }
 
-constexpr Special kFeeds[] = {{"ARGUMENT", feed_argument},
-                              {"POINTS", feed_points},
-                              {"DOMAIN", feed_domain},
-                              {"GRID", feed_grid}};
+constexpr Special kFeeds[] = {
+    {"ARGUMENT", feed_argument}, {"POINTS", feed_points}, {"DOMAIN", feed_domain}, {"GRID", feed_grid}};
 
 // Finite maps and grids drawn by all commands; returns how many points that are.
 std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map1>& curves,
@@ -509,42 +500,41 @@ void expect_results_later(Test& t, const Special& special, bool two) {
               [&](std::size_t i) { return fmt::format("vertex {} of those drawn afterwards", i); });
 }
 
-// ... also where they are rasterized, in all modes. Other maps, enables and current values are what they were.
+// ... also where they are rasterized, in all modes. Other maps, enables and current values are what they
+// were.
 void expect_state_later(Test& t, const Special& special, bool two) {
+  gl::Case c("NaN, infinity and what overflows");
+  const Map1 other1 = random_map(t, GL_MAP1_TEXTURE_COORD_1, 5);
+  const Map2 other2 = random_map2(t, GL_MAP2_TEXTURE_COORD_1, 3, 2);
+  define(c, other1);
+  define(c, other2);
+  for (const GLenum target : kinds_of(two)[1].targets) c.Enable(target);
+  c.Enable(GL_AUTO_NORMAL);
   for (const double value : kSpecials)
     for (const Form& form : kForms) {
-      gl::Case c(fmt::format("{}, form {}", value, form.name));
-      const Map1 other1 = random_map(t, GL_MAP1_TEXTURE_COORD_1, 5);
-      const Map2 other2 = random_map2(t, GL_MAP2_TEXTURE_COORD_1, 3, 2);
-      define(c, other1);
-      define(c, other2);
-      c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-      for (const GLenum target : kinds_of(two)[1].targets) c.Enable(target);
-      c.Enable(GL_AUTO_NORMAL);
       define_random(t, c, kinds_of(two)[1], two, 4, {0, 1});
       special.feed(t, c, two, form.doubles, value, {GL_POINT, GL_LINE, GL_FILL});
-      c.Finish();
-      const gl::Ref unused = c.GetError();  // U-NAN-DOMAIN
-      static_cast<void>(unused);
-      const MapQuery query1 = query_map1(c, other1.target, t.max_order());
-      const MapQuery query2 = query_map2(c, other2.target, t.max_order());
-      const gl::Ref enabled = c.IsEnabled(kinds_of(two)[1].targets[0]);
-      // A new definition works again.
-      const Map1 map1 = random_map(t, GL_MAP1_VERTEX_4, 4);
-      const Map2 map2 = random_map2(t, GL_MAP2_VERTEX_4, 3, 4);
-      define(c, map1);
-      define(c, map2);
-      const gl::Ref error = c.GetError();
-      const MapQuery again1 = query_map1(c, map1.target, t.max_order());
-      const MapQuery again2 = query_map2(c, map2.target, t.max_order());
-      Played played = t.play(c);
-      expect_map1(played, query1, other1);
-      expect_map2(played, query2, other2);
-      played.expect_result(enabled, GL_TRUE);
-      played.expect_no_error(error);
-      expect_map1(played, again1, map1);
-      expect_map2(played, again2, map2);
     }
+  const gl::Ref unused = c.GetError();  // U-NAN-DOMAIN
+  static_cast<void>(unused);
+  const MapQuery query1 = query_map1(c, other1.target, t.max_order());
+  const MapQuery query2 = query_map2(c, other2.target, t.max_order());
+  const gl::Ref enabled = c.IsEnabled(kinds_of(two)[1].targets[0]);
+  // A new definition works again.
+  const Map1 map1 = random_map(t, GL_MAP1_VERTEX_4, 4);
+  const Map2 map2 = random_map2(t, GL_MAP2_VERTEX_4, 3, 4);
+  define(c, map1);
+  define(c, map2);
+  const gl::Ref error = c.GetError();
+  const MapQuery again1 = query_map1(c, map1.target, t.max_order());
+  const MapQuery again2 = query_map2(c, map2.target, t.max_order());
+  Played played = t.play(c);
+  expect_map1(played, query1, other1);
+  expect_map2(played, query2, other2);
+  played.expect_result(enabled, GL_TRUE);
+  played.expect_no_error(error);
+  expect_map1(played, again1, map1);
+  expect_map2(played, again2, map2);
 }
 
 }  // namespace
@@ -590,9 +580,8 @@ class Repetition {
     const std::span all(seen);
     for (std::size_t i = 0; i < whats_.size(); ++i)
       expect_same(t, script_, all.first(vertices_each), all.subspan((i + 1) * vertices_each, vertices_each),
-                  attributes, "before it was", [&](std::size_t vertex) {
-                    return fmt::format("vertex {} after {}", vertex, whats_[i]);
-                  });
+                  attributes, "before it was",
+                  [&](std::size_t vertex) { return fmt::format("vertex {} after {}", vertex, whats_[i]); });
   }
 
  private:
@@ -603,7 +592,7 @@ class Repetition {
 
 constexpr std::size_t kDrawn1 = 12 + 4 + 7, kDrawn2 = 12 + 4 + 12;
 
-// By all commands.
+// Evaluation by all commands.
 void draw_some(gl::Case& c, bool two) {
   c.Begin(GL_POINTS);
   for (int i = 0; i < 12; ++i) {
@@ -711,16 +700,13 @@ void change_rasterization(Test&, Repetition& r, bool) {
   r.after("Light, not enabled");
 }
 
-constexpr Unrelated kUnrelated[] = {{"CURRENT_VALUES", change_current_values},
-                                    {"MATRICES", change_matrices},
-                                    {"FRAGMENTS", change_fragment_state},
-                                    {"OTHER_MAPS", change_maps_not_used},
-                                    {"PIXEL_STORE", change_client_state},
-                                    {"RASTERIZATION", change_rasterization}};
+constexpr Unrelated kUnrelated[] = {
+    {"CURRENT_VALUES", change_current_values}, {"MATRICES", change_matrices},
+    {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
+    {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
 
 void expect_same_bits_in_spite_of(Test& t, const Unrelated& unrelated, bool two) {
-  for (const int order : {3, 4, 9}) {
-    if (order > t.max_order()) continue;
+  for (int order = 4; order <= t.by_depth(4, 8, 8); order += 4) {
     // The maps are in the first drawing only: redefining them is not what must keep the results.
     gl::Case maps;
     define_random(t, maps, kinds_of(two)[1], two, order, {0.1f, 0.7f});
@@ -739,8 +725,7 @@ void expect_same_bits_in_spite_of(Test& t, const Unrelated& unrelated, bool two)
 
 void expect_vertex_stays(Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two)) {
-    for (const int order : {2, 4, 9}) {
-      if (order > t.max_order()) continue;
+    for (int order = 4; order <= t.by_depth(4, 8, 8); order += 4) {
       const GLenum vertex = kinds.targets[0];
       gl::Case maps;
       define_random(t, maps, kinds, two, order, {0.1f, 0.7f});
@@ -762,11 +747,6 @@ void expect_vertex_stays(Test& t, bool two) {
       const GLenum texture = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
       define_random(t, c, {"", {texture, texture, texture, texture}}, two, 6, {-1, 2});
       repetition.after("Enable of " + label(texture) + " of another order");
-      if (two) {
-        c.Enable(GL_AUTO_NORMAL);
-        repetition.after("Enable of AUTO_NORMAL");
-        c.Disable(GL_AUTO_NORMAL);
-      }
       for (const GLenum target : kinds.targets) {
         if (target == vertex) continue;
         c.Disable(target);
@@ -790,5 +770,23 @@ EVALCTS_TESTS(Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, 
 
 EVALCTS_TEST(Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") { expect_vertex_stays(t, false); }
 EVALCTS_TEST(Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") { expect_vertex_stays(t, true); }
+
+// AUTO_NORMAL is evaluator state as well (appendix A).
+EVALCTS_TEST(Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+  gl::Case maps;
+  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
+  define(maps, map);
+  maps.Enable(map.target);
+  map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
+  bool first = true;
+  Repetition repetition("a vertex map alone", [&](gl::Case& c) {
+    if (first) c.append(maps);
+    first = false;
+    draw_some(c, true);
+  });
+  repetition.script().Enable(GL_AUTO_NORMAL);
+  repetition.after("Enable of AUTO_NORMAL");
+  repetition.check(t, kPosition, kDrawn2);
+}
 
 }  // namespace evalcts
