@@ -116,19 +116,30 @@ Rational binomial(int n, int k) {
   return value;
 }
 
-// Q_i = SUM j of C(n,j)*C(m-n,i-j)/C(m,i) * R_j: the same polynomial as one of degree m.
+// Q_i = SUM r of C(n,r)*C(m-n,i-r)/C(m,i) * R_r: the same polynomial as one of degree m.
+Map2 elevated_in_u(const Map2& map, int order) {
+  const int n = map.uorder - 1, m = order - 1;
+  std::vector<std::vector<Rational>> weights;
+  for (int i = 0; i <= m; ++i) {
+    weights.emplace_back();
+    for (int r = 0; r <= n; ++r) {
+      const bool contributes = r <= i && i - r <= m - n;
+      weights[static_cast<std::size_t>(i)].push_back(
+          contributes ? binomial(n, r) * binomial(m - n, i - r) / binomial(m, i) : Rational());
+    }
+  }
+  return made_of(map, order, map.vorder, [&](int i, int j, int component) {
+    Rational sum;
+    for (int r = 0; r <= n; ++r)
+      sum += weights[static_cast<std::size_t>(i)][static_cast<std::size_t>(r)] *
+             Rational(point(map, r, j, component));
+    return sum.to_double();
+  });
+}
+
 Map2 elevated(const Map2& map, int uorder, int vorder) {
-  const auto along_u = [&](const Map2& from, int order) {
-    const int n = from.uorder - 1, m = order - 1;
-    return made_of(from, order, from.vorder, [&](int i, int j, int component) {
-      Rational sum;
-      for (int r = std::max(0, i - (m - n)); r <= std::min(n, i); ++r)
-        sum += binomial(n, r) * binomial(m - n, i - r) * Rational(point(from, r, j, component));
-      return (sum / binomial(m, i)).to_double();
-    });
-  };
-  const Map2 in_u = along_u(map, uorder);
-  return vorder == map.vorder ? in_u : transposed(along_u(transposed(in_u), vorder));
+  const Map2 in_u = elevated_in_u(map, uorder);
+  return vorder == map.vorder ? in_u : transposed(elevated_in_u(transposed(in_u), vorder));
 }
 
 // Points that are multiples of `unit` times 2^-24 in [-1,1].
