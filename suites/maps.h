@@ -1,6 +1,7 @@
 // One-dimensional maps for tests: how they are made, defined and shown.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -81,6 +82,18 @@ gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
 
 // What has to be observed to see the values of a target of either dimension.
 Attributes attribute_of(GLenum target);
+
+// Maps of all kinds of data that go into one vertex: each attribute has a map of its own.
+struct Kinds {
+  const char* name;
+  std::array<GLenum, 4> targets;
+};
+inline constexpr Kinds kKinds1[] = {
+    {"VERTEX_3", {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3}},
+    {"VERTEX_4", {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}}};
+inline constexpr Kinds kKinds2[] = {
+    {"VERTEX_3", {GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_3}},
+    {"VERTEX_4", {GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_4}}};
 
 // Enables the target and, where it gives no vertex itself, a constant vertex map of its dimension
 // as its carrier.

@@ -333,6 +333,13 @@ std::vector<Delivery> without_meshes(const std::vector<Delivery>& deliveries) {
   return kept;
 }
 
+std::vector<Delivery> without_arrays(const std::vector<Delivery>& deliveries) {
+  std::vector<Delivery> kept = deliveries;
+  std::erase_if(kept,
+                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::array; });
+  return kept;
+}
+
 std::vector<Delivery> without_grids(const std::vector<Delivery>& deliveries) {
   std::vector<Delivery> kept = without_meshes(deliveries);
   std::erase_if(kept,

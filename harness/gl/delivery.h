@@ -46,6 +46,8 @@ const std::vector<Delivery>& curve_deliveries();
 const std::vector<Delivery>& surface_deliveries();
 // Those that keep each primitive what it is: all but meshes.
 std::vector<Delivery> without_meshes(const std::vector<Delivery>& deliveries);
+// Those that read no arguments from arrays.
+std::vector<Delivery> without_arrays(const std::vector<Delivery>& deliveries);
 // Those that need no grid: the same arguments are the same commands.
 std::vector<Delivery> without_grids(const std::vector<Delivery>& deliveries);
 

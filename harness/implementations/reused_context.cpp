@@ -196,9 +196,14 @@ void pipeline(Case& c, const ImplementationInfo&) {
   c.LineStipple(1, 0xFFFF);
   c.PointSize(1);
   c.ClearColor(0, 0, 0, 0);
+  c.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  c.DepthMask(GL_TRUE);
+  c.StencilMask(~0u);
+  c.Enable(GL_DITHER);
   for (const GLenum capability :
        {GL_NORMALIZE, GL_RESCALE_NORMAL, GL_COLOR_SUM, GL_CULL_FACE, GL_POLYGON_STIPPLE, GL_LINE_STIPPLE,
-        GL_VERTEX_PROGRAM_TWO_SIDE, GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
+        GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_VERTEX_PROGRAM_TWO_SIDE,
+        GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
     c.Disable(capability);
   c.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
   c.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
@@ -321,6 +326,7 @@ class Shared {
       const gl::Ref viewport = question.GetIntegerv(GL_VIEWPORT, gl::out<GLint>(4));
       const std::vector<GLint> v = context_->play(question).values<GLint>(viewport);
       restoring_.Viewport(v[0], v[1], v[2], v[3]);
+      restoring_.Scissor(v[0], v[1], v[2], v[3]);
     }
     restoring_.append(available(restoring_commands(info), context_->table()));
   }

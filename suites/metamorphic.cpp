@@ -1,0 +1,593 @@
+// Section 17 of the requirements, the rules that need no oracle: two maps that are the same polynomial, or
+// one that is another plus or times something, evaluated by the same library.
+//
+// Everything that relates the two is exact: points, domains and arguments are dyadic, so that no rounding of
+// inputs comes between them. Both results may lie anywhere in their acceptance intervals (section 0.5):
+// |a - p| <= Ea and |b - q| <= Eb with q = scale*p + offset give |b - (scale*a + offset)| <= |scale|*Ea + Eb.
+#include <fmt/format.h>
+#include <reference/acceptance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "harness/gl/call_log.h"
+#include "suites/maps2.h"
+
+namespace evalcts {
+namespace {
+
+using reference::Rational;
+
+struct At {
+  double u, v;
+};
+
+// A map of either dimension: in one dimension the target is a MAP1 target and vorder 1.
+bool is_curve(const Map2& map) { return map.target < GL_MAP2_COLOR_4; }
+
+void define_either(gl::Case& c, const Map2& map) {
+  if (is_curve(map)) {
+    define(c, Map1{map.target, map.u1, map.u2, map.ustride, map.uorder, map.points});
+  } else {
+    define(c, map);
+  }
+}
+
+Rational bound_of(const Map2& map, std::size_t component, const At& at) {
+  const auto u = reference::Argument::coordinate(at.u), v = reference::Argument::coordinate(at.v);
+  const double* first = map.points.data() + component;
+  if (is_curve(map))
+    return acceptance_bound(reference::Curve{first, map.ustride, map.uorder, map.u1, map.u2}, u);
+  return acceptance_bound(reference::Surface{first, map.ustride, map.vstride, map.uorder, map.vorder, map.u1,
+                                             map.u2, map.v1, map.v2},
+                          u, v);
+}
+
+float value_of(const ObservedVertex& vertex, GLenum target, std::size_t component) {
+  switch (attribute_of(target)) {
+    case kPosition:
+      return vertex.position[component];
+    case kColor:
+      return vertex.color[component];
+    case kNormal:
+      return vertex.normal[component];
+    default:
+      return vertex.texture_coordinate[0][component];
+  }
+}
+
+// --- Maps made of other maps -----------------------------------------------------------------------------
+
+// The same domain and target, other points.
+template <class PointValue>
+Map2 made_of(const Map2& map, int uorder, int vorder, const PointValue& value) {
+  std::vector<double> points;
+  for (int i = 0; i < uorder; ++i)
+    for (int j = 0; j < vorder; ++j)
+      for (int component = 0; component < map.components(); ++component) {
+        points.push_back(value(i, j, component));
+        if (static_cast<double>(static_cast<float>(points.back())) != points.back())
+          throw std::logic_error("a control point that is not exact in single precision");
+      }
+  Map2 made = make_map2(map.target, uorder, vorder, points);
+  made.u1 = map.u1;
+  made.u2 = map.u2;
+  made.v1 = map.v1;
+  made.v2 = map.v2;
+  return made;
+}
+
+double point(const Map2& map, int i, int j, int component) {
+  return map.points[static_cast<std::size_t>(i * map.ustride + j * map.vstride + component)];
+}
+
+Map2 reversed(const Map2& map, bool along_u, bool along_v) {
+  return made_of(map, map.uorder, map.vorder, [&](int i, int j, int component) {
+    return point(map, along_u ? map.uorder - 1 - i : i, along_v ? map.vorder - 1 - j : j, component);
+  });
+}
+
+Map2 scaled(const Map2& map, double scale, double offset) {
+  return made_of(map, map.uorder, map.vorder,
+                 [&](int i, int j, int component) { return scale * point(map, i, j, component) + offset; });
+}
+
+Map2 transposed(const Map2& map) {
+  Map2 made = made_of(map, map.vorder, map.uorder,
+                      [&](int i, int j, int component) { return point(map, j, i, component); });
+  std::swap(made.u1, made.v1);
+  std::swap(made.u2, made.v2);
+  return made;
+}
+
+// The same memory, read the other way round.
+Map2 with_roles_swapped(Map2 map) {
+  std::swap(map.u1, map.v1);
+  std::swap(map.u2, map.v2);
+  std::swap(map.ustride, map.vstride);
+  std::swap(map.uorder, map.vorder);
+  return map;
+}
+
+Rational binomial(int n, int k) {
+  Rational value(1);
+  for (int i = 0; i < k; ++i) value *= Rational(n - i) / Rational(i + 1);
+  return value;
+}
+
+// Q_i = SUM r of C(n,r)*C(m-n,i-r)/C(m,i) * R_r: the same polynomial as one of degree m.
+Map2 elevated_in_u(const Map2& map, int order) {
+  const int n = map.uorder - 1, m = order - 1;
+  std::vector<std::vector<Rational>> weights;
+  for (int i = 0; i <= m; ++i) {
+    weights.emplace_back();
+    for (int r = 0; r <= n; ++r) {
+      const bool contributes = r <= i && i - r <= m - n;
+      weights[static_cast<std::size_t>(i)].push_back(
+          contributes ? binomial(n, r) * binomial(m - n, i - r) / binomial(m, i) : Rational());
+    }
+  }
+  return made_of(map, order, map.vorder, [&](int i, int j, int component) {
+    Rational sum;
+    for (int r = 0; r <= n; ++r)
+      sum += weights[static_cast<std::size_t>(i)][static_cast<std::size_t>(r)] *
+             Rational(point(map, r, j, component));
+    return sum.to_double();
+  });
+}
+
+Map2 elevated(const Map2& map, int uorder, int vorder) {
+  const Map2 in_u = elevated_in_u(map, uorder);
+  return vorder == map.vorder ? in_u : transposed(elevated_in_u(transposed(in_u), vorder));
+}
+
+// Points that are multiples of `unit` times 2^-24 in [-1,1].
+Map2 random_multiples(Test& t, GLenum target, int uorder, int vorder, int unit) {
+  Map2 map = random_map2(t, target, uorder, vorder);
+  for (double& value : map.points) value = std::trunc(value * 0x1p24 / unit) * unit * 0x1p-24;
+  return map;
+}
+
+// --- Relations -------------------------------------------------------------------------------------------
+
+struct Side {
+  std::vector<Map2> maps;  // of one dimension and of attributes that differ
+  std::vector<At> arguments;
+};
+
+struct SameUpTo {
+  double scale = 1, offset = 0;
+  bool bits = false;  // bit for bit, -0 counting as +0
+};
+
+// Relations between maps, all in one case: each side is defined and evaluated in turn.
+class Relations {
+ public:
+  Relations(Test& t, const std::string& identity) : t_(t), script_(identity) {}
+
+  // Each value of `b` is scale*value of `a` + offset; what `b` is stands in the message.
+  void add(const std::string& what, const Side& a, const Side& b, const SameUpTo& relation = {}) {
+    const std::size_t first = draw(a);
+    relations_.push_back({what, a, b, relation, first, draw(b)});
+  }
+  // Each value lies between the least and the greatest of its control points.
+  void add_convex(const Side& a) { convex_.push_back({a, draw(a)}); }
+
+  void check() {
+    const Observation seen =
+        t_.observe(script_, kPosition | kColor | kNormal | kTextureCoordinate0, vertices_ + 8);
+    seen_.clear();
+    for (const ObservedPrimitive& primitive : seen.primitives)
+      seen_.insert(seen_.end(), primitive.vertices.begin(), primitive.vertices.end());
+    if (seen_.size() != vertices_) throw NotObservable("the vertices do not come out, which other tests say");
+    clamped_colors_ = seen.clamped_colors;
+    for (const Relation& relation : relations_) check(relation);
+    for (const Convex& convex : convex_) check(convex);
+  }
+
+ private:
+  struct Relation {
+    std::string what;
+    Side a, b;
+    SameUpTo relation;
+    std::size_t first_a, first_b;
+  };
+  struct Convex {
+    Side side;
+    std::size_t first;
+  };
+
+  // Returns the number of its first vertex.
+  std::size_t draw(const Side& side) {
+    for (const Map2& map : side.maps) {
+      define_either(script_, map);
+      script_.Enable(map.target);
+    }
+    script_.Begin(GL_POINTS);
+    for (const auto& [u, v] : side.arguments)
+      is_curve(side.maps.front()) ? evaluate(script_, u) : evaluate2(script_, u, v);
+    script_.End();
+    vertices_ += side.arguments.size();
+    return vertices_ - side.arguments.size();
+  }
+
+  // Nothing can be said of what may have been clamped on the way.
+  bool may_be_clamped(GLenum target, float got) const {
+    return clamped_colors_ && attribute_of(target) == kColor && (got == 0.0f || got == 1.0f);
+  }
+
+  void check(const Relation& related) {
+    const auto& [what, a, b, relation, first_a, first_b] = related;
+    for (std::size_t m = 0; m < a.maps.size(); ++m)
+      for (std::size_t i = 0; i < a.arguments.size(); ++i)
+        for (std::size_t k = 0; k < static_cast<std::size_t>(a.maps[m].components()); ++k) {
+          const float was = value_of(seen_[first_a + i], a.maps[m].target, k);
+          const float is = value_of(seen_[first_b + i], b.maps[m].target, k);
+          if (may_be_clamped(a.maps[m].target, was) || may_be_clamped(a.maps[m].target, is)) continue;
+          double tolerance = 0;
+          if (std::isfinite(was) && std::isfinite(is)) {
+            const Rational scale(relation.scale);
+            const Rational expected = scale * Rational(static_cast<double>(was)) + Rational(relation.offset);
+            const Rational difference = Rational(static_cast<double>(is)) - expected;
+            if (difference.is_zero()) continue;
+            if (!relation.bits) {
+              // Cheap, and never above the bound: Ea >= 4*eps*|p| (K is at least 4), where p is that near to
+              // a.
+              if (std::abs(difference.to_double()) <= 1e-5 * std::abs(relation.scale * was)) continue;
+              const Rational bound =
+                  Rational(std::abs(relation.scale)) * bound_of(a.maps[m], k, a.arguments[i]) +
+                  bound_of(b.maps[m], k, b.arguments[i]);
+              if (difference <= bound && -bound <= difference) continue;
+              tolerance = bound.to_double();
+            }
+          }
+          fail(what, b.maps[m], b.arguments[i], k, is, relation.scale * was + relation.offset, tolerance,
+               first_b + i);
+        }
+  }
+
+  void check(const Convex& convex) {
+    const Side& side = convex.side;
+    for (const Map2& map : side.maps)
+      for (std::size_t i = 0; i < side.arguments.size(); ++i)
+        for (std::size_t k = 0; k < static_cast<std::size_t>(map.components()); ++k) {
+          const float got = value_of(seen_[convex.first + i], map.target, k);
+          if (may_be_clamped(map.target, got)) continue;
+          double least = HUGE_VAL, greatest = -HUGE_VAL;
+          for (int r = 0; r < map.uorder; ++r)
+            for (int s = 0; s < map.vorder; ++s) {
+              least = std::min(least, point(map, r, s, static_cast<int>(k)));
+              greatest = std::max(greatest, point(map, r, s, static_cast<int>(k)));
+            }
+          if (got >= least && got <= greatest) continue;
+          const double nearest = got > greatest ? greatest : least;
+          const Rational bound = bound_of(map, k, side.arguments[i]);
+          if (std::isfinite(got) && reference::is_within(got, Rational(nearest), bound)) continue;
+          fail("leaves the range of its control points", map, side.arguments[i], k, got, nearest,
+               bound.to_double(), convex.first + i);
+        }
+  }
+
+  void fail(const std::string& what, const Map2& map, const At& at, std::size_t component, float is,
+            double expected, double tolerance, std::size_t vertex) {
+    Failure failure;
+    failure.case_identity = script_.identity();
+    failure.what =
+        fmt::format("vertex {}, component {} of {}", vertex, component, gl::token_name(map.target));
+    failure.expected = fmt::format("{:.9g} +- {:.3g}", expected, tolerance);
+    failure.captured = fmt::format("{:.9g} ({:a})", is, is);
+    failure.message =
+        fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what, failure.what,
+                    map.uorder, map.vorder, at.u, at.v, failure.captured, failure.expected);
+    t_.fail(std::move(failure),
+            [&] { return gl::to_c(script_, 0, static_cast<int>(script_.commands().size()) - 1); });
+  }
+
+  Test& t_;
+  gl::Case script_;
+  std::size_t vertices_ = 0;
+  std::vector<Relation> relations_;
+  std::vector<Convex> convex_;
+  std::vector<ObservedVertex> seen_;
+  bool clamped_colors_ = false;
+};
+
+// --- What the tests go through ---------------------------------------------------------------------------
+
+using Orders = std::pair<int, int>;
+
+std::vector<Orders> all_orders(Test& t, bool two) {
+  const int max = t.max_order();
+  if (!two) return {{1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}, {8, 1}, {13, 1}, {max, 1}};
+  return {{1, 1}, {2, 2}, {3, 4}, {4, 4}, {1, 5}, {6, 2}, {8, 7}, {max, 2}, {3, max}};
+}
+
+// n arguments in [0,1], multiples of 2^-6, the corners first.
+std::vector<At> unit_arguments(Test& t, int count) {
+  std::vector<At> all = {{0, 0}, {1, 1}};
+  while (static_cast<int>(all.size()) < count)
+    all.push_back({static_cast<double>(t.random()() % 65) / 64, static_cast<double>(t.random()() % 65) / 64});
+  return all;
+}
+std::vector<At> unit_arguments(Test& t) { return unit_arguments(t, t.by_depth(4, 7, 60)); }
+
+std::vector<At> over_domain(std::vector<At> unit, const Map2& map) {
+  for (auto& [u, v] : unit) {
+    u = map.u1 + (map.u2 - map.u1) * u;
+    v = map.v1 + (map.v2 - map.v1) * v;
+  }
+  return unit;
+}
+
+template <class Change>
+std::vector<At> changed(std::vector<At> arguments, const Change& change) {
+  for (At& at : arguments) at = change(at);
+  return arguments;
+}
+
+template <class Change>
+std::vector<Map2> changed(std::vector<Map2> maps, const Change& change) {
+  for (Map2& map : maps) map = change(map);
+  return maps;
+}
+
+Map2 over(Map2 map, double u1, double u2, double v1, double v2) {
+  map.u1 = u1;
+  map.u2 = u2;
+  map.v1 = v1;
+  map.v2 = v2;
+  return map;
+}
+
+// For maps of all kinds of data at once, of each pair of orders.
+template <class Add>
+void expect_relations(Test& t, bool two, const std::string& identity, const Add& add) {
+  for (const Kinds& kinds : two ? kKinds2 : kKinds1) {
+    Relations relations(t, fmt::format("{}: {}", kinds.name, identity));
+    add(relations, kinds);
+    relations.check();
+  }
+}
+
+std::vector<Map2> random_maps(Test& t, const Kinds& kinds, const Orders& orders, int unit = 1 << 8) {
+  std::vector<Map2> maps;
+  for (const GLenum target : kinds.targets)
+    maps.push_back(random_multiples(t, target, orders.first, orders.second, unit));
+  return maps;
+}
+
+}  // namespace
+
+// --- EV-NUM-SYMMETRY -------------------------------------------------------------------------------------
+
+namespace {
+
+void expect_symmetry(Test& t, bool two) {
+  expect_relations(t, two, "points reversed", [&](Relations& relations, const Kinds& kinds) {
+    for (const Orders& orders : all_orders(t, two)) {
+      const std::vector<Map2> maps =
+          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, -2, 6, 1, 3); });
+      const Side plain = {maps, over_domain(unit_arguments(t), maps[0])};
+      const std::vector<std::pair<bool, bool>> directions =
+          two ? std::vector<std::pair<bool, bool>>{{true, false}, {false, true}, {true, true}}
+              : std::vector<std::pair<bool, bool>>{{true, false}};
+      for (const auto& [u, v] : directions) {
+        const auto reverse = [&](const Map2& map) { return reversed(map, u, v); };
+        const auto reverse_domain = [&](const Map2& map) {
+          return over(map, u ? map.u2 : map.u1, u ? map.u1 : map.u2, v ? map.v2 : map.v1,
+                      v ? map.v1 : map.v2);
+        };
+        const std::vector<At> mirrored = changed(plain.arguments, [&](const At& at) {
+          return At{u ? 4 - at.u : at.u, v ? 4 - at.v : at.v};
+        });
+        relations.add("points reversed and arguments mirrored", plain, {changed(maps, reverse), mirrored});
+        relations.add("points and domain reversed", plain,
+                      {changed(changed(maps, reverse), reverse_domain), plain.arguments});
+        relations.add("domain reversed and arguments mirrored", plain,
+                      {changed(maps, reverse_domain), mirrored});
+      }
+    }
+  });
+}
+
+}  // namespace
+
+EVALCTS_TEST(Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D") { expect_symmetry(t, false); }
+EVALCTS_TEST(Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D") { expect_symmetry(t, true); }
+
+// --- EV-NUM-ELEVATION ------------------------------------------------------------------------------------
+
+namespace {
+
+void expect_elevation(Test& t, bool two) {
+  expect_relations(t, two, "a higher degree", [&](Relations& relations, const Kinds& kinds) {
+    // 420 is a multiple of C(m,i)/gcd for all m up to 7, so that every elevated point is exact.
+    constexpr int kUnit = 420;
+    const std::vector<Map2> maps = random_maps(t, kinds, {4, two ? 4 : 1}, two ? kUnit * kUnit : kUnit);
+    const Side plain = {maps, unit_arguments(t)};
+    for (int order = 5; order <= 8; ++order)
+      for (const auto& [uorder, vorder] : two ? std::vector<Orders>{{order, 4}, {4, order}, {order, order}}
+                                              : std::vector<Orders>{{order, 1}})
+        relations.add(
+            "degree elevated", plain,
+            {changed(maps, [&](const Map2& map) { return elevated(map, uorder, vorder); }), plain.arguments});
+    // A straight line is a map of any order.
+    for (int order = 3; order <= t.max_order(); order += two || order > 10 ? 7 : 1) {
+      const std::vector<Map2> lines = random_maps(t, kinds, {2, two ? 2 : 1}, (order - 1) << 4);
+      const Side line = {lines, unit_arguments(t, 4)};
+      const auto straight = [&](const Map2& map) { return elevated(map, order, map.vorder); };
+      relations.add("a line of higher degree", line, {changed(lines, straight), line.arguments});
+      if (!two) continue;
+      const auto across = [&](const Map2& map) { return elevated(map, 2, order); };
+      relations.add("a line of higher degree", line, {changed(lines, across), line.arguments});
+    }
+  });
+}
+
+}  // namespace
+
+EVALCTS_TEST(Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D") { expect_elevation(t, false); }
+EVALCTS_TEST(Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D") { expect_elevation(t, true); }
+
+// --- EV-NUM-TRANSPOSE ------------------------------------------------------------------------------------
+
+EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
+  expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
+    for (const Orders& orders : all_orders(t, true)) {
+      const std::vector<Map2> maps =
+          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0, 1, 4, -1); });
+      std::vector<At> arguments = over_domain(unit_arguments(t), maps[0]);
+      if (orders.first * orders.second <= 16) arguments.push_back({-0.5, 4.5});
+      const Side plain = {maps, arguments};
+      const std::vector<At> swapped = changed(arguments, [](const At& at) { return At{at.v, at.u}; });
+      relations.add("transposed", plain, {changed(maps, transposed), swapped});
+      relations.add("strides swapped", plain, {changed(maps, with_roles_swapped), swapped});
+    }
+  });
+}
+
+// --- EV-NUM-AFFINE ---------------------------------------------------------------------------------------
+
+namespace {
+
+void expect_affine(Test& t, bool two) {
+  constexpr SameUpTo kChanges[] = {{1, 0.25}, {1, -8}, {0.5, 0}, {-4, 0}, {16, -4}};
+  expect_relations(t, two, "points scaled and moved", [&](Relations& relations, const Kinds& kinds) {
+    for (const Orders& orders : all_orders(t, two)) {
+      const Side plain = {random_maps(t, kinds, orders), unit_arguments(t)};
+      for (const SameUpTo& change : kChanges)
+        relations.add(
+            fmt::format("points times {} plus {}", change.scale, change.offset), plain,
+            {changed(plain.maps, [&](const Map2& map) { return scaled(map, change.scale, change.offset); }),
+             plain.arguments},
+            change);
+    }
+  });
+}
+
+}  // namespace
+
+EVALCTS_TEST(Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D") { expect_affine(t, false); }
+EVALCTS_TEST(Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D") { expect_affine(t, true); }
+
+// --- EV-NUM-CONVEX ---------------------------------------------------------------------------------------
+
+namespace {
+
+void expect_convex(Test& t, bool two) {
+  expect_relations(t, two, "inside the range of the points", [&](Relations& relations, const Kinds& kinds) {
+    for (const Orders& orders : all_orders(t, two)) {
+      const std::vector<At> arguments = unit_arguments(t, t.by_depth(8, 20, 200));
+      const std::vector<Map2> maps = random_maps(t, kinds, orders);
+      relations.add_convex({maps, arguments});
+      // Flat: no room at all.
+      relations.add_convex({changed(maps, [](const Map2& map) { return scaled(map, 0, 0.625); }), arguments});
+      // Only 0 and 1.
+      relations.add_convex({changed(maps,
+                                    [](const Map2& map) {
+                                      return made_of(map, map.uorder, map.vorder, [&](int i, int j, int k) {
+                                        return point(map, i, j, k) > 0 ? 1.0 : 0.0;
+                                      });
+                                    }),
+                            arguments});
+    }
+  });
+}
+
+}  // namespace
+
+EVALCTS_TEST(Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D") { expect_convex(t, false); }
+EVALCTS_TEST(Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D") { expect_convex(t, true); }
+
+// --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
+
+namespace {
+
+struct Along {
+  const char* name;
+  bool v;
+};
+constexpr Along kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
+
+}  // namespace
+
+// A net that is constant in one direction is the curve of the other, whatever the other argument.
+EVALCTS_TESTS(Metamorphic, CurveInSurface, kAlong, const Along& along, must, "EV-MAP2-SEPARABLE") {
+  for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
+    Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
+    for (const int order : {1, 2, 3, 4, 8, t.max_order()})
+      for (const int across : {1, 2, 3, 6}) {
+        const std::vector<Map2> curves = random_maps(t, kKinds1[kind], {order, 1});
+        std::vector<Map2> surfaces;
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+          const Map2& curve = curves[i];
+          surfaces.push_back(made_of(curve, order, across, [&](int r, int, int component) {
+            return point(curve, r, 0, component);
+          }));
+          surfaces.back().target = kKinds2[kind].targets[i];
+          if (along.v) surfaces.back() = transposed(surfaces.back());
+        }
+        std::vector<At> arguments = unit_arguments(t, t.by_depth(4, 6, 60));
+        arguments.push_back({0.375, 1.25});
+        arguments.push_back({0.75, -0.5});
+        const std::vector<At> at = along.v ? changed(arguments,
+                                                     [](const At& p) {
+                                                       return At{p.v, p.u};
+                                                     })
+                                           : arguments;
+        relations.add("constant across", {curves, arguments}, {surfaces, at});
+      }
+    relations.check();
+  }
+}
+
+// --- EV-NUM-DOMAINSHIFT ----------------------------------------------------------------------------------
+
+namespace {
+
+// Domain and argument scaled by a power of two and moved: both exact in single precision.
+void expect_domain_shift(Test& t, bool two, bool bits) {
+  struct Shift {
+    double scale, offset;
+  };
+  constexpr Shift kShifts[] = {{1, 1}, {1, -2048}, {2, 0}, {0x1p-20, 0}, {0x1p20, 0}, {0.25, 64}};
+  expect_relations(t, two, "domain moved and scaled", [&](Relations& relations, const Kinds& kinds) {
+    for (const Orders& orders : all_orders(t, two)) {
+      const std::vector<Map2> maps =
+          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0.5, 2.5, 3, -1); });
+      const Side plain = {maps, over_domain(unit_arguments(t), maps[0])};
+      for (const auto& [scale, offset] : kShifts) {
+        const auto moved = [&, scale = scale, offset = offset](double x) { return scale * x + offset; };
+        relations.add(fmt::format("domain and arguments times {} plus {}", scale, offset), plain,
+                      {changed(maps,
+                               [&](const Map2& map) {
+                                 return over(map, moved(map.u1), moved(map.u2), moved(map.v1), moved(map.v2));
+                               }),
+                       changed(plain.arguments,
+                               [&](const At& at) {
+                                 return At{moved(at.u), moved(at.v)};
+                               })},
+                      {.bits = bits});
+      }
+    }
+  });
+}
+
+}  // namespace
+
+EVALCTS_TEST(Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D") {
+  expect_domain_shift(t, false, false);
+}
+EVALCTS_TEST(Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D") {
+  expect_domain_shift(t, true, false);
+}
+// u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
+EVALCTS_TEST(Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D") {
+  expect_domain_shift(t, false, true);
+}
+EVALCTS_TEST(Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D") {
+  expect_domain_shift(t, true, true);
+}
+
+}  // namespace evalcts
