@@ -4,6 +4,7 @@
 #include <cstring>
 #include <functional>
 
+#include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
 namespace evalcts {
@@ -238,8 +239,9 @@ EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, mu
 }
 
 // ... and values.
-EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/1-D",
-              "EV-COORD-FD/1-D") {
+namespace {
+
+void forms_share_values(Test& t, const TargetForm& form, bool two) {
   gl::Case c("defined in one form, evaluated in the other");
   define(c,
          make_map1(form.target,
@@ -249,7 +251,18 @@ EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& f
   c.Begin(GL_POINTS);
   for (const double u : {0.0, 0.125, 0.3125, 0.9375, 1.0}) evaluate(c, u, !form.doubles);
   c.End();
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(two ? gl::lift(c, true) : c, attribute_of(form.target));
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/1-D",
+              "EV-COORD-FD/1-D") {
+  forms_share_values(t, form, false);
+}
+EVALCTS_TESTS(Api, FormsShareValues2, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/2-D",
+              "EV-COORD-FD/2-D") {
+  forms_share_values(t, form, true);
 }
 
 // Each form replaces what the other defined.
@@ -273,7 +286,9 @@ EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must
 }
 
 // The array ends before an inaccessible page: reading a second value crashes.
-EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, must, "EV-API-V/1-D") {
+namespace {
+
+void vector_form(Test& t, const TargetForm& form, bool two) {
   gl::Case c("scalar and vector form in turn");
   define(c,
          make_map1(form.target,
@@ -285,7 +300,16 @@ EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, m
     evaluate_vector(c, u, form.doubles);
   }
   c.End();
-  t.expect_emission(c, attribute_of(form.target));
+  t.expect_emission(two ? gl::lift(c, true) : c, attribute_of(form.target));
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, must, "EV-API-V/1-D") {
+  vector_form(t, form, false);
+}
+EVALCTS_TESTS(Api, VectorForm2, visible_target_forms(), const TargetForm& form, must, "EV-API-V/2-D") {
+  vector_form(t, form, true);
 }
 
 EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-API-V/1-D") {

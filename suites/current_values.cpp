@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "harness/gl/lift.h"
 #include "suites/maps.h"
 
 namespace evalcts {
@@ -270,7 +271,9 @@ EVALCTS_TEST_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, EdgeF
 }
 
 // With all maps on, everything that can be queried of the evaluators stays as it was.
-EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
+namespace {
+
+void expect_state_untouched(Test& t, bool two) {
   gl::Case c("all nine maps enabled");
   for (const GLenum target : gl::kMap1Targets) {
     define(c, random_map(t, target, 5));
@@ -291,8 +294,17 @@ EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
   c.EvalCoord1d(0.5);
   c.End();
   const std::vector<gl::Ref> after = query();
-  Played played = t.play(c);
+  Played played = t.play(two ? gl::lift(c, true) : c);
   expect_unchanged(played, before, after);
+}
+
+}  // namespace
+
+EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
+  expect_state_untouched(t, false);
+}
+EVALCTS_TEST(CurrentValues, MapsGridsAndEnables2, must, "EV-CUR-GRIDMAPS/2-D") {
+  expect_state_untouched(t, true);
 }
 
 // Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.

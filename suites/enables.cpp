@@ -1,4 +1,5 @@
 // Section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
+#include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
 namespace evalcts {
@@ -145,7 +146,9 @@ EVALCTS_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-N
 }
 
 // MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
-EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
+namespace {
+
+void other_dimension(Test& t, bool two) {
   gl::Case c("all MAP2 maps and MAP1_VERTEX_3 enabled");
   c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
   c.Normal3f(0.6f, 0.0f, 0.8f);
@@ -156,7 +159,16 @@ EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COOR
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
   c.End();
-  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+  t.expect_emission(two ? gl::lift(c, true) : c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
+}  // namespace
+
+EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
+  other_dimension(t, false);
+}
+EVALCTS_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", "EV-COORD-DIM2") {
+  other_dimension(t, true);
 }
 
 }  // namespace evalcts

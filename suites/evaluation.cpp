@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "harness/gl/lift.h"
 #include "suites/maps.h"
 
 namespace evalcts {
@@ -177,8 +178,9 @@ EVALCTS_DELIVERED_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must,
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}),
-              GLenum target, must, "EV-COORD-INBEGIN/1-D") {
+namespace {
+
+void legal_in_every_primitive(Test& t, GLenum target, bool two) {
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
     gl::Case c(gl::primitive_name(mode));
     define(c, random_map(t, target, 3));
@@ -190,9 +192,20 @@ EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VE
     c.EvalCoord1dv(std::vector<double>{0.5});
     c.End();
     const gl::Ref error = c.GetError();
-    Played played = t.play(c);
+    Played played = t.play(two ? gl::lift(c, true) : c);
     played.expect_no_error(error);
   }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}),
+              GLenum target, must, "EV-COORD-INBEGIN/1-D") {
+  legal_in_every_primitive(t, target, false);
+}
+EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive2, (std::vector<GLenum>{GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}),
+              GLenum target, must, "EV-COORD-INBEGIN/2-D") {
+  legal_in_every_primitive(t, target - GL_MAP2_VERTEX_3 + GL_MAP1_VERTEX_3, true);
 }
 
 namespace {
@@ -278,7 +291,9 @@ EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "E
   }
 }
 
-EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "EV-COORD-NOERR/1-D") {
+namespace {
+
+void no_argument_is_an_error(Test& t, const Form& form, bool two) {
   gl::Case c("arguments over the whole range");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -289,8 +304,17 @@ EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "
     for (const double u : {1e300, -1e300, 1e-300, -0.0}) evaluate(c, u, true);
   c.End();
   const gl::Ref error = c.GetError();
-  Played played = t.play(c);
+  Played played = t.play(two ? gl::lift(c, true) : c);
   played.expect_no_error(error);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "EV-COORD-NOERR/1-D") {
+  no_argument_is_an_error(t, form, false);
+}
+EVALCTS_TESTS(Evaluation, NoArgumentIsAnError2, kForms, const Form& form, must, "EV-COORD-NOERR/2-D") {
+  no_argument_is_an_error(t, form, true);
 }
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
@@ -518,7 +542,8 @@ EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-
 
 // Subsets of the nine enables with a vertex map, in Gray code: one flag changes at a time. INDEX is among
 // them, though its values do not show. At quick depth those that so many steps apart (no factor of the number
-// of subsets) leave: some captures make each subset a program of the library's own. What happens without a vertex map has tests of its own.
+// of subsets) leave: some captures make each subset a program of the library's own. What happens without a
+// vertex map has tests of its own.
 EVALCTS_DELIVERED_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D",
                        "EV-PREC-PERKIND/1-D", "EV-EN-MULTI") {
   const unsigned step = t.depth() == Depth::quick ? 13 : 1;
