@@ -151,20 +151,24 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
       if (!at_end || !at_neighbour || *at_end == *at_neighbour) continue;
       ++told;
       const float right = *at_end;
-      const auto wrong = std::ranges::find_if(near_end, [right](float x) { return x != right; });
-      if (!near_end.empty() && wrong == near_end.end()) continue;
       const Grid& grid = grids[i];
-      Mismatch mismatch;
-      mismatch.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
-                                  last ? "last" : "first", grid.segments, grid.first, grid.last);
-      mismatch.expected = fmt::format("x = {:a}", right);
-      mismatch.captured = near_end.empty() ? "no vertex near it" : fmt::format("x = {:a}", *wrong);
-      mismatch.message = fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}",
-                                     mismatch.what, along.v ? "v" : "u", last ? grid.last : grid.first,
-                                     mismatch.captured, mismatch.expected);
-      mismatch.lowest = mismatch.highest = static_cast<double>(right);
-      mismatch.got = near_end.empty() ? 1 : static_cast<double>(*wrong);
-      mismatches.push_back(std::move(mismatch));
+      // One for each vertex that is wrong; the end may be a vertex of several primitives.
+      const auto add = [&](double got, const std::string& captured) {
+        Mismatch mismatch;
+        mismatch.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
+                                    last ? "last" : "first", grid.segments, grid.first, grid.last);
+        mismatch.expected = fmt::format("x = {:a}", right);
+        mismatch.captured = captured;
+        mismatch.message =
+            fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}", mismatch.what,
+                        along.v ? "v" : "u", last ? grid.last : grid.first, captured, mismatch.expected);
+        mismatch.lowest = mismatch.highest = static_cast<double>(right);
+        mismatch.got = got;
+        mismatches.push_back(std::move(mismatch));
+      };
+      if (near_end.empty()) add(1, "no vertex near it");
+      for (const float x : near_end)
+        if (x != right) add(static_cast<double>(x), fmt::format("x = {:a}", x));
     }
     if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");
     return mismatches;

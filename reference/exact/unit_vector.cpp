@@ -11,7 +11,7 @@ namespace {
 Rational squared_length(const Vector& m) { return m[0] * m[0] + m[1] * m[1] + m[2] * m[2]; }
 
 Rational nonzero_squared_length(const Vector& m) {
-  const Rational square = squared_length(m);
+  Rational square = squared_length(m);
   if (square.is_zero()) throw std::domain_error("a vector of length zero has no direction");
   return square;
 }
