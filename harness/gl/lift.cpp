@@ -1,6 +1,7 @@
 #include "harness/gl/lift.h"
 
-#include <algorithm>
+#include <array>
+#include <tuple>
 #include <utility>
 
 #include "harness/gl/numbers.h"
@@ -17,7 +18,6 @@ std::int64_t other_dimension(std::int64_t token) {
   return token;
 }
 
-// A whole number, if it is one: more than the domain of tokens and orders goes through unharmed.
 std::int64_t integer(const Value& value) { return std::get<std::int64_t>(value); }
 
 // order*stride values, `copies` times one after the other: the net that is constant from copy to copy.
@@ -76,10 +76,9 @@ Case lift(const Case& script, bool along_v) {
         break;
       case EntryPoint::Enable:
       case EntryPoint::Disable:
-      case EntryPoint::IsEnabled: {
+      case EntryPoint::IsEnabled:
         lifted.add({command.entry, {other_dimension(integer(command.arguments[0]))}});
         break;
-      }
       default:
         lifted.add(command);
     }
