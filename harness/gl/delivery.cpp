@@ -177,7 +177,7 @@ class OnGrids {
     return grids;
   }
 
-  // A point that is a primitive of its own, or (mode none) outside Begin and End.
+  // A point of its own: by a mesh, or outside Begin and End.
   void single_point(const std::vector<double>& at) {
     const Grids grids = grids_of_point(at);
     map_grid(grids);
