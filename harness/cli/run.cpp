@@ -167,6 +167,9 @@ int run(const RunOptions& options) {
 
   const json all_tests = list_tests(where.suite_program);
   request.tests = matching(all_tests, options.filter);
+  if (options.filter.empty() && options.depth == "quick")
+    std::erase_if(request.tests.get_ref<json::array_t&>(),
+                  [](const json& test) { return !test["quick"].get<bool>(); });
   if (request.tests.empty()) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;

@@ -149,8 +149,10 @@ class GoogleTestAdapter : public testing::Test {
 json list_tests() {
   json tests = json::array();
   for (const TestInfo& info : all_tests())
-    tests.push_back(
-        {{"name", info.full_name()}, {"requirements", info.requirements}, {"level", name_of(info.level)}});
+    tests.push_back({{"name", info.full_name()},
+                     {"requirements", info.requirements},
+                     {"level", name_of(info.level)},
+                     {"quick", info.from == Depth::quick}});
   return {{"tests", tests}};
 }
 

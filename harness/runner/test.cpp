@@ -524,6 +524,15 @@ TestInfo TestInfo::by(const gl::Delivery& delivery) const {
 
 Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
 
+Registration::Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info) {
+  const std::size_t chosen = hash(info.full_name()) % deliveries.size();
+  for (std::size_t i = 0; i < deliveries.size(); ++i) {
+    TestInfo delivered = info.by(deliveries[i]);
+    if (!deliveries[i].is_plain() && i != chosen) delivered.from = Depth::full;
+    registry().push_back(std::move(delivered));
+  }
+}
+
 std::string Registration::name_with(const char* name, const std::string& parameter) {
   return fmt::format("{}/{}", name, parameter);
 }

@@ -173,6 +173,7 @@ struct TestInfo {
   std::vector<std::string_view> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
   Level level;
   std::function<void(Test&)> body;
+  Depth from = Depth::quick;  // the least depth that plays it where no tests are asked for by name
 
   std::string full_name() const { return suite + "." + name; }
 
@@ -196,13 +197,13 @@ struct Registration {
                             [body, copy](Test& t) { body(t, copy); }});
     }
   }
-  // One test for each delivery, and for each parameter and delivery.
+  // One test for each delivery, and for each parameter and delivery. Quick depth takes the plain deliveries
+  // and one of the others, in turn.
+  Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
-               std::initializer_list<std::string_view> requirements, Body body) {
-    for (const gl::Delivery& delivery : deliveries)
-      Registration(TestInfo{suite, name, requirements, level, body}.by(delivery));
-  }
+               std::initializer_list<std::string_view> requirements, Body body)
+      : Registration(deliveries, TestInfo{suite, name, requirements, level, body}) {}
   template <class Parameters, class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name,
                const Parameters& parameters, Level level,
