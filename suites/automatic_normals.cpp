@@ -259,7 +259,8 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NextVertexHasTheCurr
 
 // --- Direction and length --------------------------------------------------------------------------------
 
-EVALCTS_TESTS(AutomaticNormals, Direction, kLengths, const Lengths& lengths, must, "EV-AUTON-DIRECTION") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, Direction, kLengths, const Lengths& lengths, must,
+                     "EV-AUTON-DIRECTION") {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
                  {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
                   surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
@@ -267,8 +268,8 @@ EVALCTS_TESTS(AutomaticNormals, Direction, kLengths, const Lengths& lengths, mus
                  lengths.required);
 }
 
-EVALCTS_TESTS(AutomaticNormals, Curved, kPolynomial, const Patch& patch, must, "EV-AUTON-CURVED",
-              "EV-AUTON-METHOD") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, Curved, kPolynomial, const Patch& patch, must, "EV-AUTON-CURVED",
+                     "EV-AUTON-METHOD") {
   Map2 shifted = patch.map();
   shifted.u1 = 2;
   shifted.u2 = 5;
@@ -278,16 +279,18 @@ EVALCTS_TESTS(AutomaticNormals, Curved, kPolynomial, const Patch& patch, must, "
 }
 
 // What GL 1.0 demanded: the analytic normal, to the accuracy of the operations.
-EVALCTS_TESTS(AutomaticNormals, Analytic, kPolynomial, const Patch& patch, quality, "EV-AUTON-METHOD") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, Analytic, kPolynomial, const Patch& patch, quality,
+                     "EV-AUTON-METHOD") {
   expect_normals(t, "the analytic normal", {patch.map()});
 }
 
-EVALCTS_TESTS(AutomaticNormals, Rational, kRational, const Patch& patch, must, "EV-AUTON-RATIONAL") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, Rational, kRational, const Patch& patch, must, "EV-AUTON-RATIONAL") {
   expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()});
 }
 
 // The sign is free there (U-AUTON-REVSIGN), the rest is not.
-EVALCTS_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& lengths, must, "EV-AUTON-CURVED") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& lengths, must,
+                     "EV-AUTON-CURVED") {
   std::vector<Map2> maps;
   for (const auto& [u_reversed, v_reversed] : {std::pair{true, false}, {false, true}, {true, true}}) {
     Map2 map = surface(GL_MAP2_VERTEX_3, 4, 4, wave);
@@ -298,7 +301,7 @@ EVALCTS_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& lengths
   expect_normals(t, "u, v, and both reversed", maps, lengths.required);
 }
 
-EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
+EVALCTS_LISTED_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
   std::vector<Map2> maps;
   for (const double size : {0.01, 1.0, 37.0, 1000.0})
     for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
@@ -316,7 +319,7 @@ EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
 }
 
 // A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
-EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER") {
+EVALCTS_LISTED_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER") {
   t.require(2, 0, "GL_ARB_vertex_shader");
   std::vector<Map2> maps;
   for (const double size : {0.125, 1.0, 10.0})
@@ -350,8 +353,8 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, mus
   }
 }
 
-EVALCTS_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch& patch, quality,
-              "EV-AUTON-SAMEVERTEX") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch& patch, quality,
+                     "EV-AUTON-SAMEVERTEX") {
   gl::Case c("off, then on");
   const Map2 map = patch.map();
   define_and_enable(c, map);
@@ -387,7 +390,7 @@ constexpr MeshMode kModes[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}, {"FILL", 
 
 }  // namespace
 
-EVALCTS_TESTS(AutomaticNormals, InMeshes, kModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, InMeshes, kModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
   gl::Case c("polynomial and rational patches");
   set_current_values(c);
   c.Enable(GL_AUTO_NORMAL);

@@ -217,8 +217,9 @@ void set_all(gl::Case& c, const Setting& setting) {
 
 // Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
 // map on, after every order of setting.
-EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, EveryOrderOfSetting, kQueried,
-                 const Queried& queried, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D", "EV-CUR-TEX/1-D") {
+EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues, EveryOrderOfSetting,
+                 kQueried, const Queried& queried, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
+                 "EV-CUR-TEX/1-D") {
   std::vector<Map1> maps;
   for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
   bool observed = false;
@@ -252,7 +253,7 @@ EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, Ever
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
 }
 
-EVALCTS_TEST_BY(gl::without_meshes(gl::curve_deliveries()), CurrentValues, EdgeFlag, must,
+EVALCTS_TEST_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues, EdgeFlag, must,
                 "EV-CUR-EDGEFLAG/1-D") {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     gl::Case c(flag ? "TRUE" : "FALSE");

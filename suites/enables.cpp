@@ -21,7 +21,7 @@ std::vector<gl::Ref> query_enables(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAPS") {
+EVALCTS_LISTED_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAPS") {
   gl::Case c("off, on, on again, off");
   std::vector<std::pair<gl::Ref, GLboolean>> answers;
   std::vector<gl::Ref> errors;
@@ -42,7 +42,7 @@ EVALCTS_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAPS") {
   for (const auto& [query, expected] : answers) played.expect_result(query, expected);
 }
 
-EVALCTS_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+EVALCTS_LISTED_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
   // Alone on among eighteen off, then alone off among eighteen on; map contents make no difference.
   for (const bool alone_on : {true, false}) {
     gl::Case c(alone_on ? "alone on" : "alone off");
@@ -63,7 +63,7 @@ EVALCTS_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP")
 }
 
 // ... whatever maps of two dimensions and grids hold.
-EVALCTS_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+EVALCTS_LISTED_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
   for (const bool alone_on : {true, false}) {
     gl::Case c(alone_on ? "alone on" : "alone off");
     for (const GLenum other : all_caps())
@@ -78,7 +78,7 @@ EVALCTS_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, must, "
   }
 }
 
-EVALCTS_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
+EVALCTS_LISTED_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
   for (const bool on : {false, true}) {
     gl::Case c(on ? "on" : "off");
     if (on) c.Enable(cap);
@@ -92,7 +92,7 @@ EVALCTS_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
   }
 }
 
-EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
+EVALCTS_LISTED_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
   gl::Case c("all 18, enabled from the last to the first");
   const std::vector<GLenum> caps = all_caps();
   for (std::size_t i = caps.size(); i-- > 0;) c.Enable(caps[i]);
@@ -103,7 +103,7 @@ EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
   for (const gl::Ref ref : refs) played.expect_result(ref, GL_TRUE);
 }
 
-EVALCTS_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
+EVALCTS_LISTED_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
   struct Attempt {
     const char* name;
     bool on_before;
@@ -127,7 +127,7 @@ EVALCTS_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, "EV-EN-
   }
 }
 
-EVALCTS_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-NOTUNIT") {
+EVALCTS_LISTED_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-NOTUNIT") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   gl::Case c("enabled on TEXTURE1, seen on TEXTURE0, disabled on TEXTURE0, seen on TEXTURE1");
@@ -164,10 +164,10 @@ void other_dimension(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
+EVALCTS_LISTED_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
   other_dimension(t, false);
 }
-EVALCTS_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", "EV-COORD-DIM2") {
+EVALCTS_LISTED_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", "EV-COORD-DIM2") {
   other_dimension(t, true);
 }
 

@@ -228,8 +228,8 @@ constexpr Mode kModes[] = {{"POINTS", GL_POINTS},
 }  // namespace
 
 // Primitives of 0 to 9 vertices, complete or not.
-EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), Evaluation, Primitives, kModes, const Mode& mode,
-                 must, "EV-COORD-PRIMS/1-D") {
+EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, Primitives, kModes,
+                 const Mode& mode, must, "EV-COORD-PRIMS/1-D") {
   gl::Case c("0 to 9 vertices");
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
     Map1 map = random_map(t, target, 4);
@@ -249,7 +249,7 @@ EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), Evaluation, Primiti
 
 // The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
 // primitive is at stake.
-EVALCTS_TESTS_BY(gl::without_meshes(gl::curve_deliveries()), Evaluation, MixedPrimitives, kModes,
+EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, MixedPrimitives, kModes,
                  const Mode& mode, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D") {
   gl::Case c("0 to 9 vertices, every third explicit");
   set_current_values(c);
@@ -318,8 +318,8 @@ EVALCTS_TESTS(Evaluation, NoArgumentIsAnError2, kForms, const Form& form, must, 
 }
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
-EVALCTS_TESTS_BY(gl::without_grids(gl::curve_deliveries()), Evaluation, RepeatedCallSameBits,
-                 visible_targets(), GLenum target, must, "EV-COORD-REPEAT/1-D") {
+EVALCTS_TESTS_BY(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries()), Evaluation,
+                 RepeatedCallSameBits, visible_targets(), GLenum target, must, "EV-COORD-REPEAT/1-D") {
   gl::Case c("each argument four times");
   define(c, random_map(t, target, 7));
   enable_visibly(c, target);

@@ -132,15 +132,15 @@ std::vector<Calls> setting(const std::vector<Grid2>& grids, bool doubles) {
 
 }  // namespace
 
-EVALCTS_TESTS(Grids, MapGrid1Sets, kForms, const Form& form, must, "EV-GRID-SET1") {
+EVALCTS_LISTED_TESTS(Grids, MapGrid1Sets, kForms, const Form& form, must, "EV-GRID-SET1") {
   expect_set(t, "several grids", some_grids1(), form.doubles);
 }
 
-EVALCTS_TESTS(Grids, MapGrid2Sets, kForms, const Form& form, must, "EV-GRID-SET2") {
+EVALCTS_LISTED_TESTS(Grids, MapGrid2Sets, kForms, const Form& form, must, "EV-GRID-SET2") {
   expect_set(t, "several grids", some_grids2(), form.doubles);
 }
 
-EVALCTS_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRID-INDEP") {
+EVALCTS_LISTED_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRID-INDEP") {
   expect_nothing_else(t, "MapGrid1", kPlaceOfGrid1, [&](gl::Case& c) {
     set(c, Grid1{3, 20, 30}, form.doubles);
   });
@@ -163,14 +163,16 @@ EVALCTS_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRID-INDEP
   expect_grid(played, same_two, second);
 }
 
-EVALCTS_TESTS(Grids, NotPositive, kForms, const Form& form, must, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, NotPositive, kForms, const Form& form, must, "EV-GRID-ERR-N",
+                     "EV-GRID-ERR-NOEFFECT") {
   expect_refused(
       t, "MapGrid1 of 0, -1, -100 and the lowest int segments",
       setting(std::vector<Grid1>{{0, 2, 3}, {-1, 2, 3}, {-100, 3, 2}, {kLowest, 2, 3}}, form.doubles),
       {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Grids, UNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, UNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN",
+                     "EV-GRID-ERR-NOEFFECT") {
   expect_refused(
       t, "un of 0, -1, -100 and the lowest int",
       setting(
@@ -180,7 +182,8 @@ EVALCTS_TESTS(Grids, UNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-
       {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Grids, VNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, VNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-VN",
+                     "EV-GRID-ERR-NOEFFECT") {
   expect_refused(
       t, "vn of 0, -1, -100 and the lowest int",
       setting(
@@ -190,16 +193,16 @@ EVALCTS_TESTS(Grids, VNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-
       {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Grids, NeitherPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN",
-              "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, NeitherPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN",
+                     "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT") {
   expect_refused(t, "both counts bad",
                  setting(std::vector<Grid2>{{0, 2, 3, 0, 5, 6}, {-1, 2, 3, 0, 5, 6}, {-2, 2, 3, -3, 5, 6}},
                          form.doubles),
                  {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
-              "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
+                     "EV-GRID-ERR-NOEFFECT") {
   for (const bool two : {false, true}) {
     std::vector<Calls> bad;
     for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP, GL_POLYGON})
@@ -219,8 +222,8 @@ EVALCTS_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, "EV-GRI
 }
 
 // The primitive goes on, and what follows is evaluated on the old grid.
-EVALCTS_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
-              "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
+                     "EV-GRID-ERR-NOEFFECT") {
   gl::Case c("points of both grids around MapGrid1 and MapGrid2");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
@@ -247,7 +250,7 @@ EVALCTS_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must, "EV-G
 }
 
 // A refused call is over with its error: the next legal one sets the grid.
-EVALCTS_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must, "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must, "EV-GRID-ERR-NOEFFECT") {
   gl::Case c("refused, then legal");
   set(c, Grid1{0, 1, 2}, form.doubles);
   set(c, Grid2{2, 1, 2, 0, 1, 2}, form.doubles);
@@ -265,7 +268,7 @@ EVALCTS_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must, "EV-GR
   expect_grid(played, answers2, two);
 }
 
-EVALCTS_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "EV-GRID-EQUAL") {
+EVALCTS_LISTED_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "EV-GRID-EQUAL") {
   expect_set(t, "MapGrid1", std::vector<Grid1>{{3, 5, 5}, {1, 0, 0}, {8, -2.5, -2.5}, {kHighest, 1, 1}},
              form.doubles);
   expect_set(t, "MapGrid2",
@@ -278,7 +281,7 @@ EVALCTS_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "EV-GRID
 }
 
 // Any count; the first and the last grid point of the largest can be evaluated.
-EVALCTS_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GRID-LARGE") {
+EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GRID-LARGE") {
   expect_set(t, "MapGrid1", std::vector<Grid1>{{kHighest, 0, 1}, {kHighest - 1, 3, -3}, {0x1000001, 0, 1}},
              form.doubles);
   expect_set(t, "MapGrid2",
@@ -310,7 +313,7 @@ EVALCTS_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GRID-LARG
   played2.expect_no_error(error2);
 }
 
-EVALCTS_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-GRID-NOUNIT") {
+EVALCTS_LISTED_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-GRID-NOUNIT") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   const Calls other_unit = [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE1); };
@@ -335,7 +338,7 @@ EVALCTS_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-GRID-NO
 }
 
 // Each form replaces what the other set.
-EVALCTS_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D") {
+EVALCTS_LISTED_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D") {
   for (const bool doubles_first : {false, true}) {
     gl::Case c(doubles_first ? "d, f, d, ..." : "f, d, f, ...");
     bool doubles = doubles_first;
@@ -357,7 +360,7 @@ EVALCTS_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D") {
 }
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
-EVALCTS_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D") {
+EVALCTS_LISTED_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D") {
   struct Rounded {
     Grid2 grid;
     std::vector<GLint> ends;

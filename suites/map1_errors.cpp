@@ -61,8 +61,8 @@ void expect_refused(Test& t, const std::string& identity, const Map1& bad, bool 
 
 }  // namespace
 
-EVALCTS_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET",
+                     "EV-MAP1-ERR-NOEFFECT") {
   std::vector<GLenum> bad = {0, 0x0D8F, 0x0D99, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   for (const GLenum target : bad) {
@@ -72,8 +72,8 @@ EVALCTS_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ER
   }
 }
 
-EVALCTS_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-ORDER-LOW",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT") {
   for (const int order : {0, -1, -64, std::numeric_limits<int>::min()}) {
     Map1 map = legal_map(form.target);
     map.order = order;
@@ -81,8 +81,8 @@ EVALCTS_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, m
   }
 }
 
-EVALCTS_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT") {
   const int limit = t.gl().max_eval_order;
   for (const int order : {limit + 1, limit + 2, limit + 100, 0x101, 0x10001}) {
     if (order <= limit) continue;
@@ -95,8 +95,8 @@ EVALCTS_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, 
   }
 }
 
-EVALCTS_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-STRIDE",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT") {
   for (const int stride : {gl::components_of(form.target) - 1, 0, -1, -17, std::numeric_limits<int>::min()}) {
     Map1 map = legal_map(form.target);
     map.stride = stride;
@@ -104,8 +104,8 @@ EVALCTS_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm& form, 
   }
 }
 
-EVALCTS_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT") {
   for (const int stride : {gl::components_of(form.target) - 1, 0, -1}) {
     Map1 map = legal_map(form.target);
     map.order = 1;
@@ -114,8 +114,8 @@ EVALCTS_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm
   }
 }
 
-EVALCTS_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& form, must, "EV-MAP1-ERR-DOMAIN",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT") {
   for (const int order : {1, 3})
     for (const double end : {0.0, 1.0, -2.5, 1e6}) {
       Map1 map = legal_map(form.target);
@@ -127,15 +127,15 @@ EVALCTS_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& for
 }
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
-EVALCTS_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP1-ERR-DOMAIN") {
+EVALCTS_LISTED_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP1-ERR-DOMAIN") {
   Map1 map = legal_map(GL_MAP1_VERTEX_3);
   map.u1 = 0.0;
   map.u2 = -0.0;
   expect_refused(t, "u1 = +0 u2 = -0", map, form.doubles, {GL_INVALID_VALUE});
 }
 
-EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT") {
   for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
     for (const char* after : {"nothing", "Vertex"}) {
       expect_refused(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
@@ -150,8 +150,8 @@ EVALCTS_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& 
 }
 
 // The primitive goes on as if the refused command had not been there.
-EVALCTS_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT", "EV-BE-IGNORED/1-D") {
+EVALCTS_LISTED_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT", "EV-BE-IGNORED/1-D") {
   gl::Case c("EvalCoord, Map1, EvalCoord, Vertex");
   define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6, -7, 8, -9}));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -165,8 +165,8 @@ EVALCTS_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const TargetForm
 }
 
 // What is evaluated after a refused call of each kind is what the last legal call defined.
-EVALCTS_TESTS(Map1Errors, EvaluatesAsBefore, visible_target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, EvaluatesAsBefore, visible_target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-NOEFFECT") {
   gl::Case c("refused for order, stride, domain, target, Begin/End, evaluated after each");
   define(c,
          make_map1(form.target, 0, 1, gl::components_of(form.target),
@@ -201,8 +201,8 @@ EVALCTS_TESTS(Map1Errors, EvaluatesAsBefore, visible_target_forms(), const Targe
   t.expect_emission(c, attribute_of(form.target));
 }
 
-EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-ACTIVETEX", "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
+EVALCTS_LISTED_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-ACTIVETEX", "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   expect_refused(t, "TEXTURE1 active",
@@ -235,8 +235,8 @@ EVALCTS_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form,
 }
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D",
+                     "EV-MAP1-ERR-NOEFFECT") {
   const auto spoiled = [](GLenum target, int order, int stride, double u2) {
     Map1 map = legal_map(GL_MAP1_VERTEX_4);
     map.target = target;
@@ -265,8 +265,8 @@ EVALCTS_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP
 }
 
 // An error reported once is gone, and the next legal call works.
-EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ERR-NOEFFECT") {
   gl::Case c("refused for order, stride and domain, then legal");
   Map1 bad = legal_map(form.target);
   bad.order = 0;
@@ -291,8 +291,8 @@ EVALCTS_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm&
 }
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.
-EVALCTS_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must,
-              "EV-MAP-NOERR-OTHER/1-D") {
+EVALCTS_LISTED_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must,
+                     "EV-MAP-NOERR-OTHER/1-D") {
   const auto expect_accepted = [&](const std::string& identity, const Map1& map) {
     gl::Case c(identity);
     define(c, map, form.doubles);

@@ -34,8 +34,8 @@ std::vector<Map1> nine_maps(Test& t) {
 
 }  // namespace
 
-EVALCTS_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ORDER-ALL") {
+EVALCTS_LISTED_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-ORDER-ALL") {
   gl::Case c("orders 1 to MAX");
   std::vector<std::pair<gl::Ref, gl::Ref>> answers;
   for (int order = 1; order <= t.max_order(); ++order) {
@@ -51,7 +51,7 @@ EVALCTS_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& f
 }
 
 // k shows in two ways: where the stride error begins, and in how much COEFF answers.
-EVALCTS_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, "EV-MAP1-K") {
+EVALCTS_LISTED_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, "EV-MAP1-K") {
   const int k = gl::components_of(target);
   gl::Case c("strides k and k-1; size of COEFF");
   define(c, random_map(t, target, 3, k));
@@ -69,8 +69,8 @@ EVALCTS_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, 
                 fmt::format("{} values", played.trace().written(coefficients)));
 }
 
-EVALCTS_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
-              "EV-MAP1-PADDING") {
+EVALCTS_LISTED_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
+                     "EV-MAP1-PADDING") {
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000})
     for (const int order : {1, 2, 5, t.max_order()}) {
@@ -85,7 +85,8 @@ EVALCTS_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "
     }
 }
 
-EVALCTS_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE-MIN") {
+EVALCTS_LISTED_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-STRIDE-MIN") {
   for (const int order : {1, 2, t.max_order()}) {
     gl::Case c(fmt::format("stride k, order {}", order));
     define(c, random_map(t, form.target, order, gl::components_of(form.target)), form.doubles);
@@ -97,7 +98,7 @@ EVALCTS_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form,
   }
 }
 
-EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+EVALCTS_LISTED_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
   for (const TargetForm& form : target_forms())
     for (const int order : {1, 4, t.max_order()})
       for (const int stride : {gl::components_of(form.target), 5}) {
@@ -110,7 +111,7 @@ EVALCTS_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-CO
       }
 }
 
-EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+EVALCTS_LISTED_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
   for (const GLenum target : visible_targets()) {
     gl::Case c(label(target) + ", both forms");
     enable_visibly(c, target);
@@ -125,8 +126,8 @@ EVALCTS_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "E
 }
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), const TargetForm& form, must,
-              "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE") {
+EVALCTS_LISTED_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE") {
   gl::Case c("three definitions through one array");
   enable_visibly(c, form.target);
   for (int round = 0; round < 3; ++round) {
@@ -144,7 +145,7 @@ EVALCTS_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), const Tar
   expect_map1(played, query, second, form.doubles);
 }
 
-EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
+EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
   for (const std::pair<int, int>& orders :
        {std::pair{5, 2}, {2, 5}, {4, 4}, {1, 1}, {1, t.max_order()}, {t.max_order(), 1}}) {
     gl::Case c(fmt::format("order {} then {}", orders.first, orders.second));
@@ -163,7 +164,7 @@ EVALCTS_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP
   }
 }
 
-EVALCTS_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
+EVALCTS_LISTED_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
   const std::vector<Map1> maps = nine_maps(t);
   for (const bool reversed : {false, true}) {
     gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
@@ -176,7 +177,7 @@ EVALCTS_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
 }
 
 // A one-dimensional definition leaves all two-dimensional maps alone; the reverse needs Map2.
-EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-REPLACE") {
+EVALCTS_LISTED_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-REPLACE") {
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine defined, {} form", form.name));
     const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -189,7 +190,8 @@ EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-R
   }
 }
 
-EVALCTS_TESTS(Map1State, EnableUntouched, target_forms(), const TargetForm& form, must, "EV-MAP1-NOENABLE") {
+EVALCTS_LISTED_TESTS(Map1State, EnableUntouched, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-NOENABLE") {
   gl::Case c("all disabled; it alone enabled; all enabled");
   std::vector<std::pair<gl::Ref, GLboolean>> expected;
   for (const int stage : {0, 1, 2}) {
@@ -207,7 +209,7 @@ EVALCTS_TESTS(Map1State, EnableUntouched, target_forms(), const TargetForm& form
 }
 
 // Also at the argument that was evaluated last, and with the order that the map had.
-EVALCTS_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-LIVE") {
+EVALCTS_LISTED_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-LIVE") {
   gl::Case c("evaluate, define anew, evaluate");
   enable_visibly(c, form.target);
   for (const int order : {4, 2, 6, 6, 1, 1, 6}) {
@@ -219,8 +221,8 @@ EVALCTS_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, m
   t.expect_emission(c, attribute_of(form.target));
 }
 
-EVALCTS_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-NOPIXELSTORE") {
+EVALCTS_LISTED_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-NOPIXELSTORE") {
   const Map1 map = random_map(t, form.target, 4, 5);
   gl::Case c("swapped bytes, row length, skips, alignment");
   c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
@@ -235,7 +237,8 @@ EVALCTS_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& fo
   expect_map1(played, query, map, form.doubles);
 }
 
-EVALCTS_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm& form, must, "EV-MAP1-NOBUFFER") {
+EVALCTS_LISTED_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm& form, must,
+                     "EV-MAP1-NOBUFFER") {
   t.require(1, 5, "GL_ARB_vertex_buffer_object");
   const Map1 map = random_map(t, form.target, 4, 5);
   gl::Case c("ARRAY_BUFFER and, from 2.1 on, PIXEL_UNPACK_BUFFER bound");

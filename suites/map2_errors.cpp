@@ -90,47 +90,47 @@ void expect_refused_domains(Test& t, const TargetForm& form, const Direction& di
 
 }  // namespace
 
-EVALCTS_TESTS(Map2Errors, BadTarget, kForms, const Form& form, must, "EV-MAP2-ERR-TARGET",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, BadTarget, kForms, const Form& form, must, "EV-MAP2-ERR-TARGET",
+                     "EV-MAP2-ERR-NOEFFECT") {
   std::vector<GLenum> bad = {0, 0x0DAF, 0x0DB9, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   for (const GLenum target : bad)
     expect_refused(t, gl::token_name(target), {defining(legal_map(target), form.doubles)}, {GL_INVALID_ENUM});
 }
 
-EVALCTS_TESTS(Map2Errors, UOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-UORDER",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, UOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-UORDER",
+                     "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_orders(t, form, kU);
 }
 
-EVALCTS_TESTS(Map2Errors, VOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-VORDER",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, VOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-VORDER",
+                     "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_orders(t, form, kV);
 }
 
-EVALCTS_TESTS(Map2Errors, UStride, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-USTRIDE",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, UStride, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_strides(t, form, kU);
 }
 
-EVALCTS_TESTS(Map2Errors, VStride, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-VSTRIDE",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, VStride, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-VSTRIDE", "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_strides(t, form, kV);
 }
 
-EVALCTS_TESTS(Map2Errors, UDomain, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-UDOMAIN",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, UDomain, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_domains(t, form, kU);
 }
 
-EVALCTS_TESTS(Map2Errors, VDomain, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-VDOMAIN",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, VDomain, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-VDOMAIN", "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_domains(t, form, kV);
 }
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
-EVALCTS_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP2-ERR-UDOMAIN",
-              "EV-MAP2-ERR-VDOMAIN") {
+EVALCTS_LISTED_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP2-ERR-UDOMAIN",
+                     "EV-MAP2-ERR-VDOMAIN") {
   for (const Direction& direction : {kU, kV}) {
     Map2 map = legal_map(GL_MAP2_VERTEX_3);
     map.*direction.first = 0.0;
@@ -140,8 +140,8 @@ EVALCTS_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "
   }
 }
 
-EVALCTS_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
   std::vector<Calls> bad;
   for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON})
     for (const bool after_vertex : {false, true})
@@ -156,8 +156,8 @@ EVALCTS_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm&
 }
 
 // The primitive goes on as if the refused command had not been there.
-EVALCTS_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT", "EV-BE-IGNORED/2-D") {
+EVALCTS_LISTED_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT", "EV-BE-IGNORED/2-D") {
   gl::Case c("EvalCoord2, Map2, EvalCoord2, Vertex");
   define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {1, 2, 3, 4, 5, 6, -7, 8, -9, 2.5, 0.25, -1}));
   c.Enable(GL_MAP2_VERTEX_3);
@@ -171,8 +171,8 @@ EVALCTS_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const TargetFor
 }
 
 // What is evaluated after a refused call of each kind is what the last legal call defined.
-EVALCTS_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-NOEFFECT") {
   gl::Case c("refused for orders, strides, domains, target, Begin/End, evaluated after each");
   define(c, random_map2(t, form.target, 3, 4));
   enable_visibly(c, form.target);
@@ -208,8 +208,8 @@ EVALCTS_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), const Targ
   t.expect_emission(c, attribute_of(form.target));
 }
 
-EVALCTS_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-ACTIVETEX", "EV-MAP2-ERR-NOEFFECT", "EV-EXT-MT-RULE/2-D") {
+EVALCTS_LISTED_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-ACTIVETEX", "EV-MAP2-ERR-NOEFFECT", "EV-EXT-MT-RULE/2-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   std::vector<GLenum> units = {GL_TEXTURE1};
@@ -244,8 +244,8 @@ EVALCTS_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetForm& form
 }
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_TESTS(Map2Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/2-D",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/2-D",
+                     "EV-MAP2-ERR-NOEFFECT") {
   const auto spoiled = [&](const std::function<void(Map2&)>& spoil) {
     Map2 map = legal_map(GL_MAP2_VERTEX_4);
     spoil(map);
@@ -284,8 +284,8 @@ EVALCTS_TESTS(Map2Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP
 }
 
 // An error reported once is gone, and the next legal call works.
-EVALCTS_TESTS(Map2Errors, LegalCallAfterwards, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_LISTED_TESTS(Map2Errors, LegalCallAfterwards, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-NOEFFECT") {
   gl::Case c("refused for orders, strides and domains, then legal");
   for (const Direction& direction : {kU, kV}) {
     Map2 bad = legal_map(form.target);
@@ -311,8 +311,8 @@ EVALCTS_TESTS(Map2Errors, LegalCallAfterwards, target_forms2(), const TargetForm
 }
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.
-EVALCTS_TESTS(Map2Errors, NoOtherCondition, target_forms2(), const TargetForm& form, must,
-              "EV-MAP-NOERR-OTHER/2-D") {
+EVALCTS_LISTED_TESTS(Map2Errors, NoOtherCondition, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP-NOERR-OTHER/2-D") {
   gl::Case c(
       "large strides, reversed, negative, large and narrow domains, repeated points, negative zeros, "
       "subnormals");

@@ -78,8 +78,8 @@ class Definitions {
 
 }  // namespace
 
-EVALCTS_TESTS(Map2State, EveryOrderAccepted, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ORDER-ALL") {
+EVALCTS_LISTED_TESTS(Map2State, EveryOrderAccepted, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ORDER-ALL") {
   const int max = t.max_order();
   std::vector<Orders> pairs;
   const int small = t.by_depth(4, 8, max);
@@ -104,7 +104,7 @@ EVALCTS_TESTS(Map2State, EveryOrderAccepted, target_forms2(), const TargetForm& 
 }
 
 // k shows in two ways: where the stride errors begin, and in how much COEFF answers.
-EVALCTS_TESTS(Map2State, ValuesPerPoint, gl::kMap2Targets, GLenum target, must, "EV-MAP2-K") {
+EVALCTS_LISTED_TESTS(Map2State, ValuesPerPoint, gl::kMap2Targets, GLenum target, must, "EV-MAP2-K") {
   const int k = gl::components_of(target);
   gl::Case c("strides k and k-1; size of COEFF");
   Map2 map = random_map2(t, target, 3, 2, k, k);
@@ -127,8 +127,8 @@ EVALCTS_TESTS(Map2State, ValuesPerPoint, gl::kMap2Targets, GLenum target, must, 
 }
 
 // Each net, whatever its layout, ends before an inaccessible page.
-EVALCTS_TESTS(Map2State, Layouts, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS",
-              "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
+EVALCTS_LISTED_TESTS(Map2State, Layouts, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS",
+                     "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
   for (const Layout& layout : kLayouts) {
     if (layout.shared) continue;
     Definitions definitions(t, layout.name);
@@ -138,8 +138,8 @@ EVALCTS_TESTS(Map2State, Layouts, target_forms2(), const TargetForm& form, must,
   }
 }
 
-EVALCTS_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS",
-              "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
+EVALCTS_LISTED_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
   Definitions definitions(t, "strides up to 1000");
   for (const auto& [ustride, vstride] :
        {std::pair{1000, 17}, {17, 1000}, {257, 64}, {64, 257}, {300, 5}, {5, 300}})
@@ -149,7 +149,8 @@ EVALCTS_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm& form, 
 }
 
 // The same net from either order of memory is the same map.
-EVALCTS_TESTS(Map2State, SameNetEitherWay, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS") {
+EVALCTS_LISTED_TESTS(Map2State, SameNetEitherWay, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ADDRESS") {
   const int k = gl::components_of(form.target);
   gl::Case c("3x5 in both orders of memory");
   const std::vector<double> net = random_values(t.random(), static_cast<std::size_t>(3 * 5 * k));
@@ -165,8 +166,8 @@ EVALCTS_TESTS(Map2State, SameNetEitherWay, target_forms2(), const TargetForm& fo
   for (const gl::Ref answer : answers) played.expect_values_near(answer, net, 1e-5);
 }
 
-EVALCTS_TESTS(Map2State, SharedPoints, target_forms2(), const TargetForm& form, must, "EV-MAP2-STRIDE-FREE",
-              "EV-MAP2-ADDRESS") {
+EVALCTS_LISTED_TESTS(Map2State, SharedPoints, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS") {
   for (const Layout& layout : kLayouts) {
     if (!layout.shared) continue;
     Definitions definitions(t, layout.name);
@@ -176,7 +177,8 @@ EVALCTS_TESTS(Map2State, SharedPoints, target_forms2(), const TargetForm& form, 
   }
 }
 
-EVALCTS_TESTS(Map2State, StridesCountValues, gl::kMap2Targets, GLenum target, must, "EV-MAP2-STRIDE-UNITS") {
+EVALCTS_LISTED_TESTS(Map2State, StridesCountValues, gl::kMap2Targets, GLenum target, must,
+                     "EV-MAP2-STRIDE-UNITS") {
   Definitions definitions(t, "the same integers in both forms");
   for (const auto& [ustride, vstride] : {std::pair{24, 6}, {6, 24}, {7, 50}, {5, 5}})
     for (const Form& form : kForms)
@@ -184,7 +186,7 @@ EVALCTS_TESTS(Map2State, StridesCountValues, gl::kMap2Targets, GLenum target, mu
   definitions.check();
 }
 
-EVALCTS_TESTS(Map2State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
+EVALCTS_LISTED_TESTS(Map2State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
   for (const TargetForm& form : target_forms2()) {
     Definitions definitions(t, form.name);
     const int max = t.max_order();
@@ -196,7 +198,7 @@ EVALCTS_TESTS(Map2State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP2-CO
 }
 
 // Asked only when all are defined and gone.
-EVALCTS_TESTS(Map2State, CopiesOfAll, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
+EVALCTS_LISTED_TESTS(Map2State, CopiesOfAll, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
   const std::vector<Map2> maps = nine_maps(t);
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine, form {}", form.name));
@@ -209,15 +211,15 @@ EVALCTS_TESTS(Map2State, CopiesOfAll, kFates, const Fate& fate, must, "EV-MAP2-C
 }
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_TESTS(Map2State, SamePointerNewPoints, target_forms2(), const TargetForm& form, must, "EV-MAP2-COPY",
-              "EV-MAP2-REPLACE") {
+EVALCTS_LISTED_TESTS(Map2State, SamePointerNewPoints, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-COPY", "EV-MAP2-REPLACE") {
   Definitions definitions(t, "three definitions through one array");
   for (int round = 0; round < 3; ++round)
     definitions.add_in_slot(random_map2(t, form.target, 4, 3, 15, 5), form.doubles, 0);
   definitions.check();
 }
 
-EVALCTS_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, "EV-MAP2-REPLACE") {
+EVALCTS_LISTED_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, "EV-MAP2-REPLACE") {
   const int max = t.max_order();
   const std::vector<Map2> others = nine_maps(t);
   for (const auto& [before, after] : {std::pair{Orders{5, 2}, Orders{2, 5}},
@@ -246,7 +248,7 @@ EVALCTS_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, "EV-MAP
   }
 }
 
-EVALCTS_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") {
+EVALCTS_LISTED_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") {
   const std::vector<Map2> maps = nine_maps(t);
   for (const bool reversed : {false, true}) {
     gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
@@ -259,7 +261,7 @@ EVALCTS_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") {
 }
 
 // Everything but the MAP2 maps themselves: one-dimensional maps, grids, AUTO_NORMAL, current values.
-EVALCTS_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", "EV-MAP2-REPLACE") {
+EVALCTS_LISTED_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", "EV-MAP2-REPLACE") {
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine defined, {} form", form.name));
     for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
@@ -274,7 +276,8 @@ EVALCTS_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", "EV-MAP
 }
 
 // A pair of namesakes, defined in either order, queried together.
-EVALCTS_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& form, must, "EV-MAP1-VS-MAP2/2-D") {
+EVALCTS_LISTED_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP1-VS-MAP2/2-D") {
   const GLenum namesake = form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0];
   for (const bool two_first : {false, true}) {
     gl::Case c(two_first ? "Map2 then Map1" : "Map1 then Map2");
@@ -292,7 +295,8 @@ EVALCTS_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& form, mus
   }
 }
 
-EVALCTS_TESTS(Map2State, EnableUntouched, target_forms2(), const TargetForm& form, must, "EV-MAP2-NOENABLE") {
+EVALCTS_LISTED_TESTS(Map2State, EnableUntouched, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-NOENABLE") {
   std::vector<GLenum> caps(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   caps.insert(caps.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   caps.push_back(GL_AUTO_NORMAL);
@@ -313,8 +317,8 @@ EVALCTS_TESTS(Map2State, EnableUntouched, target_forms2(), const TargetForm& for
 }
 
 // The points are plain client memory: pixel store modes and bound buffers move nothing.
-EVALCTS_TESTS(Map2State, PixelStoreIgnored, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ADDRESS") {
+EVALCTS_LISTED_TESTS(Map2State, PixelStoreIgnored, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ADDRESS") {
   Definitions definitions(t, "swapped bytes, row length, skips, alignment");
   gl::Case& c = definitions.script();
   c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
@@ -327,7 +331,8 @@ EVALCTS_TESTS(Map2State, PixelStoreIgnored, target_forms2(), const TargetForm& f
   definitions.check();
 }
 
-EVALCTS_TESTS(Map2State, BuffersIgnored, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS") {
+EVALCTS_LISTED_TESTS(Map2State, BuffersIgnored, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ADDRESS") {
   t.require(1, 5, "GL_ARB_vertex_buffer_object");
   Definitions definitions(t, "ARRAY_BUFFER and, from 2.1 on, PIXEL_UNPACK_BUFFER bound");
   gl::Case& c = definitions.script();

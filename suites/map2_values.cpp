@@ -107,7 +107,7 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "
 }
 
 // Every point of a grid: long runs of neighbours, along u and then along v.
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, GridOfArguments, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, GridOfArguments, must,
                 "EV-MAP2-BEZIER") {
   expect_of_all_kinds(t, "8x8 arguments", [](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{4, 4}, {3, 5}, {2, 2}}) {
@@ -150,7 +150,7 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING")
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, TwoIntervals, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, TwoIntervals, must,
                 "EV-MAP2-DOMAIN") {
   const std::pair<Interval, Interval> domains[] = {{{0, 1}, {2, 5}},
                                                    {{-3, -1}, {0, 1}},
@@ -169,7 +169,7 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, TwoInt
                       });
 }
 
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, ReversedIntervals, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, ReversedIntervals, must,
                 "EV-MAP2-REVERSED") {
   expect_of_all_kinds(
       t, "neither interval reversed, either, both", [&](gl::Case& c, const DefineAll& define_all) {
@@ -182,7 +182,7 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, Revers
       });
 }
 
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, OutsideTheRectangle, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OutsideTheRectangle, must,
                 "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D") {
   expect_of_all_kinds(t, "beyond each edge and each corner", [&](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [u, v] : {std::pair{Interval{0, 1}, Interval{0, 1}}, {{2, 5}, {1, -1}}})
@@ -198,8 +198,8 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, Outsid
   });
 }
 
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, UnequalOrders, must, "EV-MAP2-ASYM",
-                "EV-MAP2-BEZIER") {
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, UnequalOrders, must,
+                "EV-MAP2-ASYM", "EV-MAP2-BEZIER") {
   const int max = t.max_order();
   expect_of_all_kinds(t, "2x5, 7x1, 1x7, MAXx1, 1xMAX", [&](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{2, 5}, {5, 2}, {7, 1}, {1, 7}, {max, 1}, {1, max}}) {
@@ -210,7 +210,7 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, Unequa
 }
 
 // Constant in the direction of order 1, far outside the domain as well; 1x1 is constant everywhere.
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, OrderOneInOneDirection, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OrderOneInOneDirection, must,
                 "EV-MAP2-ORDER-ONE") {
   expect_of_all_kinds(t, "1x1, 1x4, 4x1", [&](gl::Case& c, const DefineAll& define_all) {
     define_all(1, 1, {2, 5}, {0, 1});
@@ -223,7 +223,7 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, OrderO
 }
 
 // The weights of the other direction sum to 1 wherever it is evaluated.
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, ConstantInOneDirection, must,
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, ConstantInOneDirection, must,
                 "EV-MAP2-SEPARABLE") {
   gl::Case c("R_ij = R_i and R_ij = R_j");
   for (const Kinds& kinds : kKinds2) {
@@ -251,7 +251,8 @@ EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, Consta
 }
 
 // At the corners all other points, however large, have no weight.
-EVALCTS_TEST_BY(gl::without_arrays(gl::surface_deliveries()), Map2Values, Corners, must, "EV-NUM-CORNERS") {
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, Corners, must,
+                "EV-NUM-CORNERS") {
   gl::Case c("among points near the largest that the GL promises to hold");
   for (const Kinds& kinds : kKinds2) {
     for (const GLenum target : kinds.targets) c.Enable(target);

@@ -177,44 +177,50 @@ void expect_nothing_drawn(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE") { expect_bad_modes_refused(t, false); }
+EVALCTS_LISTED_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE") {
+  expect_bad_modes_refused(t, false);
+}
 
-EVALCTS_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE") { expect_bad_modes_refused(t, true); }
+EVALCTS_LISTED_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE") {
+  expect_bad_modes_refused(t, true);
+}
 
-EVALCTS_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST") {
   expect_mode_checked_first(t, false);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST") {
   expect_mode_checked_first(t, true);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND") {
   expect_refused_inside(t, false);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND") {
   expect_refused_inside(t, true);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE") {
   expect_nothing_drawn(t, false);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE") {
   expect_nothing_drawn(t, true);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND", "EV-BE-IGNORED/1-D") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND",
+                    "EV-BE-IGNORED/1-D") {
   expect_primitive_undisturbed(t, false);
 }
 
-EVALCTS_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND", "EV-BE-IGNORED/2-D") {
+EVALCTS_LISTED_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND",
+                    "EV-BE-IGNORED/2-D") {
   expect_primitive_undisturbed(t, true);
 }
 
 // Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
-EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
+EVALCTS_LISTED_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
   struct Attempt {
     Calls call;
     GLenum error;
@@ -258,7 +264,7 @@ EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
 }
 
 // Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
-EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
+EVALCTS_LISTED_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
   constexpr GLint kIndices[] = {-3,
                                 12,
                                 -1,

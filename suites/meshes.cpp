@@ -63,51 +63,53 @@ void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
 
 // --- EvalMesh1 -------------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS") {
+EVALCTS_LISTED_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS") {
   expect_meshes1(t, kModes1[0], "whole meshes of points",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
 }
 
 // N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
-EVALCTS_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS") {
+EVALCTS_LISTED_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS") {
   expect_meshes1(t, kModes1[1], "whole meshes of lines",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
 }
 
-EVALCTS_TESTS(Mesh1, SubRange, kModes1, const MeshMode& mode, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS") {
+EVALCTS_LISTED_TESTS(Mesh1, SubRange, kModes1, const MeshMode& mode, must, "EV-MESH1-SUBRANGE",
+                     "EV-MESH1-COORDS") {
   expect_meshes1(t, mode, "parts of meshes", awkward_grids(),
                  {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
 }
 
-EVALCTS_TESTS(Mesh1, OutsideTheGrid, kModes1, const MeshMode& mode, must, "EV-MESH1-NEGATIVE") {
+EVALCTS_LISTED_TESTS(Mesh1, OutsideTheGrid, kModes1, const MeshMode& mode, must, "EV-MESH1-NEGATIVE") {
   expect_meshes1(t, mode, "indices below 0 and above n",
                  {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
                  {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
 }
 
-EVALCTS_TESTS(Mesh1, EmptyRange, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
+EVALCTS_LISTED_TESTS(Mesh1, EmptyRange, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}});
 }
-EVALCTS_TESTS(Mesh1, EmptyRangeBetween, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
+EVALCTS_LISTED_TESTS(Mesh1, EmptyRangeBetween, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
   expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
 }
 
 // One point, or a strip of one vertex, which is nothing.
-EVALCTS_TESTS(Mesh1, SinglePoint, kModes1, const MeshMode& mode, must, "EV-MESH1-SINGLE") {
+EVALCTS_LISTED_TESTS(Mesh1, SinglePoint, kModes1, const MeshMode& mode, must, "EV-MESH1-SINGLE") {
   expect_meshes1(t, mode, "i1 equal to i2", {{4, 0, 1}, {3, 0.1f, 0.7f}},
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
 }
 
-EVALCTS_TESTS(Mesh1, EqualEnds, kModes1, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+EVALCTS_LISTED_TESTS(Mesh1, EqualEnds, kModes1, const MeshMode& mode, must, "EV-GRID-EQUAL") {
   expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
 }
 
-EVALCTS_TESTS(Mesh1, ReversedGrid, kModes1, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+EVALCTS_LISTED_TESTS(Mesh1, ReversedGrid, kModes1, const MeshMode& mode, must, "EV-GRID-REVERSED") {
   expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
 }
 
-EVALCTS_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mode, must, "EV-MESH1-NOVERTEX") {
+EVALCTS_LISTED_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mode, must,
+                     "EV-MESH1-NOVERTEX") {
   gl::Case c("all maps but those of vertices, and those of two dimensions");
   enable_maps(t, c, false);
   enable_maps(t, c, true);
@@ -117,7 +119,8 @@ EVALCTS_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mode, mus
   t.expect_emission(c, kPosition);
 }
 
-EVALCTS_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& mode, must, "EV-MESH1-ONLY1D") {
+EVALCTS_LISTED_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& mode, must,
+                     "EV-MESH1-ONLY1D") {
   gl::Case c("MAP2 maps, another grid and AUTO_NORMAL");
   set_current_values(c);
   enable_maps(t, c, true);
@@ -130,7 +133,7 @@ EVALCTS_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& mode, m
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TESTS(Mesh1, CurrentValues, kModes1, const MeshMode& mode, must, "EV-MESH1-CURRENT") {
+EVALCTS_LISTED_TESTS(Mesh1, CurrentValues, kModes1, const MeshMode& mode, must, "EV-MESH1-CURRENT") {
   gl::Case c("a vertex map only, current values changed between meshes");
   define(c, random_map(t, GL_MAP1_VERTEX_4, 4));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -182,15 +185,15 @@ std::vector<Exactness2> exactness2() {
 
 }  // namespace
 
-EVALCTS_TESTS(Mesh1, FirstIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-0") {
+EVALCTS_LISTED_TESTS(Mesh1, FirstIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-0") {
   expect_exact1(t, mode, false);
 }
-EVALCTS_TESTS(Mesh1, LastIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-N") {
+EVALCTS_LISTED_TESTS(Mesh1, LastIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-N") {
   expect_exact1(t, mode, true);
 }
 
 // In both directions; across it one step, so that FILL has both sides of a strip.
-EVALCTS_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which, must, "EV-MESH2-EXACT") {
+EVALCTS_LISTED_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which, must, "EV-MESH2-EXACT") {
   const int whole = t.by_depth(20, 40, 300);
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t))
@@ -221,30 +224,32 @@ void expect_whole_meshes2(Test& t, const MeshMode& mode) {
 
 }  // namespace
 
-EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS") {
+EVALCTS_LISTED_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS") {
   expect_whole_meshes2(t, kModes2[0]);
 }
 // First the strips along i, then those along j; nothing is merged.
-EVALCTS_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP") {
+EVALCTS_LISTED_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP") {
   expect_whole_meshes2(t, kModes2[1]);
 }
 // As quads in the order of rows, whole or in two triangles.
-EVALCTS_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS") { expect_whole_meshes2(t, kModes2[2]); }
+EVALCTS_LISTED_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS") {
+  expect_whole_meshes2(t, kModes2[2]);
+}
 
-EVALCTS_TESTS(Mesh2, SubRange, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS") {
+EVALCTS_LISTED_TESTS(Mesh2, SubRange, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS") {
   std::vector<std::pair<Grid, Grid>> grids;
   for (const Grid& grid : awkward_grids()) grids.emplace_back(grid, kV);
   grids.emplace_back(kV, Grid{1000, 0.1f, 0.7f});
   expect_meshes2(t, mode, "parts of meshes", grids, {{1, 3, 2, 4}, {2, 3, 0, 1}, {5, 7, 3, 5}, {0, 2, 4, 5}});
 }
 
-EVALCTS_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must, "EV-MESH2-RANGE") {
+EVALCTS_LISTED_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must, "EV-MESH2-RANGE") {
   expect_meshes2(t, mode, "indices below 0 and above un and vn",
                  {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
                  {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}});
 }
 
-EVALCTS_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
+EVALCTS_LISTED_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{1, 0, 0, 3}, {0, 4, 1, 0}, {2, 1, 2, 1}, {4, 0, 0, 0}, {0, 0, 3, 2}, {0, -5, 0, 2}});
   if (mode.mode == GL_FILL)
@@ -252,30 +257,31 @@ EVALCTS_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
 }
 
-EVALCTS_TESTS(Mesh2, EmptyRangeBetween, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
+EVALCTS_LISTED_TESTS(Mesh2, EmptyRangeBetween, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
   expect_meshes2(t, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}},
                  {{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}});
 }
 
 // A strip along one direction only, or nothing.
-EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE") {
+EVALCTS_LISTED_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE") {
   expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
 }
 
-EVALCTS_TESTS(Mesh2, EqualEnds, kModes2, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+EVALCTS_LISTED_TESTS(Mesh2, EqualEnds, kModes2, const MeshMode& mode, must, "EV-GRID-EQUAL") {
   expect_meshes2(t, mode, "all points, or all of a row, coincide",
                  {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
                  {{0, 3, 0, 2}});
 }
 
-EVALCTS_TESTS(Mesh2, ReversedGrid, kModes2, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+EVALCTS_LISTED_TESTS(Mesh2, ReversedGrid, kModes2, const MeshMode& mode, must, "EV-GRID-REVERSED") {
   expect_meshes2(t, mode, "du, dv and both negative",
                  {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
                  {{0, 3, 0, 2}});
 }
 
-EVALCTS_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mode, must, "EV-MESH2-NOVERTEX") {
+EVALCTS_LISTED_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mode, must,
+                     "EV-MESH2-NOVERTEX") {
   gl::Case c("all maps but those of vertices, and those of one dimension");
   enable_maps(t, c, true);
   enable_maps(t, c, false);
@@ -286,7 +292,8 @@ EVALCTS_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mode, mus
   t.expect_emission(c, kPosition);
 }
 
-EVALCTS_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& mode, must, "EV-MESH2-ONLY2D") {
+EVALCTS_LISTED_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& mode, must,
+                     "EV-MESH2-ONLY2D") {
   gl::Case c("MAP1 maps and another grid");
   set_current_values(c);
   enable_maps(t, c, false);
@@ -298,8 +305,8 @@ EVALCTS_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& mode, m
   t.expect_emission(c, kUnit0);
 }
 
-EVALCTS_TESTS(Mesh2, CurrentValues, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS",
-              "EV-COORD-CURRENT/2-D") {
+EVALCTS_LISTED_TESTS(Mesh2, CurrentValues, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS",
+                     "EV-COORD-CURRENT/2-D") {
   gl::Case c("a vertex map only, current values changed between meshes");
   define(c, random_map2(t, GL_MAP2_VERTEX_4, 4, 3));
   c.Enable(GL_MAP2_VERTEX_4);
@@ -398,10 +405,11 @@ std::vector<LongMesh> long_meshes2() {
 
 }  // namespace
 
-EVALCTS_TESTS(Mesh1, ErrorDoesNotAccumulate, kModes1, const MeshMode& mode, must, "EV-MESH1-NOACCUM") {
+EVALCTS_LISTED_TESTS(Mesh1, ErrorDoesNotAccumulate, kModes1, const MeshMode& mode, must, "EV-MESH1-NOACCUM") {
   expect_no_accumulation(t, mode, kAlong[0]);
 }
-EVALCTS_TESTS(Mesh2, ErrorDoesNotAccumulate, long_meshes2(), const LongMesh& mesh, must, "EV-MESH2-NOACCUM") {
+EVALCTS_LISTED_TESTS(Mesh2, ErrorDoesNotAccumulate, long_meshes2(), const LongMesh& mesh, must,
+                     "EV-MESH2-NOACCUM") {
   expect_no_accumulation(t, mesh.mode, mesh.along);
 }
 
@@ -468,8 +476,8 @@ const Range kWhole = {0, 37, 0, 11};
 }  // namespace
 
 // Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
-EVALCTS_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], kModes2[2]}), const MeshMode& mode,
-              must, "EV-MESH2-SHAREDROW") {
+EVALCTS_LISTED_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], kModes2[2]}),
+                     const MeshMode& mode, must, "EV-MESH2-SHAREDROW") {
   const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map2(t, GL_MAP2_VERTEX_4, 4, 4));
   std::size_t shared = 0;
   for (const auto& [point, positions] : points) {
@@ -481,14 +489,14 @@ EVALCTS_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], kModes2[
   if (shared < 100) throw NotObservable("the points of the mesh do not come out, which other tests say");
 }
 
-EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE") {
+EVALCTS_LISTED_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE") {
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
   const ByPoint points = draw_numbered(t, kModes2[0], {kWhole}, map);
   expect_same_bits(t, "in LINE than in POINT", points, draw_numbered(t, kModes2[1], {kWhole}, map));
   expect_same_bits(t, "in FILL than in POINT", points, draw_numbered(t, kModes2[2], {kWhole}, map));
 }
 
-EVALCTS_TESTS(Mesh2, PartsAgree, kModes2, const MeshMode& mode, quality, "EV-MESH2-MODESAGREE") {
+EVALCTS_LISTED_TESTS(Mesh2, PartsAgree, kModes2, const MeshMode& mode, quality, "EV-MESH2-MODESAGREE") {
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
   const ByPoint whole = draw_numbered(t, mode, {kWhole}, map);
   expect_same_bits(t, "in a part of the mesh", whole,
@@ -496,7 +504,7 @@ EVALCTS_TESTS(Mesh2, PartsAgree, kModes2, const MeshMode& mode, quality, "EV-MES
 }
 
 // ... and in one dimension.
-EVALCTS_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, "EV-MESH1-SUBRANGE") {
+EVALCTS_LISTED_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, "EV-MESH1-SUBRANGE") {
   Map1 map = random_map(t, GL_MAP1_VERTEX_4, 4);
   const auto draw = [&](const std::vector<std::pair<int, int>>& ranges) {
     gl::Case c(ranges.size() == 1 ? "a whole mesh" : "parts of it");

@@ -17,6 +17,9 @@
 namespace evalcts {
 namespace {
 
+// Through display lists, too, but not twice: the tests judge by themselves what comes out.
+std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
+
 using reference::Rational;
 
 struct At {
@@ -393,8 +396,12 @@ void expect_symmetry(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D") { expect_symmetry(t, false); }
-EVALCTS_TEST(Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D") { expect_symmetry(t, true); }
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D") {
+  expect_symmetry(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D") {
+  expect_symmetry(t, true);
+}
 
 // --- EV-NUM-ELEVATION ------------------------------------------------------------------------------------
 
@@ -427,12 +434,16 @@ void expect_elevation(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D") { expect_elevation(t, false); }
-EVALCTS_TEST(Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D") { expect_elevation(t, true); }
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D") {
+  expect_elevation(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D") {
+  expect_elevation(t, true);
+}
 
 // --- EV-NUM-TRANSPOSE ------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
+EVALCTS_TEST_BY(in_lists(), Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
   expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, true)) {
       const std::vector<Map2> maps =
@@ -468,8 +479,8 @@ void expect_affine(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D") { expect_affine(t, false); }
-EVALCTS_TEST(Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D") { expect_affine(t, true); }
+EVALCTS_TEST_BY(in_lists(), Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D") { expect_affine(t, false); }
+EVALCTS_TEST_BY(in_lists(), Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D") { expect_affine(t, true); }
 
 // --- EV-NUM-CONVEX ---------------------------------------------------------------------------------------
 
@@ -497,8 +508,12 @@ void expect_convex(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D") { expect_convex(t, false); }
-EVALCTS_TEST(Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D") { expect_convex(t, true); }
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D") {
+  expect_convex(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D") {
+  expect_convex(t, true);
+}
 
 // --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
 
@@ -513,7 +528,8 @@ constexpr Along kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 }  // namespace
 
 // A net that is constant in one direction is the curve of the other, whatever the other argument.
-EVALCTS_TESTS(Metamorphic, CurveInSurface, kAlong, const Along& along, must, "EV-MAP2-SEPARABLE") {
+EVALCTS_TESTS_BY(in_lists(), Metamorphic, CurveInSurface, kAlong, const Along& along, must,
+                 "EV-MAP2-SEPARABLE") {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
     for (const int order : {1, 2, 3, 4, 8, t.max_order()})
@@ -576,17 +592,17 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
 
 }  // namespace
 
-EVALCTS_TEST(Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D") {
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D") {
   expect_domain_shift(t, false, false);
 }
-EVALCTS_TEST(Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D") {
+EVALCTS_TEST_BY(in_lists(), Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D") {
   expect_domain_shift(t, true, false);
 }
 // u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
-EVALCTS_TEST(Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D") {
+EVALCTS_TEST_BY(in_lists(), Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D") {
   expect_domain_shift(t, false, true);
 }
-EVALCTS_TEST(Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D") {
+EVALCTS_TEST_BY(in_lists(), Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D") {
   expect_domain_shift(t, true, true);
 }
 

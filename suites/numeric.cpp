@@ -14,6 +14,9 @@
 namespace evalcts {
 namespace {
 
+// Through display lists, too, but not twice: the tests judge by themselves what comes out.
+std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
+
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -25,8 +28,12 @@ struct Domain {
 constexpr Domain kDomains[] = {{0, 1}, {2, 5}, {1, -3}, {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
 
 // Arguments in arrays are another rule (EV-API-V).
-std::vector<gl::Delivery> of_curves() { return gl::without_arrays(gl::curve_deliveries()); }
-std::vector<gl::Delivery> of_surfaces() { return gl::without_arrays(gl::surface_deliveries()); }
+std::vector<gl::Delivery> of_curves() {
+  return gl::without(gl::kArrays | gl::kRepetition, gl::curve_deliveries());
+}
+std::vector<gl::Delivery> of_surfaces() {
+  return gl::without(gl::kArrays | gl::kRepetition, gl::surface_deliveries());
+}
 std::vector<gl::Delivery> in_one_dimension() {
   std::vector<gl::Delivery> deliveries = of_curves();
   std::erase_if(deliveries, [](const gl::Delivery& delivery) { return delivery.lifted; });
@@ -249,10 +256,11 @@ EVALCTS_TEST_BY(of_curves(), Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D",
     }
   t.expect_emission(c, kUnit0);
 }
-EVALCTS_TEST(Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D") {
+EVALCTS_TEST_BY(in_lists(), Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D") {
   expect_large_points_kept(t, kNotColors);
 }
-EVALCTS_TEST(Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-RANGE-COLOR/2-D") {
+EVALCTS_TEST_BY(in_lists(), Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D",
+                "EV-NUM-RANGE-COLOR/2-D") {
   expect_large_points_kept(t, {GL_MAP1_COLOR_4});
 }
 
@@ -321,8 +329,12 @@ void expect_zeros_alike(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(Numeric, NegativeZeroIsZero1, quality, "EV-NUM-DENORMAL/1-D") { expect_zeros_alike(t, false); }
-EVALCTS_TEST(Numeric, NegativeZeroIsZero2, quality, "EV-NUM-DENORMAL/2-D") { expect_zeros_alike(t, true); }
+EVALCTS_TEST_BY(in_lists(), Numeric, NegativeZeroIsZero1, quality, "EV-NUM-DENORMAL/1-D") {
+  expect_zeros_alike(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Numeric, NegativeZeroIsZero2, quality, "EV-NUM-DENORMAL/2-D") {
+  expect_zeros_alike(t, true);
+}
 
 // --- What is no number -----------------------------------------------------------------------------------
 
@@ -539,18 +551,20 @@ void expect_state_later(Test& t, const Special& special, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Numeric, ResultsAfterSpecials1, kFeeds, const Special& special, must,
-              "EV-NUM-SPECIAL-SAFE/1-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, ResultsAfterSpecials1, kFeeds, const Special& special, must,
+                 "EV-NUM-SPECIAL-SAFE/1-D") {
   expect_results_later(t, special, false);
 }
-EVALCTS_TESTS(Numeric, ResultsAfterSpecials2, kFeeds, const Special& special, must,
-              "EV-NUM-SPECIAL-SAFE/2-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, ResultsAfterSpecials2, kFeeds, const Special& special, must,
+                 "EV-NUM-SPECIAL-SAFE/2-D") {
   expect_results_later(t, special, true);
 }
-EVALCTS_TESTS(Numeric, StateAfterSpecials1, kFeeds, const Special& special, must, "EV-NUM-SPECIAL-SAFE/1-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials1, kFeeds, const Special& special, must,
+                 "EV-NUM-SPECIAL-SAFE/1-D") {
   expect_state_later(t, special, false);
 }
-EVALCTS_TESTS(Numeric, StateAfterSpecials2, kFeeds, const Special& special, must, "EV-NUM-SPECIAL-SAFE/2-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials2, kFeeds, const Special& special, must,
+                 "EV-NUM-SPECIAL-SAFE/2-D") {
   expect_state_later(t, special, true);
 }
 
@@ -759,20 +773,24 @@ void expect_vertex_stays(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Numeric, UnrelatedState1, kUnrelated, const Unrelated& unrelated, must,
-              "EV-NUM-INVARIANT-STATE/1-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState1, kUnrelated, const Unrelated& unrelated, must,
+                 "EV-NUM-INVARIANT-STATE/1-D") {
   expect_same_bits_in_spite_of(t, unrelated, false);
 }
-EVALCTS_TESTS(Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, must,
-              "EV-NUM-INVARIANT-STATE/2-D") {
+EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, must,
+                 "EV-NUM-INVARIANT-STATE/2-D") {
   expect_same_bits_in_spite_of(t, unrelated, true);
 }
 
-EVALCTS_TEST(Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") { expect_vertex_stays(t, false); }
-EVALCTS_TEST(Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") { expect_vertex_stays(t, true); }
+EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") {
+  expect_vertex_stays(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+  expect_vertex_stays(t, true);
+}
 
 // AUTO_NORMAL is evaluator state as well (appendix A).
-EVALCTS_TEST(Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
   gl::Case maps;
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
   define(maps, map);

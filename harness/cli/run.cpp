@@ -16,6 +16,7 @@
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/runner/baseline.h"
+#include "harness/runner/depth.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts::cli {
@@ -167,9 +168,10 @@ int run(const RunOptions& options) {
 
   const json all_tests = list_tests(where.suite_program);
   request.tests = matching(all_tests, options.filter);
-  if (options.filter.empty() && options.depth == "quick")
-    std::erase_if(request.tests.get_ref<json::array_t&>(),
-                  [](const json& test) { return !test["quick"].get<bool>(); });
+  if (options.filter.empty())
+    std::erase_if(request.tests.get_ref<json::array_t&>(), [&](const json& test) {
+      return depth_named(test["from"].get<std::string>()) > depth_named(options.depth);
+    });
   if (request.tests.empty()) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;

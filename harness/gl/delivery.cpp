@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -284,15 +285,59 @@ DeliveredCase one_for_one(const Case& script, bool doubles, bool arrays) {
   return delivered;
 }
 
+DeliveredCase unchanged(const Case& script) {
+  DeliveredCase delivered{script, std::vector<int>(script.commands().size())};
+  std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
+  return delivered;
+}
+
+// The deliveries of one dimension or of both, and each way of display lists with some of them: every command
+// that evaluates is compiled, every way carries floats and doubles.
+std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
+  struct Way {
+    Lists lists;
+    const char* name;
+    std::vector<std::string> evaluated;  // the ends of the names of the commands
+  };
+  static const std::vector<Way> ways = {
+      {Lists::compiled, "Compiled", {"1fv", "1d", "Point1", "Mesh1", "2dv", "2f"}},
+      {Lists::executed, "Executed", {"1f", "1dv", "2d", "Mesh2"}},
+      {Lists::nested, "Nested", {"1f", "1d", "2fv", "2d", "Point2"}},
+      {Lists::repeated, "Repeated", {"1f", "1d", "2f", "2d"}},
+      {Lists::split, "Split", {"1f", "1d", "2f", "2d"}}};
+  std::vector<Delivery> all = deliveries;
+  for (const Way& way : ways)
+    for (const Delivery& delivery : deliveries)
+      for (const std::string& end : way.evaluated)
+        if (delivery.name.ends_with(end)) {
+          all.push_back(delivery);
+          all.back().name += std::string("/") + way.name;
+          all.back().lists = way.lists;
+        }
+  return all;
+}
+
 }  // namespace
 
 DeliveredCase Delivery::apply(const Case& script) const {
+  if (lists != Lists::none) {
+    Delivery without_lists = *this;
+    without_lists.lists = Lists::none;
+    const DeliveredCase delivered = without_lists.apply(script);
+    DeliveredCase listed = through_lists(delivered.script, lists);
+    std::vector<int> positions;
+    for (const int position : delivered.positions)
+      positions.push_back(position < 0 ? position : listed.positions.at(static_cast<std::size_t>(position)));
+    return {std::move(listed.script), std::move(positions)};
+  }
   if (lifted) {
     Delivery unlifted = *this;
     unlifted.lifted = false;
     return unlifted.apply(lift(script, along_v));
   }
   switch (evaluation) {
+    case Evaluation::as_written:
+      return unchanged(script);
     case Evaluation::point:
       return OnGrids(script, false).apply();
     case Evaluation::mesh:
@@ -302,17 +347,26 @@ DeliveredCase Delivery::apply(const Case& script) const {
   }
 }
 
-bool Delivery::is_plain() const { return evaluation == Evaluation::coordinates && !doubles; }
+bool Delivery::is_plain() const {
+  return lists == Lists::none &&
+         (evaluation == Evaluation::as_written || (evaluation == Evaluation::coordinates && !doubles));
+}
 
 const std::vector<Delivery>& curve_deliveries() {
   using enum Delivery::Evaluation;
-  static const std::vector<Delivery> all = {
-      {"EvalCoord1f", coordinates, false, false, false}, {"EvalCoord1fv", array, false, false, false},
-      {"EvalCoord1d", coordinates, true, false, false},  {"EvalCoord1dv", array, true, false, false},
-      {"EvalPoint1", point, false, false, false},        {"EvalMesh1", mesh, false, false, false},
-      {"EvalCoord2f", coordinates, false, true, false},  {"EvalCoord2fv", array, false, true, true},
-      {"EvalCoord2d", coordinates, true, true, true},    {"EvalCoord2dv", array, true, true, false},
-      {"EvalPoint2", point, false, true, true},          {"EvalMesh2", mesh, false, true, false}};
+  static const std::vector<Delivery> all =
+      with_lists({{"EvalCoord1f", coordinates},
+                  {"EvalCoord1fv", array},
+                  {.name = "EvalCoord1d", .evaluation = coordinates, .doubles = true},
+                  {.name = "EvalCoord1dv", .evaluation = array, .doubles = true},
+                  {"EvalPoint1", point},
+                  {"EvalMesh1", mesh},
+                  {"EvalCoord2f", coordinates, false, true, false},
+                  {"EvalCoord2fv", array, false, true, true},
+                  {"EvalCoord2d", coordinates, true, true, true},
+                  {"EvalCoord2dv", array, true, true, false},
+                  {"EvalPoint2", point, false, true, true},
+                  {"EvalMesh2", mesh, false, true, false}});
   return all;
 }
 
@@ -326,24 +380,35 @@ const std::vector<Delivery>& surface_deliveries() {
   return all;
 }
 
-std::vector<Delivery> without_meshes(const std::vector<Delivery>& deliveries) {
-  std::vector<Delivery> kept = deliveries;
-  std::erase_if(kept,
-                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::mesh; });
-  return kept;
+const std::vector<Delivery>& list_deliveries() {
+  static const std::vector<Delivery> all = {{},
+                                            {.name = "Compiled", .lists = Lists::compiled},
+                                            {.name = "Executed", .lists = Lists::executed},
+                                            {.name = "Nested", .lists = Lists::nested},
+                                            {.name = "Repeated", .lists = Lists::repeated},
+                                            {.name = "Split", .lists = Lists::split}};
+  return all;
 }
 
-std::vector<Delivery> without_arrays(const std::vector<Delivery>& deliveries) {
+std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deliveries) {
+  using enum Delivery::Evaluation;
+  const auto has = [](const Delivery& delivery, unsigned trait) {
+    switch (trait) {
+      case kMeshes:
+        return delivery.evaluation == mesh;
+      case kGrids:
+        return delivery.evaluation == mesh || delivery.evaluation == point;
+      case kArrays:
+        return delivery.evaluation == array;
+      case kLists:
+        return delivery.lists != Lists::none;
+      default:
+        return delivery.lists == Lists::repeated;
+    }
+  };
   std::vector<Delivery> kept = deliveries;
-  std::erase_if(kept,
-                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::array; });
-  return kept;
-}
-
-std::vector<Delivery> without_grids(const std::vector<Delivery>& deliveries) {
-  std::vector<Delivery> kept = without_meshes(deliveries);
-  std::erase_if(kept,
-                [](const Delivery& delivery) { return delivery.evaluation == Delivery::Evaluation::point; });
+  for (const unsigned trait : {kMeshes, kGrids, kArrays, kLists, kRepetition})
+    if (traits & trait) std::erase_if(kept, [&](const Delivery& delivery) { return has(delivery, trait); });
   return kept;
 }
 

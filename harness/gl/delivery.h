@@ -2,27 +2,24 @@
 // through other commands that have to do the same.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "harness/gl/case.h"
+#include "harness/gl/display_lists.h"
 
 namespace evalcts::gl {
 
-// A case as it is played. Command i of the case as it was written has become command positions[i], among
-// others that prepare it.
-struct DeliveredCase {
-  Case script;
-  std::vector<int> positions;
-};
-
 struct Delivery {
-  enum class Evaluation { coordinates, array, point, mesh };
+  enum class Evaluation { as_written, coordinates, array, point, mesh };
 
-  const char* name;  // part of test names: the command that evaluates
-  Evaluation evaluation;
-  bool doubles;  // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
-  bool lifted;   // a one-dimensional case becomes a two-dimensional one, see lift.h
-  bool along_v;  // ... in which the curve runs along v
+  std::string
+      name;  // part of test names: the command that evaluates, and the use of display lists; may be empty
+  Evaluation evaluation = Evaluation::as_written;
+  bool doubles = false;       // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
+  bool lifted = false;        // a one-dimensional case becomes a two-dimensional one, see lift.h
+  bool along_v = false;       // ... in which the curve runs along v
+  Lists lists = Lists::none;  // and what came of all that goes through display lists
 
   // coordinates, array: Map and EvalCoord commands are replaced one for one. Values that need doubles lose
   // their last digits on the way to floats.
@@ -35,20 +32,26 @@ struct Delivery {
   // less than 2^16 segments, and for meshes all primitives but points and line strips.
   DeliveredCase apply(const Case& script) const;
 
-  // EvalCoord1f and EvalCoord2f: the commands that cases are written with.
+  // EvalCoord1f and EvalCoord2f, the commands that cases are written with, or the case as it is.
   bool is_plain() const;
 };
 
 // For cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1, EvalMesh1, and the
-// same in two dimensions.
+// same in two dimensions; then these with their commands in display lists, in all ways.
 const std::vector<Delivery>& curve_deliveries();
-// For cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2, EvalMesh2.
+// For cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2, EvalMesh2; then lists.
 const std::vector<Delivery>& surface_deliveries();
-// Those that keep each primitive what it is: all but meshes.
-std::vector<Delivery> without_meshes(const std::vector<Delivery>& deliveries);
-// Those that read no arguments from arrays.
-std::vector<Delivery> without_arrays(const std::vector<Delivery>& deliveries);
-// Those that need no grid: the same arguments are the same commands.
-std::vector<Delivery> without_grids(const std::vector<Delivery>& deliveries);
+// For all other cases: as they are, and in display lists, in all ways.
+const std::vector<Delivery>& list_deliveries();
+
+// What a test may not stand.
+enum Trait : unsigned {
+  kMeshes = 1,      // primitives become meshes
+  kGrids = 2,       // arguments become grid points: the same arguments need not be the same commands
+  kArrays = 4,      // arguments are read from arrays
+  kLists = 8,       // display lists
+  kRepetition = 16  // what is drawn is drawn twice
+};
+std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deliveries);
 
 }  // namespace evalcts::gl

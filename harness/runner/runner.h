@@ -64,8 +64,8 @@ std::string file_label(const std::string& name, const std::string& pass);
 nlohmann::json run_implementation(const RunRequest& request,
                                   const std::function<void(const Progress&)>& progress);
 
-// All tests of the suite program: {"tests": [{"name", "requirements", "level", "quick"}]}; "quick": whether
-// quick depth plays it unasked. Throws std::runtime_error.
+// All tests of the suite program: {"tests": [{"name", "requirements", "level", "from"}]}; "from": the least
+// depth that plays it where no tests are asked for by name. Throws std::runtime_error.
 nlohmann::json list_tests(const std::filesystem::path& suite_program);
 
 // A result record as the text of its file.

@@ -152,7 +152,7 @@ json list_tests() {
     tests.push_back({{"name", info.full_name()},
                      {"requirements", info.requirements},
                      {"level", name_of(info.level)},
-                     {"quick", info.from == Depth::quick}});
+                     {"from", name_of(info.from)}});
   return {{"tests", tests}};
 }
 
@@ -296,9 +296,7 @@ int run(int argc, char** argv) {
       throw;
     }
     program.subject.implementation = program.implementation.get();
-    program.subject.depth = options.depth == "quick"  ? Depth::quick
-                            : options.depth == "full" ? Depth::full
-                                                      : Depth::thorough;
+    program.subject.depth = depth_named(options.depth);
     program.subject.seed = options.seed;
     program.subject.before_case = [](const gl::Case& script) {
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");

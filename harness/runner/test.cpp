@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "harness/gl/call_log.h"
 #include "harness/judge/judge.h"
@@ -250,6 +251,8 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
     delivered = {script, std::vector<int>(script.commands().size())};
     std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
   }
+  for (const gl::Command& command : delivered.script.commands())
+    lists_used_ = lists_used_ || command.entry == gl::EntryPoint::NewList;
   if (subject_.before_case) subject_.before_case(delivered.script);
   return delivered;
 }
@@ -470,6 +473,10 @@ void Test::run(const std::function<void(Test&)>& body) {
     record_.verdict = Verdict::internal_error;
     record_.message = "the test played no case";
   }
+  if (record_.verdict == Verdict::pass && delivery_ && delivery_->lists != gl::Lists::none && !lists_used_) {
+    record_.verdict = Verdict::internal_error;
+    record_.message = "no case of the test has a command that goes into a display list";
+  }
   std::sort(record_.mismatches.begin(), record_.mismatches.end());
 }
 
@@ -501,34 +508,58 @@ std::string_view kept(const std::string& text) {
   return *all.insert(text).first;
 }
 
+// What a test decides that goes through display lists.
+std::string_view requirement_of(gl::Lists lists) {
+  switch (lists) {
+    case gl::Lists::executed:
+      return "EV-DL-COMPEXEC";
+    case gl::Lists::nested:
+      return "EV-DL-NESTED";
+    case gl::Lists::repeated:
+      return "EV-DL-REPEAT";
+    case gl::Lists::split:
+      return "EV-DL-SPLIT";
+    default:
+      return "EV-DL-EXECUTE";
+  }
+}
+
 }  // namespace
 
 TestInfo TestInfo::by(const gl::Delivery& delivery) const {
   TestInfo delivered = *this;
-  delivered.name += std::string("/") + delivery.name;
+  if (!delivery.name.empty()) delivered.name += "/" + delivery.name;
   delivered.body = [body = body, delivery](Test& t) {
     t.deliver_by(delivery);
     body(t);
   };
-  if (!delivery.lifted) return delivered;
-  delivered.suite = with_2_for_1(delivered.suite);
-  delivered.name = with_2_for_1(delivered.name);
-  delivered.requirements.clear();
-  for (const std::string_view requirement : requirements) {
-    const std::string lifted = in_two_dimensions(requirement);
-    if (!lifted.empty() && std::ranges::count(delivered.requirements, lifted) == 0)
-      delivered.requirements.push_back(kept(lifted));
-  }
+  if (delivery.lifted) delivered.lift();
+  if (delivery.lists != gl::Lists::none) delivered.requirements.push_back(requirement_of(delivery.lists));
   return delivered;
+}
+void TestInfo::lift() {
+  suite = with_2_for_1(suite);
+  name = with_2_for_1(name);
+  const std::vector<std::string_view> of_one = std::exchange(requirements, {});
+  for (const std::string_view requirement : of_one) {
+    const std::string lifted = in_two_dimensions(requirement);
+    if (!lifted.empty() && std::ranges::count(requirements, lifted) == 0)
+      requirements.push_back(kept(lifted));
+  }
 }
 
 Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
 
 Registration::Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info) {
-  const std::size_t chosen = hash(info.full_name()) % deliveries.size();
+  const auto uses_lists = [](const gl::Delivery& delivery) { return delivery.lists != gl::Lists::none; };
+  const auto lists = static_cast<std::size_t>(std::ranges::count_if(deliveries, uses_lists));
+  const std::size_t turn = hash(info.full_name());
+  std::size_t list = 0;
   for (std::size_t i = 0; i < deliveries.size(); ++i) {
     TestInfo delivered = info.by(deliveries[i]);
-    if (!deliveries[i].is_plain() && i != chosen) delivered.from = Depth::full;
+    if (uses_lists(deliveries[i])) delivered.from = list++ == turn % lists ? Depth::full : Depth::thorough;
+    if (!uses_lists(deliveries[i]) && !deliveries[i].is_plain()) delivered.from = Depth::full;
+    if (i == turn % deliveries.size()) delivered.from = Depth::quick;
     registry().push_back(std::move(delivered));
   }
 }

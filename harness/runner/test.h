@@ -19,11 +19,10 @@
 #include "harness/implementations/implementation.h"
 #include "harness/judge/judge.h"
 #include "harness/judge/topology.h"
+#include "harness/runner/depth.h"
 #include "harness/runner/record.h"
 
 namespace evalcts {
-
-enum class Depth { quick, full, thorough };
 
 // The rule does not apply to this implementation: its version or extension is missing.
 struct NotSupported : std::runtime_error {
@@ -162,6 +161,7 @@ class Test {
   const Subject& subject_;
   Record& record_;
   std::optional<gl::Delivery> delivery_;
+  bool lists_used_ = false;
   std::size_t last_failed_case_ = 0;
   std::mt19937 random_;
 };
@@ -180,6 +180,9 @@ struct TestInfo {
   // The same test through the delivery: its name ends in the delivery's. Lifted to two dimensions, it bears
   // the names and decides the requirements of two dimensions.
   TestInfo by(const gl::Delivery& delivery) const;
+
+ private:
+  void lift();
 };
 
 // All tests, in the order of their names.
@@ -198,7 +201,7 @@ struct Registration {
     }
   }
   // One test for each delivery, and for each parameter and delivery. Quick depth takes the plain deliveries
-  // and one of the others, in turn.
+  // and one of the others in turn; full depth all without display lists, and one with them, in turn.
   Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
@@ -253,6 +256,12 @@ struct Registration {
   static const ::evalcts::Registration suite##_##name##_registration{                                 \
       deliveries, #suite, #name, parameters, ::evalcts::Level::level, {__VA_ARGS__}, suite##_##name}; \
   static void suite##_##name([[maybe_unused]] ::evalcts::Test& t, [[maybe_unused]] parameter)
+
+// As it is and through display lists, for cases that are about commands: "Suite.Name/PARAMETER/Compiled".
+#define EVALCTS_LISTED_TEST(suite, name, level, ...) \
+  EVALCTS_TEST_BY(::evalcts::gl::list_deliveries(), suite, name, level, __VA_ARGS__)
+#define EVALCTS_LISTED_TESTS(suite, name, parameters, parameter, level, ...) \
+  EVALCTS_TESTS_BY(::evalcts::gl::list_deliveries(), suite, name, parameters, parameter, level, __VA_ARGS__)
 
 // Through all curve deliveries: the case is written with Map1f and EvalCoord1f, and draws points.
 #define EVALCTS_DELIVERED_TEST(suite, name, level, ...) \

@@ -1,0 +1,204 @@
+#include "harness/gl/display_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace evalcts::gl {
+namespace {
+
+constexpr std::int64_t kFirstList = 0x4c00;  // far from the names that cases use
+
+// Commands that end up in a list: those of evaluators, what is legal between Begin and End, and the state
+// that the evaluators' errors and results depend on. (GL 4.6c 21.4.1 says which commands are executed at
+// once.)
+bool is_compiled(const Command& command) {
+  const auto has_result_of = [](const Value& value) { return std::holds_alternative<ResultOf>(value); };
+  if (std::ranges::any_of(command.arguments, has_result_of)) return false;
+  const std::string_view name = name_of(command.entry).substr(2);
+  if (name == "VertexPointer" || name == "ColorPointer" || name == "ColorMask" || name == "ClearColor")
+    return false;
+  constexpr std::array kBeginnings = {"Map",      "Eval",  "Vertex",   "Color",          "Normal",
+                                      "TexCoord", "Index", "EdgeFlag", "SecondaryColor", "FogCoord",
+                                      "Begin",    "End",   "Enable",   "Disable",        "MultiTexCoord",
+                                      "Material"};
+  constexpr std::array kOthers = {"EndList",
+                                  "BeginQuery",
+                                  "EndQuery",
+                                  "BeginTransformFeedback",
+                                  "EndTransformFeedback",
+                                  "EnableClientState",
+                                  "DisableClientState",
+                                  "NormalPointer",
+                                  "TexCoordPointer"};
+  if (std::ranges::count(kOthers, name) > 0) return false;
+  if (name == "ActiveTexture" || name == "PushAttrib" || name == "PopAttrib") return true;
+  return std::ranges::any_of(kBeginnings, [&](const char* start) { return name.starts_with(start); });
+}
+
+class ThroughLists {
+ public:
+  ThroughLists(const Case& script, Lists lists) : script_(script), lists_(lists) {
+    delivered_.script.set_identity(script.identity());
+    delivered_.positions.resize(script.commands().size());
+  }
+
+  DeliveredCase apply() {
+    if (lists_ == Lists::executed)
+      execute();
+    else
+      compile();
+    return std::move(delivered_);
+  }
+
+ private:
+  // Commands [begin, end) of the case.
+  struct Run {
+    std::size_t begin, end;
+    std::size_t size() const { return end - begin; }
+  };
+
+  const std::vector<Command>& commands() const { return script_.commands(); }
+
+  void put(std::size_t i) {
+    Command command = commands()[i];
+    for (Value& argument : command.arguments)
+      if (auto* result = std::get_if<ResultOf>(&argument))
+        result->command = delivered_.positions[static_cast<std::size_t>(result->command)];
+    delivered_.positions[i] = delivered_.script.add(std::move(command)).index;
+  }
+  void put(const Run& run) {
+    for (std::size_t i = run.begin; i < run.end; ++i) put(i);
+  }
+
+  std::int64_t new_list(GLenum mode) {
+    delivered_.script.NewList(next_list_, mode);
+    return next_list_++;
+  }
+  std::int64_t list_of(const Run& run) {
+    const std::int64_t list = new_list(GL_COMPILE);
+    put(run);
+    delivered_.script.EndList();
+    return list;
+  }
+  std::int64_t list_of_calls(std::initializer_list<std::int64_t> called) {
+    const std::int64_t list = new_list(GL_COMPILE);
+    for (const std::int64_t inner : called) delivered_.script.CallList(inner);
+    delivered_.script.EndList();
+    return list;
+  }
+
+  // --- compile: lists first, then the case that calls them ------------------------------------------------
+
+  void compile() {
+    struct Step {
+      Run run;
+      std::vector<std::int64_t> calls;  // empty: the commands themselves
+    };
+    std::vector<Step> steps;
+    for (const auto& [run, compiled] : runs()) {
+      if (!compiled) {
+        steps.push_back({run, {}});
+      } else if (lists_ == Lists::split) {
+        constexpr std::size_t kPiece = 3;
+        for (std::size_t begin = run.begin, piece = 0; begin < run.end; begin += kPiece, ++piece) {
+          const Run part = {begin, std::min(begin + kPiece, run.end)};
+          steps.push_back({part, {}});
+          if (piece % 3 != 2) steps.back().calls = {list_of(part)};
+        }
+      } else if (lists_ == Lists::nested) {
+        const std::size_t middle = run.begin + (run.size() + 1) / 2;
+        const std::int64_t first = list_of({run.begin, middle}), second = list_of({middle, run.end});
+        steps.push_back({run, {list_of_calls({first, second})}});
+      } else {
+        const std::int64_t list = list_of(run);
+        steps.push_back({run, {list}});
+        if (lists_ == Lists::repeated && leaves_no_primitive_open(run)) steps.back().calls.push_back(list);
+      }
+    }
+    for (const Step& step : steps) {
+      if (step.calls.empty()) put(step.run);
+      for (const std::int64_t list : step.calls) delivered_.script.CallList(list);
+    }
+  }
+
+  struct Part {
+    Run run;
+    bool compiled;
+  };
+
+  // The case as runs of commands that are compiled and of others.
+  std::vector<Part> runs() const {
+    std::vector<Part> parts;
+    bool in_own_list = false;
+    for (std::size_t i = 0; i < commands().size(); ++i) {
+      const EntryPoint entry = commands()[i].entry;
+      if (entry == EntryPoint::NewList) in_own_list = true;
+      const bool compiled = !in_own_list && is_compiled(commands()[i]);
+      if (entry == EntryPoint::EndList) in_own_list = false;
+      if (parts.empty() || parts.back().compiled != compiled) parts.push_back({{i, i}, compiled});
+      parts.back().run.end = i + 1;
+    }
+    return parts;
+  }
+
+  bool leaves_no_primitive_open(const Run& run) const {
+    bool open = false;
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      const EntryPoint entry = commands()[i].entry;
+      if (entry != EntryPoint::Begin && entry != EntryPoint::End) continue;
+      if ((entry == EntryPoint::Begin) == open) return false;
+      open = !open;
+    }
+    return !open;
+  }
+
+  // --- execute: one list for as much as it can hold -------------------------------------------------------
+
+  // Queries may stay where they are: they are executed at once and see what the list has executed. A list
+  // ends before one of the case's own begins, and with the last End.
+  void execute() {
+    std::size_t i = 0;
+    while (i < commands().size()) {
+      const std::size_t end = end_of_list(i);
+      const bool worth_it = std::any_of(commands().begin() + static_cast<std::ptrdiff_t>(i),
+                                        commands().begin() + static_cast<std::ptrdiff_t>(end), is_compiled);
+      if (worth_it) new_list(GL_COMPILE_AND_EXECUTE);
+      put(Run{i, end});
+      if (worth_it) delivered_.script.EndList();
+      i = end;
+      if (i == commands().size()) break;
+      // A list of the case's own, or what follows a Begin without an End.
+      const bool own = commands()[i].entry == EntryPoint::NewList;
+      for (bool over = false; i < commands().size() && !over; ++i) {
+        put(i);
+        over = own && commands()[i].entry == EntryPoint::EndList;
+      }
+    }
+  }
+
+  // How far a list that begins outside Begin and End can go to end there as well.
+  std::size_t end_of_list(std::size_t begin) const {
+    std::size_t end = begin;
+    bool open = false;
+    for (std::size_t i = begin; i < commands().size(); ++i) {
+      const EntryPoint entry = commands()[i].entry;
+      if (entry == EntryPoint::NewList) break;
+      if (entry == EntryPoint::Begin) open = true;
+      if (entry == EntryPoint::End) open = false;
+      if (!open) end = i + 1;
+    }
+    return end;
+  }
+
+  const Case& script_;
+  const Lists lists_;
+  std::int64_t next_list_ = kFirstList;
+  DeliveredCase delivered_;
+};
+
+}  // namespace
+
+DeliveredCase through_lists(const Case& script, Lists lists) { return ThroughLists(script, lists).apply(); }
+
+}  // namespace evalcts::gl
