@@ -191,14 +191,14 @@ std::vector<Primitive> Specification::take_primitives() { return std::exchange(c
 Vertex Specification::current_vertex() const {
   Vertex vertex;
   vertex.position = {0.0f, 0.0f, 0.0f, 1.0f};
-  std::ranges::copy(attributes_.current.color, vertex.color.begin());
-  vertex.normal = std::array<Component, 3>{attributes_.current.normal[0], attributes_.current.normal[1],
-                                           attributes_.current.normal[2]};
+  const auto& [color, normal, texture_coordinate, index, edge_flag] = attributes_.current;
+  std::ranges::copy(color, vertex.color.begin());
+  vertex.normal = std::array<Component, 3>{normal[0], normal[1], normal[2]};
   for (int unit = 0; unit < kTextureUnits; ++unit) {
-    std::ranges::copy(attributes_.current.texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
+    std::ranges::copy(texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
   }
-  vertex.index = attributes_.current.index;
-  vertex.edge_flag = attributes_.current.edge_flag;
+  vertex.index = index;
+  vertex.edge_flag = edge_flag;
   return vertex;
 }
 
