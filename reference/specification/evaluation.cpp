@@ -21,7 +21,7 @@ std::shared_ptr<const Map> Specification::effective_map(int dimension,
                                                         std::initializer_list<GLenum> targets) const {
   for (const GLenum target : targets) {
     const std::size_t place = slot(target) + (dimension == 2 ? kMapKinds : 0);
-    if (evaluators_.map_enabled[place]) return maps_[place];
+    if (attributes_.enables.maps[place]) return maps_[place];
   }
   return nullptr;
 }
@@ -41,7 +41,7 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
     evaluate_into(vertex.color, color, u, v);
   }
   if (const auto index = effective_map(dimension, {GL_MAP1_INDEX})) vertex.index = Sample{index, 0, u, v};
-  if (evaluators_.auto_normal && v) {  // before a NORMAL map, of the surface drawn (EV-AUTON-*)
+  if (attributes_.enables.auto_normal && v) {  // before a NORMAL map, of the surface drawn (EV-AUTON-*)
     vertex.normal = AutomaticNormal{position, u, *v};
   } else if (const auto normal = effective_map(dimension, {GL_MAP1_NORMAL})) {
     evaluate_into(std::get<0>(vertex.normal), normal, u, v);
@@ -56,8 +56,11 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   open_->vertices.push_back(std::move(vertex));
 }
 
-void Specification::EvalCoord1f(GLfloat u) { eval_coord(Argument::coordinate(u), std::nullopt); }
-void Specification::EvalCoord1d(GLdouble u) { eval_coord(Argument::coordinate(u), std::nullopt); }
+void Specification::EvalCoord1d(GLdouble u) {
+  if (compiled(&Specification::EvalCoord1d, u)) return;
+  eval_coord(Argument::coordinate(u), std::nullopt);
+}
+void Specification::EvalCoord1f(GLfloat u) { EvalCoord1d(u); }
 void Specification::EvalCoord1fv(const GLfloat* u) {
   if (u != nullptr) EvalCoord1f(u[0]);
 }
@@ -65,12 +68,11 @@ void Specification::EvalCoord1dv(const GLdouble* u) {
   if (u != nullptr) EvalCoord1d(u[0]);
 }
 
-void Specification::EvalCoord2f(GLfloat u, GLfloat v) {
-  eval_coord(Argument::coordinate(u), Argument::coordinate(v));
-}
 void Specification::EvalCoord2d(GLdouble u, GLdouble v) {
+  if (compiled(&Specification::EvalCoord2d, u, v)) return;
   eval_coord(Argument::coordinate(u), Argument::coordinate(v));
 }
+void Specification::EvalCoord2f(GLfloat u, GLfloat v) { EvalCoord2d(u, v); }
 void Specification::EvalCoord2fv(const GLfloat* u) {
   if (u != nullptr) EvalCoord2f(u[0], u[1]);
 }
@@ -88,11 +90,13 @@ void Specification::map_grid(std::initializer_list<std::pair<GridDirection*, Gri
 }
 
 void Specification::MapGrid1d(GLint un, GLdouble u1, GLdouble u2) {
-  map_grid({{&evaluators_.map1_grid_u, {un, u1, u2}}});
+  if (compiled(&Specification::MapGrid1d, un, u1, u2)) return;
+  map_grid({{&attributes_.grids.map1_u, {un, u1, u2}}});
 }
 void Specification::MapGrid1f(GLint un, GLfloat u1, GLfloat u2) { MapGrid1d(un, u1, u2); }
 void Specification::MapGrid2d(GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
-  map_grid({{&evaluators_.map2_grid_u, {un, u1, u2}}, {&evaluators_.map2_grid_v, {vn, v1, v2}}});
+  if (compiled(&Specification::MapGrid2d, un, u1, u2, vn, v1, v2)) return;
+  map_grid({{&attributes_.grids.map2_u, {un, u1, u2}}, {&attributes_.grids.map2_v, {vn, v1, v2}}});
 }
 void Specification::MapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
   MapGrid2d(un, u1, u2, vn, v1, v2);
@@ -102,12 +106,18 @@ Argument Specification::GridDirection::at(std::int64_t i) const {
   return Argument::grid(i, segments, first, last);
 }
 
-void Specification::eval_point(std::int64_t i) { eval_coord(evaluators_.map1_grid_u.at(i), std::nullopt); }
+void Specification::eval_point(std::int64_t i) { eval_coord(attributes_.grids.map1_u.at(i), std::nullopt); }
 void Specification::eval_point(std::int64_t i, std::int64_t j) {
-  eval_coord(evaluators_.map2_grid_u.at(i), evaluators_.map2_grid_v.at(j));
+  eval_coord(attributes_.grids.map2_u.at(i), attributes_.grids.map2_v.at(j));
 }
-void Specification::EvalPoint1(GLint i) { eval_point(i); }
-void Specification::EvalPoint2(GLint i, GLint j) { eval_point(i, j); }
+void Specification::EvalPoint1(GLint i) {
+  if (compiled(&Specification::EvalPoint1, i)) return;
+  eval_point(i);
+}
+void Specification::EvalPoint2(GLint i, GLint j) {
+  if (compiled(&Specification::EvalPoint2, i, j)) return;
+  eval_point(i, j);
+}
 
 // ---- Meshes: the equivalent commands of the text ----
 
@@ -119,6 +129,7 @@ void Specification::draw(GLenum mode, Vertices vertices) {
 }
 
 void Specification::EvalMesh1(GLenum mode, GLint p1, GLint p2) {
+  if (compiled(&Specification::EvalMesh1, mode, p1, p2)) return;
   const bool is_mode = mode == GL_POINT || mode == GL_LINE;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
   const std::int64_t i1 = p1, i2 = p2;
@@ -128,6 +139,7 @@ void Specification::EvalMesh1(GLenum mode, GLint p1, GLint p2) {
 }
 
 void Specification::EvalMesh2(GLenum mode, GLint p1, GLint p2, GLint q1, GLint q2) {
+  if (compiled(&Specification::EvalMesh2, mode, p1, p2, q1, q2)) return;
   const bool is_mode = mode == GL_POINT || mode == GL_LINE || mode == GL_FILL;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
   const std::int64_t i1 = p1, i2 = p2, j1 = q1, j2 = q2;

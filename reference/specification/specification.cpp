@@ -3,6 +3,7 @@
 #include <reference/specification.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "reference/specification/conversion.h"
@@ -14,6 +15,26 @@ bool is_map_target(GLenum target) { return is_map1_target(target) || is_map2_tar
 
 bool is_texture_unit(GLenum texture) {
   return texture >= GL_TEXTURE0 && texture < GL_TEXTURE0 + kTextureUnits;
+}
+
+// A size of an array that any answer fits in.
+constexpr GLsizei kAnySize = std::numeric_limits<GLsizei>::max();
+
+// The answer to a query of a map; empty if `query` is not the name of one.
+std::vector<double> answer_of_map(const Map& map, GLenum query) {
+  using Values = std::vector<double>;
+  const auto& [target, u, v, points] = map;
+  const bool two = map.is_two_dimensional();
+  switch (query) {
+    case GL_COEFF:
+      return points;
+    case GL_ORDER:
+      return two ? Values{double(u.order), double(v.order)} : Values{double(u.order)};
+    case GL_DOMAIN:
+      return two ? Values{u.first, u.last, v.first, v.last} : Values{u.first, u.last};
+    default:
+      return {};
+  }
 }
 
 // A value of the state as the answer to a query of type T; `normalized` for colours and normals.
@@ -54,7 +75,11 @@ Specification::Specification(const Options& options)
 
 // ---- Errors (section 2.5) ----
 
-bool Specification::refused(std::initializer_list<Objection> objections) {
+bool Specification::any_applies(const Objections& objections) {
+  return std::ranges::any_of(objections, &Objection::applies);
+}
+
+bool Specification::refused(const Objections& objections) {
   permitted_errors_.clear();
   for (const Objection& objection : objections) {
     if (objection.applies && std::ranges::count(permitted_errors_, objection.error) == 0) {
@@ -71,25 +96,27 @@ GLenum Specification::GetError() {
   return std::exchange(error_, GL_NO_ERROR);
 }
 
+// ---- Flush and Finish (section 5.5) ----
+
+void Specification::Flush() { refused({{inside(), GL_INVALID_OPERATION}}); }
+void Specification::Finish() { refused({{inside(), GL_INVALID_OPERATION}}); }
+
 // ---- Maps (section 5.1) ----
 
 template <typename T>
 void Specification::map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points) {
   const int k = is_map1_target(target) ? values_per_point(target) : 0;
-  if (refused({{inside(), GL_INVALID_OPERATION},                          // EV-MAP1-ERR-BEGINEND
-               {!is_map1_target(target), GL_INVALID_ENUM},                // EV-MAP1-ERR-TARGET
-               {order < 1 || order > max_eval_order_, GL_INVALID_VALUE},  // EV-MAP1-ERR-ORDER-*
-               {stride < k, GL_INVALID_VALUE},                            // EV-MAP1-ERR-STRIDE
-               {u1 == u2, GL_INVALID_VALUE},                              // EV-MAP1-ERR-DOMAIN
-               {active_texture_ != 0, GL_INVALID_OPERATION}})) {          // EV-MAP1-ERR-ACTIVETEX
-    return;
-  }
-  if (points == nullptr) return;
+  const Objections objections{
+      {!is_map1_target(target), GL_INVALID_ENUM},                // EV-MAP1-ERR-TARGET
+      {order < 1 || order > max_eval_order_, GL_INVALID_VALUE},  // EV-MAP1-ERR-ORDER-*
+      {stride < k, GL_INVALID_VALUE},                            // EV-MAP1-ERR-STRIDE
+      {u1 == u2, GL_INVALID_VALUE}};                             // EV-MAP1-ERR-DOMAIN
+  if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
   Map map{target, {order, u1, u2}, {}, {}};
   for (std::ptrdiff_t i = 0; i < order; ++i) {
     map.points.insert(map.points.end(), points + i * stride, points + i * stride + k);
   }
-  maps_[slot(target)] = std::make_shared<const Map>(std::move(map));
+  define({}, std::make_shared<const Map>(std::move(map)));
 }
 
 template <typename T>
@@ -97,18 +124,14 @@ void Specification::map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder,
                          GLint vorder, const T* points) {
   const int k = is_map2_target(target) ? values_per_point(target) : 0;
   const auto is_order = [this](GLint order) { return order >= 1 && order <= max_eval_order_; };
-  if (refused({{inside(), GL_INVALID_OPERATION},                  // EV-MAP2-ERR-BEGINEND
-               {!is_map2_target(target), GL_INVALID_ENUM},        // EV-MAP2-ERR-TARGET
-               {!is_order(uorder), GL_INVALID_VALUE},             // EV-MAP2-ERR-UORDER
-               {!is_order(vorder), GL_INVALID_VALUE},             // EV-MAP2-ERR-VORDER
-               {ustride < k, GL_INVALID_VALUE},                   // EV-MAP2-ERR-USTRIDE
-               {vstride < k, GL_INVALID_VALUE},                   // EV-MAP2-ERR-VSTRIDE
-               {u1 == u2, GL_INVALID_VALUE},                      // EV-MAP2-ERR-UDOMAIN
-               {v1 == v2, GL_INVALID_VALUE},                      // EV-MAP2-ERR-VDOMAIN
-               {active_texture_ != 0, GL_INVALID_OPERATION}})) {  // EV-MAP2-ERR-ACTIVETEX
-    return;
-  }
-  if (points == nullptr) return;
+  const Objections objections{{!is_map2_target(target), GL_INVALID_ENUM},  // EV-MAP2-ERR-TARGET
+                              {!is_order(uorder), GL_INVALID_VALUE},       // EV-MAP2-ERR-UORDER
+                              {!is_order(vorder), GL_INVALID_VALUE},       // EV-MAP2-ERR-VORDER
+                              {ustride < k, GL_INVALID_VALUE},             // EV-MAP2-ERR-USTRIDE
+                              {vstride < k, GL_INVALID_VALUE},             // EV-MAP2-ERR-VSTRIDE
+                              {u1 == u2, GL_INVALID_VALUE},                // EV-MAP2-ERR-UDOMAIN
+                              {v1 == v2, GL_INVALID_VALUE}};               // EV-MAP2-ERR-VDOMAIN
+  if (points == nullptr || any_applies(objections)) return define(objections, nullptr);
   Map map{target, {uorder, u1, u2}, {vorder, v1, v2}, {}};
   for (std::ptrdiff_t i = 0; i < uorder; ++i) {
     for (std::ptrdiff_t j = 0; j < vorder; ++j) {
@@ -116,7 +139,15 @@ void Specification::map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder,
       map.points.insert(map.points.end(), point, point + k);
     }
   }
-  maps_[slot(target)] = std::make_shared<const Map>(std::move(map));
+  define({}, std::make_shared<const Map>(std::move(map)));
+}
+
+void Specification::define(Objections objections, std::shared_ptr<const Map> map) {
+  if (compiled(&Specification::define, objections, map)) return;
+  objections.insert(objections.begin(), {inside(), GL_INVALID_OPERATION});        // EV-MAP*-ERR-BEGINEND
+  objections.push_back({attributes_.active_texture != 0, GL_INVALID_OPERATION});  // EV-MAP*-ERR-ACTIVETEX
+  if (refused(objections) || map == nullptr) return;
+  maps_[slot(map->target)] = map;
 }
 
 void Specification::Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
@@ -142,11 +173,13 @@ void Specification::Map2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride
 // ---- Begin and End (section 2.6) ----
 
 void Specification::Begin(GLenum mode) {
+  if (compiled(&Specification::Begin, mode)) return;
   if (refused({{inside(), GL_INVALID_OPERATION}, {mode > GL_POLYGON, GL_INVALID_ENUM}})) return;
   open_ = Primitive{mode, {}};
 }
 
 void Specification::End() {
+  if (compiled(&Specification::End)) return;
   if (refused({{!inside(), GL_INVALID_OPERATION}})) return;
   completed_.push_back(*std::exchange(open_, std::nullopt));
 }
@@ -158,17 +191,19 @@ std::vector<Primitive> Specification::take_primitives() { return std::exchange(c
 Vertex Specification::current_vertex() const {
   Vertex vertex;
   vertex.position = {0.0f, 0.0f, 0.0f, 1.0f};
-  std::ranges::copy(current_.color, vertex.color.begin());
-  vertex.normal = std::array<Component, 3>{current_.normal[0], current_.normal[1], current_.normal[2]};
+  const auto& [color, normal, texture_coordinate, index, edge_flag] = attributes_.current;
+  std::ranges::copy(color, vertex.color.begin());
+  vertex.normal = std::array<Component, 3>{normal[0], normal[1], normal[2]};
   for (int unit = 0; unit < kTextureUnits; ++unit) {
-    std::ranges::copy(current_.texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
+    std::ranges::copy(texture_coordinate[unit], vertex.texture_coordinate[unit].begin());
   }
-  vertex.index = current_.index;
-  vertex.edge_flag = current_.edge_flag;
+  vertex.index = index;
+  vertex.edge_flag = edge_flag;
   return vertex;
 }
 
 void Specification::vertex(double x, double y, double z, double w) {
+  if (compiled(&Specification::vertex, x, y, z, w)) return;
   refused({});
   if (!inside()) return;
   Vertex vertex = current_vertex();
@@ -177,47 +212,54 @@ void Specification::vertex(double x, double y, double z, double w) {
 }
 
 void Specification::color(double red, double green, double blue, double alpha) {
+  if (compiled(&Specification::color, red, green, blue, alpha)) return;
   refused({});
-  current_.color = {to_single(red), to_single(green), to_single(blue), to_single(alpha)};
+  attributes_.current.color = {to_single(red), to_single(green), to_single(blue), to_single(alpha)};
 }
 
 void Specification::normal(double x, double y, double z) {
+  if (compiled(&Specification::normal, x, y, z)) return;
   refused({});
-  current_.normal = {to_single(x), to_single(y), to_single(z)};
+  attributes_.current.normal = {to_single(x), to_single(y), to_single(z)};
 }
 
 void Specification::texture_coordinate(GLenum texture, double s, double t, double r, double q) {
+  if (compiled(&Specification::texture_coordinate, texture, s, t, r, q)) return;
   if (refused({{!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
-  current_.texture_coordinate[texture - GL_TEXTURE0] = {to_single(s), to_single(t), to_single(r),
-                                                        to_single(q)};
+  attributes_.current.texture_coordinate[texture - GL_TEXTURE0] = {to_single(s), to_single(t), to_single(r),
+                                                                   to_single(q)};
 }
 
 void Specification::index(double c) {
+  if (compiled(&Specification::index, c)) return;
   refused({});
-  current_.index = to_single(c);
+  attributes_.current.index = to_single(c);
 }
 
 void Specification::EdgeFlag(GLboolean flag) {
+  if (compiled(&Specification::EdgeFlag, flag)) return;
   refused({});
-  current_.edge_flag = flag != GL_FALSE;
+  attributes_.current.edge_flag = flag != GL_FALSE;
 }
 
 void Specification::ActiveTexture(GLenum texture) {
+  if (compiled(&Specification::ActiveTexture, texture)) return;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!is_texture_unit(texture), GL_INVALID_ENUM}})) return;
-  active_texture_ = static_cast<int>(texture - GL_TEXTURE0);
+  attributes_.active_texture = static_cast<int>(texture - GL_TEXTURE0);
 }
 
 // ---- Enables (section 5.1) ----
 
 std::optional<bool> Specification::enabled(GLenum cap) const {
-  if (cap == GL_AUTO_NORMAL) return evaluators_.auto_normal;
-  if (is_map_target(cap)) return evaluators_.map_enabled[slot(cap)];
+  if (cap == GL_AUTO_NORMAL) return attributes_.enables.auto_normal;
+  if (is_map_target(cap)) return attributes_.enables.maps[slot(cap)];
   return std::nullopt;
 }
 
 void Specification::set_enabled(GLenum cap, bool value) {
+  if (compiled(&Specification::set_enabled, cap, value)) return;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!enabled(cap), GL_INVALID_ENUM}})) return;
-  (cap == GL_AUTO_NORMAL ? evaluators_.auto_normal : evaluators_.map_enabled[slot(cap)]) = value;
+  (cap == GL_AUTO_NORMAL ? attributes_.enables.auto_normal : attributes_.enables.maps[slot(cap)]) = value;
 }
 
 void Specification::Enable(GLenum cap) { set_enabled(cap, true); }
@@ -231,39 +273,40 @@ GLboolean Specification::IsEnabled(GLenum cap) {
 // ---- Queries (section 6.1) ----
 
 template <typename T>
-void Specification::get_map(GLenum target, GLenum query, T* v) {
-  const bool is_query = query == GL_COEFF || query == GL_ORDER || query == GL_DOMAIN;
+void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
+  const std::vector<double> values =
+      is_map_target(target) ? answer_of_map(*maps_[slot(target)], query) : std::vector<double>{};
   if (refused({{inside(), GL_INVALID_OPERATION},
-               {!is_map_target(target), GL_INVALID_ENUM},
-               {!is_query, GL_INVALID_ENUM}})) {
+               {values.empty(), GL_INVALID_ENUM},  // neither target nor query may be unknown
+               {size < 0, GL_INVALID_VALUE},       // EV-GETN-NEGATIVE
+               {std::cmp_less(size, values.size() * sizeof(T)), GL_INVALID_OPERATION}}) ||  // EV-GETN-SMALL
+      v == nullptr) {
     return;
   }
-  const Map& map = *maps_[slot(target)];
-  const bool two = map.is_two_dimensional();
-  std::vector<double> values;
-  if (query == GL_COEFF) {
-    values = map.points;
-  } else if (query == GL_ORDER) {
-    values = {double(map.u.order)};
-    if (two) values.push_back(map.v.order);
-  } else {
-    values = {map.u.first, map.u.last};
-    if (two) values.insert(values.end(), {map.v.first, map.v.last});
-  }
-  if (v == nullptr) return;
   // GetMapiv rounds colours and normals like everything else (C-GETMAPIV-NORM).
   std::ranges::transform(values, v, [](double value) { return convert<T>(value, false); });
 }
 
-void Specification::GetMapfv(GLenum target, GLenum query, GLfloat* v) { get_map(target, query, v); }
-void Specification::GetMapdv(GLenum target, GLenum query, GLdouble* v) { get_map(target, query, v); }
-void Specification::GetMapiv(GLenum target, GLenum query, GLint* v) { get_map(target, query, v); }
+void Specification::GetMapfv(GLenum target, GLenum query, GLfloat* v) { get_map(target, query, kAnySize, v); }
+void Specification::GetMapdv(GLenum target, GLenum query, GLdouble* v) {
+  get_map(target, query, kAnySize, v);
+}
+void Specification::GetMapiv(GLenum target, GLenum query, GLint* v) { get_map(target, query, kAnySize, v); }
+void Specification::GetnMapfv(GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+  get_map(target, query, size, v);
+}
+void Specification::GetnMapdv(GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+  get_map(target, query, size, v);
+}
+void Specification::GetnMapiv(GLenum target, GLenum query, GLsizei size, GLint* v) {
+  get_map(target, query, size, v);
+}
 
 std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
   using Kind = Answer::Kind;
   if (const auto flag = enabled(pname)) return Answer{Kind::kBoolean, {double(*flag)}};
-  const GridDirection &grid1 = evaluators_.map1_grid_u, &grid2u = evaluators_.map2_grid_u,
-                      &grid2v = evaluators_.map2_grid_v;
+  const GridDirection &grid1 = attributes_.grids.map1_u, &grid2u = attributes_.grids.map2_u,
+                      &grid2v = attributes_.grids.map2_v;
   const auto list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
   switch (pname) {
     case GL_MAX_EVAL_ORDER:
@@ -277,20 +320,33 @@ std::optional<Specification::Answer> Specification::answer(GLenum pname) const {
     case GL_MAP2_GRID_SEGMENTS:
       return Answer{Kind::kInteger, {double(grid2u.segments), double(grid2v.segments)}};
     case GL_CURRENT_COLOR:
-      return Answer{Kind::kNormalized, list(current_.color)};
+      return Answer{Kind::kNormalized, list(attributes_.current.color)};
     case GL_CURRENT_NORMAL:
-      return Answer{Kind::kNormalized, list(current_.normal)};
+      return Answer{Kind::kNormalized, list(attributes_.current.normal)};
     case GL_CURRENT_TEXTURE_COORDS:  // of the active unit
-      return Answer{Kind::kFloatingPoint, list(current_.texture_coordinate[active_texture_])};
+      return Answer{Kind::kFloatingPoint,
+                    list(attributes_.current.texture_coordinate[attributes_.active_texture])};
     case GL_CURRENT_INDEX:
-      return Answer{Kind::kFloatingPoint, {current_.index}};
+      return Answer{Kind::kFloatingPoint, {attributes_.current.index}};
     case GL_EDGE_FLAG:
-      return Answer{Kind::kBoolean, {double(current_.edge_flag)}};
+      return Answer{Kind::kBoolean, {double(attributes_.current.edge_flag)}};
     case GL_ACTIVE_TEXTURE:
-      return Answer{Kind::kInteger, {double(GL_TEXTURE0 + active_texture_)}};
+      return Answer{Kind::kInteger, {double(GL_TEXTURE0 + attributes_.active_texture)}};
     case GL_MAX_TEXTURE_UNITS:
     case GL_MAX_TEXTURE_COORDS:
       return Answer{Kind::kInteger, {double(kTextureUnits)}};
+    case GL_LIST_BASE:
+      return Answer{Kind::kInteger, {double(attributes_.list_base)}};
+    case GL_LIST_INDEX:
+      return Answer{Kind::kInteger, {construction_ ? double(construction_->name) : 0}};
+    case GL_LIST_MODE:
+      return Answer{Kind::kInteger, {construction_ ? double(construction_->mode) : 0}};
+    case GL_MAX_LIST_NESTING:
+      return Answer{Kind::kInteger, {double(kMaxListNesting)}};
+    case GL_ATTRIB_STACK_DEPTH:
+      return Answer{Kind::kInteger, {double(attribute_stack_.size())}};
+    case GL_MAX_ATTRIB_STACK_DEPTH:
+      return Answer{Kind::kInteger, {double(kMaxAttribStackDepth)}};
     case GL_RGBA_MODE:
       return Answer{Kind::kBoolean, {1}};
     case GL_INDEX_MODE:
@@ -326,7 +382,7 @@ const GLubyte* Specification::GetString(GLenum name) {
     case GL_VERSION:
       return text("2.1 evalcts");
     default:
-      return text("");
+      return text("GL_ARB_robustness");  // for GetnMap
   }
 }
 

@@ -245,6 +245,60 @@ TEST(Queries, OfMapsHaveErrorsAndWriteNothingThen) {  // EV-GETMAP-ERR-*
   }
 }
 
+// EV-GETN-SAME, -BYTES, -SMALL, -NEGATIVE, -ERRORS
+template <typename T>
+void expect_sizes_respected(void (Specification::*map_query)(GLenum, GLenum, T*),
+                            void (Specification::*getn_map)(GLenum, GLenum, GLsizei, T*)) {
+  Specification gl;
+  const GLdouble points[] = {1.5, -2.5, 3e9, 4, 5, 6};
+  gl.Map1d(GL_MAP1_NORMAL, 0.25, 2, 3, 2, points);
+  gl.Map2d(GL_MAP2_INDEX, 0.25, 2, 3, 2, 3, 4.5, 1, 3, points);
+  for (const GLenum target : {GL_MAP1_NORMAL, GL_MAP2_INDEX}) {
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) {
+      SCOPED_TRACE(target * 0x10000 + query);
+      const std::vector<T> untouched(20, 77);
+      std::vector<T> all = untouched, some = untouched;
+      (gl.*map_query)(target, query, all.data());
+      const auto bytes =
+          static_cast<GLsizei>(evalcts::reference::get_map(gl, target, query).size() * sizeof(T));
+      for (const GLsizei size : {bytes - 1, 0, -1, std::numeric_limits<GLsizei>::min()}) {
+        (gl.*getn_map)(target, query, size, some.data());
+        EXPECT_EQ(gl.permitted_errors(), size < 0
+                                             ? (std::vector<GLenum>{GL_INVALID_VALUE, GL_INVALID_OPERATION})
+                                             : std::vector<GLenum>{GL_INVALID_OPERATION});
+        EXPECT_EQ(some, untouched);
+      }
+      expect_error(gl, GL_INVALID_OPERATION);
+      for (const GLsizei size : {bytes, bytes + 1}) {
+        some = untouched;
+        (gl.*getn_map)(target, query, size, some.data());
+        EXPECT_EQ(some, all);
+        expect_error(gl, GL_NO_ERROR);
+      }
+    }
+  }
+  T value = 77;
+  (gl.*getn_map)(GL_MAP1_NORMAL, GL_MAX_EVAL_ORDER, 1000, &value);
+  expect_error(gl, GL_INVALID_ENUM);
+  (gl.*getn_map)(GL_AUTO_NORMAL, GL_ORDER, 1000, &value);
+  expect_error(gl, GL_INVALID_ENUM);
+  gl.Begin(GL_POINTS);
+  (gl.*getn_map)(GL_MAP1_NORMAL, GL_ORDER, 1000, &value);
+  gl.End();
+  expect_error(gl, GL_INVALID_OPERATION);
+  EXPECT_EQ(value, 77);
+  (gl.*getn_map)(GL_MAP1_NORMAL, GL_ORDER, 1000, nullptr);  // U-NULL
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(Queries, OfMapsKnowTheSizeOfTheArray) {
+  expect_sizes_respected(&Specification::GetMapfv, &Specification::GetnMapfv);
+  expect_sizes_respected(&Specification::GetMapdv, &Specification::GetnMapdv);
+  expect_sizes_respected(&Specification::GetMapiv, &Specification::GetnMapiv);
+  Specification gl;
+  EXPECT_STREQ(reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS)), "GL_ARB_robustness");
+}
+
 TEST(Queries, IgnoreTheActiveTexture) {  // EV-GETMAP-NOUNIT
   Specification gl;
   gl.ActiveTexture(GL_TEXTURE1);

@@ -5,7 +5,8 @@
 // pointers must point to the storage that the command is entitled to; where the GL defines nothing for a null
 // pointer (U-NULL) the command does nothing. Commands that the GL does not allow between Begin and End raise
 // INVALID_OPERATION there (GL 2.1 section 2.6.3). A command that raises an error has no other effect (GL 2.1
-// section 2.5).
+// section 2.5). While a display list is under construction, a command goes into it instead of being executed,
+// or (COMPILE_AND_EXECUTE) as well, unless it is one that the GL always executes at once (section 5.4).
 #pragma once
 
 #include <GL/gl.h>
@@ -14,9 +15,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,7 +39,9 @@ class Specification {
   Specification();
   explicit Specification(const Options& options);
 
-  // Maps (section 5.1). Either form copies the points during the call (EV-MAP1-COPY).
+  // Maps (section 5.1). Either form copies the points during the call (EV-MAP1-COPY), and reads none if an
+  // argument is wrong. GetnMap writes nothing and raises INVALID_OPERATION if the answer has more than
+  // `size` bytes (GL 4.5 section 21.1.1).
   void Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
   void Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
   void Map2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
@@ -45,6 +51,9 @@ class Specification {
   void GetMapfv(GLenum target, GLenum query, GLfloat* v);
   void GetMapdv(GLenum target, GLenum query, GLdouble* v);
   void GetMapiv(GLenum target, GLenum query, GLint* v);
+  void GetnMapfv(GLenum target, GLenum query, GLsizei size, GLfloat* v);
+  void GetnMapdv(GLenum target, GLenum query, GLsizei size, GLdouble* v);
+  void GetnMapiv(GLenum target, GLenum query, GLsizei size, GLint* v);
 
   // Enables: the 18 maps and AUTO_NORMAL.
   void Enable(GLenum cap);
@@ -52,7 +61,8 @@ class Specification {
   GLboolean IsEnabled(GLenum cap);
 
   // Queries of single values (section 6.1): the enables, MAX_EVAL_ORDER, the grids, the current values,
-  // ACTIVE_TEXTURE, EDGE_FLAG, RGBA_MODE, INDEX_MODE, MAX_TEXTURE_UNITS, MAX_TEXTURE_COORDS. Other names are
+  // ACTIVE_TEXTURE, EDGE_FLAG, RGBA_MODE, INDEX_MODE, MAX_TEXTURE_UNITS, MAX_TEXTURE_COORDS, LIST_BASE,
+  // LIST_INDEX, LIST_MODE, MAX_LIST_NESTING, ATTRIB_STACK_DEPTH, MAX_ATTRIB_STACK_DEPTH. Other names are
   // INVALID_ENUM.
   void GetBooleanv(GLenum pname, GLboolean* params);
   void GetIntegerv(GLenum pname, GLint* params);
@@ -60,6 +70,24 @@ class Specification {
   void GetDoublev(GLenum pname, GLdouble* params);
   const GLubyte* GetString(GLenum name);
   GLenum GetError();
+
+  // Nothing is ever pending (section 5.5).
+  void Flush();
+  void Finish();
+
+  // Display lists (section 5.4). A call executes what the list holds, and so takes the time of that.
+  void NewList(GLuint list, GLenum mode);
+  void EndList();
+  void CallList(GLuint list);
+  void CallLists(GLsizei n, GLenum type, const void* lists);
+  void ListBase(GLuint base);
+  GLuint GenLists(GLsizei range);  // OUT_OF_MEMORY above 65536
+  GLboolean IsList(GLuint list);
+  void DeleteLists(GLuint list, GLsizei range);
+
+  // The attribute stack (section 6.1.14); a bit whose group has no state here saves nothing.
+  void PushAttrib(GLbitfield mask);
+  void PopAttrib();
 
   // Evaluation (section 5.1). Outside Begin/End nothing comes of it, as with Vertex (U-OUTSIDE-VERTEX).
   void EvalCoord1f(GLfloat u);
@@ -163,7 +191,8 @@ class Specification {
   std::vector<Primitive> take_primitives();
 
   // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
-  // did raise first; empty if it raised none. GetError reports the first error since the last GetError.
+  // did raise first; empty if it raised none. For CallList and CallLists, those of the first command in the
+  // lists that raised one. GetError reports the first error since the last GetError.
   const std::vector<GLenum>& permitted_errors() const { return permitted_errors_; }
 
  private:
@@ -180,17 +209,43 @@ class Specification {
     GLdouble first = 0, last = 1;
     Argument at(std::int64_t i) const;
   };
-  // What PushAttrib(EVAL_BIT) saves (EV-ATTRIB-EVALBIT); map contents are not part of it (EV-ATTRIB-NOMAPS).
-  struct EvaluatorState {
-    std::array<bool, 2 * kMapKinds> map_enabled{};  // MAP1 targets, then MAP2 targets
+  struct Enables {
+    std::array<bool, 2 * kMapKinds> maps{};  // MAP1 targets, then MAP2 targets
     bool auto_normal = false;
-    GridDirection map1_grid_u, map2_grid_u, map2_grid_v;
+  };
+  struct Grids {
+    GridDirection map1_u, map2_u, map2_v;
+  };
+  // What the attribute stack can save; map contents are not part of it (EV-ATTRIB-NOMAPS).
+  struct Attributes {
+    Enables enables;
+    Grids grids;
+    CurrentValues current;
+    int active_texture = 0;
+    GLuint list_base = 0;
+  };
+  struct SavedAttributes {
+    GLbitfield mask;
+    Attributes values;
+  };
+  // A call of a method with its arguments, and with copies of what they point to.
+  using Command = std::function<void(Specification&)>;
+  using DisplayList = std::vector<Command>;
+  // Between NewList and EndList.
+  struct Construction {
+    GLuint name;
+    GLenum mode;
+    DisplayList list;
   };
   // One reason to refuse a command.
   struct Objection {
     bool applies;
     GLenum error;
   };
+  using Objections = std::vector<Objection>;
+
+  static constexpr int kMaxListNesting = 64;
+  static constexpr std::size_t kMaxAttribStackDepth = 16;
   // The answer to a query, before conversion to the type that was asked for (GL 2.1 section 6.1.2).
   struct Answer {
     enum class Kind {
@@ -206,22 +261,43 @@ class Specification {
   static std::size_t slot(GLenum target);
 
   bool inside() const { return open_.has_value(); }
-  // Raises the error of the first objection that applies; false if none does. Begins every command.
-  bool refused(std::initializer_list<Objection> objections);
+  // Begins every command that lists can hold: puts it into the list under construction, if there is one.
+  // Whether that is all (COMPILE), or it is to be executed now. What a list executes meanwhile is not part of
+  // the list under construction, only its call is.
+  template <typename... Parameters>
+  bool compiled(void (Specification::*command)(Parameters...),
+                std::type_identity_t<Parameters>... arguments) {
+    if (!construction_ || list_depth_ > 0) return false;
+    permitted_errors_.clear();
+    construction_->list.push_back([=](Specification& gl) { (gl.*command)(arguments...); });
+    return construction_->mode == GL_COMPILE;
+  }
+  static bool any_applies(const Objections& objections);
+  // Raises the error of the first objection that applies; false if none does. Begins the execution of every
+  // command.
+  bool refused(const Objections& objections);
 
   template <typename T>
   void map1(GLenum target, T u1, T u2, GLint stride, GLint order, const T* points);
   template <typename T>
   void map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride, GLint vorder,
             const T* points);
+  // Map1 and Map2 with their points read: with the objections to their arguments, and the map if there are
+  // none.
+  void define(Objections objections, std::shared_ptr<const Map> map);
   template <typename T>
-  void get_map(GLenum target, GLenum query, T* v);
+  void get_map(GLenum target, GLenum query, GLsizei size, T* v);
   template <typename T>
   void get(GLenum pname, T* params);
   std::optional<Answer> answer(GLenum pname) const;
   // The state of an enable; none if `cap` is not the name of one.
   std::optional<bool> enabled(GLenum cap) const;
   void set_enabled(GLenum cap, bool enabled);
+
+  // CallLists with its offsets read.
+  void call_lists(Objections objections, std::vector<GLuint> offsets);
+  // Executes lists one after the other, names without a list left out.
+  void execute(const std::vector<GLuint>& names);
 
   // The map that generates one kind of data in one dimension (1 or 2): the first enabled one of those named,
   // which are in order of precedence (EV-PREC-*) and named by their MAP1 targets; null if none is.
@@ -246,9 +322,11 @@ class Specification {
 
   int max_eval_order_;
   std::array<std::shared_ptr<const Map>, 2 * kMapKinds> maps_;  // MAP1 targets, then MAP2 targets
-  EvaluatorState evaluators_;
-  CurrentValues current_;
-  int active_texture_ = 0;
+  Attributes attributes_;
+  std::vector<SavedAttributes> attribute_stack_;
+  std::map<GLuint, DisplayList> lists_;
+  std::optional<Construction> construction_;
+  int list_depth_ = 0;             // how many lists are being executed, one called by the other
   std::optional<Primitive> open_;  // between Begin and End
   std::vector<Primitive> completed_;
   GLenum error_ = GL_NO_ERROR;

@@ -1,0 +1,713 @@
+// Display lists (GL 2.1 section 5.4); section 20 of the requirements.
+#include <gtest/gtest.h>
+#include <reference/specification.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "reference/tests/context.h"
+
+namespace evalcts::reference {
+namespace {
+
+using Commands = std::function<void(Specification&)>;
+
+void compile(Specification& gl, GLuint name, const Commands& commands, GLenum mode = GL_COMPILE) {
+  gl.NewList(name, mode);
+  commands(gl);
+  gl.EndList();
+}
+
+// A context with two maps in force, a line and a constant surface, and a short list of the name 7.
+Specification evaluating() {
+  Specification gl;
+  define_line(gl, GL_MAP1_VERTEX_3, 1);
+  gl.Enable(GL_MAP1_VERTEX_3);
+  gl.Enable(GL_MAP2_VERTEX_3);
+  compile(gl, 7, [](Specification& c) { c.Indexf(77); });
+  return gl;
+}
+
+// All that can be seen, what was drawn since the last look included; numbers only, so that it can be
+// compared.
+std::vector<std::vector<GLdouble>> seen(Specification& gl) {
+  std::vector<std::vector<GLdouble>> all = queryable_state(gl);
+  for (const GLenum pname : {GL_LIST_BASE, GL_LIST_INDEX, GL_LIST_MODE, GL_ATTRIB_STACK_DEPTH}) {
+    all.push_back(get(gl, pname));
+  }
+  for (const Primitive& primitive : gl.take_primitives()) {
+    all.push_back({double(primitive.mode)});
+    for (const Vertex& vertex : primitive.vertices) {
+      std::vector<GLdouble> values{double(vertex.edge_flag), rounded(vertex.index)};
+      const auto add = [&](const auto& part) { values.insert(values.end(), part.begin(), part.end()); };
+      add(rounded(vertex.position));
+      add(rounded(vertex.color));
+      add(rounded(vertex.normal));
+      for (const auto& unit : vertex.texture_coordinate) add(rounded(unit));
+      all.push_back(values);
+    }
+  }
+  return all;
+}
+
+std::vector<float> drawn_x(Specification& gl) {
+  std::vector<float> x;
+  for (const Primitive& primitive : gl.take_primitives()) {
+    for (const Vertex& vertex : primitive.vertices) x.push_back(rounded(vertex.position[0]));
+  }
+  return x;
+}
+
+GLdouble current_index(Specification& gl) { return get(gl, GL_CURRENT_INDEX)[0]; }
+
+// Every command that is compiled, at least one form of each.
+struct Compiled {
+  const char* name;
+  Commands issue;
+  bool inside;  // shows something between Begin and End
+};
+const GLfloat kFloats[] = {1.5f, 2.5f, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 8.5f, 9.5f, 10.5f, 11.5f, 12.5f};
+const GLdouble kDoubles[] = {1.25, 2.25, 3.25, 4.25, 5.25, 6.25, 7.25, 8.25, 9.25, 10.25, 11.25, 12.25};
+const GLboolean kFlag = GL_FALSE;
+const GLubyte kOffsets[] = {7, 0};
+const Compiled kCompiled[] = {
+    {"Map1f", [](Specification& c) { c.Map1f(GL_MAP1_NORMAL, 1, 2, 4, 3, kFloats); }, false},
+    {"Map1d", [](Specification& c) { c.Map1d(GL_MAP1_NORMAL, 1, 2, 4, 3, kDoubles); }, false},
+    {"Map2f", [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 1, 2, 4, 2, 3, 4, 2, 2, kFloats); }, false},
+    {"Map2d", [](Specification& c) { c.Map2d(GL_MAP2_INDEX, 1, 2, 4, 2, 3, 4, 2, 2, kDoubles); }, false},
+    {"MapGrid1f", [](Specification& c) { c.MapGrid1f(3, 4, 5); }, false},
+    {"MapGrid1d", [](Specification& c) { c.MapGrid1d(3, 0.1, 5); }, false},
+    {"MapGrid2f", [](Specification& c) { c.MapGrid2f(3, 4, 5, 6, 7, 8); }, false},
+    {"MapGrid2d", [](Specification& c) { c.MapGrid2d(3, 0.1, 5, 6, 7, 8); }, false},
+    {"EvalCoord1f", [](Specification& c) { c.EvalCoord1f(0.5f); }, true},
+    {"EvalCoord1d", [](Specification& c) { c.EvalCoord1d(0.1); }, true},
+    {"EvalCoord1fv", [](Specification& c) { c.EvalCoord1fv(kFloats); }, true},
+    {"EvalCoord1dv", [](Specification& c) { c.EvalCoord1dv(kDoubles); }, true},
+    {"EvalCoord2f", [](Specification& c) { c.EvalCoord2f(0.5f, 0.25f); }, true},
+    {"EvalCoord2d", [](Specification& c) { c.EvalCoord2d(0.1, 0.2); }, true},
+    {"EvalCoord2fv", [](Specification& c) { c.EvalCoord2fv(kFloats); }, true},
+    {"EvalCoord2dv", [](Specification& c) { c.EvalCoord2dv(kDoubles); }, true},
+    {"EvalPoint1", [](Specification& c) { c.EvalPoint1(1); }, true},
+    {"EvalPoint2", [](Specification& c) { c.EvalPoint2(1, 0); }, true},
+    {"EvalMesh1", [](Specification& c) { c.EvalMesh1(GL_LINE, 0, 3); }, false},
+    {"EvalMesh2", [](Specification& c) { c.EvalMesh2(GL_FILL, 0, 1, 0, 1); }, false},
+    {"Enable", [](Specification& c) { c.Enable(GL_AUTO_NORMAL); }, false},
+    {"Disable", [](Specification& c) { c.Disable(GL_MAP1_VERTEX_3); }, false},
+    {"Begin and End", [](Specification& c) { (c.Begin(GL_LINES), c.End()); }, false},
+    {"Vertex3f", [](Specification& c) { c.Vertex3f(1, 2, 3); }, true},
+    {"Vertex4dv", [](Specification& c) { c.Vertex4dv(kDoubles); }, true},
+    {"Color4f", [](Specification& c) { c.Color4f(0.1f, 0.2f, 0.3f, 0.4f); }, true},
+    {"Color3fv", [](Specification& c) { c.Color3fv(kFloats); }, true},
+    {"Normal3d", [](Specification& c) { c.Normal3d(1, 2, 3); }, true},
+    {"TexCoord4f", [](Specification& c) { c.TexCoord4f(1, 2, 3, 4); }, true},
+    {"MultiTexCoord2fv", [](Specification& c) { c.MultiTexCoord2fv(GL_TEXTURE0, kFloats); }, true},
+    {"Indexf", [](Specification& c) { c.Indexf(5); }, true},
+    {"EdgeFlag", [](Specification& c) { c.EdgeFlag(GL_FALSE); }, true},
+    {"EdgeFlagv", [](Specification& c) { c.EdgeFlagv(&kFlag); }, true},
+    {"ActiveTexture", [](Specification& c) { c.ActiveTexture(GL_TEXTURE3); }, false},
+    {"PushAttrib", [](Specification& c) { c.PushAttrib(GL_EVAL_BIT); }, false},
+    {"PopAttrib", [](Specification& c) { (c.PushAttrib(0), c.PushAttrib(0), c.PopAttrib()); }, false},
+    {"CallList", [](Specification& c) { c.CallList(7); }, true},
+    {"CallLists", [](Specification& c) { c.CallLists(2, GL_UNSIGNED_BYTE, kOffsets); }, true},
+    {"ListBase", [](Specification& c) { c.ListBase(5); }, false}};
+
+void issue(Specification& gl, const Compiled& command, const Commands& how) {
+  if (command.inside) gl.Begin(GL_POINTS);
+  how(gl);
+  if (command.inside) (gl.Vertex2f(0, 0), gl.End());  // the vertex shows current values
+}
+
+TEST(DisplayLists, HoldCommandsUntilTheyAreCalled) {  // EV-DL-COMPILED, EV-DL-EXECUTE, EV-DL-REPEAT
+  for (const Compiled& command : kCompiled) {
+    SCOPED_TRACE(command.name);
+    Specification immediate = evaluating(), gl = evaluating();
+    const auto before = seen(gl);
+    compile(gl, 1, command.issue);
+    EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{});
+    EXPECT_EQ(seen(gl), before);
+    for (int i = 0; i < 2; ++i) {
+      issue(immediate, command, command.issue);
+      issue(gl, command, [](Specification& c) { c.CallList(1); });
+      const auto expected = seen(immediate);
+      EXPECT_NE(expected, before);  // so the command does something
+      EXPECT_EQ(seen(gl), expected);
+    }
+    expect_error(gl, GL_NO_ERROR);
+  }
+}
+
+TEST(DisplayLists, AreExecutedOnceWhileTheyAreCompiled) {  // EV-DL-COMPEXEC
+  for (const Compiled& command : kCompiled) {
+    SCOPED_TRACE(command.name);
+    Specification immediate = evaluating(), gl = evaluating();
+    const auto commands = [&](Specification& c) { issue(c, command, command.issue); };
+    commands(immediate);
+    compile(gl, 1, commands, GL_COMPILE_AND_EXECUTE);
+    EXPECT_EQ(seen(gl), seen(immediate));
+    commands(immediate);
+    gl.CallList(1);
+    EXPECT_EQ(seen(gl), seen(immediate));
+    expect_error(gl, GL_NO_ERROR);
+  }
+}
+
+// Heap memory of exactly the size that a command may read, gone after the call.
+template <typename T>
+std::unique_ptr<T[]> heap(std::initializer_list<T> values) {
+  auto memory = std::make_unique<T[]>(values.size());
+  std::ranges::copy(values, memory.get());
+  return memory;
+}
+
+TEST(DisplayLists, CopyPoints) {  // EV-DL-POINTS-COPIED, EV-DL-STRIDE-KEPT, EV-MAP1-STRIDE, EV-DL-DOUBLE
+  Specification gl;
+  compile(gl, 1, [](Specification& c) {
+    const auto floats = heap<GLfloat>({1, 2, 3, 99, 98, 4, 5, 6});  // no padding behind the last point
+    c.Map1f(GL_MAP1_NORMAL, 0, 1, 5, 2, floats.get());
+    std::fill_n(floats.get(), 8, 55.0f);
+    const auto doubles = heap<GLdouble>({0.1, 99, 0.2});
+    c.Map1d(GL_MAP1_INDEX, 1.0 / 3, 1, 2, 2, doubles.get());
+    std::fill_n(doubles.get(), 3, 55.0);
+    const auto net = heap<GLfloat>({1, 99, 2, 99, 99, 3, 99, 4});
+    c.Map2f(GL_MAP2_INDEX, 0, 1, 5, 2, 0, 1, 2, 2, net.get());
+    std::fill_n(net.get(), 8, 55.0f);
+    const auto double_net = heap<GLdouble>({0.1, 0.2, 0.3, 0.4, 0.5, 0.6});
+    c.Map2d(GL_MAP2_TEXTURE_COORD_1, 0, 1, 1, 2, 0, 0.7, 2, 3, double_net.get());
+    std::fill_n(double_net.get(), 6, 55.0);
+  });
+  EXPECT_EQ(get_map(gl, GL_MAP1_NORMAL, GL_ORDER), std::vector<GLdouble>{1});
+  gl.CallList(1);
+  EXPECT_EQ(get_map(gl, GL_MAP1_NORMAL, GL_COEFF), (std::vector<GLdouble>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(get_map(gl, GL_MAP1_INDEX, GL_COEFF), (std::vector<GLdouble>{0.1, 0.2}));
+  EXPECT_EQ(get_map(gl, GL_MAP1_INDEX, GL_DOMAIN), (std::vector<GLdouble>{1.0 / 3, 1}));
+  EXPECT_EQ(get_map(gl, GL_MAP2_INDEX, GL_COEFF), (std::vector<GLdouble>{1, 2, 3, 4}));
+  EXPECT_EQ(get_map(gl, GL_MAP2_TEXTURE_COORD_1, GL_COEFF),
+            (std::vector<GLdouble>{0.1, 0.3, 0.5, 0.2, 0.4, 0.6}));
+  EXPECT_EQ(get_map(gl, GL_MAP2_TEXTURE_COORD_1, GL_DOMAIN), (std::vector<GLdouble>{0, 1, 0, 0.7}));
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, CopyOtherArrays) {  // EV-DL-POINTS-COPIED
+  Specification gl = evaluating();
+  compile(gl, 1, [](Specification& c) {
+    auto color = heap<GLdouble>({0.5, 0.25, 0.125, 0.75});
+    c.Color4dv(color.get());
+    color.reset();
+    auto argument = heap<GLfloat>({0.5f});
+    c.EvalCoord1fv(argument.get());
+    argument.reset();
+    auto lists = heap<GLushort>({7});
+    c.CallLists(1, GL_UNSIGNED_SHORT, lists.get());
+    lists.reset();
+  });
+  gl.Begin(GL_POINTS);
+  gl.CallList(1);
+  gl.End();
+  EXPECT_EQ(drawn_x(gl), std::vector<float>{6});
+  EXPECT_EQ(get(gl, GL_CURRENT_COLOR), (std::vector<GLdouble>{0.5, 0.25, 0.125, 0.75}));
+  EXPECT_EQ(current_index(gl), 77);
+}
+
+TEST(DisplayLists, RaiseErrorsWhenCalled) {  // EV-DL-ERR-LATE, EV-DL-ERR-ALL, EV-DL-ERR-CONTINUE
+  static const GLfloat one = 1;              // there is no more to read where the arguments are wrong
+  static const GLdouble one_double = 1;
+  struct Wrong {
+    GLenum error;
+    Commands issue;
+  };
+  const Wrong all[] = {
+      {GL_INVALID_ENUM, [](Specification& c) { c.Map1f(GL_MAP2_VERTEX_3, 0, 1, 3, 64, &one); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.Map2d(0, 0, 1, 3, 64, 0, 1, 3, 64, &one_double); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 0, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 0, 1, 3, 65, &one_double); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 2, 64, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map1d(GL_MAP1_VERTEX_3, 5, 5, 3, 64, &one_double); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 65, 0, 1, 1, 1, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 0, 64, 0, 1, 1, 64, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.Map2f(GL_MAP2_INDEX, 0, 1, 1, 64, 2, 2, 1, 64, &one); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.MapGrid1f(0, 0, 1); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.MapGrid2d(1, 0, 1, -1, 0, 1); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.EvalMesh1(GL_FILL, 0, 1); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.EvalMesh2(GL_LINES, 0, 1, 0, 1); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.Enable(GL_MAP1_COLOR_4 - 1); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.Begin(GL_POLYGON + 1); }},
+      {GL_INVALID_OPERATION, [](Specification& c) { c.End(); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.ActiveTexture(0); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.MultiTexCoord1f(0, 1); }},
+      {GL_INVALID_VALUE, [](Specification& c) { c.CallLists(-1, GL_BYTE, &one); }},
+      {GL_INVALID_ENUM, [](Specification& c) { c.CallLists(1, GL_DOUBLE, &one); }},
+      {GL_STACK_UNDERFLOW, [](Specification& c) { c.PopAttrib(); }},
+      {GL_STACK_OVERFLOW, [](Specification& c) {
+         for (int i = 0; i <= 16; ++i) c.PushAttrib(0);
+       }}};
+  for (const Wrong& wrong : all) {
+    SCOPED_TRACE(&wrong - all);
+    Specification gl;
+    compile(gl, 1, [&](Specification& c) {
+      wrong.issue(c);
+      c.Indexf(3);
+    });
+    expect_error(gl, GL_NO_ERROR);
+    for (int i = 0; i < 2; ++i) {
+      gl.Indexf(1);
+      gl.CallList(1);
+      EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{wrong.error});
+      EXPECT_EQ(current_index(gl), 3);  // an error does not end the list
+      expect_error(gl, wrong.error);
+    }
+    compile(gl, 1, wrong.issue, GL_COMPILE_AND_EXECUTE);
+    expect_error(gl, wrong.error);
+  }
+}
+
+TEST(DisplayLists, ReportTheFirstOfTheirErrors) {
+  Specification gl;
+  compile(gl, 1, [](Specification& c) { c.Indexf(1); });
+  compile(gl, 2, [](Specification& c) {
+    c.CallList(1);
+    c.MapGrid1f(0, 0, 1);             // INVALID_VALUE
+    c.Map1f(0, 1, 1, 0, 0, nullptr);  // INVALID_ENUM or INVALID_VALUE
+    c.CallList(1);
+  });
+  compile(gl, 3, [](Specification& c) { c.Enable(0); });  // INVALID_ENUM
+  const GLubyte lists[] = {1, 2, 3};
+  gl.CallLists(3, GL_UNSIGNED_BYTE, lists);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_VALUE});
+  expect_error(gl, GL_INVALID_VALUE);
+  gl.CallList(1);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{});
+  compile(gl, 4, [](Specification& c) { c.Map1f(0, 1, 1, 0, 0, nullptr); });
+  gl.CallList(4);
+  EXPECT_EQ(gl.permitted_errors(), (std::vector<GLenum>{GL_INVALID_ENUM, GL_INVALID_VALUE}));
+}
+
+TEST(DisplayLists, JudgeTheActiveTextureWhenCalled) {  // EV-DL-ACTIVETEX
+  const GLfloat points[] = {5};
+  const auto map = [&](Specification& c) { c.Map1f(GL_MAP1_INDEX, 0, 1, 1, 1, points); };
+  Specification gl;
+  gl.ActiveTexture(GL_TEXTURE1);
+  compile(gl, 1, map);
+  gl.CallList(1);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+  expect_error(gl, GL_INVALID_OPERATION);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.CallList(1);
+  expect_error(gl, GL_NO_ERROR);
+  EXPECT_EQ(get_map(gl, GL_MAP1_INDEX, GL_COEFF), std::vector<GLdouble>{5});
+}
+
+TEST(DisplayLists, UseTheStateInForceWhenCalled) {  // EV-DL-EXECSTATE-MAP, EV-DL-EXECSTATE-GRID
+  Specification gl = evaluating();
+  compile(gl, 1, [](Specification& c) {
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(0);
+    c.EvalPoint1(1);
+    c.End();
+    c.EvalMesh1(GL_POINT, 0, 1);
+  });
+  gl.CallList(1);
+  EXPECT_EQ(drawn_x(gl), (std::vector<float>{1, 11, 1, 11}));
+  define_line(gl, GL_MAP1_VERTEX_3, 100);
+  gl.MapGrid1f(2, 0, 1);
+  gl.CallList(1);
+  EXPECT_EQ(drawn_x(gl), (std::vector<float>{100, 105, 100, 105}));
+  gl.Disable(GL_MAP1_VERTEX_3);
+  gl.CallList(1);
+  EXPECT_EQ(drawn_x(gl), std::vector<float>{});
+}
+
+TEST(DisplayLists, LeaveCurrentValuesAlone) {  // EV-DL-CURRENT, EV-DL-NESTED
+  Specification gl = evaluating();
+  compile(gl, 1, [](Specification& c) {
+    define_line(c, GL_MAP1_TEXTURE_COORD_1, 0);
+    c.Enable(GL_MAP1_TEXTURE_COORD_1);
+  });
+  compile(gl, 2, [](Specification& c) {
+    c.CallList(1);
+    c.TexCoord4f(5, 6, 7, 8);
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(0.5f);
+    c.Vertex2f(0, 0);
+    c.End();
+  });
+  gl.CallList(2);
+  const auto primitives = gl.take_primitives();
+  ASSERT_EQ(primitives.size(), 1u);
+  ASSERT_EQ(primitives[0].vertices.size(), 2u);
+  EXPECT_EQ(rounded(primitives[0].vertices[0].texture_coordinate[0]), (Values4{5, 0, 0, 1}));
+  EXPECT_EQ(rounded(primitives[0].vertices[1].texture_coordinate[0]), (Values4{5, 6, 7, 8}));
+}
+
+TEST(DisplayLists, DoNotHoldWhatTheGlExecutesAtOnce) {  // EV-DL-GETMAP
+  Specification gl;
+  gl.NewList(1, GL_COMPILE);
+  define_line(gl, GL_MAP1_INDEX, 5);
+  gl.Enable(GL_MAP1_INDEX);
+  EXPECT_EQ(get_map(gl, GL_MAP1_INDEX, GL_ORDER), std::vector<GLdouble>{1});
+  GLint order = 0;
+  gl.GetnMapiv(GL_MAP1_INDEX, GL_ORDER, 4, &order);
+  EXPECT_EQ(order, 1);
+  EXPECT_EQ(gl.IsEnabled(GL_MAP1_INDEX), GL_FALSE);
+  EXPECT_NE(gl.GetString(GL_VERSION), nullptr);
+  gl.Flush();
+  gl.Finish();
+  gl.GetIntegerv(0, &order);
+  expect_error(gl, GL_INVALID_ENUM);
+  const GLuint names = gl.GenLists(2);
+  EXPECT_EQ(names, 2u);  // 1 is going to be used
+  EXPECT_EQ(gl.IsList(names), GL_TRUE);
+  gl.DeleteLists(names, 1);
+  EXPECT_EQ(gl.IsList(names), GL_FALSE);
+  gl.EndList();
+  gl.Begin(GL_POINTS);  // each of them would be an error here
+  gl.CallList(1);
+  gl.End();
+  expect_error(gl, GL_INVALID_OPERATION);  // of Map1f and Enable
+  gl.DeleteLists(3, 1);
+  gl.CallList(1);
+  expect_error(gl, GL_NO_ERROR);
+  EXPECT_EQ(gl.IsList(names), GL_FALSE);
+}
+
+TEST(DisplayLists, MayHoldPartsOfAPrimitive) {  // EV-DL-SPLIT, EV-DL-INBEGIN
+  Specification gl = evaluating();
+  compile(gl, 1, [](Specification& c) { c.Begin(GL_LINE_STRIP); });
+  expect_error(gl, GL_NO_ERROR);  // not inside
+  compile(gl, 2, [](Specification& c) { c.EvalCoord1f(0); });
+  compile(gl, 3, [](Specification& c) {
+    c.MapGrid1f(5, 0, 1);
+    c.EvalMesh1(GL_LINE, 0, 1);
+    c.EvalPoint1(1);
+  });
+  compile(gl, 4, [](Specification& c) { c.End(); });
+  gl.CallList(1);
+  gl.CallList(2);
+  gl.EvalCoord1f(0.5f);
+  gl.CallList(3);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+  const GLubyte rest[] = {2, 4};
+  gl.CallLists(2, GL_UNSIGNED_BYTE, rest);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{});
+  const auto primitives = gl.take_primitives();
+  ASSERT_EQ(primitives.size(), 1u);
+  EXPECT_EQ(primitives[0].mode, static_cast<GLenum>(GL_LINE_STRIP));
+  ASSERT_EQ(primitives[0].vertices.size(), 4u);
+  EXPECT_EQ(rounded(primitives[0].vertices[2].position[0]), 11);  // of the grid as it was
+  expect_error(gl, GL_INVALID_OPERATION);
+  EXPECT_EQ(get(gl, GL_MAP1_GRID_SEGMENTS), std::vector<GLdouble>{1});
+}
+
+TEST(DisplayLists, OpenAndCloseOutsideBeginAndEnd) {
+  Specification gl;
+  gl.Begin(GL_POINTS);
+  gl.NewList(1, GL_COMPILE);
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+  gl.Vertex2f(1, 0);  // executed
+  gl.End();
+  expect_error(gl, GL_INVALID_OPERATION);
+  EXPECT_EQ(drawn_x(gl), std::vector<float>{1});
+
+  gl.NewList(1, GL_COMPILE_AND_EXECUTE);
+  gl.Begin(GL_POINTS);
+  gl.EndList();
+  EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+  gl.Vertex2f(2, 0);  // still compiled
+  gl.End();
+  EXPECT_EQ(get(gl, GL_LIST_INDEX), std::vector<GLdouble>{1});
+  gl.EndList();
+  expect_error(gl, GL_INVALID_OPERATION);
+  gl.CallList(1);
+  EXPECT_EQ(drawn_x(gl), (std::vector<float>{2, 2}));
+}
+
+TEST(DisplayLists, HaveErrorsOfTheirOwn) {
+  struct Wrong {
+    std::vector<GLenum> errors;
+    Commands issue;
+  };
+  const Wrong all[] = {
+      {{GL_INVALID_VALUE}, [](Specification& c) { c.NewList(0, GL_COMPILE); }},
+      {{GL_INVALID_ENUM}, [](Specification& c) { c.NewList(1, GL_COMPILE_AND_EXECUTE + 1); }},
+      {{GL_INVALID_VALUE, GL_INVALID_ENUM}, [](Specification& c) { c.NewList(0, 0); }},
+      {{GL_INVALID_OPERATION}, [](Specification& c) { c.EndList(); }},
+      {{GL_INVALID_VALUE}, [](Specification& c) { EXPECT_EQ(c.GenLists(-1), 0u); }},
+      {{GL_OUT_OF_MEMORY}, [](Specification& c) { EXPECT_EQ(c.GenLists(0x7FFFFFFF), 0u); }},
+      {{GL_INVALID_VALUE}, [](Specification& c) { c.DeleteLists(1, -1); }},
+      {{GL_INVALID_VALUE}, [](Specification& c) { c.CallLists(-1, GL_INT, kOffsets); }},
+      {{GL_INVALID_ENUM}, [](Specification& c) { c.CallLists(0, GL_DOUBLE, kOffsets); }},
+      {{GL_INVALID_ENUM}, [](Specification& c) { c.CallLists(0, GL_BYTE - 1, kOffsets); }}};
+  for (const Wrong& wrong : all) {
+    SCOPED_TRACE(&wrong - all);
+    Specification gl = evaluating();
+    const auto before = seen(gl);
+    wrong.issue(gl);
+    EXPECT_EQ(gl.permitted_errors(), wrong.errors);
+    expect_error(gl, wrong.errors.front());
+    EXPECT_EQ(seen(gl), before);
+    EXPECT_EQ(gl.IsList(7), GL_TRUE);
+    EXPECT_EQ(gl.IsList(1), GL_FALSE);
+  }
+}
+
+TEST(DisplayLists, AreNotAllowedInsideBeginAndEnd) {
+  const Commands all[] = {[](Specification& c) { c.NewList(1, GL_COMPILE); },
+                          [](Specification& c) { c.EndList(); },
+                          [](Specification& c) { c.ListBase(5); },
+                          [](Specification& c) { EXPECT_EQ(c.GenLists(1), 0u); },
+                          [](Specification& c) { EXPECT_EQ(c.IsList(7), GL_FALSE); },
+                          [](Specification& c) { c.DeleteLists(7, 1); },
+                          [](Specification& c) { c.Flush(); },
+                          [](Specification& c) { c.Finish(); }};
+  for (const Commands& command : all) {
+    SCOPED_TRACE(&command - all);
+    Specification gl = evaluating();
+    const auto before = seen(gl);
+    gl.Begin(GL_POINTS);
+    command(gl);
+    EXPECT_EQ(gl.permitted_errors(), std::vector<GLenum>{GL_INVALID_OPERATION});
+    gl.End();
+    expect_error(gl, GL_INVALID_OPERATION);
+    gl.take_primitives();
+    EXPECT_EQ(seen(gl), before);
+    EXPECT_EQ(gl.IsList(7), GL_TRUE);
+    EXPECT_EQ(gl.IsList(1), GL_FALSE);
+  }
+}
+
+TEST(DisplayLists, ReplaceOthersWhenTheyAreComplete) {
+  Specification gl;
+  compile(gl, 1, [](Specification& c) { c.Indexf(5); });
+  gl.NewList(1, GL_COMPILE_AND_EXECUTE);
+  gl.CallList(1);  // the old one
+  EXPECT_EQ(current_index(gl), 5);
+  gl.NewList(2, GL_COMPILE);
+  expect_error(gl, GL_INVALID_OPERATION);
+  EXPECT_EQ(get(gl, GL_LIST_INDEX), std::vector<GLdouble>{1});
+  gl.DeleteLists(1, 1);
+  EXPECT_EQ(gl.IsList(1), GL_FALSE);
+  gl.Indexf(6);
+  gl.EndList();
+  EXPECT_EQ(gl.IsList(1), GL_TRUE);
+  EXPECT_EQ(gl.IsList(2), GL_FALSE);
+  gl.Indexf(0);
+  gl.CallList(1);
+  EXPECT_EQ(current_index(gl), 6);
+  compile(gl, 1, [](Specification&) {});
+  gl.Indexf(0);
+  gl.CallList(1);
+  EXPECT_EQ(current_index(gl), 0);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, HoldCallsAndNotWhatIsCalled) {
+  Specification gl;
+  compile(gl, 1, [](Specification& c) { c.Indexf(5); });
+  compile(
+      gl, 2, [](Specification& c) { c.CallList(1); }, GL_COMPILE_AND_EXECUTE);
+  EXPECT_EQ(current_index(gl), 5);
+  compile(gl, 1, [](Specification& c) { c.Indexf(6); });
+  gl.CallList(2);
+  EXPECT_EQ(current_index(gl), 6);
+  gl.DeleteLists(1, 1);
+  gl.Indexf(0);
+  gl.CallList(2);
+  EXPECT_EQ(current_index(gl), 0);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, OfOtherNamesAreIgnored) {
+  Specification gl;
+  gl.CallList(0);
+  gl.CallList(5);
+  const GLuint names[] = {0, 5, 0xFFFFFFFF};
+  gl.CallLists(3, GL_UNSIGNED_INT, names);
+  gl.DeleteLists(0, 0x7FFFFFFF);
+  gl.CallLists(3, GL_UNSIGNED_INT, nullptr);  // U-NULL
+  EXPECT_EQ(gl.IsList(0), GL_FALSE);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, NestToALimit) {
+  Specification gl;
+  for (GLuint i = 1; i <= 70; ++i) {
+    compile(gl, i, [&](Specification& c) {
+      c.Indexf(static_cast<GLfloat>(i));
+      c.CallList(i + 1);
+    });
+  }
+  gl.CallList(7);  // 64 lists
+  EXPECT_EQ(current_index(gl), 70);
+  gl.CallList(6);  // 65
+  EXPECT_EQ(current_index(gl), 69);
+  expect_error(gl, GL_NO_ERROR);
+
+  compile(gl, 1, [](Specification& c) {
+    c.Begin(GL_POINTS);
+    c.End();
+    c.CallList(1);
+  });
+  for (int i = 0; i < 2; ++i) {  // the depth does not stay
+    gl.CallList(1);
+    EXPECT_EQ(gl.take_primitives().size(), 64u);
+  }
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, GetFreeNames) {
+  Specification gl;
+  EXPECT_EQ(gl.GenLists(0), 0u);
+  compile(gl, 3, [](Specification&) {});
+  EXPECT_EQ(gl.GenLists(2), 1u);
+  EXPECT_EQ(gl.IsList(2), GL_TRUE);
+  gl.CallList(2);  // empty
+  EXPECT_EQ(gl.GenLists(2), 4u);
+  gl.DeleteLists(2, 3);
+  EXPECT_EQ(gl.IsList(1), GL_TRUE);
+  EXPECT_EQ(gl.IsList(2), GL_FALSE);
+  EXPECT_EQ(gl.IsList(4), GL_FALSE);
+  EXPECT_EQ(gl.IsList(5), GL_TRUE);
+  EXPECT_EQ(gl.GenLists(4), 6u);
+  EXPECT_EQ(gl.GenLists(3), 2u);
+  compile(gl, 0xFFFFFFFF, [](Specification&) {});
+  EXPECT_EQ(gl.GenLists(1), 10u);
+  gl.DeleteLists(0xFFFFFFFF, 2);  // does not go on at 0
+  EXPECT_EQ(gl.IsList(0xFFFFFFFF), GL_FALSE);
+  EXPECT_EQ(gl.IsList(1), GL_TRUE);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+// Calls one list and tells which.
+template <typename T>
+GLdouble called(Specification& gl, GLenum type, std::initializer_list<T> bytes_or_value) {
+  const auto memory = heap<T>(bytes_or_value);
+  gl.Indexf(-1);
+  gl.CallLists(1, type, memory.get());
+  return current_index(gl);
+}
+
+TEST(DisplayLists, AreCalledByOffsetsOfEveryType) {
+  Specification gl;
+  for (const GLuint name : {5u, 8u, 10u, 11u, 210u, 300u, 70000u, 0x12345678u, 0xFFFFFFFFu}) {
+    compile(gl, name, [&](Specification& c) { c.TexCoord1d(name), c.Indexf(static_cast<GLfloat>(name)); });
+  }
+  gl.ListBase(10);
+  EXPECT_EQ(called<GLbyte>(gl, GL_BYTE, {-5}), 5);
+  EXPECT_EQ(called<GLubyte>(gl, GL_UNSIGNED_BYTE, {200}), 210);
+  EXPECT_EQ(called<GLshort>(gl, GL_SHORT, {-2}), 8);
+  EXPECT_EQ(called<GLshort>(gl, GL_SHORT, {290}), 300);
+  EXPECT_EQ(called<GLushort>(gl, GL_UNSIGNED_SHORT, {290}), 300);
+  EXPECT_EQ(called<GLint>(gl, GL_INT, {-5}), 5);
+  EXPECT_EQ(called<GLint>(gl, GL_INT, {69990}), 70000);
+  EXPECT_EQ(called<GLuint>(gl, GL_UNSIGNED_INT, {69990}), 70000);
+  EXPECT_EQ(called<GLuint>(gl, GL_UNSIGNED_INT, {0xFFFFFFFEu}), 8);
+  EXPECT_EQ(called<GLfloat>(gl, GL_FLOAT, {290.9f}), 300);
+  EXPECT_EQ(called<GLfloat>(gl, GL_FLOAT, {-2.9f}), 8);
+  for (const GLfloat far : {std::numeric_limits<GLfloat>::quiet_NaN(), HUGE_VALF, -HUGE_VALF, 1e30f}) {
+    called<GLfloat>(gl, GL_FLOAT, {far});  // anything, but no harm
+  }
+  EXPECT_EQ(called<GLubyte>(gl, GL_2_BYTES, {1, 34}), 300);
+  EXPECT_EQ(called<GLubyte>(gl, GL_3_BYTES, {1, 0x11, 0x66}), 70000);
+  EXPECT_EQ(called<GLubyte>(gl, GL_4_BYTES, {0x12, 0x34, 0x56, 0x6E}), GLfloat(0x12345678));
+  EXPECT_EQ(called<GLubyte>(gl, GL_4_BYTES, {0xFF, 0xFF, 0xFF, 0xF5}), GLfloat(0xFFFFFFFF));
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, AreCalledInOrder) {
+  Specification gl;
+  for (GLuint name = 1; name <= 3; ++name) {
+    compile(gl, name, [&](Specification& c) { c.Vertex2f(static_cast<GLfloat>(name), 0); });
+  }
+  const auto pairs = heap<GLubyte>({0, 3, 0, 1, 0, 2, 0, 1});
+  const auto triples = heap<GLubyte>({0, 0, 2, 0, 0, 3});
+  const auto shorts = heap<GLshort>({1, 3});
+  gl.Begin(GL_POINTS);
+  gl.CallLists(4, GL_2_BYTES, pairs.get());
+  gl.CallLists(2, GL_3_BYTES, triples.get());
+  gl.CallLists(2, GL_SHORT, shorts.get());
+  gl.CallLists(0, GL_SHORT, shorts.get());
+  gl.End();
+  EXPECT_EQ(drawn_x(gl), (std::vector<float>{3, 1, 2, 1, 2, 3, 1, 3}));
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, CountFromTheBaseInForceWhenCalled) {
+  Specification gl;
+  compile(gl, 2, [](Specification& c) { c.Indexf(2); });
+  compile(gl, 12, [](Specification& c) { c.Indexf(12); });
+  compile(gl, 1, [](Specification& c) { c.ListBase(10); });
+  EXPECT_EQ(get(gl, GL_LIST_BASE), std::vector<GLdouble>{0});
+  const GLubyte two = 2;
+  compile(gl, 3, [&](Specification& c) { c.CallLists(1, GL_UNSIGNED_BYTE, &two); });
+  gl.CallList(3);
+  EXPECT_EQ(current_index(gl), 2);
+  const GLubyte both[] = {1, 2};  // one base for all of a command
+  gl.CallLists(2, GL_UNSIGNED_BYTE, both);
+  EXPECT_EQ(current_index(gl), 2);
+  EXPECT_EQ(get(gl, GL_LIST_BASE), std::vector<GLdouble>{10});
+  gl.CallList(3);
+  EXPECT_EQ(current_index(gl), 12);
+  gl.CallList(2);  // CallList has no base
+  EXPECT_EQ(current_index(gl), 2);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, ShowInEveryFormOfGet) {
+  Specification gl;
+  const auto expect = [&](GLenum pname, GLint value) {
+    GLboolean b = 7;
+    GLint i = -7;
+    GLfloat f = -7;
+    GLdouble d = -7;
+    gl.GetBooleanv(pname, &b);
+    gl.GetIntegerv(pname, &i);
+    gl.GetFloatv(pname, &f);
+    gl.GetDoublev(pname, &d);
+    EXPECT_EQ(b, value != 0 ? GL_TRUE : GL_FALSE) << std::hex << pname;
+    EXPECT_EQ(i, value) << std::hex << pname;
+    EXPECT_EQ(f, static_cast<GLfloat>(value)) << std::hex << pname;
+    EXPECT_EQ(d, value) << std::hex << pname;
+  };
+  expect(GL_LIST_BASE, 0);
+  expect(GL_LIST_INDEX, 0);
+  expect(GL_LIST_MODE, 0);
+  expect(GL_MAX_LIST_NESTING, 64);
+  expect(GL_ATTRIB_STACK_DEPTH, 0);
+  expect(GL_MAX_ATTRIB_STACK_DEPTH, 16);
+  gl.ListBase(12);
+  gl.PushAttrib(0);
+  gl.NewList(5, GL_COMPILE);
+  expect(GL_LIST_BASE, 12);
+  expect(GL_LIST_INDEX, 5);
+  expect(GL_LIST_MODE, GL_COMPILE);
+  expect(GL_ATTRIB_STACK_DEPTH, 1);
+  gl.EndList();
+  expect(GL_LIST_INDEX, 0);
+  gl.NewList(5, GL_COMPILE_AND_EXECUTE);
+  expect(GL_LIST_MODE, GL_COMPILE_AND_EXECUTE);
+  expect_error(gl, GL_NO_ERROR);
+}
+
+TEST(DisplayLists, AreCopiedWithTheContext) {
+  Specification gl;
+  compile(gl, 1, [](Specification& c) { c.Indexf(5); });
+  gl.NewList(2, GL_COMPILE);
+  Specification copy = gl;
+  gl.EndList();
+  gl.DeleteLists(1, 1);
+  EXPECT_EQ(copy.IsList(2), GL_FALSE);
+  copy.Indexf(6);
+  copy.EndList();
+  gl.CallList(2);
+  EXPECT_EQ(current_index(gl), 1);
+  copy.CallList(1);
+  EXPECT_EQ(current_index(copy), 5);
+  copy.CallList(2);
+  EXPECT_EQ(current_index(copy), 6);
+  EXPECT_EQ(current_index(gl), 1);  // a command acts on the context that executes it
+}
+
+}  // namespace
+}  // namespace evalcts::reference
