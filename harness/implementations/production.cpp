@@ -40,6 +40,9 @@ gl::Table bind_functions() {
   BIND(GetMapfv);
   BIND(GetMapdv);
   BIND(GetMapiv);
+  BIND(GetnMapfv);
+  BIND(GetnMapdv);
+  BIND(GetnMapiv);
   BIND(Enable);
   BIND(Disable);
   BIND(IsEnabled);
@@ -49,6 +52,8 @@ gl::Table bind_functions() {
   BIND(GetDoublev);
   BIND(GetString);
   BIND(GetError);
+  BIND(Flush);
+  BIND(Finish);
   BIND(Begin);
   BIND(End);
   BIND(Vertex2f);
@@ -114,6 +119,16 @@ gl::Table bind_functions() {
   BIND(EdgeFlag);
   BIND(EdgeFlagv);
   BIND(ActiveTexture);
+  BIND(NewList);
+  BIND(EndList);
+  BIND(CallList);
+  BIND(CallLists);
+  BIND(ListBase);
+  BIND(GenLists);
+  BIND(IsList);
+  BIND(DeleteLists);
+  BIND(PushAttrib);
+  BIND(PopAttrib);
 #undef BIND
   return table;
 }

@@ -8,8 +8,8 @@
  *   2. Batches. A glev_plan is an immutable snapshot of what the enabled maps of a context evaluate to;
  *      glevEvaluate1 runs an array of arguments through it into memory of the caller.
  *
- * Today: the GL commands for maps of both dimensions, grids and meshes; batches of one-dimensional maps. No
- * display lists, no attribute stack.
+ * Today: the GL commands for maps of both dimensions, grids and meshes, with display lists and the attribute
+ * stack; batches of one-dimensional maps.
  *
  * Conventions
  *   - C99 and C++. No globals: everything hangs on a context or a plan.
@@ -46,12 +46,15 @@
 extern "C" {
 #endif
 
-/* ---- Types: the same representation as GLenum, GLboolean, GLubyte, GLint, GLfloat and GLdouble ---- */
+/* ---- Types: the same representation as GLenum, GLbitfield, GLboolean, GLubyte, GLint (and GLsizei), GLuint,
+ * GLfloat and GLdouble ---- */
 
 typedef unsigned int glev_enum;
+typedef unsigned int glev_bitfield;
 typedef unsigned char glev_boolean;
 typedef unsigned char glev_ubyte;
 typedef int glev_int;
+typedef unsigned int glev_uint;
 typedef float glev_float;
 typedef double glev_double;
 
@@ -69,9 +72,20 @@ typedef struct glev_plan glev_plan;
 #define GLEV_INVALID_ENUM 0x0500
 #define GLEV_INVALID_VALUE 0x0501
 #define GLEV_INVALID_OPERATION 0x0502
+#define GLEV_STACK_OVERFLOW 0x0503
+#define GLEV_STACK_UNDERFLOW 0x0504
 #define GLEV_OUT_OF_MEMORY 0x0505
 
+#define GLEV_BYTE 0x1400
+#define GLEV_UNSIGNED_BYTE 0x1401
+#define GLEV_SHORT 0x1402
+#define GLEV_UNSIGNED_SHORT 0x1403
+#define GLEV_INT 0x1404
+#define GLEV_UNSIGNED_INT 0x1405
 #define GLEV_FLOAT 0x1406
+#define GLEV_2_BYTES 0x1407
+#define GLEV_3_BYTES 0x1408
+#define GLEV_4_BYTES 0x1409
 #define GLEV_DOUBLE 0x140A
 
 /* Targets: number of values of a control point in brackets (GL table 21.1), the same for both dimensions. */
@@ -121,6 +135,25 @@ typedef struct glev_plan glev_plan;
 #define GLEV_MAX_TEXTURE_UNITS 0x84E2
 #define GLEV_MAX_TEXTURE_COORDS 0x8871
 #define GLEV_TEXTURE0 0x84C0 /* unit i is GLEV_TEXTURE0 + i */
+
+#define GLEV_LIST_MODE 0x0B30
+#define GLEV_MAX_LIST_NESTING 0x0B31
+#define GLEV_LIST_BASE 0x0B32
+#define GLEV_LIST_INDEX 0x0B33
+#define GLEV_ATTRIB_STACK_DEPTH 0x0BB0
+#define GLEV_MAX_ATTRIB_STACK_DEPTH 0x0D35
+
+/* Modes of display lists. */
+#define GLEV_COMPILE 0x1300
+#define GLEV_COMPILE_AND_EXECUTE 0x1301
+
+/* Attribute groups: those of which this library has state. */
+#define GLEV_CURRENT_BIT 0x00000001
+#define GLEV_ENABLE_BIT 0x00002000
+#define GLEV_EVAL_BIT 0x00010000
+#define GLEV_LIST_BIT 0x00020000
+#define GLEV_TEXTURE_BIT 0x00040000
+#define GLEV_ALL_ATTRIB_BITS 0xFFFFFFFF
 
 #define GLEV_VENDOR 0x1F00
 #define GLEV_RENDERER 0x1F01
@@ -197,7 +230,8 @@ typedef struct glev_vertex {
 
 /* A callback that is null is not called. The vertex is valid during the call only. A callback may call the
  * context's commands that are legal between Begin and End, but EvalCoord, EvalPoint and Vertex call the sink
- * again. Each primitive of a mesh has its own begin and end; End from within them is an INVALID_OPERATION. */
+ * again, as CallList may. Each primitive of a mesh has its own begin and end; End from within them is an
+ * INVALID_OPERATION. */
 typedef struct glev_sink {
   size_t size;
   void* user;
@@ -261,6 +295,16 @@ GLEV_API void glevMap2d(glev_context* context, glev_enum target, glev_double u1,
 GLEV_API void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v);
 GLEV_API void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v);
 GLEV_API void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v);
+
+/* GetMap for an array of bufSize bytes at v: what does not fit is an error, and nothing is written (GL
+ * §21.1.1). INVALID_ENUM, INVALID_VALUE, INVALID_OPERATION: as for GetMap, and INVALID_VALUE: bufSize < 0.
+ * INVALID_OPERATION: the answer has more than bufSize bytes. */
+GLEV_API void glevGetnMapdv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+                            glev_double* v);
+GLEV_API void glevGetnMapfv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+                            glev_float* v);
+GLEV_API void glevGetnMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+                            glev_int* v);
 
 /* The 18 map enables and AUTO_NORMAL. INVALID_ENUM: any other name (this library has evaluator state only).
  * INVALID_OPERATION: between Begin and End; IsEnabled returns FALSE on error. */
@@ -425,13 +469,95 @@ GLEV_API void glevMultiTexCoord4dv(glev_context* context, glev_enum texture, con
  * INVALID_ENUM: not TEXTURE0 to TEXTURE0 + 7. INVALID_OPERATION: between Begin and End. */
 GLEV_API void glevActiveTexture(glev_context* context, glev_enum texture);
 
+/* ---- Display lists (GL §21.4) ---- */
+
+/* A list is a sequence of commands with a name, a number above 0. Each context has its own: lists are not
+ * shared.
+ *
+ * From NewList to EndList commands go into the list: Map, MapGrid, EvalCoord, EvalPoint, EvalMesh, Enable,
+ * Disable, Begin, End, Vertex, all that sets current values, ActiveTexture, PushAttrib, PopAttrib, CallList,
+ * CallLists and ListBase; in mode COMPILE_AND_EXECUTE they are executed as well. Everything else, queries
+ * above all, is executed at once and not part of the list. What pointers point to is read when the command is
+ * given, and never again. Everything else happens at execution: maps, enables, grids, the active texture, the
+ * list base and Begin/End count as they are then, and errors are recorded then. A command with an error does
+ * not end the list. Executing a list allocates nothing that its commands given one by one would not allocate.
+ *   A list calls others, itself too, up to MAX_LIST_NESTING (64) executing at once; a call beyond does
+ * nothing. Begin and End may stand in different lists or outside. Callbacks of the sink count as part of the
+ * command that calls them: what they issue is executed, but does not go into the open list. */
+
+/* Opens the list: `list` becomes its name at EndList. Until then the name stands for what it stood for
+ * before, or nothing. INVALID_VALUE: list is 0. INVALID_ENUM: mode is not COMPILE or COMPILE_AND_EXECUTE.
+ * INVALID_OPERATION: a list is open; between Begin and End; from a callback of the sink. */
+GLEV_API void glevNewList(glev_context* context, glev_uint list, glev_enum mode);
+
+/* Closes the list and gives it its name, replacing the list that had it.
+ * INVALID_OPERATION: no list is open; between Begin and End, also if the Begin was executed by this list's
+ *   COMPILE_AND_EXECUTE: the list remains open; from a callback of the sink.
+ * OUT_OF_MEMORY: a command found no memory (which it has recorded then, and nothing was compiled since), or
+ * there is none for the name: the list is closed and thrown away, the name stands for what it stood for
+ * before. */
+GLEV_API void glevEndList(glev_context* context);
+
+/* Executes a list; a name that is no list is ignored. Legal anywhere, but inside Begin/End the commands of
+ * the list have the errors that they have there. */
+GLEV_API void glevCallList(glev_context* context, glev_uint list);
+
+/* CallList(LIST_BASE + offset) for each of n offsets at `lists`, the sum modulo 2^32 with the list base of
+ * that moment. type: BYTE, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, INT, UNSIGNED_INT, FLOAT (rounded down),
+ * 2_BYTES, 3_BYTES, 4_BYTES (unsigned, most significant byte first). No alignment is required. INVALID_VALUE:
+ * n < 0; lists null unless n is 0. INVALID_ENUM: another type. */
+GLEV_API void glevCallLists(glev_context* context, glev_int n, glev_enum type, const void* lists);
+
+/* Sets the list base, initially 0. INVALID_OPERATION: between Begin and End. */
+GLEV_API void glevListBase(glev_context* context, glev_uint base);
+
+/* Makes empty lists with `range` successive unused names and returns the first one. 0 on error, if range is
+ * 0, or if there is no such range of names. The name of the open list counts as used. INVALID_VALUE: range <
+ * 0. INVALID_OPERATION: between Begin and End; from a callback of the sink. OUT_OF_MEMORY: nothing changed.
+ */
+GLEV_API glev_uint glevGenLists(glev_context* context, glev_int range);
+
+/* TRUE if there is a list of that name, be it an empty one. INVALID_OPERATION: between Begin and End (FALSE).
+ */
+GLEV_API glev_boolean glevIsList(glev_context* context, glev_uint list);
+
+/* Deletes the lists among the `range` names from `list` on; other names are ignored.
+ * INVALID_VALUE: range < 0.
+ * INVALID_OPERATION: between Begin and End; from a callback of the sink: so no list vanishes while it
+ * executes. OUT_OF_MEMORY: nothing changed; only if the names lie inside a range of GenLists that has not
+ * been filled. */
+GLEV_API void glevDeleteLists(glev_context* context, glev_uint list, glev_int range);
+
+/* ---- Attribute stack (GL §21.6) ---- */
+
+/* PushAttrib saves groups of state, PopAttrib brings back those that the matching PushAttrib saved:
+ *   EVAL_BIT: the 18 map enables, AUTO_NORMAL, both grids.
+ *   ENABLE_BIT: the 18 map enables and AUTO_NORMAL.
+ *   CURRENT_BIT: colour, index, normal, texture coordinates of all units, edge flag.
+ *   TEXTURE_BIT: the active texture.
+ *   LIST_BIT: the list base.
+ * Maps are in no group. Other bits save nothing and are no error. Neither command allocates.
+ * STACK_OVERFLOW: PushAttrib, MAX_ATTRIB_STACK_DEPTH (16) are waiting for their PopAttrib.
+ * STACK_UNDERFLOW: PopAttrib, none is.
+ * INVALID_OPERATION: between Begin and End. */
+GLEV_API void glevPushAttrib(glev_context* context, glev_bitfield mask);
+GLEV_API void glevPopAttrib(glev_context* context);
+
+/* ---- Flush and Finish (GL §2.3.2, §2.3.3) ---- */
+
+/* Nothing is ever buffered, so they do nothing. INVALID_OPERATION: between Begin and End. */
+GLEV_API void glevFlush(glev_context* context);
+GLEV_API void glevFinish(glev_context* context);
+
 /* ---- Queries (GL §2.2.2, §22) ---- */
 
 /* pname, with the number of values:
  *   one of the 18 map enables [1], AUTO_NORMAL [1], MAX_EVAL_ORDER [1], MAP1_GRID_DOMAIN [2: u1, u2],
  *   MAP1_GRID_SEGMENTS [1], MAP2_GRID_DOMAIN [4: u1, u2, v1, v2], MAP2_GRID_SEGMENTS [2: un, vn],
  *   CURRENT_COLOR [4], CURRENT_INDEX [1], CURRENT_NORMAL [3], CURRENT_TEXTURE_COORDS [4] of the active unit,
- *   EDGE_FLAG [1], ACTIVE_TEXTURE [1], MAX_TEXTURE_COORDS [1], MAX_TEXTURE_UNITS [1].
+ *   EDGE_FLAG [1], ACTIVE_TEXTURE [1], MAX_TEXTURE_COORDS [1], MAX_TEXTURE_UNITS [1], LIST_BASE [1],
+ *   LIST_INDEX [1: name of the open list, or 0], LIST_MODE [1: its mode, or 0], MAX_LIST_NESTING [1],
+ *   ATTRIB_STACK_DEPTH [1], MAX_ATTRIB_STACK_DEPTH [1].
  * Conversions: booleans are 0 or 1; as a boolean a number is TRUE unless zero; reals become the nearest
  *   integer (halves away from zero, saturated, NaN gives 0); colours and normals become integers by
  *   round(clamp(c, -1, 1) * (2^31 - 1)). Nothing is written on error.

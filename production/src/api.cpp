@@ -1,9 +1,12 @@
 // The GL-named entry points: they strip the form (count, type, v) off a command and hand it to the context.
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <new>
 #include <utility>
 
+#include "production/src/command.h"
 #include "production/src/context.h"
 
 namespace {
@@ -15,30 +18,35 @@ std::array<float, kSize> Load(std::array<float, kSize> values, const Real* v) {
   return values;
 }
 
+// GetMap trusts its caller with the size of the array.
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
 bool Refused(glev_context* context, const void* v) {
-  if (v == nullptr) context->RecordError(GLEV_INVALID_VALUE);
+  if (v == nullptr) context->Issue(glev::ErrorCommand{GLEV_INVALID_VALUE});
   return v == nullptr;
 }
 
 template <std::size_t kCount, class Real>
 void Vertex(glev_context* context, const Real* v) {
-  if (!Refused(context, v)) context->Vertex(Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+  if (Refused(context, v)) return;
+  context->Issue(glev::VertexCommand{Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
 template <std::size_t kCount, class Real>
 void Color(glev_context* context, const Real* v) {
-  if (!Refused(context, v)) context->Color(Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+  if (Refused(context, v)) return;
+  context->Issue(glev::ColorCommand{Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
 template <class Real>
 void Normal(glev_context* context, const Real* v) {
-  if (!Refused(context, v)) context->Normal(Load<3>(std::array<float, 3>{}, v));
+  if (!Refused(context, v)) context->Issue(glev::NormalCommand{Load<3>(std::array<float, 3>{}, v)});
 }
 
 template <std::size_t kCount, class Real>
 void TexCoord(glev_context* context, glev_enum texture, const Real* v) {
-  if (!Refused(context, v))
-    context->MultiTexCoord(texture, Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v));
+  if (Refused(context, v)) return;
+  context->Issue(glev::MultiTexCoordCommand{texture, Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
 }  // namespace
@@ -80,92 +88,112 @@ glev_enum glevGetError(glev_context* context) { return context->GetError(); }
 
 void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int stride,
                glev_int order, const glev_float* points) {
-  context->DefineMap<float>(1, target, {{{u1, u2, stride, order}, {}}}, points);
+  context->IssueDefineMap(1, target, {{{u1, u2, stride, order}, {}}}, points);
 }
 void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int stride,
                glev_int order, const glev_double* points) {
-  context->DefineMap<double>(1, target, {{{u1, u2, stride, order}, {}}}, points);
+  context->IssueDefineMap(1, target, {{{u1, u2, stride, order}, {}}}, points);
 }
 
 void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int ustride,
                glev_int uorder, glev_float v1, glev_float v2, glev_int vstride, glev_int vorder,
                const glev_float* points) {
-  context->DefineMap<float>(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
+  context->IssueDefineMap(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
 }
 void glevMap2d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int ustride,
                glev_int uorder, glev_double v1, glev_double v2, glev_int vstride, glev_int vorder,
                const glev_double* points) {
-  context->DefineMap<double>(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
+  context->IssueDefineMap(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
 }
 
 void glevGetMapdv(glev_context* context, glev_enum target, glev_enum query, glev_double* v) {
-  context->GetMap(target, query, v);
+  context->GetMap(target, query, kUnlimited, v);
 }
 void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v) {
-  context->GetMap(target, query, v);
+  context->GetMap(target, query, kUnlimited, v);
 }
 void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v) {
-  context->GetMap(target, query, v);
+  context->GetMap(target, query, kUnlimited, v);
 }
 
-void glevEnable(glev_context* context, glev_enum cap) { context->SetEnabled(cap, true); }
-void glevDisable(glev_context* context, glev_enum cap) { context->SetEnabled(cap, false); }
+void glevGetnMapdv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_double* v) {
+  context->GetnMap(target, query, size, v);
+}
+void glevGetnMapfv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_float* v) {
+  context->GetnMap(target, query, size, v);
+}
+void glevGetnMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int size, glev_int* v) {
+  context->GetnMap(target, query, size, v);
+}
+
+void glevEnable(glev_context* context, glev_enum cap) { context->Issue(glev::SetEnabledCommand{cap, true}); }
+void glevDisable(glev_context* context, glev_enum cap) {
+  context->Issue(glev::SetEnabledCommand{cap, false});
+}
 glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
   return context->IsEnabled(cap) ? GLEV_TRUE : GLEV_FALSE;
 }
 
 // ---- Evaluation
 
-void glevEvalCoord1f(glev_context* context, glev_float u) { context->EvalCoord(1, u, 0); }
-void glevEvalCoord1d(glev_context* context, glev_double u) { context->EvalCoord(1, u, 0); }
+void glevEvalCoord1f(glev_context* context, glev_float u) { context->Issue(glev::EvalCoordCommand{1, u, 0}); }
+void glevEvalCoord1d(glev_context* context, glev_double u) {
+  context->Issue(glev::EvalCoordCommand{1, u, 0});
+}
 void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->EvalCoord(1, *u, 0);
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, *u, 0});
 }
 void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
-  if (!Refused(context, u)) context->EvalCoord(1, *u, 0);
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, *u, 0});
 }
 
-void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) { context->EvalCoord(2, u, v); }
-void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) { context->EvalCoord(2, u, v); }
+void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) {
+  context->Issue(glev::EvalCoordCommand{2, u, v});
+}
+void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) {
+  context->Issue(glev::EvalCoordCommand{2, u, v});
+}
 void glevEvalCoord2fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->EvalCoord(2, u[0], u[1]);
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, u[0], u[1]});
 }
 void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
-  if (!Refused(context, u)) context->EvalCoord(2, u[0], u[1]);
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, u[0], u[1]});
 }
 
 // ---- Grids and meshes
 
 void glevMapGrid1f(glev_context* context, glev_int n, glev_float u1, glev_float u2) {
-  context->SetGrid(1, {{{u1, u2, n}, {}}});
+  context->Issue(glev::SetGridCommand{1, {{{u1, u2, n}, {}}}});
 }
 void glevMapGrid1d(glev_context* context, glev_int n, glev_double u1, glev_double u2) {
-  context->SetGrid(1, {{{u1, u2, n}, {}}});
+  context->Issue(glev::SetGridCommand{1, {{{u1, u2, n}, {}}}});
 }
 void glevMapGrid2f(glev_context* context, glev_int un, glev_float u1, glev_float u2, glev_int vn,
                    glev_float v1, glev_float v2) {
-  context->SetGrid(2, {{{u1, u2, un}, {v1, v2, vn}}});
+  context->Issue(glev::SetGridCommand{2, {{{u1, u2, un}, {v1, v2, vn}}}});
 }
 void glevMapGrid2d(glev_context* context, glev_int un, glev_double u1, glev_double u2, glev_int vn,
                    glev_double v1, glev_double v2) {
-  context->SetGrid(2, {{{u1, u2, un}, {v1, v2, vn}}});
+  context->Issue(glev::SetGridCommand{2, {{{u1, u2, un}, {v1, v2, vn}}}});
 }
 
-void glevEvalPoint1(glev_context* context, glev_int i) { context->EvalPoint(1, i, 0); }
-void glevEvalPoint2(glev_context* context, glev_int i, glev_int j) { context->EvalPoint(2, i, j); }
+void glevEvalPoint1(glev_context* context, glev_int i) { context->Issue(glev::EvalPointCommand{1, i, 0}); }
+void glevEvalPoint2(glev_context* context, glev_int i, glev_int j) {
+  context->Issue(glev::EvalPointCommand{2, i, j});
+}
 
 void glevEvalMesh1(glev_context* context, glev_enum mode, glev_int i1, glev_int i2) {
-  context->EvalMesh1(mode, i1, i2);
+  context->Issue(glev::EvalMesh1Command{mode, i1, i2});
 }
 void glevEvalMesh2(glev_context* context, glev_enum mode, glev_int i1, glev_int i2, glev_int j1,
                    glev_int j2) {
-  context->EvalMesh2(mode, i1, i2, j1, j2);
+  context->Issue(glev::EvalMesh2Command{mode, i1, i2, j1, j2});
 }
 
 // ---- Primitives
 
-void glevBegin(glev_context* context, glev_enum mode) { context->Begin(mode); }
-void glevEnd(glev_context* context) { context->End(); }
+void glevBegin(glev_context* context, glev_enum mode) { context->Issue(glev::BeginCommand{mode}); }
+void glevEnd(glev_context* context) { context->Issue(glev::EndCommand{}); }
 
 void glevVertex2fv(glev_context* context, const glev_float* v) { Vertex<2>(context, v); }
 void glevVertex2f(glev_context* context, glev_float x, glev_float y) {
@@ -236,18 +264,22 @@ void glevNormal3d(glev_context* context, glev_double x, glev_double y, glev_doub
   glevNormal3dv(context, v);
 }
 
-void glevIndexf(glev_context* context, glev_float index) { context->Index(index); }
-void glevIndexd(glev_context* context, glev_double index) { context->Index(static_cast<float>(index)); }
+void glevIndexf(glev_context* context, glev_float index) { context->Issue(glev::IndexCommand{index}); }
+void glevIndexd(glev_context* context, glev_double index) {
+  context->Issue(glev::IndexCommand{static_cast<float>(index)});
+}
 void glevIndexfv(glev_context* context, const glev_float* v) {
-  if (!Refused(context, v)) context->Index(*v);
+  if (!Refused(context, v)) context->Issue(glev::IndexCommand{*v});
 }
 void glevIndexdv(glev_context* context, const glev_double* v) {
-  if (!Refused(context, v)) context->Index(static_cast<float>(*v));
+  if (!Refused(context, v)) context->Issue(glev::IndexCommand{static_cast<float>(*v)});
 }
 
-void glevEdgeFlag(glev_context* context, glev_boolean flag) { context->EdgeFlag(flag != GLEV_FALSE); }
+void glevEdgeFlag(glev_context* context, glev_boolean flag) {
+  context->Issue(glev::EdgeFlagCommand{flag != GLEV_FALSE});
+}
 void glevEdgeFlagv(glev_context* context, const glev_boolean* v) {
-  if (!Refused(context, v)) context->EdgeFlag(*v != GLEV_FALSE);
+  if (!Refused(context, v)) context->Issue(glev::EdgeFlagCommand{*v != GLEV_FALSE});
 }
 
 void glevTexCoord1fv(glev_context* context, const glev_float* v) { TexCoord<1>(context, GLEV_TEXTURE0, v); }
@@ -357,7 +389,34 @@ void glevMultiTexCoord4d(glev_context* context, glev_enum texture, glev_double s
   glevMultiTexCoord4dv(context, texture, v);
 }
 
-void glevActiveTexture(glev_context* context, glev_enum texture) { context->ActiveTexture(texture); }
+void glevActiveTexture(glev_context* context, glev_enum texture) {
+  context->Issue(glev::ActiveTextureCommand{texture});
+}
+
+// ---- Display lists and the attribute stack
+
+void glevNewList(glev_context* context, glev_uint list, glev_enum mode) { context->NewList(list, mode); }
+void glevEndList(glev_context* context) { context->EndList(); }
+void glevCallList(glev_context* context, glev_uint list) { context->Issue(glev::CallListCommand{list}); }
+void glevCallLists(glev_context* context, glev_int n, glev_enum type, const void* lists) {
+  context->IssueCallLists(n, type, lists);
+}
+void glevListBase(glev_context* context, glev_uint base) { context->Issue(glev::ListBaseCommand{base}); }
+glev_uint glevGenLists(glev_context* context, glev_int range) { return context->GenLists(range); }
+glev_boolean glevIsList(glev_context* context, glev_uint list) {
+  return context->IsList(list) ? GLEV_TRUE : GLEV_FALSE;
+}
+void glevDeleteLists(glev_context* context, glev_uint list, glev_int range) {
+  context->DeleteLists(list, range);
+}
+
+void glevPushAttrib(glev_context* context, glev_bitfield mask) {
+  context->Issue(glev::PushAttribCommand{mask});
+}
+void glevPopAttrib(glev_context* context) { context->Issue(glev::PopAttribCommand{}); }
+
+void glevFlush(glev_context* context) { context->Flush(); }
+void glevFinish(glev_context* context) { context->Flush(); }
 
 // ---- Queries
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "production/src/command.h"
 #include "production/src/convert.h"
 
 using glev::Attribute;
@@ -46,6 +47,8 @@ glev_context::~glev_context() {
   for (auto& maps : maps_) {
     for (auto& map : maps) map.Free(allocator_);
   }
+  open_.list.Free(allocator_);
+  lists_.Free(allocator_);
 }
 
 // ---- Errors
@@ -64,35 +67,79 @@ bool glev_context::RefusedInPrimitive() {
 
 // ---- Maps
 
-template <class Real>
-void glev_context::DefineMap(int dimension, glev_enum name,
-                             const std::array<glev::MapDirection<Real>, 2>& directions, const Real* points) {
+namespace {
+
+// The error of the arguments alone, NO_ERROR if there is none.
+glev_enum FindMapError(int dimension, glev_enum name, const std::array<glev::MapDirection, 2>& directions,
+                       const void* points) {
   const Target target = FindTarget(name);
-  if (target.dimension != dimension) return RecordError(GLEV_INVALID_ENUM);
+  if (target.dimension != dimension) return GLEV_INVALID_ENUM;
   const int components = glev::kSlotTable[target.slot].components;
   for (int d = 0; d < dimension; ++d) {
     const auto& [u1, u2, stride, order] = directions[d];
-    if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2) {
-      return RecordError(GLEV_INVALID_VALUE);
-    }
+    if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2) return GLEV_INVALID_VALUE;
   }
-  if (points == nullptr) return RecordError(GLEV_INVALID_VALUE);
-  if (RefusedInPrimitive()) return;
-  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
-  glev::Map& map = maps_[dimension - 1][target.slot];
-  if (!map.Define(allocator_, components, directions[0], directions[1], points)) {
-    return RecordError(GLEV_OUT_OF_MEMORY);
-  }
-  if (eval_.enabled[dimension - 1][target.slot]) DropPlan(dimension);
+  return points == nullptr ? GLEV_INVALID_VALUE : GLEV_NO_ERROR;
 }
 
-template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection<float>, 2>&,
-                                      const float*);
-template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection<double>, 2>&,
+}  // namespace
+
+template <class Real>
+void glev_context::DefineMap(int dimension, glev_enum name,
+                             const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+  const glev_enum error = FindMapError(dimension, name, directions, points);
+  if (error != GLEV_NO_ERROR) return RecordError(error);
+  if (RefusedInPrimitive()) return;
+  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
+  const int slot = FindTarget(name).slot;
+  const auto& [u, v] = directions;
+  if (!maps_[dimension - 1][slot].Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
+    return RecordError(GLEV_OUT_OF_MEMORY);
+  }
+  if (eval_.enabled[dimension - 1][slot]) DropPlan(dimension);
+}
+
+template <class Real>
+void glev_context::IssueDefineMap(int dimension, glev_enum name,
+                                  const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+  if (IsCompiling()) {
+    const glev_enum error = FindMapError(dimension, name, directions, points);
+    if (error != GLEV_NO_ERROR) {
+      Compile(glev::ErrorCommand{error});
+    } else {
+      const int components = glev::kSlotTable[FindTarget(name).slot].components;
+      const auto& [u, v] = directions;
+      glev::DefineMapCommand packed{dimension, name, directions};
+      packed.directions[0].stride = v.order * components;
+      packed.directions[1].stride = components;
+      const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
+      void* memory = Compile(packed, values * sizeof(double));
+      if (memory != nullptr) glev::CopyPoints(components, u, v, points, new (memory) double[values]);
+    }
+    if (open_.mode == GLEV_COMPILE) return;
+  }
+  DefineMap(dimension, name, directions, points);
+}
+
+template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
                                       const double*);
+template void glev_context::IssueDefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
+                                           const float*);
+template void glev_context::IssueDefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
+                                           const double*);
 
 template <class Number>
-void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
+void glev_context::GetnMap(glev_enum name, glev_enum query, glev_int bytes, Number* v) {
+  if (bytes < 0) return RecordError(GLEV_INVALID_VALUE);
+  GetMap(name, query, static_cast<std::uint64_t>(bytes), v);
+}
+
+template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_double*);
+template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_float*);
+template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_int*);
+
+template <class Number>
+void glev_context::GetMap(glev_enum name, glev_enum query, std::uint64_t bytes, Number* v) {
   const Target target = FindTarget(name);
   if (!target || (query != GLEV_COEFF && query != GLEV_ORDER && query != GLEV_DOMAIN)) {
     return RecordError(GLEV_INVALID_ENUM);
@@ -101,11 +148,14 @@ void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
   if (RefusedInPrimitive()) return;
 
   const glev::Map& map = maps_[target.dimension - 1][target.slot];
+  const int points = map.order(0) * map.order(1) * glev::kSlotTable[target.slot].components;
+  const int count = query == GLEV_COEFF    ? points
+                    : query == GLEV_DOMAIN ? 2 * target.dimension
+                                           : target.dimension;
+  if (bytes < count * sizeof(Number)) return RecordError(GLEV_INVALID_OPERATION);
   const auto put = [&v](double value) { glev::Convert(value, glev::StateKind::kNumber, v++); };
   if (query == GLEV_COEFF) {
-    const double* points = map.points(target.slot);
-    const int count = map.order(0) * map.order(1) * glev::kSlotTable[target.slot].components;
-    for (int i = 0; i < count; ++i) put(points[i]);
+    for (int i = 0; i < count; ++i) put(map.points(target.slot)[i]);
     return;
   }
   for (int direction = 0; direction < target.dimension; ++direction) {
@@ -118,9 +168,9 @@ void glev_context::GetMap(glev_enum name, glev_enum query, Number* v) {
   }
 }
 
-template void glev_context::GetMap(glev_enum, glev_enum, glev_double*);
-template void glev_context::GetMap(glev_enum, glev_enum, glev_float*);
-template void glev_context::GetMap(glev_enum, glev_enum, glev_int*);
+template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_double*);
+template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_float*);
+template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_int*);
 
 // ---- Enables
 
@@ -217,9 +267,9 @@ template <class Body>
 void glev_context::MeshPrimitive(glev_enum mode, const Body& body) {
   in_mesh_ = true;
   in_primitive_ = true;
-  if (sink_.begin != nullptr) sink_.begin(sink_.user, mode);
+  CallSink(sink_.begin, mode);
   body();
-  if (sink_.end != nullptr) sink_.end(sink_.user);
+  CallSink(sink_.end);
   in_primitive_ = false;
   in_mesh_ = false;
 }
@@ -292,17 +342,13 @@ void glev_context::Begin(glev_enum mode) {
   if (RefusedInPrimitive()) return;
   if (mode == kPatches) return RecordError(GLEV_INVALID_OPERATION);
   in_primitive_ = true;
-  if (sink_.begin != nullptr) sink_.begin(sink_.user, mode);
+  CallSink(sink_.begin, mode);
 }
 
 void glev_context::End() {
   if (!in_primitive_ || in_mesh_) return RecordError(GLEV_INVALID_OPERATION);
-  if (sink_.end != nullptr) sink_.end(sink_.user);
+  CallSink(sink_.end);
   in_primitive_ = false;
-}
-
-void glev_context::Emit(const glev_vertex& vertex) const {
-  if (sink_.vertex != nullptr) sink_.vertex(sink_.user, &vertex);
 }
 
 void glev_context::Vertex(const std::array<float, 4>& position) {
@@ -337,6 +383,35 @@ void glev_context::ActiveTexture(glev_enum texture) {
   active_unit_ = texture - GLEV_TEXTURE0;
 }
 
+// ---- Attribute stack
+
+void glev_context::PushAttrib(glev_bitfield mask) {
+  if (RefusedInPrimitive()) return;
+  if (attrib_depth_ == glev::kAttribStackDepth) return RecordError(GLEV_STACK_OVERFLOW);
+  attribs_[attrib_depth_++] = {mask, eval_, current_, active_unit_, list_base_};
+}
+
+void glev_context::PopAttrib() {
+  if (RefusedInPrimitive()) return;
+  if (attrib_depth_ == 0) return RecordError(GLEV_STACK_UNDERFLOW);
+  const glev::SavedAttributes& saved = attribs_[--attrib_depth_];
+  if ((saved.mask & (GLEV_ENABLE_BIT | GLEV_EVAL_BIT)) != 0) {
+    const glev::EvalAttributes before = eval_;
+    eval_.enabled = saved.eval.enabled;
+    eval_.auto_normal = saved.eval.auto_normal;
+    if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
+    // What is as before keeps its plan.
+    const auto changed = [&](int d) {
+      return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
+    };
+    if (changed(0)) DropPlan(1);
+    if (changed(1) || eval_.auto_normal != before.auto_normal) DropPlan(2);
+  }
+  if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_ = saved.current;
+  if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;
+  if ((saved.mask & GLEV_LIST_BIT) != 0) list_base_ = saved.list_base;
+}
+
 // ---- Queries
 
 glev::StateValues glev_context::FindState(glev_enum pname) {
@@ -368,6 +443,18 @@ glev::StateValues glev_context::FindState(glev_enum pname) {
     case GLEV_MAX_TEXTURE_COORDS:
     case GLEV_MAX_TEXTURE_UNITS:
       return {1, {GLEV_TEXTURE_UNITS}};
+    case GLEV_LIST_BASE:
+      return {1, {static_cast<double>(list_base_)}};
+    case GLEV_LIST_INDEX:
+      return {1, {static_cast<double>(open_.name)}};
+    case GLEV_LIST_MODE:
+      return {1, {static_cast<double>(open_.mode)}};
+    case GLEV_MAX_LIST_NESTING:
+      return {1, {glev::kMaxListNesting}};
+    case GLEV_ATTRIB_STACK_DEPTH:
+      return {1, {static_cast<double>(attrib_depth_)}};
+    case GLEV_MAX_ATTRIB_STACK_DEPTH:
+      return {1, {glev::kAttribStackDepth}};
     default:
       break;
   }

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <new>
+#include <type_traits>
 
 #include <glevaluator.h>
 
 #include "production/src/allocator.h"
+#include "production/src/attributes.h"
+#include "production/src/display_list.h"
+#include "production/src/list_table.h"
 #include "production/src/map.h"
 #include "production/src/parameter.h"
 #include "production/src/plan.h"
@@ -15,12 +21,14 @@
 
 namespace glev {
 
-// What PushAttrib(EVAL_BIT) would save: copyable, without the map specifications (GL table 23.40).
-struct EvalAttributes {
-  // [dimension - 1]
-  std::array<std::array<bool, kSlots>, 2> enabled{};
-  std::array<std::array<Grid, 2>, 2> grid;  // u, v; one-dimensional maps have no use for v
-  bool auto_normal = false;
+inline constexpr int kMaxListNesting = 64;
+
+// The list between NewList and EndList.
+struct OpenList {
+  glev_uint name = 0;  // 0 and mode 0: none is open
+  glev_enum mode = 0;
+  bool broken = false;  // a command found no memory
+  DisplayList list;
 };
 
 // The answer to a Get: up to four values of state.
@@ -48,12 +56,31 @@ struct glev_context {
   }
   glev_enum GetError();
 
+  // What a command that lists can hold does when it is given: it goes into the list that is open, it is
+  // executed, or both. The commands are those of command.h.
+  template <class Command>
+  void Issue(const Command& command) {
+    if (IsCompiling()) {
+      Compile(command);
+      if (open_.mode == GLEV_COMPILE) return;
+    }
+    command.Run(*this);
+  }
+  // The same for the two whose arrays are read at once.
+  template <class Real>
+  void IssueDefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
+                      const Real* points);
+  void IssueCallLists(glev_int count, glev_enum type, const void* offsets);
+
   // u, and for dimension 2 v.
   template <class Real>
-  void DefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection<Real>, 2>& directions,
+  void DefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
                  const Real* points);
+  // At most `bytes` bytes go to v.
   template <class Number>
-  void GetMap(glev_enum target, glev_enum query, Number* v);
+  void GetMap(glev_enum target, glev_enum query, std::uint64_t bytes, Number* v);
+  template <class Number>
+  void GetnMap(glev_enum target, glev_enum query, glev_int bytes, Number* v);
   void SetEnabled(glev_enum cap, bool enabled);
   bool IsEnabled(glev_enum cap);
   void SetGrid(int dimension, const std::array<glev::Grid, 2>& grid);
@@ -72,6 +99,21 @@ struct glev_context {
   void MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord);
   void ActiveTexture(glev_enum texture);
 
+  void PushAttrib(glev_bitfield mask);
+  void PopAttrib();
+
+  void NewList(glev_uint list, glev_enum mode);
+  void EndList();
+  void CallList(glev_uint list);
+  void CallLists(glev_int count, glev_enum type, const void* offsets);
+  void ListBase(glev_uint base);
+  glev_uint GenLists(glev_int range);
+  bool IsList(glev_uint list);
+  void DeleteLists(glev_uint list, glev_int range);
+
+  // Flush and Finish: nothing is ever pending.
+  void Flush() { RefusedInPrimitive(); }
+
   template <class Number>
   void Get(glev_enum pname, Number* v);
   const char* GetString(glev_enum name);
@@ -84,6 +126,14 @@ struct glev_context {
  private:
   // True, and INVALID_OPERATION recorded, between Begin and End.
   bool RefusedInPrimitive();
+  // The same, also in callbacks: lists stay as they are while one may be executing.
+  bool RefusedWithLists();
+  // Commands of a callback are not compiled: executing the list will make it give them again.
+  bool IsCompiling() const { return open_.mode != 0 && callbacks_ == 0; }
+  // Appends to the open list: the command, and bytes for the caller to fill. Null, with the list broken,
+  // without memory.
+  template <class Command>
+  void* Compile(const Command& command, std::uint64_t more_bytes = 0);
   // The flag a capability stands for; null if there is none.
   bool* FindFlag(glev_enum cap);
   // count 0 if there is no such state.
@@ -99,7 +149,14 @@ struct glev_context {
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.
   template <class Body>
   void MeshPrimitive(glev_enum mode, const Body& body);
-  void Emit(const glev_vertex& vertex) const;
+  void Emit(const glev_vertex& vertex) { CallSink(sink_.vertex, &vertex); }
+  template <class Callback, class... Arguments>
+  void CallSink(Callback callback, Arguments... arguments) {
+    if (callback == nullptr) return;
+    ++callbacks_;
+    callback(sink_.user, arguments...);
+    --callbacks_;
+  }
 
   glev::Allocator allocator_;
   glev_enum error_ = GLEV_NO_ERROR;
@@ -111,4 +168,26 @@ struct glev_context {
   bool in_primitive_ = false;
   bool in_mesh_ = false;  // the primitive is a mesh's, not for a callback to end
   glev_sink sink_{};
+  int callbacks_ = 0;  // of the sink, being called
+  int attrib_depth_ = 0;
+  std::array<glev::SavedAttributes, glev::kAttribStackDepth> attribs_;
+  glev::ListTable lists_;
+  glev::OpenList open_;
+  glev_uint list_base_ = 0;
+  int list_depth_ = 0;  // lists being executed
 };
+
+template <class Command>
+void* glev_context::Compile(const Command& command, std::uint64_t more_bytes) {
+  static_assert(std::is_trivially_copyable_v<Command> && alignof(Command) <= glev::kListUnit);
+  constexpr std::uint64_t kSize = glev::RoundUpToListUnit(sizeof(Command));
+  if (open_.broken) return nullptr;
+  std::byte* payload = open_.list.Append(allocator_, Command::kOpcode, kSize + more_bytes);
+  if (payload == nullptr) {
+    open_.broken = true;
+    RecordError(GLEV_OUT_OF_MEMORY);
+    return nullptr;
+  }
+  new (payload) Command(command);
+  return payload + kSize;
+}

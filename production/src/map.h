@@ -10,34 +10,36 @@
 namespace glev {
 
 // What Map1 and Map2 are told about one direction. Defaults: the v of a one-dimensional map.
-template <class Real>
 struct MapDirection {
-  Real u1 = 0, u2 = 1;
+  double u1 = 0, u2 = 1;
   glev_int stride = 0;  // in values
   glev_int order = 1;
 };
 
+// The control points without padding, v fastest. Point (i, j) begins i * u.stride + j * v.stride values after
+// points. A float is kept as the double of the same value.
+template <class Real>
+void CopyPoints(int components, const MapDirection& u, const MapDirection& v, const Real* points,
+                double* out) {
+  for (std::ptrdiff_t i = 0; i < u.order; ++i) {
+    for (std::ptrdiff_t j = 0; j < v.order; ++j) {
+      for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];
+    }
+  }
+}
+
 class Map {
  public:
-  enum class Type { kFloat, kDouble };
-
   Map() = default;
   void Free(const Allocator& allocator) { storage_.Free(allocator); }
 
-  // Replaces everything. Point (i, j) begins i * u.stride + j * v.stride values after points. False, and
-  // nothing changed, without memory.
+  // Replaces everything. False, and nothing changed, without memory.
   template <class Real>
-  bool Define(const Allocator& allocator, int components, const MapDirection<Real>& u,
-              const MapDirection<Real>& v, const Real* points) {
+  bool Define(const Allocator& allocator, int components, const MapDirection& u, const MapDirection& v,
+              const Real* points) {
     if (!storage_.Reserve(allocator, static_cast<std::size_t>(u.order) * v.order * components)) return false;
-    double* out = storage_.data();
-    for (std::ptrdiff_t i = 0; i < u.order; ++i) {
-      for (std::ptrdiff_t j = 0; j < v.order; ++j) {
-        for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];
-      }
-    }
+    CopyPoints(components, u, v, points, storage_.data());
     defined_ = true;
-    type_ = sizeof(Real) == sizeof(float) ? Type::kFloat : Type::kDouble;
     order_[0] = u.order;
     order_[1] = v.order;
     domain_[0] = {u.u1, u.u2};
@@ -48,8 +50,6 @@ class Map {
   // direction 0 is u, 1 is v
   int order(int direction) const { return order_[direction]; }
   const Domain& domain(int direction) const { return domain_[direction]; }
-  // What the control points were given as; a float is kept as the double of the same value.
-  Type type() const { return type_; }
   // order(0) * order(1) points without padding, v fastest. slot: where this map lives, for its initial point.
   const double* points(int slot) const {
     return defined_ ? storage_.data() : kSlotTable[slot].initial.data();
@@ -57,7 +57,6 @@ class Map {
 
  private:
   bool defined_ = false;
-  Type type_ = Type::kFloat;
   int order_[2] = {1, 1};
   Domain domain_[2];
   DoubleBuffer storage_;

@@ -16,6 +16,7 @@ struct Domain {
 struct Grid {
   double u1 = 0, u2 = 1;
   glev_int segments = 1;
+  bool operator==(const Grid&) const = default;
 };
 
 // Point i of a grid, which stands for exactly u1 + i * (u2 - u1) / segments: meshes are asked for by index,

@@ -1,5 +1,5 @@
 /* The public header is C, and a C program can use the library: draws a curve, runs a batch, exits 0 if both
- * agree; then the same curve as the edge of a patch. */
+ * agree; then the same curve as the edge of a patch and from a display list. */
 #include <glevaluator.h>
 
 #include <stdio.h>
@@ -66,6 +66,19 @@ int main(void) {
   glevEvalMesh2(context, GLEV_LINE, 0, COUNT - 1, 0, 1);
   CHECK(glevGetError(context) == GLEV_NO_ERROR);
   CHECK(edge.begun == 1 + 2 + COUNT && edge.ended == 1 + 2 + COUNT && edge.count == 5 * COUNT);
+
+  /* the curve once more, from a display list, under attributes of its own */
+  const glev_uint list = glevGenLists(context, 1);
+  glevNewList(context, list, GLEV_COMPILE);
+  glevPushAttrib(context, GLEV_EVAL_BIT);
+  glevMapGrid1f(context, COUNT - 1, 0, 1);
+  glevEvalMesh1(context, GLEV_LINE, 0, COUNT - 1);
+  glevPopAttrib(context);
+  glevEndList(context);
+  edge.count = 0;
+  glevCallList(context, list);
+  CHECK(glevGetError(context) == GLEV_NO_ERROR);
+  CHECK(edge.count == COUNT && memcmp(edge.positions, drawn.positions, sizeof edge.positions) == 0);
 
   const glev_plan_info info = {.size = sizeof info, .dimension = 1};
   glev_plan* plan;

@@ -57,8 +57,8 @@ class ContextTest : public ::testing::Test {
   }
   ~ContextTest() override { glevDestroyContext(gl); }
 
-  // Everything a query can tell, in one row of numbers. Outside Begin/End only; keeps the error flag as it
-  // is.
+  // Everything a query can tell, in one row of numbers. Outside Begin/End and NewList/EndList only; keeps the
+  // error flag as it is.
   std::vector<double> State() const {
     std::vector<double> state;
     std::vector<double> values(64 * 64 * 4);
@@ -79,10 +79,13 @@ class ContextTest : public ::testing::Test {
     }
     for (glev_enum cap : Capabilities()) state.push_back(glevIsEnabled(gl, cap));
     const std::pair<glev_enum, std::size_t> names[] = {
-        {GLEV_MAP1_GRID_DOMAIN, 2},       {GLEV_MAP1_GRID_SEGMENTS, 1}, {GLEV_MAP2_GRID_DOMAIN, 4},
-        {GLEV_MAP2_GRID_SEGMENTS, 2},     {GLEV_CURRENT_COLOR, 4},      {GLEV_CURRENT_INDEX, 1},
-        {GLEV_CURRENT_NORMAL, 3},         {GLEV_EDGE_FLAG, 1},          {GLEV_ACTIVE_TEXTURE, 1},
-        {GLEV_CURRENT_TEXTURE_COORDS, 4},
+        {GLEV_LIST_BASE, 1},        {GLEV_LIST_INDEX, 1},
+        {GLEV_LIST_MODE, 1},        {GLEV_ATTRIB_STACK_DEPTH, 1},
+        {GLEV_MAP1_GRID_DOMAIN, 2}, {GLEV_MAP1_GRID_SEGMENTS, 1},
+        {GLEV_MAP2_GRID_DOMAIN, 4}, {GLEV_MAP2_GRID_SEGMENTS, 2},
+        {GLEV_CURRENT_COLOR, 4},    {GLEV_CURRENT_INDEX, 1},
+        {GLEV_CURRENT_NORMAL, 3},   {GLEV_EDGE_FLAG, 1},
+        {GLEV_ACTIVE_TEXTURE, 1},   {GLEV_CURRENT_TEXTURE_COORDS, 4},
     };
     for (const auto& [name, count] : names) {
       glevGetDoublev(gl, name, values.data());

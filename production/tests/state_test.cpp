@@ -87,6 +87,12 @@ TEST_F(States, InitialGridsLimitsAndCurrentValues) {
   ExpectAnswers(gl, GLEV_MAX_TEXTURE_COORDS, {8});
   ExpectAnswers(gl, GLEV_MAX_TEXTURE_UNITS, {8});
   ExpectAnswers(gl, GLEV_ACTIVE_TEXTURE, {GLEV_TEXTURE0});
+  ExpectAnswers(gl, GLEV_LIST_BASE, {0});
+  ExpectAnswers(gl, GLEV_LIST_INDEX, {0});
+  ExpectAnswers(gl, GLEV_LIST_MODE, {0});
+  ExpectAnswers(gl, GLEV_MAX_LIST_NESTING, {64});
+  ExpectAnswers(gl, GLEV_ATTRIB_STACK_DEPTH, {0});
+  ExpectAnswers(gl, GLEV_MAX_ATTRIB_STACK_DEPTH, {16});
   ExpectAnswers(gl, GLEV_CURRENT_INDEX, {1});
   ExpectAnswers(gl, GLEV_EDGE_FLAG, {1});
   for (glev_enum unit = 0; unit < 8; ++unit) {
@@ -185,6 +191,36 @@ TEST_F(States, GetErrorBetweenBeginAndEndAnswersZeroAndIsItselfAnError) {
   ExpectError(GLEV_INVALID_ENUM);
 }
 
+TEST_F(States, ListsAndTheAttributeStackCanBeQueriedInEveryForm) {
+  glevListBase(gl, 123456);
+  ExpectAnswers(gl, GLEV_LIST_BASE, {123456});
+  glevPushAttrib(gl, 0);
+  glevPushAttrib(gl, 0);
+  ExpectAnswers(gl, GLEV_ATTRIB_STACK_DEPTH, {2});
+  glevNewList(gl, 77, GLEV_COMPILE_AND_EXECUTE);
+  ExpectAnswers(gl, GLEV_LIST_INDEX, {77});
+  ExpectAnswers(gl, GLEV_LIST_MODE, {GLEV_COMPILE_AND_EXECUTE});
+  glevEndList(gl);
+  glevNewList(gl, 0xFFFFFFFF, GLEV_COMPILE);
+  ExpectAnswers(gl, GLEV_LIST_MODE, {GLEV_COMPILE});
+  EXPECT_EQ(Get(gl, GLEV_LIST_INDEX, 1).doubles, (std::vector<double>{4294967295.0}));
+  EXPECT_EQ(Get(gl, GLEV_LIST_INDEX, 1).integers, (std::vector<int>{INT_MAX})) << "the nearest int";
+  glevEndList(gl);
+  ExpectAnswers(gl, GLEV_LIST_INDEX, {0});
+  ExpectAnswers(gl, GLEV_LIST_MODE, {0});
+}
+
+// ---- Flush and Finish
+
+TEST_F(States, FlushAndFinishDoNothingButMindBeginAndEnd) {
+  const std::vector<double> before = State();
+  ExpectAccepted([&] { glevFlush(gl); });
+  ExpectAccepted([&] { glevFinish(gl); });
+  EXPECT_EQ(State(), before);
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevFlush(gl); });
+  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevFinish(gl); });
+}
+
 // ---- Queries
 
 TEST_F(States, ColoursAndNormalsBecomeIntegersByTheFullRange) {
@@ -220,7 +256,9 @@ TEST_F(States, QueriesAreRefusedWithoutWriting) {
   std::vector<glev_enum> names = Capabilities();
   names.insert(names.end(),
                {GLEV_MAX_EVAL_ORDER, GLEV_MAP1_GRID_DOMAIN, GLEV_MAP1_GRID_SEGMENTS, GLEV_MAP2_GRID_DOMAIN,
-                GLEV_MAP2_GRID_SEGMENTS, GLEV_CURRENT_COLOR, GLEV_EDGE_FLAG, GLEV_ACTIVE_TEXTURE});
+                GLEV_MAP2_GRID_SEGMENTS, GLEV_CURRENT_COLOR, GLEV_EDGE_FLAG, GLEV_ACTIVE_TEXTURE,
+                GLEV_LIST_BASE, GLEV_LIST_INDEX, GLEV_LIST_MODE, GLEV_MAX_LIST_NESTING,
+                GLEV_ATTRIB_STACK_DEPTH, GLEV_MAX_ATTRIB_STACK_DEPTH});
   for (glev_enum name : names) {
     ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevGetIntegerv(gl, name, &i); });
     ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevGetDoublev(gl, name, &d); });

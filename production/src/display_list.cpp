@@ -1,0 +1,35 @@
+#include "production/src/display_list.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <new>
+
+namespace glev {
+
+std::byte* DisplayList::Append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes) {
+  constexpr std::size_t kSmallest = 256;
+  const std::uint64_t bytes = RoundUpToListUnit(sizeof(Record) + payload_bytes);
+  if (bytes > capacity_ - size_) {
+    if (bytes > std::numeric_limits<std::size_t>::max() / 2 - size_) return nullptr;
+    const std::size_t capacity =
+        std::max({kSmallest, 2 * capacity_, static_cast<std::size_t>(size_ + bytes)});
+    auto* data = static_cast<std::byte*>(allocator.Allocate(capacity, kCacheLine));
+    if (data == nullptr) return nullptr;
+    if (size_ != 0) std::memcpy(data, data_, size_);
+    allocator.Release(data_, capacity_, kCacheLine);
+    data_ = data;
+    capacity_ = capacity;
+  }
+  std::byte* place = data_ + size_;
+  new (place) Record{opcode, static_cast<std::uint32_t>((bytes - sizeof(Record)) / kListUnit)};
+  size_ += bytes;
+  return place + sizeof(Record);
+}
+
+void DisplayList::Free(const Allocator& allocator) {
+  allocator.Release(data_, capacity_, kCacheLine);
+  *this = {};
+}
+
+}  // namespace glev

@@ -1,0 +1,67 @@
+// The contents of a display list: commands one after the other in one block of memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "production/src/allocator.h"
+
+namespace glev {
+
+enum class Opcode : std::uint32_t {
+  kError,
+  kDefineMap,
+  kSetEnabled,
+  kSetGrid,
+  kEvalCoord,
+  kEvalPoint,
+  kEvalMesh1,
+  kEvalMesh2,
+  kBegin,
+  kEnd,
+  kVertex,
+  kColor,
+  kNormal,
+  kIndex,
+  kEdgeFlag,
+  kMultiTexCoord,
+  kActiveTexture,
+  kPushAttrib,
+  kPopAttrib,
+  kCallList,
+  kCallLists,
+  kListBase
+};
+
+// Every part of a list begins at a multiple of this.
+inline constexpr std::size_t kListUnit = 8;
+
+constexpr std::uint64_t RoundUpToListUnit(std::uint64_t bytes) {
+  return (bytes + kListUnit - 1) / kListUnit * kListUnit;
+}
+
+// Stands before each command.
+struct alignas(kListUnit) Record {
+  Opcode opcode;
+  std::uint32_t units;  // of the payload that follows: the command and what its pointers pointed to
+};
+
+// A handle: copies share the memory, which stays until Free. An empty one has none.
+class DisplayList {
+ public:
+  const std::byte* begin() const { return data_; }
+  const std::byte* end() const { return data_ + size_; }
+  bool empty() const { return size_ == 0; }
+
+  // Appends a record; the caller fills the payload that it returns. Null, and nothing changed, without
+  // memory.
+  std::byte* Append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes);
+  void Free(const Allocator& allocator);
+
+ private:
+  std::byte* data_ = nullptr;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace glev

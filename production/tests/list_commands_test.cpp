@@ -1,0 +1,262 @@
+// Every command that display lists hold, in every form: list and call do the same, errors included.
+#include <algorithm>
+#include <string_view>
+
+#include "production/tests/lists_fixture.h"
+
+namespace glev_tests {
+namespace {
+
+// Everything that an array argument is read from: 0.25, 0.5, 0.75, ...
+template <class Real>
+const Real* Numbers() {
+  static const std::vector<Real> numbers = [] {
+    std::vector<Real> made(200);
+    for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<Real>(i + 1) / 4;
+    return made;
+  }();
+  return numbers.data();
+}
+
+// One call of each function whose command belongs into lists.
+std::vector<Row> CompiledCommands() {
+  static constexpr glev_enum kUnit = GLEV_TEXTURE0 + 3;
+  const float* f = Numbers<float>();
+  const double* d = Numbers<double>();
+  static const glev_boolean no = GLEV_FALSE;
+  static const unsigned char names[] = {90, 91};
+#define COMMAND(name, ...) Row(#name, [=](glev_context* gl) { glev##name(gl, __VA_ARGS__); })
+#define VECTORS(name)                                                \
+  Row(#name "fv", [=](glev_context* gl) { glev##name##fv(gl, f); }), \
+      Row(#name "dv", [=](glev_context* gl) { glev##name##dv(gl, d); })
+#define FORMS(name, ...) COMMAND(name##f, __VA_ARGS__), COMMAND(name##d, __VA_ARGS__), VECTORS(name)
+#define UNIT_FORMS(name, ...)                                                                              \
+  COMMAND(name##f, kUnit, __VA_ARGS__), COMMAND(name##d, kUnit, __VA_ARGS__), COMMAND(name##fv, kUnit, f), \
+      COMMAND(name##dv, kUnit, d)
+  return {COMMAND(Map1f, GLEV_MAP1_VERTEX_4, 0, 2, 5, 3, f),
+          COMMAND(Map1d, GLEV_MAP1_NORMAL, 0, 2, 3, 3, d),
+          COMMAND(Map2f, GLEV_MAP2_VERTEX_4, 0, 2, 20, 3, 0, 1, 5, 3, f),
+          COMMAND(Map2d, GLEV_MAP2_COLOR_4, 0, 2, 4, 3, 0, 1, 12, 3, d),
+          COMMAND(Enable, GLEV_MAP1_COLOR_4),
+          COMMAND(Disable, GLEV_MAP1_VERTEX_3),
+          COMMAND(MapGrid1f, 3, 0, 1),
+          COMMAND(MapGrid1d, 4, 0, 1),
+          COMMAND(MapGrid2f, 3, 0, 1, 5, 0, 1),
+          COMMAND(MapGrid2d, 4, 0, 1, 6, 0, 1),
+          FORMS(EvalCoord1, 0.25f),
+          FORMS(EvalCoord2, 0.25f, 0.75f),
+          COMMAND(EvalPoint1, 1),
+          COMMAND(EvalPoint2, 1, 2),
+          COMMAND(EvalMesh1, GLEV_LINE, 0, 2),
+          COMMAND(EvalMesh2, GLEV_FILL, 0, 2, 1, 3),
+          COMMAND(Begin, GLEV_LINES),
+          Row("End", [](glev_context* gl) { glevEnd(gl); }),
+          FORMS(Vertex2, 1, 2),
+          FORMS(Vertex3, 1, 2, 3),
+          FORMS(Vertex4, 1, 2, 3, 4),
+          FORMS(Color3, 0.5f, 2, 3),
+          FORMS(Color4, 0.5f, 2, 3, 4),
+          FORMS(Normal3, 0.5f, 2, 3),
+          FORMS(Index, 7.5f),
+          COMMAND(EdgeFlag, no),
+          COMMAND(EdgeFlagv, &no),
+          FORMS(TexCoord1, 1.5f),
+          FORMS(TexCoord2, 1.5f, 2),
+          FORMS(TexCoord3, 1.5f, 2, 3),
+          FORMS(TexCoord4, 1.5f, 2, 3, 4),
+          UNIT_FORMS(MultiTexCoord1, 1.5f),
+          UNIT_FORMS(MultiTexCoord2, 1.5f, 2),
+          UNIT_FORMS(MultiTexCoord3, 1.5f, 2, 3),
+          UNIT_FORMS(MultiTexCoord4, 1.5f, 2, 3, 4),
+          COMMAND(ActiveTexture, GLEV_TEXTURE0 + 5),
+          COMMAND(PushAttrib, GLEV_EVAL_BIT),
+          Row("PopAttrib", [](glev_context* gl) { glevPopAttrib(gl); }),
+          COMMAND(CallList, 90),
+          COMMAND(CallLists, 2, GLEV_UNSIGNED_BYTE, names),
+          COMMAND(ListBase, 17)};
+#undef UNIT_FORMS
+#undef FORMS
+#undef VECTORS
+#undef COMMAND
+}
+
+class EveryCommand : public Lists {
+ protected:
+  // What a command can be seen by.
+  struct Effect {
+    glev_enum error;
+    std::vector<double> state;
+    std::vector<double> drawn;
+    bool operator==(const Effect&) const = default;
+  };
+
+  // A context where every command has an effect.
+  void Prepare() {
+    Fresh();
+    Compile(90, [&] { glevColor3f(gl, 9, 0, 0); });
+    Compile(91, [&] { glevNormal3f(gl, 9, 1, 0); });
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 3, Numbers<float>() + 2);
+    glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 3, 0, 1, 9, 2, Numbers<float>() + 4);
+    glevEnable(gl, GLEV_MAP1_VERTEX_3);
+    glevEnable(gl, GLEV_MAP2_VERTEX_3);
+    glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS);
+    glevMapGrid2f(gl, 2, 0, 1, 2, 0, 1);
+    recording = {};
+  }
+
+  Effect Observe() {
+    Effect effect{glevGetError(gl), State(), {}};
+    for (glev_enum mode : recording.begun) effect.drawn.push_back(mode);
+    effect.drawn.push_back(recording.ended);
+    for (const glev_vertex& v : recording.vertices) {
+      const auto add = [&](const float* values, int count) {
+        effect.drawn.insert(effect.drawn.end(), values, values + count);
+      };
+      add(v.position, 4);
+      add(v.color, 4);
+      add(v.normal, 3);
+      add(&v.texcoord[0][0], 4 * GLEV_TEXTURE_UNITS);
+      add(&v.index, 1);
+      effect.drawn.push_back(v.edge_flag);
+    }
+    return effect;
+  }
+
+  // Runs the commands at once; in a list that is called; in a list while it is compiled; in that list again.
+  void Check(const Command& commands) {
+    Prepare();
+    const Effect nothing = Observe();
+    commands(gl);
+    const Effect once = Observe();
+    EXPECT_NE(once, nothing) << "the test sees nothing of it";
+    recording = {};
+    commands(gl);
+    const Effect twice = Observe();
+
+    Prepare();
+    glevNewList(gl, 1, GLEV_COMPILE);
+    commands(gl);
+    glevEndList(gl);
+    EXPECT_EQ(Observe(), nothing) << "executed while compiled";
+    glevCallList(gl, 1);
+    EXPECT_EQ(Observe(), once) << "list";
+    recording = {};
+    glevCallList(gl, 1);
+    EXPECT_EQ(Observe(), twice) << "list, again";
+
+    Prepare();
+    glevNewList(gl, 1, GLEV_COMPILE_AND_EXECUTE);
+    commands(gl);
+    glevEndList(gl);
+    EXPECT_EQ(Observe(), once) << "compile and execute";
+    recording = {};
+    glevCallList(gl, 1);
+    EXPECT_EQ(Observe(), twice) << "executed, then list";
+  }
+};
+
+TEST_F(EveryCommand, HasTheEffectOfItsCallWhenTheListIsCalledAndNotBefore) {
+  for (const auto& [name, command] : CompiledCommands()) {
+    SCOPED_TRACE(name);
+    const std::string_view text = name;
+    if (text == "Begin") {
+      Check([&](glev_context* context) {
+        command(context);
+        glevVertex2f(context, 1, 1);
+        glevEnd(context);
+      });
+      continue;
+    }
+    const bool draws =
+        text.starts_with("Vertex") || text.starts_with("EvalCoord") || text.starts_with("EvalPoint");
+    if (!draws) Check(command);
+    // between Begin and End, where some are errors
+    Check([&](glev_context* context) {
+      glevBegin(context, GLEV_POINTS);
+      command(context);
+      glevVertex2f(context, 1, 1);
+      if (text != "End") glevEnd(context);
+    });
+  }
+}
+
+TEST_F(EveryCommand, NullPointersAreErrorsOfTheList) {
+  const Row commands[] = {
+      {"Map1f", [](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, nullptr); }},
+      {"Map2d", [](glev_context* c) { glevMap2d(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, nullptr); }},
+      {"EvalCoord1fv", [](glev_context* c) { glevEvalCoord1fv(c, nullptr); }},
+      {"EvalCoord2dv", [](glev_context* c) { glevEvalCoord2dv(c, nullptr); }},
+      {"Vertex3fv", [](glev_context* c) { glevVertex3fv(c, nullptr); }},
+      {"Color4dv", [](glev_context* c) { glevColor4dv(c, nullptr); }},
+      {"Normal3fv", [](glev_context* c) { glevNormal3fv(c, nullptr); }},
+      {"Indexfv", [](glev_context* c) { glevIndexfv(c, nullptr); }},
+      {"EdgeFlagv", [](glev_context* c) { glevEdgeFlagv(c, nullptr); }},
+      {"TexCoord2fv", [](glev_context* c) { glevTexCoord2fv(c, nullptr); }},
+      {"CallLists", [](glev_context* c) { glevCallLists(c, 1, GLEV_INT, nullptr); }}};
+  for (const auto& [name, command] : commands) {
+    SCOPED_TRACE(name);
+    Check(command);
+    Compile(1, [&, &run = command] { run(gl); });
+    ExpectError(GLEV_NO_ERROR);
+    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevCallList(gl, 1); });
+  }
+  Compile(1, [&] { glevCallLists(gl, 0, GLEV_INT, nullptr); });
+  ExpectAccepted([&] { glevCallList(gl, 1); });
+}
+
+// ---- Errors
+
+TEST_F(EveryCommand, ErrorsComeWhenTheListIsCalledAndDoNotEndIt) {
+  const float* f = Numbers<float>();
+  const double* d = Numbers<double>();
+  const unsigned char names[] = {90};
+  const std::pair<glev_enum, Command> rows[] = {
+      {GLEV_INVALID_ENUM, [=](glev_context* c) { glevMap1f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, f); }},
+      {GLEV_INVALID_ENUM, [=](glev_context* c) { glevMap1d(c, GLEV_AUTO_NORMAL, 0, 1, 3, 2, d); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, 2, 2, f); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, -3, 2, f); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 0, 1, 3, 0, f); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1d(c, GLEV_MAP1_INDEX, 0, 1, 1, 65, d); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevMap1f(c, GLEV_MAP1_VERTEX_3, 2, 2, 3, 2, f); }},
+      {GLEV_INVALID_ENUM,
+       [=](glev_context* c) { glevMap2f(c, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 2, f); }},
+      {GLEV_INVALID_VALUE,
+       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 2, 2, 0, 1, 6, 2, f); }},
+      {GLEV_INVALID_VALUE,
+       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 2, 2, f); }},
+      {GLEV_INVALID_VALUE,
+       [=](glev_context* c) { glevMap2d(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 0, 1, 6, 65, d); }},
+      {GLEV_INVALID_VALUE,
+       [=](glev_context* c) { glevMap2f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, 1, 1, 6, 2, f); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevEnable(c, 0); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevDisable(c, 0); }},
+      {GLEV_INVALID_VALUE, [](glev_context* c) { glevMapGrid1f(c, 0, 0, 1); }},
+      {GLEV_INVALID_VALUE, [](glev_context* c) { glevMapGrid2d(c, 1, 0, 1, -1, 0, 1); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevEvalMesh1(c, GLEV_FILL, 0, 1); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevEvalMesh2(c, 0, 0, 1, 0, 1); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevBegin(c, 99); }},
+      {GLEV_INVALID_OPERATION, [](glev_context* c) { glevEnd(c); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevMultiTexCoord1f(c, GLEV_TEXTURE0 + 8, 0); }},
+      {GLEV_INVALID_ENUM, [](glev_context* c) { glevActiveTexture(c, GLEV_TEXTURE0 + 8); }},
+      {GLEV_INVALID_VALUE, [=](glev_context* c) { glevCallLists(c, -1, GLEV_BYTE, names); }},
+      {GLEV_INVALID_ENUM, [=](glev_context* c) { glevCallLists(c, 1, GLEV_DOUBLE, names); }},
+  };
+  for (std::size_t i = 0; i < std::size(rows); ++i) {
+    SCOPED_TRACE(i);
+    const auto& [error, command] = rows[i];
+    Check(command);
+    Prepare();
+    Compile(1, [&, &run = command] {
+      run(gl);
+      ExpectError(GLEV_NO_ERROR);
+      glevIndexf(gl, 5);
+    });
+    ExpectError(GLEV_NO_ERROR);
+    glevCallList(gl, 1);
+    ExpectError(error);
+    EXPECT_EQ(Index(), 5) << "the list goes on";
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests

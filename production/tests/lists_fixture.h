@@ -1,0 +1,51 @@
+// A context and ways to make and see display lists.
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+
+// A command, and what a failure calls it.
+using Command = std::function<void(glev_context*)>;
+using Row = std::pair<const char*, Command>;
+
+class Lists : public ContextTest {
+ protected:
+  void Compile(glev_uint name, const std::function<void()>& commands, glev_enum mode = GLEV_COMPILE) {
+    glevNewList(gl, name, mode);
+    commands();
+    glevEndList(gl);
+  }
+
+  float Index() {
+    float index;
+    glevGetFloatv(gl, GLEV_CURRENT_INDEX, &index);
+    return index;
+  }
+
+  std::vector<float> Indices() {
+    std::vector<float> indices;
+    for (const glev_vertex& vertex : recording.vertices) indices.push_back(vertex.index);
+    return indices;
+  }
+
+  int Integer(glev_enum name) {
+    int value = -77;
+    glevGetIntegerv(gl, name, &value);
+    return value;
+  }
+
+  void Fresh() {
+    glevDestroyContext(gl);
+    ASSERT_EQ(glevCreateContext(nullptr, &gl), GLEV_SUCCESS);
+    recording = {};
+    const glev_sink sink = recording.Sink();
+    glevSetSink(gl, &sink);
+  }
+};
+
+}  // namespace glev_tests
