@@ -16,7 +16,8 @@ namespace {
 // --- Contexts: one fragment each ---------------------------------------------------------------------------
 //
 // A fragment defines `static void make_context(const char *path)`, which stops with exit code 2 and a reason
-// where it cannot, and `static void *address_of(const char *name)`.
+// where it cannot, `static void use_context(GLuint number, int sharing)`, see contexts.h, and `static void
+// *address_of(const char *name)`.
 
 constexpr char kOpenLibrary[] = R"(static void *library;
 
@@ -40,15 +41,21 @@ static void *need(const char *name) {
 constexpr char kOSMesa[] = R"(
 /* OSMesa: RGBA, 24 bits of depth, 8 of stencil, 64x64 pixels in memory. */
 static unsigned char pixels[64 * 64 * 4];
+static void *contexts[MOST_CONTEXTS];
 
-static void make_context(const char *path) {
-  open_library(path);
+static void use_context(GLuint number, int sharing) {
   void *(*create)(GLenum, GLint, GLint, GLint, void *) =
       (void *(*)(GLenum, GLint, GLint, GLint, void *))need("OSMesaCreateContextExt");
   GLboolean (*make_current)(void *, void *, GLenum, GLsizei, GLsizei) =
       (GLboolean (*)(void *, void *, GLenum, GLsizei, GLsizei))need("OSMesaMakeCurrent");
-  void *context = create(GL_RGBA, 24, 8, 0, NULL);
-  if (!context || !make_current(context, pixels, GL_UNSIGNED_BYTE, 64, 64)) stop("OSMesa gives no context");
+  if (!contexts[number]) contexts[number] = create(GL_RGBA, 24, 8, 0, sharing ? contexts[0] : NULL);
+  if (!contexts[number] || !make_current(contexts[number], pixels, GL_UNSIGNED_BYTE, 64, 64))
+    stop("OSMesa gives no context");
+}
+
+static void make_context(const char *path) {
+  open_library(path);
+  use_context(0, 0);
 }
 
 static void *address_of(const char *name) {
@@ -61,35 +68,15 @@ static void *address_of(const char *name) {
 
 constexpr char kEgl[] = R"(
 /* EGL without a surface: a framebuffer object of 64x64 pixels with colour, depth and stencil. */
+static void *display, *config, *contexts[MOST_CONTEXTS];
+
 static void *address_of(const char *name) {
   void *address = dlsym(library, name);
   void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "eglGetProcAddress");
   return address ? address : get ? get(name) : NULL;
 }
 
-static void make_context(const char *path) {
-  open_library(path);
-  void *(*get_display)(unsigned, void *, const int *) =
-      (void *(*)(unsigned, void *, const int *))address_of("eglGetPlatformDisplayEXT");
-  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
-  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
-  unsigned (*choose)(void *, const int *, void **, int, int *) =
-      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
-  void *(*create)(void *, void *, void *, const int *) =
-      (void *(*)(void *, void *, void *, const int *))need("eglCreateContext");
-  unsigned (*make_current)(void *, void *, void *, void *) =
-      (unsigned (*)(void *, void *, void *, void *))need("eglMakeCurrent");
-  if (!get_display) stop("this EGL has no eglGetPlatformDisplayEXT");
-  void *display = get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL);
-  if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no surfaceless display");
-  if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
-  const int wanted[] = {0x3040 /* EGL_RENDERABLE_TYPE */, 8 /* EGL_OPENGL_BIT */, 0x3033 /* EGL_SURFACE_TYPE */, 0,
-                        0x3038 /* EGL_NONE */};
-  void *config = NULL;
-  int count = 0;
-  if (!choose(display, wanted, &config, 1, &count) || count == 0) stop("EGL has no configuration for OpenGL");
-  void *context = create(display, config, NULL, wanted + 4);
-  if (!context || !make_current(display, NULL, NULL, context)) stop("EGL gives no context");
+static void bind_framebuffer(void) {
   GLuint framebuffer, color, depth;
 #define GL(name) ((__typeof__(name) *)address_of(#name))
   GL(glGenFramebuffers)(1, &framebuffer);
@@ -111,13 +98,43 @@ static void make_context(const char *path) {
   while (GL(glGetError)() != GL_NO_ERROR) continue;
 #undef GL
 }
+
+static void use_context(GLuint number, int sharing) {
+  void *(*create)(void *, void *, void *, const int *) =
+      (void *(*)(void *, void *, void *, const int *))need("eglCreateContext");
+  unsigned (*make_current)(void *, void *, void *, void *) =
+      (unsigned (*)(void *, void *, void *, void *))need("eglMakeCurrent");
+  const int none = 0x3038 /* EGL_NONE */, is_new = !contexts[number];
+  if (is_new) contexts[number] = create(display, config, sharing ? contexts[0] : NULL, &none);
+  if (!contexts[number] || !make_current(display, NULL, NULL, contexts[number])) stop("EGL gives no context");
+  if (is_new) bind_framebuffer();
+}
+
+static void make_context(const char *path) {
+  open_library(path);
+  void *(*get_display)(unsigned, void *, const int *) =
+      (void *(*)(unsigned, void *, const int *))address_of("eglGetPlatformDisplayEXT");
+  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
+  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
+  unsigned (*choose)(void *, const int *, void **, int, int *) =
+      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
+  if (!get_display) stop("this EGL has no eglGetPlatformDisplayEXT");
+  display = get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL);
+  if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no surfaceless display");
+  if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
+  const int wanted[] = {0x3040 /* EGL_RENDERABLE_TYPE */, 8 /* EGL_OPENGL_BIT */, 0x3033 /* EGL_SURFACE_TYPE */, 0,
+                        0x3038 /* EGL_NONE */};
+  int count = 0;
+  if (!choose(display, wanted, &config, 1, &count) || count == 0) stop("EGL has no configuration for OpenGL");
+  use_context(0, 0);
+}
 )";
 
 // %MOST%: how many vertices are kept.
 constexpr char kProduction[] = R"(
 /* libglevaluator: vertices come through a callback. */
 enum { MOST_VERTICES = %MOST%, VALUES = 43 };
-static glev_context *context;
+static glev_context *context, *contexts[MOST_CONTEXTS];
 static float emitted[MOST_VERTICES * VALUES];
 static size_t emitted_vertices;
 
@@ -133,13 +150,18 @@ static void on_vertex(void *user, const glev_vertex *vertex) {
   ++emitted_vertices;
 }
 
-static void make_context(void) {
+static void use_context(GLuint number, int sharing) {
   const glev_sink sink = {sizeof sink, NULL, NULL, on_vertex, NULL};
-  if (glevCreateContext(NULL, &context) != GLEV_SUCCESS || glevSetSink(context, &sink) != GLEV_SUCCESS) {
+  glev_context **const used = &contexts[number];
+  (void)sharing;
+  if (!*used && (glevCreateContext(NULL, used) != GLEV_SUCCESS || glevSetSink(*used, &sink) != GLEV_SUCCESS)) {
     fprintf(stderr, "cannot start: no context\n");
     exit(2);
   }
+  context = *used;
 }
+
+static void make_context(void) { use_context(0, 0); }
 )";
 
 // --- The rest of the program -------------------------------------------------------------------------------
@@ -250,7 +272,7 @@ class Writer {
         "\n#define GL_GLEXT_PROTOTYPES 1 /* for the types only */\n#include <GL/gl.h>\n#include "
         "<GL/glext.h>\n";
     if (production()) text_ += "#include <glevaluator.h>\n";
-    text_ += "\n";
+    text_ += "\nenum { MOST_CONTEXTS = 8 };\n";
   }
 
   void context() {
@@ -274,6 +296,10 @@ class Writer {
     std::set<EntryPoint> used;
     for (const Command& command : commands_) used.insert(command.entry);
     used.insert(EntryPoint::GetError);
+    const auto other = used.erase(EntryPoint::OtherContextEVALCTS);
+    const auto sharing = used.erase(EntryPoint::SharingContextEVALCTS);
+    if (other) text_ += "\n#define glOtherContextEVALCTS(number) use_context(number, 0)\n";
+    if (sharing) text_ += "\n#define glSharingContextEVALCTS(number) use_context(number, 1)\n";
     text_ += "\n/* The commands by their names. */\n";
     if (production()) {
       for (const EntryPoint entry : used) {

@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <list>
 #include <map>
@@ -79,11 +80,20 @@ class Player {
       issue(command);
       ++index_;
     }
+    if (uses_other_contexts(script)) table_.OtherContextEVALCTS(0);
     drain_errors();
     return std::move(trace_);
   }
 
  private:
+  bool uses_other_contexts(const Case& script) const {
+    if (!table_.OtherContextEVALCTS) return false;
+    return std::ranges::any_of(script.commands(), [](const Command& command) {
+      return command.entry == EntryPoint::OtherContextEVALCTS ||
+             command.entry == EntryPoint::SharingContextEVALCTS;
+    });
+  }
+
   void issue(const Command& command) {
     switch (command.entry) {
 #define GL_ENTRY(name, kinds)     \

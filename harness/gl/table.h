@@ -10,6 +10,8 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "harness/gl/contexts.h"
+
 namespace evalcts::gl {
 
 enum class EntryPoint : int {

@@ -8,12 +8,17 @@
 
 namespace evalcts {
 
-// Only one context at a time exists and is current.
 class ContextMaker {
  public:
   virtual ~ContextMaker() = default;
-  // A fresh context, current. Throws CannotStart.
+  // A fresh context, current. No other exists but where makes_several(). Throws CannotStart.
   virtual void* create() = 0;
+  // Whether it can make further contexts beside the first. The next two are for such makers only.
+  virtual bool makes_several() const { return false; }
+  // The same, sharing objects with another context. Throws CannotStart.
+  virtual void* create_sharing(void* /*with*/) { return nullptr; }
+  // Throws CannotStart.
+  virtual void make_current(void* /*context*/) {}
   // No context is current afterwards.
   virtual void destroy(void* context) = 0;
   // A GL command among the symbols of the library, and one that the library is asked for: the latter may make

@@ -125,24 +125,14 @@ class EglContexts final : public ContextMaker {
         library_.path(), fmt::join(reasons, "; ")));
   }
 
-  void* create() override {
-    auto made = std::make_unique<Made>();
-    made->context = egl_.CreateContext(display_, config_, EGL_NO_CONTEXT, attributes_.data());
-    if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
-    try {
-      if (!surfaceless_) {
-        const EGLint size[] = {EGL_WIDTH, kSide, EGL_HEIGHT, kSide, EGL_NONE};
-        made->surface = egl_.CreatePbufferSurface(display_, config_, size);
-        if (made->surface == EGL_NO_SURFACE) throw failure("eglCreatePbufferSurface");
-      }
-      if (!egl_.MakeCurrent(display_, made->surface, made->surface, made->context))
-        throw failure("eglMakeCurrent");
-      if (surfaceless_) bind_framebuffer();
-    } catch (const CannotStart&) {
-      destroy(made.release());
-      throw;
-    }
-    return made.release();
+  void* create() override { return make(EGL_NO_CONTEXT); }
+  bool makes_several() const override { return true; }
+  void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context); }
+
+  void make_current(void* context) override {
+    const Made& made = *static_cast<Made*>(context);
+    if (!egl_.MakeCurrent(display_, made.surface, made.surface, made.context))
+      throw failure("eglMakeCurrent");
   }
 
   void destroy(void* context) override {
@@ -175,6 +165,25 @@ class EglContexts final : public ContextMaker {
     EGLContext context = EGL_NO_CONTEXT;
     EGLSurface surface = EGL_NO_SURFACE;
   };
+
+  Made* make(EGLContext share) {
+    auto made = std::make_unique<Made>();
+    made->context = egl_.CreateContext(display_, config_, share, attributes_.data());
+    if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
+    try {
+      if (!surfaceless_) {
+        const EGLint size[] = {EGL_WIDTH, kSide, EGL_HEIGHT, kSide, EGL_NONE};
+        made->surface = egl_.CreatePbufferSurface(display_, config_, size);
+        if (made->surface == EGL_NO_SURFACE) throw failure("eglCreatePbufferSurface");
+      }
+      make_current(made.get());
+      if (surfaceless_) bind_framebuffer();
+    } catch (const CannotStart&) {
+      destroy(made.release());
+      throw;
+    }
+    return made.release();
+  }
 
   CannotStart failure(const std::string& step) const {
     return CannotStart(fmt::format("{} gives {}", step, error_name(egl_.GetError())));

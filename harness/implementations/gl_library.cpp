@@ -1,3 +1,4 @@
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -17,19 +18,44 @@ class NoContexts final : public ContextMaker {
   std::string library() const override { return {}; }
 };
 
+// A context, and those that a case has made beside it.
 class MadeContext final : public Context {
  public:
   MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)
-      : maker_(maker), handle_(handle), table_(table) {}
-  ~MadeContext() override { maker_.destroy(handle_); }
+      : maker_(maker), handle_(handle), table_(table) {
+    of_the_case_ = this;
+  }
+  ~MadeContext() override {
+    of_the_case_ = nullptr;
+    for (const auto& [number, handle] : others_) {
+      maker_.make_current(handle);
+      maker_.destroy(handle);
+    }
+    if (!others_.empty()) maker_.make_current(handle_);
+    maker_.destroy(handle_);
+  }
   MadeContext(const MadeContext&) = delete;
   MadeContext& operator=(const MadeContext&) = delete;
 
   const gl::Table& table() const override { return table_; }
 
+  // The commands of gl/contexts.h.
+  static void other(GLuint number) { of_the_case_->make_current(number, false); }
+  static void sharing(GLuint number) { of_the_case_->make_current(number, true); }
+
  private:
+  void make_current(GLuint number, bool sharing) {
+    if (number == 0) return maker_.make_current(handle_);
+    if (const auto made = others_.find(number); made != others_.end())
+      return maker_.make_current(made->second);
+    others_[number] = sharing ? maker_.create_sharing(handle_) : maker_.create();
+  }
+
+  static inline thread_local MadeContext* of_the_case_ = nullptr;
+
   ContextMaker& maker_;
   void* handle_;
+  std::map<GLuint, void*> others_;
   const gl::Table& table_;
 };
 
@@ -64,6 +90,10 @@ class GlLibrary final : public Implementation {
       // What it merely depends on is not under test.
       table_ = gl::load_table({[&](const char* command) { return library.exported(command); }});
       library_ = library.path();
+    }
+    if (contexts_->makes_several()) {
+      table_.OtherContextEVALCTS = &MadeContext::other;
+      table_.SharingContextEVALCTS = &MadeContext::sharing;
     }
     loaded_ = true;
   }

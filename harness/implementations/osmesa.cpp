@@ -37,14 +37,24 @@ class OSMesaContexts final : public ContextMaker {
     exports_commands_ = library_.find("glMap1f") != nullptr;
   }
 
-  void* create() override {
-    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, nullptr) : create_(GL_RGBA, nullptr);
+  void* create() override { return create_sharing(nullptr); }
+  bool makes_several() const override { return true; }
+
+  void* create_sharing(void* with) override {
+    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : create_(GL_RGBA, with);
     if (!context) throw CannotStart("OSMesaCreateContext gives no context");
-    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide)) {
+    try {
+      make_current(context);
+    } catch (const CannotStart&) {
       destroy_(context);
-      throw CannotStart("OSMesaMakeCurrent refuses the context");
+      throw;
     }
     return context;
+  }
+
+  void make_current(void* context) override {
+    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
+      throw CannotStart("OSMesaMakeCurrent refuses the context");
   }
 
   void destroy(void* context) override {

@@ -2,6 +2,7 @@
 #include <glevaluator.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "harness/implementations/in_process.h"
@@ -133,10 +134,34 @@ gl::Table bind_functions() {
   return table;
 }
 
+// A context, and those that a case has made beside it. They have nothing to share.
 class ProductionContext final : public Context {
  public:
-  explicit ProductionContext(const gl::Table& table) : table_(table) {
-    if (glevCreateContext(nullptr, &context_) != GLEV_SUCCESS) throw CannotStart("glevCreateContext failed");
+  explicit ProductionContext(const gl::Table& table) : table_(table) { make_current(0); }
+  ~ProductionContext() override {
+    Current::current = nullptr;
+    for (const auto& [number, context] : contexts_) glevDestroyContext(context);
+  }
+  ProductionContext(const ProductionContext&) = delete;
+  ProductionContext& operator=(const ProductionContext&) = delete;
+
+  const gl::Table& table() const override { return table_; }
+  bool has_sink() const override { return true; }
+  std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
+
+  // The command of gl/contexts.h.
+  static void other(GLuint number) { of_the_case_->make_current(number); }
+
+ private:
+  void make_current(GLuint number) {
+    of_the_case_ = this;
+    if (contexts_.find(number) == contexts_.end()) contexts_[number] = make();
+    Current::current = contexts_[number];
+  }
+
+  glev_context* make() {
+    glev_context* context = nullptr;
+    if (glevCreateContext(nullptr, &context) != GLEV_SUCCESS) throw CannotStart("glevCreateContext failed");
     glev_sink sink{};
     sink.size = sizeof sink;
     sink.user = this;
@@ -146,24 +171,13 @@ class ProductionContext final : public Context {
     sink.vertex = [](void* self, const glev_vertex* vertex) {
       static_cast<ProductionContext*>(self)->keep(*vertex);
     };
-    if (glevSetSink(context_, &sink) != GLEV_SUCCESS) {
-      glevDestroyContext(context_);
+    if (glevSetSink(context, &sink) != GLEV_SUCCESS) {
+      glevDestroyContext(context);
       throw CannotStart("glevSetSink failed");
     }
-    Current::current = context_;
+    return context;
   }
-  ~ProductionContext() override {
-    Current::current = nullptr;
-    glevDestroyContext(context_);
-  }
-  ProductionContext(const ProductionContext&) = delete;
-  ProductionContext& operator=(const ProductionContext&) = delete;
 
-  const gl::Table& table() const override { return table_; }
-  bool has_sink() const override { return true; }
-  std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
-
- private:
   void keep(const glev_vertex& vertex) {
     ObservedVertex out;
     std::copy_n(vertex.position, 4, out.position.begin());
@@ -174,8 +188,10 @@ class ProductionContext final : public Context {
     emitted_.back().vertices.push_back(out);
   }
 
+  static inline thread_local ProductionContext* of_the_case_ = nullptr;
+
   const gl::Table& table_;
-  glev_context* context_ = nullptr;
+  std::map<GLuint, glev_context*> contexts_;
   std::vector<ObservedPrimitive> emitted_;
 };
 
@@ -185,7 +201,11 @@ class Production final : public Implementation {
   std::unique_ptr<Context> create_context() override { return std::make_unique<ProductionContext>(table_); }
 
  private:
-  gl::Table table_ = bind_functions();
+  gl::Table table_ = [] {
+    gl::Table table = bind_functions();
+    table.OtherContextEVALCTS = &ProductionContext::other;
+    return table;
+  }();
 };
 
 }  // namespace

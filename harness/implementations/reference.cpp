@@ -1,6 +1,8 @@
 // The executable specification as an implementation: each emitted value is the exact one, correctly rounded.
 #include <reference/specification.h>
 
+#include <map>
+
 #include "harness/implementations/in_process.h"
 #include "harness/implementations/kinds.h"
 
@@ -26,16 +28,19 @@ ObservedVertex rounded(const reference::Vertex& vertex) {
   return out;
 }
 
+// A context, and those that a case has made beside it.
 class ReferenceContext final : public Context {
  public:
-  explicit ReferenceContext(const gl::Table& table) : table_(table) { Current::current = &specification_; }
+  explicit ReferenceContext(const gl::Table& table) : table_(table) { make_current(0); }
   ~ReferenceContext() override { Current::current = nullptr; }
+  ReferenceContext(const ReferenceContext&) = delete;
+  ReferenceContext& operator=(const ReferenceContext&) = delete;
 
   const gl::Table& table() const override { return table_; }
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override {
     std::vector<ObservedPrimitive> primitives;
-    for (const reference::Primitive& primitive : specification_.take_primitives()) {
+    for (const reference::Primitive& primitive : Current::current->take_primitives()) {
       ObservedPrimitive& observed = primitives.emplace_back();
       observed.mode = primitive.mode;
       for (const reference::Vertex& vertex : primitive.vertices) observed.vertices.push_back(rounded(vertex));
@@ -43,9 +48,19 @@ class ReferenceContext final : public Context {
     return primitives;
   }
 
+  // The command of gl/contexts.h.
+  static void other(GLuint number) { of_the_case_->make_current(number); }
+
  private:
+  void make_current(GLuint number) {
+    of_the_case_ = this;
+    Current::current = &contexts_[number];
+  }
+
+  static inline thread_local ReferenceContext* of_the_case_ = nullptr;
+
   const gl::Table& table_;
-  Specification specification_;
+  std::map<GLuint, Specification> contexts_;
 };
 
 class Reference final : public Implementation {
@@ -54,7 +69,11 @@ class Reference final : public Implementation {
   std::unique_ptr<Context> create_context() override { return std::make_unique<ReferenceContext>(table_); }
 
  private:
-  gl::Table table_ = bind_methods<Current, Specification>();
+  gl::Table table_ = [] {
+    gl::Table table = bind_methods<Current, Specification>();
+    table.OtherContextEVALCTS = &ReferenceContext::other;
+    return table;
+  }();
 };
 
 }  // namespace

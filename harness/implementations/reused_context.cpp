@@ -236,7 +236,8 @@ struct Pair {
 constexpr Pair kPairs[] = {{EntryPoint::Begin, EntryPoint::End},
                            {EntryPoint::BeginTransformFeedback, EntryPoint::EndTransformFeedback},
                            {EntryPoint::BeginQuery, EntryPoint::EndQuery},
-                           {EntryPoint::NewList, EntryPoint::EndList}};
+                           {EntryPoint::NewList, EntryPoint::EndList},
+                           {EntryPoint::PushAttrib, EntryPoint::PopAttrib}};
 
 // What the played cases have left behind that no constant command takes back.
 class Remains {
@@ -319,7 +320,9 @@ Case available(const Case& commands, const gl::Table& table) {
 // The context that all handles share.
 class Shared {
  public:
-  Shared(std::unique_ptr<Context> context, const ImplementationInfo& info) : context_(std::move(context)) {
+  Shared(std::unique_ptr<Context> context, const ImplementationInfo& info)
+      : context_(std::move(context)), table_(context_->table()) {
+    table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
     // Its initial value is the size of a window that only the implementation knows.
     if (gl::has(context_->table(), EntryPoint::Viewport)) {
       Case question;
@@ -331,13 +334,13 @@ class Shared {
     restoring_.append(available(restoring_commands(info), context_->table()));
   }
 
-  const gl::Table& table() const { return context_->table(); }
+  const gl::Table& table() const { return table_; }
   bool has_sink() const { return context_->has_sink(); }
   Attributes emitted_attributes() const { return context_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
 
   gl::Trace play(const Case& script) {
-    gl::Trace trace = context_->play(script);
+    gl::Trace trace = gl::play(script, table_);
     remains_.add(script, trace);
     return trace;
   }
@@ -353,6 +356,7 @@ class Shared {
 
  private:
   std::unique_ptr<Context> context_;
+  gl::Table table_;
   Case restoring_;
   Remains remains_;
 };

@@ -1,0 +1,15 @@
+// Commands of the harness that make another context current, so that a case may use several.
+#pragma once
+
+#include <GL/gl.h>
+
+extern "C" {
+
+// Makes context `context` of the case current: 0 is the one that it begins with, any other is made in its
+// initial state when it is first named. All live until the case is over; the player goes back to context 0.
+// Never called between Begin and End.
+void glOtherContextEVALCTS(GLuint context);
+
+// The same; a context that is made now shares objects (display lists, textures) with context 0.
+void glSharingContextEVALCTS(GLuint context);
+}

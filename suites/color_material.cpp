@@ -1,0 +1,232 @@
+// Section 12 of the requirements: evaluated colours in the lighting equation.
+#include <fmt/format.h>
+
+#include "harness/judge/prediction.h"
+#include "suites/maps.h"
+#include "suites/pictures.h"
+
+namespace evalcts {
+namespace {
+
+// Pictures are compared with those of explicit vertices: none may be drawn twice.
+std::vector<gl::Delivery> once() { return gl::without(gl::kRepetition, gl::curve_deliveries()); }
+std::vector<gl::Delivery> once_in_primitives() {
+  return gl::without(gl::kRepetition | gl::kMeshes, gl::curve_deliveries());
+}
+
+constexpr std::array<float, 4> kCurrent = {0.75f, 0.25f, 0.5f, 1.0f};
+
+struct Tracked {
+  const char* name;
+  GLenum property;
+};
+constexpr Tracked kTracked[] = {{"EMISSION", GL_EMISSION},
+                                {"AMBIENT", GL_AMBIENT},
+                                {"DIFFUSE", GL_DIFFUSE},
+                                {"SPECULAR", GL_SPECULAR},
+                                {"AMBIENT_AND_DIFFUSE", GL_AMBIENT_AND_DIFFUSE}};
+
+// Light from the eye, and materials that leave each property room to show.
+void light(gl::Case& c) {
+  c.Enable(GL_LIGHTING);
+  c.Enable(GL_LIGHT0);
+  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0, 0, 1, 0});
+  c.Lightfv(GL_LIGHT0, GL_AMBIENT, std::vector<float>{0.25f, 0.25f, 0.25f, 1});
+  c.Lightfv(GL_LIGHT0, GL_DIFFUSE, std::vector<float>{0.5f, 0.5f, 0.5f, 1});
+  c.Lightfv(GL_LIGHT0, GL_SPECULAR, std::vector<float>{0.5f, 0.5f, 0.5f, 1});
+  c.LightModelfv(GL_LIGHT_MODEL_AMBIENT, std::vector<float>{0.5f, 0.5f, 0.5f, 1});
+  for (const GLenum property : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
+    c.Materialfv(GL_FRONT_AND_BACK, property, std::vector<float>{0.125f, 0.125f, 0.125f, 1});
+  c.Normal3f(0, 0, 1);
+}
+
+void track(gl::Case& c, GLenum property, GLenum face = GL_FRONT_AND_BACK) {
+  c.Color4f(kCurrent[0], kCurrent[1], kCurrent[2], kCurrent[3]);
+  c.ColorMaterial(face, property);
+  c.Enable(GL_COLOR_MATERIAL);
+}
+
+// A curve of positions and one of colours.
+void define_maps(gl::Case& c) {
+  define(c, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
+  define(c, make_map1(GL_MAP1_COLOR_4, {0, 1, 0.25, 1, 1, 0.25, 0, 1, 0.5, 0, 1, 1}));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP1_COLOR_4);
+}
+
+void draw_points(gl::Case& c) {
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.25f, 0.625f, 1.0f}) c.EvalCoord1f(u);
+  c.End();
+}
+
+// The evaluated picture is that of the explicit vertices, which is another without what `effect` switches
+// off.
+void expect_lit_like_explicit(Test& t, const gl::Case& state, const gl::Case& without,
+                              const gl::Case& drawing) {
+  const gl::Case vertices = as_explicit_commands(predict(drawing, t.max_order()));
+  const Picture control = feedback(t, "control: explicit vertices", state, vertices);
+  require_an_effect(control, feedback(t, "control: explicit vertices, not tracked", without, vertices));
+  expect_like_explicit(feedback(t, "evaluated", state, drawing), control);
+}
+
+constexpr GLenum kProperties[] = {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION};
+
+std::vector<gl::Ref> query_materials(gl::Case& c) {
+  std::vector<gl::Ref> refs;
+  for (const GLenum face : {GL_FRONT, GL_BACK})
+    for (const GLenum property : kProperties)
+      refs.push_back(c.GetMaterialfv(face, property, gl::out<GLfloat>(4)));
+  return refs;
+}
+
+}  // namespace
+
+EVALCTS_TESTS_BY(once(), ColorMaterial, Effect, kTracked, const Tracked& tracked, must,
+                 "EV-CMAT-EFFECT/1-D") {
+  t.require(1, 1);
+  gl::Case untracked;
+  light(untracked);
+  gl::Case state = untracked;
+  track(state, tracked.property);
+  gl::Case drawing;
+  define_maps(drawing);
+  draw_points(drawing);
+  expect_lit_like_explicit(t, state, untracked, drawing);
+}
+
+// Asked at once, and after a flush.
+EVALCTS_TESTS_BY(gl::curve_deliveries(), ColorMaterial, MaterialUntouched, kTracked, const Tracked& tracked,
+                 must, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D") {
+  t.require(1, 1);
+  for (const bool flush : {false, true}) {
+    gl::Case c(flush ? "queried after Flush" : "queried at once");
+    light(c);
+    track(c, tracked.property);
+    define_maps(c);
+    const std::vector<gl::Ref> before = query_materials(c);
+    const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+    draw_points(c);
+    if (flush) c.Flush();
+    const std::vector<gl::Ref> after = query_materials(c);
+    const gl::Ref same_color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+    played.expect_same(color, same_color);
+  }
+}
+
+// What comes after is lit with the current colour again: a Vertex, and an evaluation without the map.
+EVALCTS_TESTS_BY(once_in_primitives(), ColorMaterial, NextVertex, kTracked, const Tracked& tracked, must,
+                 "EV-CMAT-NEXT/1-D") {
+  t.require(1, 1);
+  gl::Case untracked;
+  light(untracked);
+  gl::Case state = untracked;
+  track(state, tracked.property);
+  gl::Case drawing;
+  drawing.Color4f(kCurrent[0], kCurrent[1], kCurrent[2], kCurrent[3]);
+  define_maps(drawing);
+  drawing.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.5f, 1.0f}) {
+    drawing.EvalCoord1f(u);
+    drawing.Vertex3f(0.5f * u, 0.25f, 0.125f);
+  }
+  drawing.End();
+  drawing.Disable(GL_MAP1_COLOR_4);
+  draw_points(drawing);
+  expect_lit_like_explicit(t, state, untracked, drawing);
+}
+
+namespace {
+
+struct Face {
+  const char* name;
+  GLenum face;
+};
+constexpr Face kFaces[] = {{"FRONT", GL_FRONT}, {"BACK", GL_BACK}, {"FRONT_AND_BACK", GL_FRONT_AND_BACK}};
+
+}  // namespace
+
+// A triangle seen from the front and one from behind, lit on both sides.
+EVALCTS_TESTS_BY(once_in_primitives(), ColorMaterial, Faces, kFaces, const Face& face, must,
+                 "EV-CMAT-FACES/1-D") {
+  t.require(1, 1);
+  gl::Case untracked;
+  light(untracked);
+  untracked.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, std::vector<float>{1, 0, 0, 0});
+  gl::Case state = untracked;
+  track(state, GL_EMISSION, face.face);
+  gl::Case drawing;
+  define(drawing, make_map1(GL_MAP1_VERTEX_3, {-0.75, -0.5, 0, 0.5, -0.75, 0, 0.75, 0.75, 0}));
+  define(drawing, make_map1(GL_MAP1_COLOR_4, {0, 1, 0.25, 1, 1, 0.25, 0, 1, 0.5, 0, 1, 1}));
+  drawing.Enable(GL_MAP1_VERTEX_3);
+  drawing.Enable(GL_MAP1_COLOR_4);
+  drawing.Begin(GL_TRIANGLES);
+  for (const float u : {0.0f, 0.5f, 1.0f, 1.0f, 0.5f, 0.0f}) drawing.EvalCoord1f(u);
+  drawing.End();
+  expect_lit_like_explicit(t, state, untracked, drawing);
+}
+
+// Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
+EVALCTS_TEST_BY(once(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
+  gl::Case state;
+  light(state);
+  gl::Case tracking = state;
+  track(tracking, GL_EMISSION);
+  gl::Case drawing;
+  define_maps(drawing);
+  draw_points(drawing);
+  expect_lit_like_explicit(t, state, tracking, drawing);
+}
+
+// Without lighting the evaluated colour is the vertex's.
+EVALCTS_TEST_BY(once(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
+  gl::Case lit;
+  light(lit);
+  track(lit, GL_EMISSION);
+  gl::Case state = lit;
+  state.Disable(GL_LIGHTING);
+  gl::Case drawing;
+  define_maps(drawing);
+  draw_points(drawing);
+  expect_lit_like_explicit(t, state, lit, drawing);
+}
+
+// Without a vertex map a colour map does nothing: no material, no current colour, no later vertex is other.
+EVALCTS_TESTS_BY(once(), ColorMaterial, NoVertexMap, kTracked, const Tracked& tracked, must,
+                 "EV-CMAT-NOVERTEX/1-D") {
+  t.require(1, 1);
+  gl::Case c("queried before and after");
+  light(c);
+  track(c, tracked.property);
+  define_maps(c);
+  c.Disable(GL_MAP1_VERTEX_3);
+  const std::vector<gl::Ref> before = query_materials(c);
+  const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+  draw_points(c);
+  const std::vector<gl::Ref> after = query_materials(c);
+  const gl::Ref same_color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+  Played played = t.play(c);
+  for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+  played.expect_same(color, same_color);
+
+  gl::Case state;
+  light(state);
+  track(state, tracked.property);
+  const auto drawing = [](bool evaluated) {
+    gl::Case drawn;
+    define_maps(drawn);
+    drawn.Disable(GL_MAP1_VERTEX_3);
+    if (evaluated) draw_points(drawn);
+    drawn.Begin(GL_POINTS);
+    drawn.Vertex3f(0.25f, 0.5f, 0.125f);
+    drawn.End();
+    return drawn;
+  };
+  const Picture control = feedback(t, "control: a vertex", state, drawing(false));
+  expect_like_explicit(feedback(t, "a vertex after evaluations without a vertex map", state, drawing(true)),
+                       control);
+}
+
+}  // namespace evalcts

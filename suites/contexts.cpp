@@ -1,0 +1,160 @@
+// Section 21 of the requirements, contexts: each has evaluators of its own.
+#include <fmt/format.h>
+
+#include "suites/maps2.h"
+
+namespace evalcts {
+namespace {
+
+// Everything of evaluators away from its initial value, in one of two ways.
+void set_everything(Test& t, gl::Case& c, int variant) {
+  for (const GLenum target : gl::kMap1Targets) {
+    Map1 map = random_map(t, target, 3 + variant);
+    map.u1 = -1.5 - variant;
+    define(c, map);
+    c.Enable(target);
+  }
+  for (const GLenum target : gl::kMap2Targets) {
+    Map2 map = random_map2(t, target, 2 + variant, 4 - variant);
+    map.v2 = 7.0 + variant;
+    define(c, map);
+    c.Enable(target);
+  }
+  c.Enable(GL_AUTO_NORMAL);
+  c.MapGrid1f(5 + variant, 2.0f, 0.25f);
+  c.MapGrid2f(7 + variant, -1.0f, 3.0f, 2, 0.5f, 8.0f);
+  c.Color4f(0.25f, 0.5f, 0.75f, 0.5f);
+  c.Normal3f(0.6f, 0, 0.8f);
+  c.TexCoord4f(4, 3, 2, 5);
+}
+
+// What makes another context current.
+struct Other {
+  const char* name;
+  gl::Ref (*make_current)(gl::Case&, GLuint);
+};
+constexpr Other kOthers[] = {
+    {"SEPARATE", [](gl::Case& c, GLuint number) { return c.OtherContextEVALCTS(number); }},
+    {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
+
+}  // namespace
+
+// Whatever the first context holds. What is initial the first context said before.
+EVALCTS_TESTS(Contexts, Fresh, kOthers, const Other& other, must, "EV-CTX-FRESH") {
+  gl::Case c("everything set in the first context, then another one is made");
+  const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
+  set_everything(t, c, 0);
+  other.make_current(c, 1);
+  const std::vector<gl::Ref> fresh = query_everything(c, t.max_order());
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  expect_unchanged(played, initial, fresh);
+  played.expect_no_error(error);
+}
+
+// Commands in one context change nothing in the other, in either direction, in contexts that share objects as
+// well as in others. (An implementation that shares evaluators answers the same in both.)
+EVALCTS_TESTS(Contexts, Private, kOthers, const Other& other, must, "EV-CTX-PRIVATE") {
+  gl::Case c("two contexts set in different ways in turn");
+  other.make_current(c, 1);
+  set_everything(t, c, 1);
+  const std::vector<gl::Ref> second = query_everything(c, t.max_order());
+  c.OtherContextEVALCTS(0);
+  const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
+  set_everything(t, c, 0);
+  const std::vector<gl::Ref> first = query_everything(c, t.max_order());
+  c.OtherContextEVALCTS(1);
+  const std::vector<gl::Ref> second_again = query_everything(c, t.max_order());
+  // The third shows what is initial.
+  c.OtherContextEVALCTS(2);
+  const std::vector<gl::Ref> fresh = query_everything(c, t.max_order());
+  c.OtherContextEVALCTS(0);
+  const std::vector<gl::Ref> first_again = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  expect_unchanged(played, second, second_again);
+  expect_unchanged(played, first, first_again);
+  expect_unchanged(played, fresh, initial);
+}
+
+// Maps that a list defines are those of the context that calls it; the list itself is shared.
+EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE") {
+  gl::Case c("a list made in one context, called in the other");
+  const Map1 own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
+  define(c, own);
+  c.SharingContextEVALCTS(1);
+  c.NewList(9, GL_COMPILE);
+  define(c, listed);
+  c.MapGrid1f(6, 2.0f, 3.0f);
+  c.EndList();
+  c.OtherContextEVALCTS(0);
+  const gl::Ref shared = c.IsList(9);
+  const MapQuery before = query_map1(c, GL_MAP1_VERTEX_3, t.max_order());
+  c.CallList(9);
+  const MapQuery after = query_map1(c, GL_MAP1_VERTEX_3, t.max_order());
+  const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  c.OtherContextEVALCTS(1);
+  const gl::Ref other_order = c.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLint>(1));
+  const gl::Ref other_segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  Played played = t.play(c);
+  if (played.trace().result(shared) != GL_TRUE)
+    throw NotObservable("the two contexts do not share display lists");
+  expect_map1(played, before, own);
+  expect_map1(played, after, listed);
+  played.expect_values(segments, std::vector<GLint>{6});
+  played.expect_values(other_order, std::vector<GLint>{1});
+  played.expect_values(other_segments, std::vector<GLint>{1});
+}
+
+EVALCTS_TESTS(Contexts, Switched, kOthers, const Other& other, must, "EV-CTX-SWITCH") {
+  gl::Case c("everything set, another context used, and back");
+  set_everything(t, c, 0);
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  for (int round = 0; round < 3; ++round) {
+    other.make_current(c, 1);
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(0.5f);
+    c.EvalCoord2f(0.5f, 0.25f);
+    c.End();
+    c.EvalMesh1(GL_LINE, 0, 2);
+    c.OtherContextEVALCTS(0);
+  }
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  expect_unchanged(played, before, after);
+}
+
+// Evaluation itself goes on as if there had been no other context: the pictures of both in feedback mode.
+EVALCTS_TESTS(Contexts, EvaluatesAfterSwitch, kOthers, const Other& other, must, "EV-CTX-SWITCH",
+              "EV-CTX-PRIVATE") {
+  constexpr std::size_t kRoom = 64;
+  gl::Case c("feedback of the same evaluation before and after another context evaluated");
+  const auto draw = [&] {
+    const gl::Ref buffer = c.FeedbackBuffer(kRoom, GL_3D_COLOR, gl::out<GLfloat>(kRoom));
+    c.RenderMode(GL_FEEDBACK);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.375f, 1.0f}) c.EvalCoord1f(u);
+    c.End();
+    return std::pair{buffer, c.RenderMode(GL_RENDER)};
+  };
+  const auto define_all = [&] {
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4}) {
+      define(c, random_map(t, target, 4));
+      c.Enable(target);
+    }
+  };
+  define_all();
+  const auto [before, count_before] = draw();
+  other.make_current(c, 1);
+  define_all();
+  c.Disable(GL_MAP1_COLOR_4);
+  draw();
+  c.OtherContextEVALCTS(0);
+  const auto [after, count_after] = draw();
+  Played played = t.play(c);
+  if (played.trace().result(count_before) <= 0)
+    throw NotObservable("pipeline: nothing comes back in feedback mode");
+  played.expect_same(count_before, count_after);
+  played.expect_same(before, after);
+}
+
+}  // namespace evalcts

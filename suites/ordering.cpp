@@ -1,0 +1,257 @@
+// Section 19 of the requirements: which evaluator commands may stand between Begin and End, and that each
+// command sees all earlier ones and no later one.
+#include <fmt/format.h>
+
+#include "harness/judge/prediction.h"
+#include "suites/maps2.h"
+#include "suites/pictures.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+struct Command {
+  std::string name;
+  Calls issue;
+};
+
+std::vector<Command> allowed() {
+  return {
+      {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
+      {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
+      {"EvalCoord1fv", [](gl::Case& c) { c.EvalCoord1fv(std::vector<float>{0.5f}); }},
+      {"EvalCoord1dv", [](gl::Case& c) { c.EvalCoord1dv(std::vector<double>{0.5}); }},
+      {"EvalCoord2f", [](gl::Case& c) { c.EvalCoord2f(0.5f, 0.25f); }},
+      {"EvalCoord2d", [](gl::Case& c) { c.EvalCoord2d(0.5, 0.25); }},
+      {"EvalCoord2fv",
+       [](gl::Case& c) {
+         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
+       }},
+      {"EvalCoord2dv",
+       [](gl::Case& c) {
+         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
+       }},
+      {"EvalPoint1", [](gl::Case& c) { c.EvalPoint1(1); }},
+      {"EvalPoint2", [](gl::Case& c) { c.EvalPoint2(1, 0); }},
+  };
+}
+
+// Each would have an effect outside.
+std::vector<Command> forbidden() {
+  std::vector<Command> all;
+  for (const Form& form : kForms) {
+    const bool doubles = form.doubles;
+    all.push_back({fmt::format("Map1{}", form.name), [=](gl::Case& c) {
+                     define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}), doubles);
+                   }});
+    all.push_back({fmt::format("Map2{}", form.name), [=](gl::Case& c) {
+                     define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}), doubles);
+                   }});
+  }
+  all.push_back({"MapGrid1f", [](gl::Case& c) { c.MapGrid1f(3, 5.0f, 6.0f); }});
+  all.push_back({"MapGrid1d", [](gl::Case& c) { c.MapGrid1d(3, 5.0, 6.0); }});
+  all.push_back({"MapGrid2f", [](gl::Case& c) { c.MapGrid2f(3, 5.0f, 6.0f, 3, 5.0f, 6.0f); }});
+  all.push_back({"MapGrid2d", [](gl::Case& c) { c.MapGrid2d(3, 5.0, 6.0, 3, 5.0, 6.0); }});
+  all.push_back({"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_POINT, 0, 1); }});
+  all.push_back({"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_POINT, 0, 1, 0, 1); }});
+  all.push_back({"Enable_MAP1", [](gl::Case& c) { c.Enable(GL_MAP1_COLOR_4); }});
+  all.push_back({"Enable_MAP2", [](gl::Case& c) { c.Enable(GL_MAP2_COLOR_4); }});
+  all.push_back({"Enable_AUTO_NORMAL", [](gl::Case& c) { c.Enable(GL_AUTO_NORMAL); }});
+  all.push_back({"Disable_MAP1", [](gl::Case& c) { c.Disable(GL_MAP1_VERTEX_3); }});
+  all.push_back({"Disable_MAP2", [](gl::Case& c) { c.Disable(GL_MAP2_VERTEX_3); }});
+  all.push_back({"IsEnabled", [](gl::Case& c) { c.IsEnabled(GL_MAP1_VERTEX_3); }});
+  all.push_back(
+      {"GetMapfv", [](gl::Case& c) { c.GetMapfv(GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLfloat>(1)); }});
+  all.push_back(
+      {"GetMapdv", [](gl::Case& c) { c.GetMapdv(GL_MAP2_VERTEX_3, GL_DOMAIN, gl::out<GLdouble>(4)); }});
+  all.push_back({"GetMapiv", [](gl::Case& c) { c.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLint>(1)); }});
+  return all;
+}
+
+// Vertex maps of both dimensions, and grids.
+void enable_vertices(Test& t, gl::Case& c) {
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid1f(2, 0, 1);
+  c.MapGrid2f(2, 0, 1, 3, 0, 1);
+}
+
+constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
+                             GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
+
+}  // namespace
+
+EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const Command& command, must, "EV-BE-ALLOWED") {
+  gl::Case c("in every primitive");
+  enable_vertices(t, c);
+  std::vector<gl::Ref> errors;
+  for (const GLenum mode : kModes) {
+    c.Begin(mode);
+    for (int i = 0; i < 4; ++i) command.issue(c);
+    c.End();
+    errors.push_back(c.GetError());
+  }
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+}
+
+EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const Command& command, must,
+                     "EV-BE-ALLOWED", "EV-BE-IGNORED") {
+  gl::Case c("between two points of a primitive");
+  enable_vertices(t, c);
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.25f);
+  command.issue(c);
+  c.EvalCoord1f(0.75f);
+  c.End();
+  const gl::Ref error = c.GetError(), no_more = c.GetError();
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  played.expect_error(error, {GL_INVALID_OPERATION});
+  played.expect_no_error(no_more);
+  expect_unchanged(played, before, after);
+  t.expect_emission(c, kPosition);
+}
+
+// --- Order -----------------------------------------------------------------------------------------------
+
+namespace {
+
+// State, then what is drawn under it.
+struct Step {
+  const char* name;
+  Calls change;
+};
+
+const std::vector<float> kSmall = {0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0, 0.125f, 0, 0, 1};
+const std::vector<float> kMoved = {0.5f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0.25f, 0, 1};
+
+// Positions that fill [-0.75,0.75], `sign` says which way.
+void define_vertices(gl::Case& c, bool two, double sign) {
+  const double a = 0.75 * sign;
+  if (two)
+    define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {-a, -a, 0, a, -0.5 * a, 0, -0.5 * a, a, 0.25, a, a, 0.5}));
+  else
+    define(c, make_map1(GL_MAP1_VERTEX_3, {-a, -a, 0, 0.5 * a, -a, 0.25, a, a, 0.5}));
+}
+void define_colors(gl::Case& c, bool two, double red) {
+  if (two)
+    define(c, make_map2(GL_MAP2_COLOR_4, 1, 2, {red, 0, 0.5, 1, 1 - red, 1, 0.5, 1}));
+  else
+    define(c, make_map1(GL_MAP1_COLOR_4, {red, 0, 0.5, 1, 1 - red, 1, 0.5, 1}));
+}
+
+std::vector<Step> steps(bool two) {
+  return {{"as it begins",
+           [=](gl::Case& c) {
+             define_vertices(c, two, 1);
+             define_colors(c, two, 1);
+             c.Enable(two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+             c.Enable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4);
+             if (two)
+               c.MapGrid2f(2, 0, 1, 1, 0, 1);
+             else
+               c.MapGrid1f(3, 0, 1);
+           }},
+          {"another matrix", [](gl::Case& c) { c.LoadMatrixf(kSmall); }},
+          {"another vertex map", [=](gl::Case& c) { define_vertices(c, two, -0.75); }},
+          {"another colour map", [=](gl::Case& c) { define_colors(c, two, 0); }},
+          {"no colour map", [=](gl::Case& c) { c.Disable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4); }},
+          {"another current colour", [](gl::Case& c) { c.Color4f(0.25f, 1, 0.75f, 1); }},
+          {"another grid",
+           [=](gl::Case& c) {
+             if (two)
+               c.MapGrid2f(2, 1, 0.25f, 1, 0.5f, 0.75f);
+             else
+               c.MapGrid1f(3, 0.75f, 0.25f);
+           }},
+          {"lighting",
+           [](gl::Case& c) {
+             c.Enable(GL_LIGHTING);
+             c.Enable(GL_LIGHT0);
+             c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0.75f, 0, 0, 1});
+           }},
+          {"another material",
+           [](gl::Case& c) {
+             c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0, 0.75f, 0.5f, 1});
+           }},
+          {"another matrix once more", [](gl::Case& c) { c.LoadMatrixf(kMoved); }}};
+}
+
+struct Drawn {
+  const char* name;
+  void (*draw)(gl::Case&, bool two);
+};
+constexpr Drawn kDrawn[] = {{"EVALMESH",
+                             [](gl::Case& c, bool two) {
+                               if (two)
+                                 c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
+                               else
+                                 c.EvalMesh1(GL_POINT, 0, 3);
+                             }},
+                            {"EVALCOORD",
+                             [](gl::Case& c, bool two) {
+                               c.Begin(GL_POINTS);
+                               for (const float u : {0.0f, 0.25f, 1.0f}) {
+                                 if (two)
+                                   c.EvalCoord2f(u, 0.5f);
+                                 else
+                                   c.EvalCoord1f(u);
+                               }
+                               c.End();
+                             }},
+                            {"EVALPOINT", [](gl::Case& c, bool two) {
+                               c.Begin(GL_POINTS);
+                               for (const GLint i : {2, 0, 1}) {
+                                 if (two)
+                                   c.EvalPoint2(i, 1);
+                                 else
+                                   c.EvalPoint1(i);
+                               }
+                               c.End();
+                             }}};
+
+// Pictures are compared with those of explicit vertices: none may be drawn twice.
+std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
+
+// One picture of ten drawings with a change of state before each; the explicit vertices get the same changes.
+void expect_in_order(Test& t, const Drawn& drawn, bool two) {
+  gl::Case evaluated, vertices;
+  std::size_t drawn_before = 0;
+  const std::vector<Step> all = steps(two);
+  for (const Step& step : all) {
+    step.change(evaluated);
+    step.change(vertices);
+    drawn.draw(evaluated, two);
+    Prediction prediction = predict(evaluated, t.max_order());
+    prediction.primitives.erase(prediction.primitives.begin(),
+                                prediction.primitives.begin() + static_cast<std::ptrdiff_t>(drawn_before));
+    drawn_before += prediction.primitives.size();
+    vertices.append(as_explicit_commands(prediction));
+  }
+  const Picture control = feedback(t, "control: explicit vertices", {}, vertices);
+  // Each change shows.
+  const std::vector<double>& values = control.values();
+  const auto size = static_cast<std::ptrdiff_t>(values.size() / all.size());
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i) * size;
+    require_an_effect(std::vector<double>(begin, begin + size), std::vector<double>(begin - size, begin));
+  }
+  expect_like_explicit(feedback(t, "evaluated, state changed between the drawings", {}, evaluated), control);
+}
+
+}  // namespace
+
+EVALCTS_TESTS_BY(in_lists(), Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must,
+                 "EV-BE-ORDER/1-D") {
+  expect_in_order(t, drawn, false);
+}
+EVALCTS_TESTS_BY(in_lists(), Ordering, SeesEarlierState2, kDrawn, const Drawn& drawn, must,
+                 "EV-BE-ORDER/2-D") {
+  expect_in_order(t, drawn, true);
+}
+
+}  // namespace evalcts
