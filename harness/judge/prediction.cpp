@@ -1,5 +1,9 @@
 #include "harness/judge/prediction.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "harness/gl/player.h"
 #include "harness/implementations/in_process.h"
 
@@ -36,8 +40,15 @@ bool Prediction::has_nonpositive_w() const {
 Prediction predict(const gl::Case& script, int max_eval_order) {
   static const gl::Table table = bind_methods<Oracle, reference::Specification>();
   gl::Case known;
-  for (const gl::Command& command : script.commands())
-    if (gl::has(table, command.entry)) known.add(command);
+  std::vector<std::optional<int>> places;  // of all commands, in `known`
+  for (gl::Command command : script.commands()) {
+    std::optional<int>& place = places.emplace_back();
+    if (!gl::has(table, command.entry)) continue;
+    for (gl::Value& argument : command.arguments)
+      if (auto* result = std::get_if<gl::ResultOf>(&argument))
+        result->command = places.at(static_cast<std::size_t>(result->command)).value();
+    place = known.add(std::move(command)).index;
+  }
 
   reference::Specification specification({.max_eval_order = max_eval_order});
   Oracle::current = &specification;

@@ -19,7 +19,7 @@ struct Prediction {
 };
 
 // Commands that the specification does not have (pixel store, buffers, matrices) do not concern evaluators
-// and are left out.
+// and are left out, in display lists too. No other command may take a result of theirs.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
 // The primitives of the prediction with explicit vertices: each value correctly rounded, colour, normal and

@@ -573,7 +573,7 @@ TEST(DisplayLists, GetFreeNames) {
   EXPECT_EQ(gl.GenLists(3), 2u);
   compile(gl, 0xFFFFFFFF, [](Specification&) {});
   EXPECT_EQ(gl.GenLists(1), 10u);
-  gl.DeleteLists(0xFFFFFFFF, 2);  // does not go on at 0
+  gl.DeleteLists(0xFFFFFFFF, 5);  // does not go on at 0
   EXPECT_EQ(gl.IsList(0xFFFFFFFF), GL_FALSE);
   EXPECT_EQ(gl.IsList(1), GL_TRUE);
   expect_error(gl, GL_NO_ERROR);

@@ -186,8 +186,7 @@ class Specification {
   // What is not the GL's:
 
   // The primitives completed since the last call, one for each Begin/End pair, empty ones and those of meshes
-  // included. A
-  // primitive that is still open stays and is delivered after its End.
+  // included. A primitive that is still open stays and is delivered after its End.
   std::vector<Primitive> take_primitives();
 
   // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
@@ -246,6 +245,7 @@ class Specification {
 
   static constexpr int kMaxListNesting = 64;
   static constexpr std::size_t kMaxAttribStackDepth = 16;
+
   // The answer to a query, before conversion to the type that was asked for (GL 2.1 section 6.1.2).
   struct Answer {
     enum class Kind {
@@ -261,9 +261,9 @@ class Specification {
   static std::size_t slot(GLenum target);
 
   bool inside() const { return open_.has_value(); }
-  // Begins every command that lists can hold: puts it into the list under construction, if there is one.
-  // Whether that is all (COMPILE), or it is to be executed now. What a list executes meanwhile is not part of
-  // the list under construction, only its call is.
+  // Begins every command that a list can hold: puts it into the list under construction, if there is one.
+  // True if that is all (COMPILE); otherwise the command goes on and is executed. Of a list that is called
+  // meanwhile the call is put in, not what it executes.
   template <typename... Parameters>
   bool compiled(void (Specification::*command)(Parameters...),
                 std::type_identity_t<Parameters>... arguments) {

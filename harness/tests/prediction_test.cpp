@@ -1,0 +1,92 @@
+// Prediction: what a case must emit, state that it saves and lists that it calls included.
+#include <gtest/gtest.h>
+
+#include "harness/judge/prediction.h"
+
+namespace evalcts {
+namespace {
+
+std::vector<float> x_of(const Prediction& prediction) {
+  std::vector<float> x;
+  for (const reference::Primitive& primitive : prediction.primitives)
+    for (const reference::Vertex& vertex : primitive.vertices)
+      x.push_back(reference::rounded(vertex.position[0]));
+  return x;
+}
+
+gl::Case with_a_line() {
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<float>{0, 0, 0, 8, 0, 0});
+  c.Enable(GL_MAP1_VERTEX_3);
+  return c;
+}
+
+TEST(Prediction, ExecutesListsWhenTheyAreCalled) {
+  gl::Case c = with_a_line();
+  c.NewList(1, GL_COMPILE);
+  c.EvalCoord1f(0.5f);
+  c.MatrixMode(GL_TEXTURE);  // the specification has no matrices
+  c.EvalPoint1(1);
+  c.EndList();
+  c.MapGrid1f(4, 0, 1);
+  c.Begin(GL_POINTS);
+  c.CallList(1);
+  c.CallLists(2, GL_UNSIGNED_BYTE, gl::array<GLubyte>({1, 9}));
+  c.End();
+  const Prediction prediction = predict(c, 8);
+  EXPECT_EQ(x_of(prediction), (std::vector<float>{4, 2, 4, 2}));
+  EXPECT_EQ(prediction.error, static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST(Prediction, KnowsTheFirstErrorOfAList) {
+  gl::Case c;
+  c.NewList(1, GL_COMPILE);
+  c.MapGrid1f(0, 0, 1);
+  c.EvalMesh1(GL_FILL, 0, 1);
+  c.EndList();
+  EXPECT_EQ(predict(c, 8).error, static_cast<GLenum>(GL_NO_ERROR));
+  c.CallList(1);
+  EXPECT_EQ(predict(c, 8).error, static_cast<GLenum>(GL_INVALID_VALUE));
+}
+
+TEST(Prediction, TakesNamesFromEarlierCommands) {
+  gl::Case c = with_a_line();
+  c.LoadIdentity();  // left out, so that the others move
+  c.GenLists(3);
+  const gl::Ref list = c.GenLists(1);
+  c.LoadIdentity();
+  c.NewList(list, GL_COMPILE);
+  c.EvalMesh1(GL_POINT, 0, 1);
+  c.EndList();
+  c.CallList(1);
+  EXPECT_EQ(predict(c, 8).primitives.size(), 0u);
+  c.CallList(list);
+  EXPECT_EQ(x_of(predict(c, 8)), (std::vector<float>{0, 8}));
+}
+
+TEST(Prediction, RestoresSavedState) {
+  gl::Case c = with_a_line();
+  c.PushAttrib(GL_EVAL_BIT);
+  c.Disable(GL_MAP1_VERTEX_3);
+  c.EvalMesh1(GL_POINT, 0, 1);
+  c.PopAttrib();
+  c.Flush();
+  c.EvalMesh1(GL_POINT, 0, 1);
+  c.Finish();
+  const Prediction prediction = predict(c, 8);
+  EXPECT_EQ(x_of(prediction), (std::vector<float>{0, 8}));
+  EXPECT_EQ(prediction.error, static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST(Prediction, KnowsThatFlushAndFinishAreNotForPrimitives) {
+  for (const bool finish : {false, true}) {
+    gl::Case c;
+    c.Begin(GL_POINTS);
+    finish ? c.Finish() : c.Flush();
+    c.End();
+    EXPECT_EQ(predict(c, 8).error, static_cast<GLenum>(GL_INVALID_OPERATION));
+  }
+}
+
+}  // namespace
+}  // namespace evalcts
