@@ -1,6 +1,7 @@
 #include "harness/judge/prediction.h"
 
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,18 @@ namespace {
 struct Oracle {
   static inline thread_local reference::Specification* current = nullptr;
 };
+
+const gl::Table& oracle() {
+  static const gl::Table table = bind_methods<Oracle, reference::Specification>();
+  return table;
+}
+
+gl::Trace play(const gl::Case& script, reference::Specification& specification) {
+  Oracle::current = &specification;
+  gl::Trace trace = gl::play(script, oracle());
+  Oracle::current = nullptr;
+  return trace;
+}
 
 }  // namespace
 
@@ -38,12 +51,11 @@ bool Prediction::has_nonpositive_w() const {
 }
 
 Prediction predict(const gl::Case& script, int max_eval_order) {
-  static const gl::Table table = bind_methods<Oracle, reference::Specification>();
   gl::Case known;
   std::vector<std::optional<int>> places;  // of all commands, in `known`
   for (gl::Command command : script.commands()) {
     std::optional<int>& place = places.emplace_back();
-    if (!gl::has(table, command.entry)) continue;
+    if (!gl::has(oracle(), command.entry)) continue;
     for (gl::Value& argument : command.arguments)
       if (auto* result = std::get_if<gl::ResultOf>(&argument))
         result->command = places.at(static_cast<std::size_t>(result->command)).value();
@@ -51,14 +63,21 @@ Prediction predict(const gl::Case& script, int max_eval_order) {
   }
 
   reference::Specification specification({.max_eval_order = max_eval_order});
-  Oracle::current = &specification;
-  const gl::Trace trace = gl::play(known, table);
-  Oracle::current = nullptr;
+  const gl::Trace trace = play(known, specification);
 
   Prediction prediction;
   prediction.primitives = specification.take_primitives();
   if (!trace.left_over_errors().empty()) prediction.error = trace.left_over_errors().front();
   return prediction;
+}
+
+gl::Trace predict_answers(const gl::Case& script, int max_eval_order) {
+  reference::Specification specification({.max_eval_order = max_eval_order});
+  try {
+    return play(script, specification);
+  } catch (const gl::MissingEntryPoint& missing) {
+    throw std::logic_error(missing.what());
+  }
 }
 
 gl::Case as_explicit_commands(const Prediction& prediction) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/gl/case.h"
+#include "harness/gl/player.h"
 
 namespace evalcts {
 
@@ -21,6 +22,10 @@ struct Prediction {
 // Commands that the specification does not have (pixel store, buffers, matrices) do not concern evaluators
 // and are left out, in display lists too. No other command may take a result of theirs.
 Prediction predict(const gl::Case& script, int max_eval_order);
+
+// What the commands answer on the executable specification: each query correctly rounded. Throws
+// std::logic_error if it lacks one of the commands.
+gl::Trace predict_answers(const gl::Case& script, int max_eval_order);
 
 // The primitives of the prediction with explicit vertices: each value correctly rounded, colour, normal and
 // texture coordinates of unit 0 before each vertex. What evaluation has to be like (EV-COORD-ASIF), up to the

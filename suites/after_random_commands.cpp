@@ -1,0 +1,171 @@
+// The rules once more, with a random past before the commands under test: state that an implementation
+// forgets to renew shows. A failure depends on the past; its case has all of it.
+#include <fmt/format.h>
+
+#include "harness/judge/prediction.h"
+#include "suites/random_commands.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+// Plays cases with another past each; `add` appends the commands under test.
+void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) {
+  const int cases = t.by_depth(2, 6, 60);
+  for (int i = 0; i < cases; ++i) {
+    gl::Case c(fmt::format("past {}", i));
+    add_random_commands(c, t.random(), t.by_depth(20, 40, 80));
+    play(c);
+  }
+}
+
+void set_current_values(gl::Case& c) {
+  c.Color4f(0.125f, 0.25f, 0.5f, 0.75f);
+  c.Normal3f(0.6f, 0, -0.8f);
+  c.TexCoord4f(5, 6, 7, 8);
+}
+
+// Judges the points that come last, those of the commands behind `past`.
+void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
+  const Prediction all = predict(c, t.max_order());
+  Prediction last = all;
+  const std::size_t before = predict(past, t.max_order()).primitives.size();
+  last.primitives.erase(last.primitives.begin(),
+                        last.primitives.begin() + static_cast<std::ptrdiff_t>(before));
+  const std::size_t count = last.vertex_count();
+  t.expect_observation(c, kUnit0, all.vertex_count() + 8, kPoints, [&](const Observation& seen) {
+    Observation tail = seen;
+    std::vector<ObservedVertex> vertices;
+    for (const ObservedPrimitive& primitive : seen.primitives)
+      vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+    if (vertices.size() > count)
+      vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(count));
+    tail.primitives = {{GL_POINTS, vertices}};
+    tail.attributes &= kUnit0;
+    return judge(last, tail, {.version = 10 * t.gl().major + t.gl().minor}).mismatches;
+  });
+}
+
+void draw_points(gl::Case& c) {
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.375f, 1.0f}) c.EvalCoord1f(u);
+  for (const float u : {0.25f, 1.0f}) c.EvalCoord2f(u, 0.5f);
+  c.End();
+}
+
+}  // namespace
+
+// Maps, enables and current values are set anew: nothing of the past is left.
+EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER") {
+  after_random_commands(t, [&](gl::Case& c) {
+    const gl::Case past = c;
+    for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
+      c.Disable(gl::kMap1Targets[i]);
+      c.Disable(gl::kMap2Targets[i]);
+    }
+    c.Disable(GL_AUTO_NORMAL);
+    set_current_values(c);
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4}) {
+      define(c, random_map(t, target, 3));
+      c.Enable(target);
+    }
+    for (const GLenum target : {GL_MAP2_VERTEX_4, GL_MAP2_TEXTURE_COORD_2}) {
+      define(c, random_map2(t, target, 2, 3));
+      c.Enable(target);
+    }
+    draw_points(c);
+    expect_last_points(t, past, c);
+  });
+}
+
+// With the maps, enables and current values of the past, but for the vertex maps.
+EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDER") {
+  after_random_commands(t, [&](gl::Case& c) {
+    const gl::Case past = c;
+    c.Disable(GL_MAP1_VERTEX_4);
+    c.Disable(GL_MAP2_VERTEX_4);
+    c.Disable(GL_AUTO_NORMAL);
+    c.Enable(GL_MAP1_VERTEX_3);
+    c.Enable(GL_MAP2_VERTEX_3);
+    draw_points(c);
+    expect_last_points(t, past, c);
+  });
+}
+
+EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER") {
+  after_random_commands(t, [&](gl::Case& c) {
+    const gl::Case past = c;
+    c.Disable(GL_MAP1_VERTEX_4);
+    c.Disable(GL_MAP2_VERTEX_4);
+    c.Disable(GL_AUTO_NORMAL);
+    define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
+    define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
+    c.Enable(GL_MAP1_VERTEX_3);
+    c.Enable(GL_MAP2_VERTEX_3);
+    set_current_values(c);
+    c.MapGrid1f(4, 0, 1);
+    c.MapGrid2f(2, 0, 1, 4, 1, 0);
+    c.EvalMesh1(GL_POINT, 0, 4);
+    c.EvalMesh2(GL_POINT, 0, 2, 1, 3);
+    expect_last_points(t, past, c);
+  });
+}
+
+// Every query answers what the executable specification does.
+EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS") {
+  constexpr double kTolerance = 1e-5;  // single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE)
+  after_random_commands(t, [&](gl::Case& c) {
+    const std::vector<gl::Ref> queries = query_everything(c, t.max_order());
+    const gl::Ref error = c.GetError();
+    const gl::Trace expected = predict_answers(c, t.max_order());
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    for (const gl::Ref query : queries) {
+      if (!expected.has_output(query)) {
+        played.expect_result(query, expected.result(query));
+      } else if (expected.type(query) == gl::Scalar::i32) {
+        std::vector<GLint> values = expected.values<GLint>(query);
+        values.resize(expected.written(query));
+        played.expect_values(query, values);
+      } else if (expected.type(query) == gl::Scalar::f32) {
+        std::vector<GLfloat> values = expected.values<GLfloat>(query);
+        values.resize(expected.written(query));
+        played.expect_values_near(query, values, kTolerance);
+      } else {
+        std::vector<GLdouble> values = expected.values<GLdouble>(query);
+        values.resize(expected.written(query));
+        played.expect_values_near(query, values, kTolerance);
+      }
+    }
+  });
+}
+
+EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT") {
+  after_random_commands(t, [&](gl::Case& c) {
+    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+    std::vector<std::pair<gl::Ref, GLenum>> errors;
+    const auto refused = [&](GLenum error) { errors.emplace_back(c.GetError(), error); };
+    for (const bool doubles : {false, true}) {
+      Map1 map = random_map(t, GL_MAP1_VERTEX_3, 4);
+      map.stride = 2;
+      define(c, map, doubles);
+      refused(GL_INVALID_VALUE);
+      Map2 map2 = random_map2(t, GL_MAP2_VERTEX_4, 2, 2);
+      map2.u2 = map2.u1;
+      define(c, map2, doubles);
+      refused(GL_INVALID_VALUE);
+    }
+    c.MapGrid2f(2, 0, 1, 0, 0, 1);
+    refused(GL_INVALID_VALUE);
+    c.EvalMesh2(GL_POINTS, 0, 1, 0, 1);
+    refused(GL_INVALID_ENUM);
+    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+    Played played = t.play(c);
+    for (const auto& [error, expected] : errors) played.expect_error(error, {expected});
+    expect_unchanged(played, before, after);
+  });
+}
+
+}  // namespace evalcts
