@@ -88,7 +88,7 @@ TEST_F(AttributeStack, EachBitBringsBackItsGroupAndNothingElse) {
     const Groups pushed = Observe();
     ExpectAccepted([&] { glevPushAttrib(gl, mask); });
     EXPECT_EQ(Observe(), pushed) << "PushAttrib changes nothing";
-    Change(5);
+    Change(7);
     Groups expected = Observe();
     const std::vector<double> maps = Maps();
     if ((mask & (GLEV_EVAL_BIT | GLEV_ENABLE_BIT)) != 0) expected.flags = pushed.flags;
@@ -106,7 +106,7 @@ TEST_F(AttributeStack, BitsAddUp) {
   Change(2);
   const Groups pushed = Observe();
   glevPushAttrib(gl, GLEV_ENABLE_BIT | GLEV_LIST_BIT);
-  Change(5);
+  Change(7);
   Groups expected = Observe();
   expected.flags = pushed.flags;
   expected.list = pushed.list;

@@ -38,8 +38,10 @@ TEST_F(ListMemory, ComesFromTheAllocatorAndGoesBack) {
       for (glev_uint k = 0; k < i * 10; ++k) glevEvalCoord2f(gl, 0, 1);
     });
   }
-  EXPECT_GT(ledger_.out.size(), 30u);
+  const std::size_t before = ledger_.out.size();
+  EXPECT_GT(before, 30u);
   glevDeleteLists(gl, first + 10, 20);
+  EXPECT_EQ(ledger_.out.size(), before - 6) << "at once: of 12, 15, ..., 27";
   Compile(first, [] {});
   glevNewList(gl, first + 3, GLEV_COMPILE);
   glevIndexf(gl, 1);
