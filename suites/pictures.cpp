@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "harness/capture/capture.h"
 
@@ -152,6 +153,13 @@ void expect_like_explicit(Played& played, const Part& seen, const Part& control)
 void expect_like_explicit(Picture picture, const Picture& control) {
   for (std::size_t i = 0; i < picture.parts.size(); ++i)
     expect_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
+}
+
+const Part& drawn_once(const std::string& name, const std::function<Part()>& draw) {
+  static std::map<std::string, Part> drawn;
+  auto found = drawn.find(name);
+  if (found == drawn.end()) found = drawn.emplace(name, draw()).first;
+  return found->second;
 }
 
 void set_up_texture(gl::Case& c) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,10 @@ void require_an_effect(const Picture& with, const Picture& without);
 void expect_like_explicit(Played& played, const Part& seen, const Part& control);
 // All of its parts are.
 void expect_like_explicit(Picture picture, const Picture& control);
+
+// What explicit vertices look like is the same in all deliveries of a test: drawn once in a process, under
+// this name.
+const Part& drawn_once(const std::string& name, const std::function<Part()>& draw);
 
 // A complete texture: some implementations skip texture coordinates and their generation without one.
 void set_up_texture(gl::Case& c);

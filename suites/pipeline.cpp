@@ -2,7 +2,6 @@
 // explicit ones, under whatever state and whatever commands stand between them. Both are drawn in the same
 // implementation under the same state; only the evaluation itself may differ, by the accuracy rule.
 #include <functional>
-#include <map>
 
 #include "harness/judge/prediction.h"
 #include "suites/maps.h"
@@ -36,14 +35,6 @@ void expect_like_explicit(Test& t, View view, const std::string& identity, const
                           const gl::Case& evaluated, const Part& control) {
   Picture picture = look(t, view, identity, state, evaluated);
   evalcts::expect_like_explicit(picture.played, picture.parts.at(0), control);
-}
-
-// What explicit vertices look like is the same in all deliveries of a test: drawn once in a process.
-const Part& drawn_once(const std::string& what, const std::function<Part()>& draw) {
-  static std::map<std::string, Part> drawn;
-  auto found = drawn.find(what);
-  if (found == drawn.end()) found = drawn.emplace(what, draw()).first;
-  return found->second;
 }
 
 // --- Stages ----------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "harness/gl/call_log.h"
+#include "harness/gl/explicit_vertices.h"
 #include "harness/judge/judge.h"
 #include "harness/runner/control_case.h"
 #include "harness/runner/reproduction.h"
@@ -331,6 +332,23 @@ Topology Test::topology_of(const Prediction& prediction, const Capture& capture)
   return *std::move(topology);
 }
 
+// Where a case through display lists fails, the same with explicit vertices has to be right: otherwise the
+// lists are to blame, not the evaluators. Throws NotObservable.
+void Test::require_lists_of_vertices(const gl::Case& script, const Capture& capture) const {
+  const gl::Case control = gl::with_explicit_vertices(script);
+  const Prediction prediction = predict(control, max_order());
+  const PrimitiveKinds kinds = kinds_of(prediction);
+  if (!capture.takes(kinds)) return;
+  const Topology topology = topology_of(prediction, capture);
+  const Observation seen = capture.observe(*subject_.implementation, control,
+                                           {capture.attributes(), most_vertices_of(prediction) + 8, kinds});
+  const std::vector<Mismatch> mismatches =
+      judge(prediction, topology, seen, {.version = 10 * gl().major + gl().minor}).mismatches;
+  if (!mismatches.empty())
+    throw NotObservable("pipeline: in display lists explicit vertices go wrong, too: " +
+                        mismatches.front().message);
+}
+
 void Test::expect_emission(const gl::Case& written, Attributes required) {
   const gl::Case script = begin_case(written).script;
   const Prediction prediction = predict(script, max_order());
@@ -383,6 +401,8 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     return judgement;
   };
   const Judgement judgement = judged(observation);
+  if (!judgement.mismatches.empty() && delivery_ && delivery_->lists != gl::Lists::none)
+    require_lists_of_vertices(script, *capture);
   fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {

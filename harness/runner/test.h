@@ -157,6 +157,7 @@ class Test {
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
                  const Observation& seen, const OwnJudge& judge);
   Topology topology_of(const Prediction& prediction, const Capture& capture) const;
+  void require_lists_of_vertices(const gl::Case& script, const Capture& capture) const;
 
   const Subject& subject_;
   Record& record_;

@@ -1,0 +1,12 @@
+// A control: a case in which vertices stand where it evaluates.
+#pragma once
+
+#include "harness/gl/case.h"
+
+namespace evalcts::gl {
+
+// Each EvalCoord and EvalPoint becomes a Vertex3f, each EvalMesh a primitive of two of them; nothing else
+// changes.
+Case with_explicit_vertices(const Case& script);
+
+}  // namespace evalcts::gl
