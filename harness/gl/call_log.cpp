@@ -1,6 +1,7 @@
 #include "harness/gl/call_log.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,35 @@ const char* fate(AfterCall after) {
   return "";
 }
 
+// Attribute groups and buffers by their names, if there are few.
+std::string bits(GLbitfield mask) {
+  constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
+                                                          {GL_POINT_BIT, "GL_POINT_BIT"},
+                                                          {GL_LINE_BIT, "GL_LINE_BIT"},
+                                                          {GL_POLYGON_BIT, "GL_POLYGON_BIT"},
+                                                          {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+                                                          {GL_FOG_BIT, "GL_FOG_BIT"},
+                                                          {GL_DEPTH_BUFFER_BIT, "GL_DEPTH_BUFFER_BIT"},
+                                                          {GL_STENCIL_BUFFER_BIT, "GL_STENCIL_BUFFER_BIT"},
+                                                          {GL_VIEWPORT_BIT, "GL_VIEWPORT_BIT"},
+                                                          {GL_TRANSFORM_BIT, "GL_TRANSFORM_BIT"},
+                                                          {GL_ENABLE_BIT, "GL_ENABLE_BIT"},
+                                                          {GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},
+                                                          {GL_EVAL_BIT, "GL_EVAL_BIT"},
+                                                          {GL_LIST_BIT, "GL_LIST_BIT"},
+                                                          {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"},
+                                                          {GL_SCISSOR_BIT, "GL_SCISSOR_BIT"}};
+  std::vector<const char*> names;
+  GLbitfield rest = mask;
+  for (const auto& [bit, name] : kBits) {
+    if (!(mask & bit)) continue;
+    names.push_back(name);
+    rest &= ~bit;
+  }
+  if (rest || names.empty() || names.size() > 4) return fmt::format("0x{:X}", mask);
+  return fmt::format("{}", fmt::join(names, " | "));
+}
+
 std::string argument(const Value& value, char kind, std::size_t most_elements) {
   if (std::holds_alternative<std::nullptr_t>(value)) return "NULL";
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
@@ -68,7 +98,7 @@ std::string argument(const Value& value, char kind, std::size_t most_elements) {
       case 'm':
         return primitive_name(static_cast<GLenum>(*integer));
       case 'b':
-        return fmt::format("0x{:X}", *integer);
+        return bits(static_cast<GLbitfield>(*integer));
       case 'z':
         return *integer ? "GL_TRUE" : "GL_FALSE";
       default:

@@ -20,6 +20,9 @@ namespace {
 
 constexpr std::size_t kFailuresInFull = 8;
 
+// Of so many tests one goes through display lists at that depth.
+constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
+
 // FNV-1a: a seed for each test that does not depend on which others run.
 std::uint32_t hash(std::string_view text) {
   std::uint32_t value = 2166136261u;
@@ -66,6 +69,12 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
   mismatch.got = got;
   mismatch.lowest = mismatch.highest = expected;
   return mismatch;
+}
+
+bool uses_lists(const gl::Case& script) {
+  return std::ranges::any_of(script.commands(), [](const gl::Command& command) {
+    return command.entry == gl::EntryPoint::NewList;
+  });
 }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
@@ -252,8 +261,7 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
     delivered = {script, std::vector<int>(script.commands().size())};
     std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
   }
-  for (const gl::Command& command : delivered.script.commands())
-    lists_used_ = lists_used_ || command.entry == gl::EntryPoint::NewList;
+  lists_used_ = lists_used_ || uses_lists(delivered.script);
   if (subject_.before_case) subject_.before_case(delivered.script);
   return delivered;
 }
@@ -401,8 +409,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     return judgement;
   };
   const Judgement judgement = judged(observation);
-  if (!judgement.mismatches.empty() && delivery_ && delivery_->lists != gl::Lists::none)
-    require_lists_of_vertices(script, *capture);
+  if (!judgement.mismatches.empty() && uses_lists(script)) require_lists_of_vertices(script, *capture);
   fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
@@ -572,14 +579,25 @@ Registration::Registration(TestInfo info) { registry().push_back(std::move(info)
 
 Registration::Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info) {
   const auto uses_lists = [](const gl::Delivery& delivery) { return delivery.lists != gl::Lists::none; };
-  const auto lists = static_cast<std::size_t>(std::ranges::count_if(deliveries, uses_lists));
-  const std::size_t turn = hash(info.full_name());
-  std::size_t list = 0;
-  for (std::size_t i = 0; i < deliveries.size(); ++i) {
-    TestInfo delivered = info.by(deliveries[i]);
-    if (uses_lists(deliveries[i])) delivered.from = list++ == turn % lists ? Depth::full : Depth::thorough;
-    if (!uses_lists(deliveries[i]) && !deliveries[i].is_plain()) delivered.from = Depth::full;
-    if (i == turn % deliveries.size()) delivered.from = Depth::quick;
+  const auto is_other = [&](const gl::Delivery& delivery) {
+    return !uses_lists(delivery) && !delivery.is_plain();
+  };
+  const auto count = [&](const auto& kind) {
+    return static_cast<std::size_t>(std::ranges::count_if(deliveries, kind));
+  };
+  const std::size_t turn = hash(info.full_name()), lists = count(uses_lists), others = count(is_other);
+  std::size_t list = 0, other = 0;
+  for (const gl::Delivery& delivery : deliveries) {
+    TestInfo delivered = info.by(delivery);
+    if (uses_lists(delivery)) {
+      const bool in_turn = list++ == turn / kListsAtQuick % lists;
+      delivered.from = !in_turn                    ? Depth::thorough
+                       : turn % kListsAtQuick == 0 ? Depth::quick
+                       : turn % kListsAtFull == 0  ? Depth::full
+                                                   : Depth::thorough;
+    } else if (is_other(delivery) && other++ != turn % others) {
+      delivered.from = Depth::full;
+    }
     registry().push_back(std::move(delivered));
   }
 }

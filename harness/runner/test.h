@@ -202,7 +202,8 @@ struct Registration {
     }
   }
   // One test for each delivery, and for each parameter and delivery. Quick depth takes the plain deliveries
-  // and one of the others in turn; full depth all without display lists, and one with them, in turn.
+  // and one of the others in turn; full depth all without display lists. One with display lists, in turn, is
+  // taken for every ninth test at quick, every third at full depth; thorough depth takes all.
   Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
