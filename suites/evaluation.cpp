@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "harness/gl/lift.h"
-#include "suites/maps.h"
+#include "suites/maps2.h"
 
 namespace evalcts {
 namespace {
@@ -289,6 +289,60 @@ EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "E
     c.End();
     t.expect_emission(c, kUnit0);
   }
+}
+
+// u, then v: a patch that is one thing along u and another along v.
+EVALCTS_TEST_BY(gl::surface_deliveries(), Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER") {
+  gl::Case c("x is u, y is 10 v, z is 100 u v");
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
+          std::vector<float>{0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.25f, 1.0f})
+    for (const float v : {0.0f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
+  c.End();
+  t.expect_emission(c, kPosition);
+}
+
+namespace {
+
+// Points of either dimension in turn, with vertex maps and one further map of each.
+void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
+  for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP}) {
+    gl::Case c(fmt::format("{}, {} and {}", gl::primitive_name(mode), label(target1), label(target2)));
+    for (const GLenum target : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target1}) {
+      define(c, random_map(t, target, 4));
+      c.Enable(target);
+    }
+    for (const GLenum target : {static_cast<GLenum>(GL_MAP2_VERTEX_4), target2}) {
+      define(c, random_map2(t, target, 2, 3));
+      c.Enable(target);
+    }
+    c.MapGrid1f(4, 0, 1);
+    c.MapGrid2f(2, 1, 0, 3, 0, 1);
+    c.Begin(mode);
+    for (const float u : {0.0f, 0.375f, 1.0f}) {
+      c.EvalCoord1f(u);
+      c.EvalCoord2f(u, 0.25f);
+    }
+    for (const GLint i : {0, 1}) {
+      c.EvalPoint2(i, 2);
+      c.EvalPoint1(i);
+    }
+    c.End();
+    t.expect_emission(c, kUnit0);
+  }
+}
+
+}  // namespace
+
+EVALCTS_LISTED_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM") {
+  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4);
+}
+
+// What one dimension has no map for comes from the current values, not from the other.
+EVALCTS_LISTED_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT") {
+  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
 }
 
 namespace {

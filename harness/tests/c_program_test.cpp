@@ -120,6 +120,35 @@ TEST_F(CProgram, AnswersOfEveryKind) {
       0);
 }
 
+// What a case set in its first context is still there after another one; what it set in that one is not.
+TEST_F(CProgram, OtherContexts) {
+  gl::Case c("two contexts");
+  c.MapGrid1f(3, 0, 1);
+  c.OtherContextEVALCTS(1);
+  const gl::Ref other = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  c.MapGrid1f(5, 0, 1);
+  c.OtherContextEVALCTS(0);
+  const gl::Ref first = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  const auto outcome = [&](const char* context, const char* library, gl::Ref query, double segments) {
+    const gl::Check check{.answer = {.of = gl::Answer::Of::element, .command = query},
+                          .accepted = {{segments, segments}},
+                          .what = "segments"};
+    return build_and_start(
+               gl::to_c(
+                   {.context = context, .library = {}, .script = &c, .check = &check, .trace = nullptr}),
+               library)
+        .code;
+  };
+  EXPECT_EQ(outcome("production", "", other, 1), 0);
+  EXPECT_EQ(outcome("production", "", first, 3), 0);
+  EXPECT_EQ(outcome("production", "", first, 5), 1);
+#ifndef __SANITIZE_ADDRESS__
+  if (outcome("osmesa", "libOSMesa.so.8", other, 1) == 2) GTEST_SKIP() << "no OSMesa here";
+  EXPECT_EQ(outcome("osmesa", "libOSMesa.so.8", first, 3), 0);
+  EXPECT_EQ(outcome("osmesa", "libOSMesa.so.8", first, 5), 1);
+#endif
+}
+
 TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   const gl::Case c = line();
   EXPECT_THROW(gl::to_c({.context = "reference", .library = {}, .script = &c}), gl::NoCProgram);
