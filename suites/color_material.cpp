@@ -8,10 +8,10 @@
 namespace evalcts {
 namespace {
 
-// Pictures are compared with those of explicit vertices: none may be drawn twice.
-std::vector<gl::Delivery> once() { return gl::without(gl::kRepetition, gl::curve_deliveries()); }
-std::vector<gl::Delivery> once_in_primitives() {
-  return gl::without(gl::kRepetition | gl::kMeshes, gl::curve_deliveries());
+// Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
+std::vector<gl::Delivery> without_lists() { return gl::without(gl::kLists, gl::curve_deliveries()); }
+std::vector<gl::Delivery> in_primitives() {
+  return gl::without(gl::kLists | gl::kMeshes, gl::curve_deliveries());
 }
 
 constexpr std::array<float, 4> kCurrent = {0.75f, 0.25f, 0.5f, 1.0f};
@@ -94,7 +94,7 @@ std::vector<gl::Ref> query_materials(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(once(), ColorMaterial, Effect, kTracked, const Tracked& tracked, must,
+EVALCTS_TESTS_BY(without_lists(), ColorMaterial, Effect, kTracked, const Tracked& tracked, must,
                  "EV-CMAT-EFFECT/1-D") {
   t.require(1, 1);
   gl::Case untracked;
@@ -147,7 +147,7 @@ EVALCTS_TESTS_BY(gl::curve_deliveries(), ColorMaterial, MaterialUntouched, kSome
 }
 
 // What comes after is lit with the current colour again: a Vertex, and an evaluation without the map.
-EVALCTS_TESTS_BY(once_in_primitives(), ColorMaterial, NextVertex, kSomeTracked, const Tracked& tracked, must,
+EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, NextVertex, kSomeTracked, const Tracked& tracked, must,
                  "EV-CMAT-NEXT/1-D") {
   t.require(1, 1);
   gl::Case untracked;
@@ -179,8 +179,7 @@ constexpr Face kFaces[] = {{"FRONT", GL_FRONT}, {"BACK", GL_BACK}, {"FRONT_AND_B
 }  // namespace
 
 // A triangle seen from the front and one from behind, lit on both sides.
-EVALCTS_TESTS_BY(once_in_primitives(), ColorMaterial, Faces, kFaces, const Face& face, must,
-                 "EV-CMAT-FACES/1-D") {
+EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, Faces, kFaces, const Face& face, must, "EV-CMAT-FACES/1-D") {
   t.require(1, 1);
   gl::Case untracked;
   light(untracked);
@@ -199,7 +198,7 @@ EVALCTS_TESTS_BY(once_in_primitives(), ColorMaterial, Faces, kFaces, const Face&
 }
 
 // Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
-EVALCTS_TEST_BY(once(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
+EVALCTS_TEST_BY(without_lists(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
   gl::Case state;
   light(state);
   gl::Case tracking = state;
@@ -211,7 +210,7 @@ EVALCTS_TEST_BY(once(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
 }
 
 // Without lighting the evaluated colour is the vertex's.
-EVALCTS_TEST_BY(once(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
+EVALCTS_TEST_BY(without_lists(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
   gl::Case lit;
   light(lit);
   track(lit, GL_EMISSION);
@@ -224,7 +223,7 @@ EVALCTS_TEST_BY(once(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
 }
 
 // Without a vertex map a colour map does nothing: no material, no current colour, no later vertex is other.
-EVALCTS_TESTS_BY(once(), ColorMaterial, NoVertexMap, kSomeTracked, const Tracked& tracked, must,
+EVALCTS_TESTS_BY(without_lists(), ColorMaterial, NoVertexMap, kSomeTracked, const Tracked& tracked, must,
                  "EV-CMAT-NOVERTEX/1-D") {
   t.require(1, 1);
   gl::Case c("queried before and after");

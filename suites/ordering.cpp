@@ -214,9 +214,6 @@ constexpr Drawn kDrawn[] = {{"EVALMESH",
                                c.End();
                              }}};
 
-// Pictures are compared with those of explicit vertices: none may be drawn twice.
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
 // One picture of ten drawings with a change of state before each; the explicit vertices get the same changes.
 void expect_in_order(Test& t, const Drawn& drawn, bool two) {
   gl::Case evaluated, vertices;
@@ -245,12 +242,10 @@ void expect_in_order(Test& t, const Drawn& drawn, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(in_lists(), Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must,
-                 "EV-BE-ORDER/1-D") {
+EVALCTS_TESTS(Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
   expect_in_order(t, drawn, false);
 }
-EVALCTS_TESTS_BY(in_lists(), Ordering, SeesEarlierState2, kDrawn, const Drawn& drawn, must,
-                 "EV-BE-ORDER/2-D") {
+EVALCTS_TESTS(Ordering, SeesEarlierState2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
   expect_in_order(t, drawn, true);
 }
 

@@ -10,8 +10,8 @@
 namespace evalcts {
 namespace {
 
-// The control is drawn once for all deliveries: none may draw twice.
-std::vector<gl::Delivery> once() { return gl::without(gl::kRepetition, gl::curve_deliveries()); }
+// Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
+std::vector<gl::Delivery> without_lists() { return gl::without(gl::kLists, gl::curve_deliveries()); }
 
 // How to look at a drawing.
 enum class View {
@@ -106,7 +106,8 @@ void define_maps(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(once(), Pipeline, Stage, kStages, const Stage& stage, must, "EV-COORD-TRANSFORM/1-D") {
+EVALCTS_TESTS_BY(without_lists(), Pipeline, Stage, kStages, const Stage& stage, must,
+                 "EV-COORD-TRANSFORM/1-D") {
   const View view = stage.view;
   gl::Case plain, staged;
   // A pixel shows one vertex, in the middle; it has no texture, which would hide the colour.
@@ -169,7 +170,7 @@ constexpr Between kBetween[] = {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(once(), Pipeline, BetweenEvaluations, kBetween, const Between& between, must,
+EVALCTS_TESTS_BY(without_lists(), Pipeline, BetweenEvaluations, kBetween, const Between& between, must,
                  "EV-COORD-MATERIAL/1-D") {
   constexpr View view = View::feedback;
   gl::Case state;
@@ -221,7 +222,7 @@ EVALCTS_TESTS_BY(once(), Pipeline, BetweenEvaluations, kBetween, const Between& 
 }
 
 // The edge flag has no map: the current one counts, at each vertex.
-EVALCTS_TEST_BY(once(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
+EVALCTS_TEST_BY(without_lists(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
   constexpr View view = View::feedback;
   gl::Case state;
   state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
@@ -248,7 +249,7 @@ EVALCTS_TEST_BY(once(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
 }
 
 // Client arrays are for DrawArrays and its like; evaluation takes what no map gives from the current values.
-EVALCTS_TEST_BY(once(), Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D") {
+EVALCTS_TEST_BY(without_lists(), Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D") {
   gl::Case c("vertex, colour, normal and texture coordinate arrays enabled");
   const std::vector<float> wrong(64, 0.625f);
   c.VertexPointer(4, GL_FLOAT, 0, wrong);

@@ -277,9 +277,11 @@ class Writer {
 
   void context() {
     if (program_.context == "osmesa") {
-      text_ += std::string(kOpenLibrary) + kOSMesa;
+      text_ += kOpenLibrary;
+      text_ += kOSMesa;
     } else if (program_.context == "egl") {
-      text_ += std::string(kOpenLibrary) + kEgl;
+      text_ += kOpenLibrary;
+      text_ += kEgl;
     } else if (production()) {
       std::string fragment = kProduction;
       fragment.replace(fragment.find("%MOST%"), 6, std::to_string(program_.emitted_vertices + 64));
