@@ -31,6 +31,7 @@ struct RunOptions {
   bool write_baseline = false;
   bool strict = false;
   bool reuse_context = false;
+  std::string shard;                     // "K/N"; empty: all
   std::optional<std::uint32_t> shuffle;  // seed of the order in which the tests run
   bool verbose = false;
   std::string command;  // as typed
@@ -63,6 +64,9 @@ struct Places {
   std::filesystem::path production_headers, production_library;
 };
 Places places();
+
+// K and N of "K/N", 1 <= K <= N; none where the text is something else.
+std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text);
 
 // The tests whose names match a GoogleTest-like filter: patterns with * and ?, separated by ':', those after
 // a

@@ -58,6 +58,12 @@ int main(int argc, char** argv) {
                         "an unexpected pass and a stale baseline entry count, too");
   run_command->add_flag("--reuse-context", run_options.reuse_context,
                         "a second pass over one shared context, for defects that depend on history");
+  run_command
+      ->add_option("--shard", run_options.shard,
+                   "K/N: every N-th of the tests, from the K-th on; N machines play them all")
+      ->check([](const std::string& text) {
+        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+      });
   run_command->add_option("--shuffle", run_options.shuffle,
                           "run the tests in a random order (GoogleTest keeps those of a suite together): its "
                           "seed");

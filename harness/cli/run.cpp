@@ -12,6 +12,7 @@
 #include <map>
 #include <mutex>
 #include <random>
+#include <sstream>
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
@@ -89,6 +90,15 @@ bool is_file_name(const std::string& label) {
 }
 
 }  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text) {
+  std::size_t number = 0, count = 0;
+  char slash = 0;
+  std::istringstream stream(text);
+  if (!(stream >> number >> slash >> count) || slash != '/' || !stream.eof()) return {};
+  if (number < 1 || number > count) return {};
+  return std::pair{number, count};
+}
 
 int run(const RunOptions& options) {
   const Places where = places();
@@ -176,6 +186,13 @@ int run(const RunOptions& options) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;
   }
+  if (!options.shard.empty()) {
+    const auto [number, count] = *shard_of(options.shard);
+    request.shard = fmt::format("{}-of-{}", number, count);
+    json part = json::array();
+    for (std::size_t i = number - 1; i < request.tests.size(); i += count) part.push_back(request.tests[i]);
+    request.tests = std::move(part);
+  }
   if (options.shuffle)
     std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
 
@@ -215,7 +232,7 @@ int run(const RunOptions& options) {
   for (auto& future : running) {
     for (json& result : future.get()) {
       const std::string pass = result.value("pass", "");
-      const std::string label = file_label(result["implementation"]["name"], pass);
+      const std::string label = file_label(result["implementation"]["name"], request.shard, pass);
       if (with_baseline && result["status"] != "not-started") {
         Baseline baseline = Baseline::best_fit(request.baselines, result["implementation"], pass);
         if (options.write_baseline) {

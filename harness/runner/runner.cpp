@@ -61,7 +61,7 @@ class Run {
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
       : request_(request),
         progress_(progress),
-        scratch_(request.output / ("scratch-" + file_label(request.name, pass()))) {}
+        scratch_(request.output / ("scratch-" + file_label(request.name, request.shard, pass()))) {}
 
   json run() {
     remove_stale_files();
@@ -78,7 +78,8 @@ class Run {
   std::string pass() const { return second_pass() ? kReuseContext : ""; }
 
   fs::path file(const std::string& kind, const std::string& extension) const {
-    return request_.output / fmt::format("{}-{}.{}", kind, file_label(request_.name, pass()), extension);
+    return request_.output /
+           fmt::format("{}-{}.{}", kind, file_label(request_.name, request_.shard, pass()), extension);
   }
 
   void remove_stale_files() const {
@@ -100,6 +101,7 @@ class Run {
                    {"reason", ""},
                    {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
     if (second_pass()) header["pass"] = pass();
+    if (!request_.shard.empty()) header["shard"] = request_.shard;
     return header;
   }
 
@@ -545,8 +547,11 @@ class Run {
 
 }  // namespace
 
-std::string file_label(const std::string& name, const std::string& pass) {
-  return pass.empty() ? name : name + "." + pass;
+std::string file_label(const std::string& name, const std::string& shard, const std::string& pass) {
+  std::string label = name;
+  for (const std::string& part : {shard, pass})
+    if (!part.empty()) label += "." + part;
+  return label;
 }
 
 json run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress) {

@@ -19,6 +19,7 @@ struct RunRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
   std::string name;      // of the output: the implementation's, or the user's label
+  std::string shard;     // "K-of-N" where `tests` are a part of all; else empty
   nlohmann::json tests;  // those to run: {"name", "requirements", "level"}
   std::string depth = "full";
   std::uint32_t seed = 1;
@@ -47,9 +48,9 @@ extern std::atomic<bool> interrupted;
 // What a pass of a run is called in records, baselines and file names; empty: the first, with fresh contexts.
 inline constexpr const char* kReuseContext = "reuse-context";
 
-// What stands for an implementation and a pass in the names of the output's files: "NAME" or
-// "NAME.reuse-context".
-std::string file_label(const std::string& name, const std::string& pass);
+// What stands for an implementation, a part of the tests and a pass in the names of the output's files:
+// "NAME", "NAME.1-of-4", "NAME.reuse-context", "NAME.1-of-4.reuse-context".
+std::string file_label(const std::string& name, const std::string& shard, const std::string& pass);
 
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
 // write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and

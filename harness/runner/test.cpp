@@ -72,9 +72,8 @@ Mismatch wrong_error(GLenum got, GLenum expected) {
 }
 
 bool uses_lists(const gl::Case& script) {
-  return std::ranges::any_of(script.commands(), [](const gl::Command& command) {
-    return command.entry == gl::EntryPoint::NewList;
-  });
+  return std::ranges::any_of(
+      script.commands(), [](const gl::Command& command) { return command.entry == gl::EntryPoint::NewList; });
 }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {

@@ -210,6 +210,32 @@ TEST_F(CommandLine, JobsDecideTheSame) {
   EXPECT_EQ(run("3"), one);
 }
 
+// The parts are the whole, and decide the same.
+TEST_F(CommandLine, ShardsDecideTheSame) {
+  const std::vector<std::string> common = {"--filter", "Map1Errors.StrideBelowK/*:InitialState.*"};
+  const auto verdicts = [](const json& result) {
+    std::map<std::string, std::string> all;
+    for (const json& test : result["tests"]) all[test["name"]] = test["verdict"];
+    return all;
+  };
+  EXPECT_EQ(drill("lenient", common).code, 1);
+  const auto whole = verdicts(results("drill"));
+  std::map<std::string, std::string> together;
+  for (int k = 1; k <= 3; ++k) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), {"--shard", std::to_string(k) + "/3"});
+    drill("lenient", arguments);
+    const json result = results("drill." + std::to_string(k) + "-of-3");
+    EXPECT_EQ(result["shard"], std::to_string(k) + "-of-3");
+    const auto part = verdicts(result);
+    EXPECT_LE(part.size(), whole.size() / 3 + 1);
+    for (const auto& [name, verdict] : part) EXPECT_TRUE(together.emplace(name, verdict).second) << name;
+  }
+  EXPECT_EQ(together, whole);
+  for (const char* wrong : {"0/3", "4/3", "3", "1/", "/2", "1/2/3", "a/b", "1-of-2"})
+    EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
+}
+
 TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
   const std::string name = "CurrentValues.Color/AT_ONCE/EvalCoord1f";
   using Case = std::pair<const char*, const char*>;
