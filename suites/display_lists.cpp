@@ -18,11 +18,8 @@ void compile(gl::Case& c, GLuint list, const Calls& calls, GLenum mode = GL_COMP
   c.EndList();
 }
 
-// A command that changes state, away from the initial one.
-struct Setting {
-  std::string name;
-  Calls issue;
-};
+// Commands that change state, away from the initial one.
+using Setting = NamedCalls;
 
 std::vector<Setting> settings() {
   std::vector<Setting> all;
@@ -683,33 +680,9 @@ EVALCTS_TESTS(DisplayLists, CalledBetweenBeginAndEnd, kDimensions, const Dimensi
   }
 }
 
-namespace {
-
-std::vector<Setting> forbidden() {
-  std::vector<Setting> all;
-  for (const Form& form : kForms) {
-    const bool doubles = form.doubles;
-    all.push_back({fmt::format("Map1{}", form.name), [=](gl::Case& c) {
-                     define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}), doubles);
-                   }});
-    all.push_back({fmt::format("Map2{}", form.name), [=](gl::Case& c) {
-                     define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}), doubles);
-                   }});
-  }
-  all.push_back({"MapGrid1f", [](gl::Case& c) { c.MapGrid1f(3, 5.0f, 6.0f); }});
-  all.push_back({"MapGrid1d", [](gl::Case& c) { c.MapGrid1d(3, 5.0, 6.0); }});
-  all.push_back({"MapGrid2f", [](gl::Case& c) { c.MapGrid2f(3, 5.0f, 6.0f, 3, 5.0f, 6.0f); }});
-  all.push_back({"MapGrid2d", [](gl::Case& c) { c.MapGrid2d(3, 5.0, 6.0, 3, 5.0, 6.0); }});
-  all.push_back({"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_POINT, 0, 1); }});
-  all.push_back({"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_POINT, 0, 1, 0, 1); }});
-  return all;
-}
-
-}  // namespace
-
 // The list is called between two points; a further command of it is legal there.
-EVALCTS_TESTS(DisplayLists, ForbiddenBetweenBeginAndEnd, forbidden(), const Setting& command, must,
-              "EV-DL-INBEGIN") {
+EVALCTS_TESTS(DisplayLists, ForbiddenBetweenBeginAndEnd, forbidden_in_primitives(), const NamedCalls& command,
+              must, "EV-DL-INBEGIN") {
   gl::Case c("called between Begin and End");
   for (const bool two : {false, true}) enable_maps(t, c, two);
   compile(c, kList, [&](gl::Case& list) {

@@ -10,12 +10,7 @@
 namespace evalcts {
 namespace {
 
-struct Command {
-  std::string name;
-  Calls issue;
-};
-
-std::vector<Command> allowed() {
+std::vector<NamedCalls> allowed() {
   return {
       {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
       {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
@@ -36,24 +31,9 @@ std::vector<Command> allowed() {
   };
 }
 
-// Each would have an effect outside.
-std::vector<Command> forbidden() {
-  std::vector<Command> all;
-  for (const Form& form : kForms) {
-    const bool doubles = form.doubles;
-    all.push_back({fmt::format("Map1{}", form.name), [=](gl::Case& c) {
-                     define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}), doubles);
-                   }});
-    all.push_back({fmt::format("Map2{}", form.name), [=](gl::Case& c) {
-                     define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}), doubles);
-                   }});
-  }
-  all.push_back({"MapGrid1f", [](gl::Case& c) { c.MapGrid1f(3, 5.0f, 6.0f); }});
-  all.push_back({"MapGrid1d", [](gl::Case& c) { c.MapGrid1d(3, 5.0, 6.0); }});
-  all.push_back({"MapGrid2f", [](gl::Case& c) { c.MapGrid2f(3, 5.0f, 6.0f, 3, 5.0f, 6.0f); }});
-  all.push_back({"MapGrid2d", [](gl::Case& c) { c.MapGrid2d(3, 5.0, 6.0, 3, 5.0, 6.0); }});
-  all.push_back({"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_POINT, 0, 1); }});
-  all.push_back({"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_POINT, 0, 1, 0, 1); }});
+// And what switches and asks.
+std::vector<NamedCalls> forbidden() {
+  std::vector<NamedCalls> all = forbidden_in_primitives();
   all.push_back({"Enable_MAP1", [](gl::Case& c) { c.Enable(GL_MAP1_COLOR_4); }});
   all.push_back({"Enable_MAP2", [](gl::Case& c) { c.Enable(GL_MAP2_COLOR_4); }});
   all.push_back({"Enable_AUTO_NORMAL", [](gl::Case& c) { c.Enable(GL_AUTO_NORMAL); }});
@@ -83,7 +63,7 @@ constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, G
 
 }  // namespace
 
-EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const Command& command, must, "EV-BE-ALLOWED") {
+EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const NamedCalls& command, must, "EV-BE-ALLOWED") {
   gl::Case c("in every primitive");
   enable_vertices(t, c);
   std::vector<gl::Ref> errors;
@@ -97,7 +77,7 @@ EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const Command& command, 
   for (const gl::Ref error : errors) played.expect_no_error(error);
 }
 
-EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const Command& command, must,
+EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const NamedCalls& command, must,
                      "EV-BE-ALLOWED", "EV-BE-IGNORED") {
   gl::Case c("between two points of a primitive");
   enable_vertices(t, c);

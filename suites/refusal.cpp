@@ -1,5 +1,7 @@
 #include "suites/refusal.h"
 
+#include <fmt/format.h>
+
 namespace evalcts {
 namespace {
 
@@ -34,6 +36,26 @@ void prepare(gl::Case& c, bool odd_enabled) {
 }
 
 }  // namespace
+
+std::vector<NamedCalls> forbidden_in_primitives() {
+  std::vector<NamedCalls> all;
+  for (const Form& form : kForms) {
+    const bool doubles = form.doubles;
+    all.push_back({fmt::format("Map1{}", form.name), [=](gl::Case& c) {
+                     define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}), doubles);
+                   }});
+    all.push_back({fmt::format("Map2{}", form.name), [=](gl::Case& c) {
+                     define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}), doubles);
+                   }});
+  }
+  all.push_back({"MapGrid1f", [](gl::Case& c) { c.MapGrid1f(3, 5.0f, 6.0f); }});
+  all.push_back({"MapGrid1d", [](gl::Case& c) { c.MapGrid1d(3, 5.0, 6.0); }});
+  all.push_back({"MapGrid2f", [](gl::Case& c) { c.MapGrid2f(3, 5.0f, 6.0f, 3, 5.0f, 6.0f); }});
+  all.push_back({"MapGrid2d", [](gl::Case& c) { c.MapGrid2d(3, 5.0, 6.0, 3, 5.0, 6.0); }});
+  all.push_back({"EvalMesh1", [](gl::Case& c) { c.EvalMesh1(GL_POINT, 0, 1); }});
+  all.push_back({"EvalMesh2", [](gl::Case& c) { c.EvalMesh2(GL_POINT, 0, 1, 0, 1); }});
+  return all;
+}
 
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
                     std::initializer_list<GLenum> allowed) {
