@@ -6,14 +6,6 @@
 namespace evalcts {
 namespace {
 
-struct Fate {
-  const char* name;
-  gl::AfterCall after;
-};
-constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
-                           {"UNMAPPED", gl::AfterCall::unmap},
-                           {"PROTECTED", gl::AfterCall::protect}};
-
 void evaluate_some(gl::Case& c) {
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);

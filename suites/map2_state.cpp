@@ -8,14 +8,6 @@
 namespace evalcts {
 namespace {
 
-struct Fate {
-  const char* name;
-  gl::AfterCall after;
-};
-constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
-                           {"UNMAPPED", gl::AfterCall::unmap},
-                           {"PROTECTED", gl::AfterCall::protect}};
-
 using Orders = std::pair<int, int>;
 
 // Square and not, in either direction, up to the largest.

@@ -276,17 +276,7 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
   t.expect_emission(c, kUnit0);
 }
 
-namespace {
-
-struct Fate {
-  const char* name;
-  gl::AfterCall after;
-};
-constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
-                           {"UNMAPPED", gl::AfterCall::unmap},
-                           {"PROTECTED", gl::AfterCall::protect}};
-
-}  // namespace
+namespace {}  // namespace
 
 // The points are gone when the map is evaluated.
 EVALCTS_TESTS_BY(both_forms(), Map2Values, PointsGone, kFates, const Fate& fate, must, "EV-MAP2-COPY") {

@@ -58,6 +58,15 @@ struct Form {
 };
 inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
 
+// What becomes of the points after the call.
+struct Fate {
+  const char* name;
+  gl::AfterCall after;
+};
+inline constexpr Fate kFates[] = {{"OVERWRITTEN", gl::AfterCall::overwrite},
+                                  {"UNMAPPED", gl::AfterCall::unmap},
+                                  {"PROTECTED", gl::AfterCall::protect}};
+
 // A target and a form: "MAP1_VERTEX_3_f".
 struct TargetForm {
   std::string name;

@@ -21,7 +21,7 @@ struct RunOptions {
   std::string library;
   std::string context;
   std::string label;
-  std::string filter;  // empty: all, at quick depth a sample of the deliveries
+  std::string filter;  // empty: all that the depth plays unasked
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;

@@ -6,8 +6,8 @@
 extern "C" {
 
 // Makes context `context` of the case current: 0 is the one that it begins with, any other is made in its
-// initial state when it is first named. All live until the case is over; the player goes back to context 0.
-// Never called between Begin and End.
+// initial state when it is first named (less than 8: C programs have room for as many). All live until the
+// case is over; the player goes back to context 0. Never called between Begin and End.
 void glOtherContextEVALCTS(GLuint context);
 
 // The same; a context that is made now shares objects (display lists, textures) with context 0.

@@ -48,7 +48,12 @@ class MadeContext final : public Context {
     if (number == 0) return maker_.make_current(handle_);
     if (const auto made = others_.find(number); made != others_.end())
       return maker_.make_current(made->second);
-    others_[number] = sharing ? maker_.create_sharing(handle_) : maker_.create();
+    try {
+      others_[number] = sharing ? maker_.create_sharing(handle_) : maker_.create();
+    } catch (const CannotStart&) {  // one context at a time, or none that share
+      throw gl::MissingEntryPoint(sharing ? gl::EntryPoint::SharingContextEVALCTS
+                                          : gl::EntryPoint::OtherContextEVALCTS);
+    }
   }
 
   static inline thread_local MadeContext* of_the_case_ = nullptr;
