@@ -109,7 +109,7 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
     evaluated.emplace_back(name, state, drawing);
     controls.emplace_back(name, state, explicit_commands(t, drawing));
   }
-  controls.emplace_back("half as long normals", gl::Case());
+  controls.emplace_back("shorter normals", gl::Case());
   for (gl::Command command : controls.front().commands.commands()) {
     if (command.entry == gl::EntryPoint::Normal3f)
       for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;

@@ -1,5 +1,8 @@
 #include "harness/capture/capture.h"
 
+#include <algorithm>
+#include <iostream>
+
 namespace evalcts {
 
 std::vector<std::unique_ptr<Capture>> all_captures() {
@@ -8,6 +11,32 @@ std::vector<std::unique_ptr<Capture>> all_captures() {
   captures.push_back(make_transform_feedback());
   captures.push_back(make_feedback_buffer());
   return captures;
+}
+
+Captures::Captures(Implementation& implementation, const ImplementationInfo& info,
+                   const std::vector<std::string>* names)
+    : implementation_(implementation), info_(info) {
+  for (auto& capture : all_captures())
+    if (!names || std::find(names->begin(), names->end(), capture->name()) != names->end())
+      captures_.push_back({std::move(capture)});
+}
+
+const Capture* Captures::at(std::size_t index) {
+  Entry& entry = captures_.at(index);
+  if (!entry.proved && entry.capture) {
+    try {
+      entry.capture->prove(implementation_, info_);
+      entry.proved = true;
+    } catch (const NotObservable& exception) {
+      std::cout << "capture " << entry.capture->name() << " is not available: " << exception.what() << "\n";
+      entry.capture.reset();
+    }
+  }
+  return entry.capture.get();
+}
+
+void Captures::prove_all() {
+  for (std::size_t i = 0; i < size(); ++i) at(i);
 }
 
 WrappedCase begin_wrapping(gl::Case prologue, const gl::Case& script) {

@@ -53,6 +53,31 @@ class Capture {
 // Sink, TransformFeedback, FeedbackBuffer, in order of preference.
 std::vector<std::unique_ptr<Capture>> all_captures();
 
+// The captures of an implementation in order of preference, each proved when it is first asked for: a proof
+// plays many cases, and most tests need one capture only.
+class Captures {
+ public:
+  // `names`: those that may be used; all where it is null. Both references must outlive the object.
+  Captures(Implementation& implementation, const ImplementationInfo& info,
+           const std::vector<std::string>* names = nullptr);
+
+  std::size_t size() const { return captures_.size(); }
+  // Null where it cannot be used, which standard output is told once.
+  const Capture* at(std::size_t index);
+  // For an implementation that will soon have no room for a proof.
+  void prove_all();
+
+ private:
+  struct Entry {
+    std::unique_ptr<Capture> capture;
+    bool proved = false;
+  };
+
+  Implementation& implementation_;
+  const ImplementationInfo& info_;
+  std::vector<Entry> captures_;
+};
+
 std::unique_ptr<Capture> make_sink();
 std::unique_ptr<Capture> make_transform_feedback();
 std::unique_ptr<Capture> make_feedback_buffer();

@@ -390,6 +390,11 @@ const std::vector<Delivery>& list_deliveries() {
   return all;
 }
 
+std::vector<Delivery> sparing(std::vector<Delivery> deliveries) {
+  for (Delivery& delivery : deliveries) delivery.sparing = true;
+  return deliveries;
+}
+
 std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deliveries) {
   using enum Delivery::Evaluation;
   const auto has = [](const Delivery& delivery, unsigned trait) {

@@ -20,6 +20,7 @@ struct Delivery {
   bool lifted = false;        // a one-dimensional case becomes a two-dimensional one, see lift.h
   bool along_v = false;       // ... in which the curve runs along v
   Lists lists = Lists::none;  // and what came of all that goes through display lists
+  bool sparing = false;       // for dear tests: below thorough depth one of these in turn is enough
 
   // coordinates, array: Map and EvalCoord commands are replaced one for one. Values that need doubles lose
   // their last digits on the way to floats.
@@ -53,5 +54,6 @@ enum Trait : unsigned {
   kRepetition = 16  // what is drawn is drawn twice
 };
 std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deliveries);
+std::vector<Delivery> sparing(std::vector<Delivery> deliveries);
 
 }  // namespace evalcts::gl

@@ -78,6 +78,15 @@ class GlLibrary final : public Implementation {
     return context;
   }
 
+  std::unique_ptr<Context> create_beside() override {
+    if (!contexts_->makes_several()) return nullptr;
+    try {
+      return create_context();
+    } catch (const CannotStart&) {
+      return nullptr;
+    }
+  }
+
  private:
   // A layer may look for the context below it when it is loaded.
   void load() {

@@ -42,6 +42,9 @@ class Implementation {
   virtual std::string library() const { return {}; }
   // Throws CannotStart.
   virtual std::unique_ptr<Context> create_context() = 0;
+  // A context that may live beside those of create_context(), and is current after its creation; null where
+  // there can be no such.
+  virtual std::unique_ptr<Context> create_beside() { return nullptr; }
 };
 
 struct ImplementationOptions {

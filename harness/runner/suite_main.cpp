@@ -84,7 +84,7 @@ struct Program {
   std::unique_ptr<Implementation> implementation;
   std::unique_ptr<Implementation> reused;  // where all tests share a context
   std::size_t cases_left = 0;              // of the test in flight
-  std::vector<std::unique_ptr<Capture>> captures;
+  std::unique_ptr<Captures> captures;
   std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<RecordFile> records;
@@ -174,23 +174,6 @@ void answer(const Options& options, const json& value) {
   std::ofstream file(options.answer);
   file << text;
   if (!file.flush()) throw std::runtime_error("cannot write '" + options.answer + "'");
-}
-
-// Proves the captures that were asked for (all, where none was named) and keeps those that hold.
-void prove_captures(Program& program) {
-  for (auto& capture : all_captures()) {
-    const auto& wanted = program.options.captures;
-    if (program.options.captures_given &&
-        std::find(wanted.begin(), wanted.end(), capture->name()) == wanted.end())
-      continue;
-    try {
-      capture->prove(*program.implementation, program.subject.info);
-      program.subject.captures.push_back(capture.get());
-      program.captures.push_back(std::move(capture));
-    } catch (const NotObservable& exception) {
-      std::cout << "capture " << capture->name() << " is not available: " << exception.what() << "\n";
-    }
-  }
 }
 
 json prove_one(Program& program) {
@@ -310,8 +293,11 @@ int run(int argc, char** argv) {
       answer(options, options.describe ? description_of(program.subject) : prove_one(program));
       return 0;
     }
-    prove_captures(program);
+    program.captures = std::make_unique<Captures>(*program.implementation, program.subject.info,
+                                                  options.captures_given ? &options.captures : nullptr);
+    program.subject.captures = program.captures.get();
     if (options.reuse_context) {
+      program.captures->prove_all();
       program.reused = reuse_context(*program.implementation, program.subject.info);
       program.subject.implementation = program.reused.get();
     }
@@ -327,7 +313,9 @@ int run(int argc, char** argv) {
         chosen.info.suite.c_str(), chosen.info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
         [chosen]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new Chosen(chosen), program); });
   const int status = RUN_ALL_TESTS();
-  program.reused.reset();  // its context goes while the library is whole; Mesa hangs in a static destructor
+  // Contexts go while the library is whole; Mesa hangs in a static destructor.
+  program.reused.reset();
+  program.captures.reset();
   program.records->write({{"event", "end"}});
   return status;
 }

@@ -23,6 +23,9 @@ constexpr std::size_t kFailuresInFull = 8;
 // Of so many tests one goes through display lists at that depth.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
+// At most so many parameters of a test at quick depth.
+constexpr std::size_t kParametersAtQuick = 3;
+
 // FNV-1a: a seed for each test that does not depend on which others run.
 std::uint32_t hash(std::string_view text) {
   std::uint32_t value = 2166136261u;
@@ -243,7 +246,7 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
 // Every test at thorough depth; otherwise one in sixteen, the same ones each time, and not those of many
 // primitives: another capture of the same case costs a library far more than the case.
 bool Test::cross_checked(const Prediction& prediction) const {
-  constexpr std::uint32_t kOneOf = 16;
+  constexpr std::uint32_t kOneOf = 32;
   constexpr std::size_t kManyPrimitives = 64;
   if (subject_.depth == Depth::thorough) return true;
   return hash(record_.name) % kOneOf == 0 && prediction.primitives.size() <= kManyPrimitives;
@@ -292,10 +295,12 @@ Played Test::play(const gl::Case& written) {
   return played;
 }
 
-std::vector<Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds,
-                                         bool nonpositive_w) const {
-  std::vector<Capture*> captures;
-  for (Capture* capture : subject_.captures) {
+std::vector<const Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds,
+                                               bool nonpositive_w, std::size_t most) const {
+  std::vector<const Capture*> captures;
+  for (std::size_t i = 0; i < subject_.captures->size() && captures.size() < most; ++i) {
+    const Capture* capture = subject_.captures->at(i);
+    if (!capture) continue;
     if (nonpositive_w && capture->loses_nonpositive_w()) continue;
     if (!capture->takes(kinds)) continue;
     if ((capture->attributes() & required) == required) captures.push_back(capture);
@@ -314,9 +319,9 @@ void Test::note_capture(const Capture& capture) {
 Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds) {
   const gl::Case script = begin_case(written).script;
-  const Capture* capture = captures_for(required, kinds, false).front();
-  note_capture(*capture);
-  return capture->observe(*subject_.implementation, script, {required, most_vertices, kinds});
+  const Capture& capture = capture_for(required, kinds);
+  note_capture(capture);
+  return capture.observe(*subject_.implementation, script, {required, most_vertices, kinds});
 }
 
 RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingShader& shader,
@@ -369,8 +374,8 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     Observation observation;
   };
   std::vector<Look> looks;
-  for (const Capture* capture : captures_for(required, kinds, prediction.has_nonpositive_w())) {
-    if (!looks.empty() && !cross_checked(prediction)) break;
+  const std::size_t most = cross_checked(prediction) ? subject_.captures->size() : 1;
+  for (const Capture* capture : captures_for(required, kinds, prediction.has_nonpositive_w(), most)) {
     // The first shows all it can; the others cross-check what the test is about.
     const Attributes wanted = looks.empty() ? capture->attributes() : required;
     Topology topology = topology_of(prediction, *capture);
@@ -420,10 +425,10 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
 void Test::expect_observation(const gl::Case& written, Attributes required, std::size_t most_vertices,
                               PrimitiveKinds kinds, const OwnJudge& judge) {
   const gl::Case script = begin_case(written).script;
-  const Capture* capture = captures_for(required, kinds, false).front();
-  note_capture(*capture);
+  const Capture& capture = capture_for(required, kinds);
+  note_capture(capture);
   const Wanted wanted{required, most_vertices, kinds};
-  fail_each(script, *capture, wanted, capture->observe(*subject_.implementation, script, wanted), judge);
+  fail_each(script, capture, wanted, capture.observe(*subject_.implementation, script, wanted), judge);
 }
 
 void Test::fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
@@ -574,6 +579,12 @@ void TestInfo::lift() {
   }
 }
 
+Turns::Turns(const char* suite, const char* name, std::size_t count)
+    : step_((count + kParametersAtQuick - 1) / kParametersAtQuick) {
+  // One of the parameters up to the first step is the first in turn.
+  next_ = step_ ? hash(fmt::format("{}.{}", suite, name)) % step_ : 0;
+}
+
 Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
 
 Registration::Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info) {
@@ -591,11 +602,11 @@ Registration::Registration(const std::vector<gl::Delivery>& deliveries, const Te
     if (uses_lists(delivery)) {
       const bool in_turn = list++ == turn / kListsAtQuick % lists;
       delivered.from = !in_turn                    ? Depth::thorough
-                       : turn % kListsAtQuick == 0 ? Depth::quick
+                       : turn % kListsAtQuick == 0 ? info.from
                        : turn % kListsAtFull == 0  ? Depth::full
                                                    : Depth::thorough;
     } else if (is_other(delivery) && other++ != turn % others) {
-      delivered.from = Depth::full;
+      delivered.from = delivery.sparing ? Depth::thorough : Depth::full;
     }
     registry().push_back(std::move(delivered));
   }

@@ -35,7 +35,7 @@ class Reproduction;
 struct Subject {
   Implementation* implementation = nullptr;
   ImplementationInfo info;
-  std::vector<Capture*> captures;  // proved
+  Captures* captures = nullptr;
   Depth depth = Depth::full;
   std::uint32_t seed = 1;
   std::function<void(const gl::Case&)> before_case;  // may be empty
@@ -121,7 +121,7 @@ class Test {
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
-  // Observes what the case emits through the first capture that can see it (in one test of sixteen, at
+  // Observes what the case emits through the first capture that can see it (in one test of 32, at
   // thorough depth in all, through the others as well: they have to agree), and judges it against the
   // executable specification at the level of the test. `required` attributes must be observed, or the test is
   // not-observable; further ones are judged where a capture shows them.
@@ -151,7 +151,12 @@ class Test {
   friend class Played;
   gl::DeliveredCase begin_case(const gl::Case& script);
   bool cross_checked(const Prediction& prediction) const;
-  std::vector<Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w) const;
+  const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const {
+    return *captures_for(required, kinds, false, 1).front();
+  }
+  // At least one, at most `most`. Throws NotObservable.
+  std::vector<const Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
+                                           std::size_t most) const;
   void note_capture(const Capture& capture);
   // A failure for each mismatch that `judge` finds in what the capture saw of the case.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
@@ -189,21 +194,34 @@ struct TestInfo {
 // All tests, in the order of their names.
 const std::vector<TestInfo>& all_tests();
 
+// The least depth of each of `count` tests that differ in a parameter: quick for a few of them, in turn by the
+// name of the test, full for the others.
+class Turns {
+ public:
+  Turns(const char* suite, const char* name, std::size_t count);
+  Depth next() { return next_++ % step_ == 0 ? Depth::quick : Depth::full; }
+
+ private:
+  std::size_t next_, step_;
+};
+
 // For the macros below.
 struct Registration {
   explicit Registration(TestInfo info);
   template <class Parameters, class Body>
   Registration(const char* suite, const char* name, const Parameters& parameters, Level level,
                std::initializer_list<std::string_view> requirements, Body body) {
+    Turns turns(suite, name, std::size(parameters));
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
       Registration(TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
-                            [body, copy](Test& t) { body(t, copy); }});
+                            [body, copy](Test& t) { body(t, copy); }, turns.next()});
     }
   }
-  // One test for each delivery, and for each parameter and delivery. Quick depth takes the plain deliveries
-  // and one of the others in turn; full depth all without display lists. One with display lists, in turn, is
-  // taken for every ninth test at quick, every third at full depth; thorough depth takes all.
+  // One test for each delivery, and for each parameter and delivery. Of what the parameters leave to it, quick
+  // depth takes the plain deliveries and one of the others in turn; full depth all without display lists (those
+  // that are `sparing` as quick depth does). One with display lists, in turn, is taken for every ninth test at
+  // quick, every third at full depth; thorough depth takes all.
   Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
@@ -213,11 +231,11 @@ struct Registration {
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name,
                const Parameters& parameters, Level level,
                std::initializer_list<std::string_view> requirements, Body body) {
+    Turns turns(suite, name, std::size(parameters));
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
-      const std::string with_parameter = name_with(name, parameter_name(copy));
-      Registration(deliveries, suite, with_parameter.c_str(), level, requirements,
-                   [body, copy](Test& t) { body(t, copy); });
+      Registration(deliveries, TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
+                                        [body, copy](Test& t) { body(t, copy); }, turns.next()});
     }
   }
 

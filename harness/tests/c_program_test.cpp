@@ -191,9 +191,9 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   Subject subject;
   subject.implementation = &reproduction.implementation();
   subject.info = inquire(bent);
-  const auto sink = make_sink();
-  sink->prove(bent, subject.info);
-  subject.captures = {sink.get()};
+  const std::vector<std::string> sink{"Sink"};
+  Captures captures(bent, subject.info, &sink);
+  subject.captures = &captures;
   subject.reproduction = &reproduction;
   Record record;
   record.name = "A.Test";
