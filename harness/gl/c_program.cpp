@@ -300,6 +300,8 @@ class Writer {
     used.insert(EntryPoint::GetError);
     const auto other = used.erase(EntryPoint::OtherContextEVALCTS);
     const auto sharing = used.erase(EntryPoint::SharingContextEVALCTS);
+    if (used.contains(EntryPoint::ContextOfKindEVALCTS))
+      throw NoCProgram("a context of another profile, a debug or a no-error context is made by evalcts only");
     if (other) text_ += "\n#define glOtherContextEVALCTS(number) use_context(number, 0)\n";
     if (sharing) text_ += "\n#define glSharingContextEVALCTS(number) use_context(number, 1)\n";
     text_ += "\n/* The commands by their names. */\n";

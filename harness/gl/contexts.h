@@ -12,4 +12,13 @@ void glOtherContextEVALCTS(GLuint context);
 
 // The same; a context that is made now shares objects (display lists, textures) with context 0.
 void glSharingContextEVALCTS(GLuint context);
+
+// The same; a context that is made now is of this kind. Not every implementation makes every kind.
+enum {
+  EVALCTS_CORE_PROFILE = 1,    // 3.2 at least
+  EVALCTS_FORWARD_COMPATIBLE,  // 3.1, without what is deprecated in 3.0
+  EVALCTS_DEBUG,               // compatibility profile, debug context
+  EVALCTS_NO_ERROR             // compatibility profile, KHR_no_error
+};
+void glContextOfKindEVALCTS(GLuint context, GLuint kind);
 }

@@ -27,6 +27,8 @@ bool is_compiled(const Command& command) {
                                   "EndQuery",
                                   "BeginTransformFeedback",
                                   "EndTransformFeedback",
+                                  "BeginConditionalRender",
+                                  "EndConditionalRender",
                                   "EnableClientState",
                                   "DisableClientState",
                                   "NormalPointer",

@@ -90,7 +90,8 @@ class Player {
     if (!table_.OtherContextEVALCTS) return false;
     return std::ranges::any_of(script.commands(), [](const Command& command) {
       return command.entry == EntryPoint::OtherContextEVALCTS ||
-             command.entry == EntryPoint::SharingContextEVALCTS;
+             command.entry == EntryPoint::SharingContextEVALCTS ||
+             command.entry == EntryPoint::ContextOfKindEVALCTS;
     });
   }
 

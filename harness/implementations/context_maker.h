@@ -13,10 +13,14 @@ class ContextMaker {
   virtual ~ContextMaker() = default;
   // A fresh context, current. No other exists but where makes_several(). Throws CannotStart.
   virtual void* create() = 0;
-  // Whether it can make further contexts beside the first. The next two are for such makers only.
+  // Whether it can make further contexts beside the first. The next three are for such makers only.
   virtual bool makes_several() const { return false; }
   // The same, sharing objects with another context. Throws CannotStart.
   virtual void* create_sharing(void* /*with*/) { return nullptr; }
+  // The same, of a kind named in gl/contexts.h. Throws CannotStart.
+  virtual void* create_of_kind(GLuint /*kind*/) {
+    throw CannotStart("contexts of other kinds than the usual one are not made here");
+  }
   // Throws CannotStart.
   virtual void make_current(void* /*context*/) {}
   // No context is current afterwards.

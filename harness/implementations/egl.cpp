@@ -10,6 +10,7 @@
 #include <sstream>
 #include <vector>
 
+#include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
 #include "harness/implementations/shared_library.h"
 
@@ -125,9 +126,10 @@ class EglContexts final : public ContextMaker {
         library_.path(), fmt::join(reasons, "; ")));
   }
 
-  void* create() override { return make(EGL_NO_CONTEXT); }
+  void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
   bool makes_several() const override { return true; }
-  void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context); }
+  void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context, attributes_); }
+  void* create_of_kind(GLuint kind) override { return make(EGL_NO_CONTEXT, attributes_of(kind)); }
 
   void make_current(void* context) override {
     const Made& made = *static_cast<Made*>(context);
@@ -166,9 +168,40 @@ class EglContexts final : public ContextMaker {
     EGLSurface surface = EGL_NO_SURFACE;
   };
 
-  Made* make(EGLContext share) {
+  // EGL 1.5, or EGL_KHR_create_context and EGL_KHR_create_context_no_error with the same values.
+  std::vector<EGLint> attributes_of(GLuint kind) const {
+    std::vector<EGLint> attributes = attributes_;
+    attributes.pop_back();
+    switch (kind) {
+      case EVALCTS_CORE_PROFILE:
+        attributes = {EGL_CONTEXT_MAJOR_VERSION,       3,
+                      EGL_CONTEXT_MINOR_VERSION,       2,
+                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+        break;
+      case EVALCTS_FORWARD_COMPATIBLE:
+        attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                      3,
+                      EGL_CONTEXT_MINOR_VERSION,
+                      1,
+                      EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE,
+                      EGL_TRUE};
+        break;
+      case EVALCTS_DEBUG:
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+        break;
+      case EVALCTS_NO_ERROR:
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
+        break;
+      default:
+        throw CannotStart(fmt::format("there is no kind {} of contexts", kind));
+    }
+    attributes.push_back(EGL_NONE);
+    return attributes;
+  }
+
+  Made* make(EGLContext share, const std::vector<EGLint>& attributes) {
     auto made = std::make_unique<Made>();
-    made->context = egl_.CreateContext(display_, config_, share, attributes_.data());
+    made->context = egl_.CreateContext(display_, config_, share, attributes.data());
     if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
     try {
       if (!surfaceless_) {

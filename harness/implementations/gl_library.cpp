@@ -40,19 +40,31 @@ class MadeContext final : public Context {
   const gl::Table& table() const override { return table_; }
 
   // The commands of gl/contexts.h.
-  static void other(GLuint number) { of_the_case_->make_current(number, false); }
-  static void sharing(GLuint number) { of_the_case_->make_current(number, true); }
+  static void other(GLuint number) {
+    of_the_case_->make_current(number, gl::EntryPoint::OtherContextEVALCTS,
+                               [](ContextMaker& maker) { return maker.create(); });
+  }
+  static void sharing(GLuint number) {
+    of_the_case_->make_current(number, gl::EntryPoint::SharingContextEVALCTS, [](ContextMaker& maker) {
+      return maker.create_sharing(of_the_case_->handle_);
+    });
+  }
+  static void of_kind(GLuint number, GLuint kind) {
+    of_the_case_->make_current(number, gl::EntryPoint::ContextOfKindEVALCTS,
+                               [kind](ContextMaker& maker) { return maker.create_of_kind(kind); });
+  }
 
  private:
-  void make_current(GLuint number, bool sharing) {
+  template <class Create>
+  void make_current(GLuint number, gl::EntryPoint command, const Create& create) {
     if (number == 0) return maker_.make_current(handle_);
     if (const auto made = others_.find(number); made != others_.end())
       return maker_.make_current(made->second);
     try {
-      others_[number] = sharing ? maker_.create_sharing(handle_) : maker_.create();
-    } catch (const CannotStart&) {  // one context at a time, or none that share
-      throw gl::MissingEntryPoint(sharing ? gl::EntryPoint::SharingContextEVALCTS
-                                          : gl::EntryPoint::OtherContextEVALCTS);
+      others_[number] = create(maker_);
+    } catch (const CannotStart&) {  // one context at a time, or none like that
+      others_.erase(number);
+      throw gl::MissingEntryPoint(command);
     }
   }
 
@@ -108,6 +120,7 @@ class GlLibrary final : public Implementation {
     if (contexts_->makes_several()) {
       table_.OtherContextEVALCTS = &MadeContext::other;
       table_.SharingContextEVALCTS = &MadeContext::sharing;
+      table_.ContextOfKindEVALCTS = &MadeContext::of_kind;
     }
     loaded_ = true;
   }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
 #include "harness/implementations/shared_library.h"
 
@@ -13,6 +14,7 @@ using OSMesaContext = void*;
 using CreateContext = OSMesaContext (*)(GLenum format, OSMesaContext share);
 using CreateContextExt = OSMesaContext (*)(GLenum format, GLint depth, GLint stencil, GLint accumulation,
                                            OSMesaContext share);
+using CreateContextAttribs = OSMesaContext (*)(const int* attributes, OSMesaContext share);
 using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsizei width, GLsizei height);
 using DestroyContext = void (*)(OSMesaContext);
 using GetProcAddress = void* (*)(const char* name);
@@ -41,17 +43,28 @@ class OSMesaContexts final : public ContextMaker {
   bool makes_several() const override { return true; }
 
   void* create_sharing(void* with) override {
-    void* context = create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : create_(GL_RGBA, with);
-    if (!context) throw CannotStart("OSMesaCreateContext gives no context");
-    try {
-      make_current(context);
-    } catch (const CannotStart&) {
-      destroy_(context);
-      throw;
-    }
-    return context;
+    return current(create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : create_(GL_RGBA, with));
   }
 
+  void* create_of_kind(GLuint kind) override {
+    const auto create = library_.find_as<CreateContextAttribs>("OSMesaCreateContextAttribs");
+    if (!create || kind != EVALCTS_CORE_PROFILE) return ContextMaker::create_of_kind(kind);
+    // Names and values of GL/osmesa.h, which is not everywhere.
+    const int attributes[] = {0x22 /* FORMAT */,
+                              GL_RGBA,
+                              0x30 /* DEPTH_BITS */,
+                              24,
+                              0x31 /* STENCIL_BITS */,
+                              8,
+                              0x33 /* PROFILE */,
+                              0x34 /* CORE_PROFILE */,
+                              0x36 /* CONTEXT_MAJOR_VERSION */,
+                              3,
+                              0x37 /* CONTEXT_MINOR_VERSION */,
+                              2,
+                              0};
+    return current(create(attributes, nullptr));
+  }
   void make_current(void* context) override {
     if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
       throw CannotStart("OSMesaMakeCurrent refuses the context");
@@ -69,6 +82,17 @@ class OSMesaContexts final : public ContextMaker {
   std::string library() const override { return library_.path(); }
 
  private:
+  void* current(void* context) {
+    if (!context) throw CannotStart("OSMesaCreateContext gives no context");
+    try {
+      make_current(context);
+    } catch (const CannotStart&) {
+      destroy_(context);
+      throw;
+    }
+    return context;
+  }
+
   SharedLibrary library_;
   CreateContext create_;
   CreateContextExt create_ext_;

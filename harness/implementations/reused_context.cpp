@@ -323,6 +323,7 @@ class Shared {
   Shared(std::unique_ptr<Context> context, const ImplementationInfo& info)
       : context_(std::move(context)), table_(context_->table()) {
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
+    table_.ContextOfKindEVALCTS = nullptr;
     // Its initial value is the size of a window that only the implementation knows.
     if (gl::has(context_->table(), EntryPoint::Viewport)) {
       Case question;

@@ -23,8 +23,9 @@ constexpr std::size_t kFailuresInFull = 8;
 // Of so many tests one goes through display lists at that depth.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
-// At most so many parameters of a test at quick depth.
-constexpr std::size_t kParametersAtQuick = 3;
+// At most so many parameters of a test at quick depth: where it has no deliveries, where it has, and where they
+// are sparing.
+constexpr std::size_t kParametersAtQuick = 3, kDeliveredAtQuick = 2, kSparingAtQuick = 1;
 
 // FNV-1a: a seed for each test that does not depend on which others run.
 std::uint32_t hash(std::string_view text) {
@@ -579,9 +580,12 @@ void TestInfo::lift() {
   }
 }
 
-Turns::Turns(const char* suite, const char* name, std::size_t count)
-    : step_((count + kParametersAtQuick - 1) / kParametersAtQuick) {
-  // One of the parameters up to the first step is the first in turn.
+Turns::Turns(const char* suite, const char* name, std::size_t count,
+             const std::vector<gl::Delivery>& deliveries) {
+  const std::size_t most = deliveries.empty()           ? kParametersAtQuick
+                           : deliveries.front().sparing ? kSparingAtQuick
+                                                        : kDeliveredAtQuick;
+  step_ = (count + most - 1) / most;
   next_ = step_ ? hash(fmt::format("{}.{}", suite, name)) % step_ : 0;
 }
 

@@ -195,14 +195,15 @@ struct TestInfo {
 const std::vector<TestInfo>& all_tests();
 
 // The least depth of each of `count` tests that differ in a parameter: quick for a few of them, in turn by the
-// name of the test, full for the others.
+// name of the test, full for the others. The more deliveries each goes through, and the dearer, the fewer.
 class Turns {
  public:
-  Turns(const char* suite, const char* name, std::size_t count);
+  Turns(const char* suite, const char* name, std::size_t count,
+        const std::vector<gl::Delivery>& deliveries = {});
   Depth next() { return next_++ % step_ == 0 ? Depth::quick : Depth::full; }
 
  private:
-  std::size_t next_, step_;
+  std::size_t next_ = 0, step_ = 0;
 };
 
 // For the macros below.
@@ -231,7 +232,7 @@ struct Registration {
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name,
                const Parameters& parameters, Level level,
                std::initializer_list<std::string_view> requirements, Body body) {
-    Turns turns(suite, name, std::size(parameters));
+    Turns turns(suite, name, std::size(parameters), deliveries);
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
       Registration(deliveries, TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
