@@ -236,6 +236,10 @@ Record read_record(const json& value) {
   out.depth = in.text("depth");
   out.pass = in.word("pass", {"reuse-context"});
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
+  if (const json* readings = in.find("readings")) {
+    const Object by_text(*readings, "readings");
+    for (const auto& item : readings->items()) out.readings[clean(item.key())] = by_text.texts(item.key());
+  }
   if (const json* implementation = in.find("implementation")) {
     out.implementation = read_implementation(Object(*implementation, "implementation"));
   }

@@ -92,6 +92,8 @@ struct TestResult {
 struct Record {
   std::string evalcts_version, status, reason, command, depth, pass;
   std::vector<std::string> stale_baseline_entries;
+  // Of ambiguous texts, by their names: one where the implementation is consistent.
+  std::map<std::string, std::vector<std::string>> readings;
   Implementation implementation;
   Counts counts{};
   std::vector<TestResult> tests;

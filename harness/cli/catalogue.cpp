@@ -34,6 +34,14 @@ const nlohmann::json& catalogue() {
   return data;
 }
 
+std::vector<nlohmann::json> interpretations() {
+  std::vector<nlohmann::json> all;
+  for (const char* part : {"contradictions", "undefined"})
+    for (const nlohmann::json& entry : catalogue()[part])
+      if (entry.contains("readings")) all.push_back(entry);
+  return all;
+}
+
 std::vector<Coverage> coverage_of(const nlohmann::json& requirements, const nlohmann::json& tests) {
   std::map<std::string, std::set<std::string>> halves;
   std::map<std::string, std::vector<std::string>> names;

@@ -11,6 +11,10 @@ namespace evalcts {
 // decide says why: "undecidable": "reason", or {"1-D": "reason"} for one of its halves.
 const nlohmann::json& catalogue();
 
+// The ambiguous texts with more than one accepted reading: {"id", "readings": {name: meaning}, ...} each, of
+// "contradictions" and "undefined".
+std::vector<nlohmann::json> interpretations();
+
 // How far the tests decide one requirement. A test may decide one half of it, "/1-D" or "/2-D".
 struct Coverage {
   std::string id;

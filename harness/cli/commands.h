@@ -31,8 +31,9 @@ struct RunOptions {
   bool write_baseline = false;
   bool strict = false;
   bool reuse_context = false;
-  std::string shard;                     // "K/N"; empty: all
-  std::optional<std::uint32_t> shuffle;  // seed of the order in which the tests run
+  std::vector<std::string> interpretations;  // NAME=READING
+  std::string shard;                         // "K/N"; empty: all
+  std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
   bool verbose = false;
   std::string command;  // as typed
   std::string program;  // how it was called

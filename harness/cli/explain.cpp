@@ -101,6 +101,16 @@ void explain_requirement(const json& requirement) {
   }
 }
 
+void list_readings(const json& entry) {
+  if (!entry.contains("readings")) return;
+  paragraph(
+      "Readings that are accepted; 'evalcts run' records which one an implementation follows, and with "
+      "--interpretation NAME=READING fails another:");
+  for (const auto& [reading, meaning] : entry["readings"].items())
+    paragraph(fmt::format("{}={}: {}", entry["id"].get<std::string>(), reading, meaning.get<std::string>()),
+              4);
+}
+
 // Where documents disagree: which, how, and what this suite makes of it.
 void explain_contradiction(const json& entry) {
   std::cout << entry["id"].get<std::string>() << ": an interpretation, since the documents do not agree\n";
@@ -111,6 +121,7 @@ void explain_contradiction(const json& entry) {
   labelled("Taken here", entry, "take");
   labelled("Why", entry, "why");
   labelled("Section", entry, "section");
+  list_readings(entry);
 }
 
 void explain_undefined(const json& entry) {
@@ -119,6 +130,7 @@ void explain_undefined(const json& entry) {
   labelled("A test may assert", entry, "may_assert");
   labelled("A test must not assert", entry, "must_not_assert");
   labelled("Section", entry, "section");
+  list_readings(entry);
 }
 
 void explain_test(const json& test) {

@@ -60,6 +60,15 @@ int list(const std::string& what, bool as_json) {
                                  entry["available"].get<bool>() ? entry["what"].get<std::string>()
                                                                 : entry["reason"].get<std::string>());
     }
+  } else if (what == "interpretations") {
+    if (as_json) {
+      std::cout << json{{"interpretations", interpretations()}}.dump(1) << "\n";
+    } else {
+      for (const json& entry : interpretations())
+        for (const auto& [reading, meaning] : entry["readings"].items())
+          std::cout << fmt::format("{:<36} {}\n", entry["id"].get<std::string>() + "=" + reading,
+                                   meaning.get<std::string>());
+    }
   } else if (what == "requirements") {
     if (as_json) {
       std::cout << catalogue().dump(1) << "\n";

@@ -56,6 +56,12 @@ int main(int argc, char** argv) {
   run_command->add_flag("--write-baseline", run_options.write_baseline, "write what fails as the baseline");
   run_command->add_flag("--strict", run_options.strict,
                         "an unexpected pass and a stale baseline entry count, too");
+  run_command
+      ->add_option("--interpretation", run_options.interpretations,
+                   "NAME=READING: the reading of an ambiguous text that is wanted, see 'evalcts list "
+                   "interpretations'; may be repeated")
+      ->expected(1)
+      ->take_all();
   run_command->add_flag("--reuse-context", run_options.reuse_context,
                         "a second pass over one shared context, for defects that depend on history");
   run_command
@@ -71,10 +77,11 @@ int main(int argc, char** argv) {
 
   std::string what;
   bool as_json = false;
-  CLI::App* list_command = app.add_subcommand("list", "implementations, requirements or tests");
+  CLI::App* list_command =
+      app.add_subcommand("list", "implementations, requirements, interpretations or tests");
   list_command->add_option("what", what)
       ->required()
-      ->check(CLI::IsMember({"implementations", "requirements", "tests"}));
+      ->check(CLI::IsMember({"implementations", "requirements", "interpretations", "tests"}));
   list_command->add_flag("--json", as_json, "as JSON");
 
   CLI::App* coverage_command =

@@ -100,6 +100,24 @@ std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& t
   return std::pair{number, count};
 }
 
+namespace {
+
+// What is wrong with the first bad one of these, NAME=READING each; empty where all are good.
+std::string wrong_reading(const std::vector<std::string>& choices) {
+  for (const std::string& choice : choices) {
+    const std::size_t equals = choice.find('=');
+    if (equals == std::string::npos) return fmt::format("--interpretation '{}' is no NAME=READING", choice);
+    const std::string name = choice.substr(0, equals), reading = choice.substr(equals + 1);
+    const std::vector<json> all = interpretations();
+    const auto entry = std::find_if(all.begin(), all.end(), [&](const json& e) { return e["id"] == name; });
+    if (entry == all.end()) return fmt::format("there is no interpretation '{}'", name);
+    if (!(*entry)["readings"].contains(reading)) return fmt::format("{} has no reading '{}'", name, reading);
+  }
+  return {};
+}
+
+}  // namespace
+
 int run(const RunOptions& options) {
   const Places where = places();
   const fs::path output = options.output.empty() ? where.output : fs::path(options.output);
@@ -155,6 +173,12 @@ int run(const RunOptions& options) {
                              implementation.name);
     return kWrongUse;
   }
+
+  if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty()) {
+    std::cerr << "evalcts: " << wrong << "; see 'evalcts list interpretations'\n";
+    return kWrongUse;
+  }
+  request.readings = options.interpretations;
 
   std::error_code error;
   fs::create_directories(output, error);

@@ -16,8 +16,9 @@ namespace {
 // --- Contexts: one fragment each ---------------------------------------------------------------------------
 //
 // A fragment defines `static void make_context(const char *path)`, which stops with exit code 2 and a reason
-// where it cannot, `static void use_context(GLuint number, int sharing)`, see contexts.h, and `static void
-// *address_of(const char *name)`.
+// where it cannot, `static void use_context(GLuint number, int how)`, see contexts.h, and `static void
+// *address_of(const char *name)`. how: 0 a context like the first, 1 one that shares with it, 1 + KIND one of
+// that kind.
 
 constexpr char kOpenLibrary[] = R"(static void *library;
 
@@ -43,12 +44,19 @@ constexpr char kOSMesa[] = R"(
 static unsigned char pixels[64 * 64 * 4];
 static void *contexts[MOST_CONTEXTS];
 
-static void use_context(GLuint number, int sharing) {
+static void use_context(GLuint number, int how) {
   void *(*create)(GLenum, GLint, GLint, GLint, void *) =
       (void *(*)(GLenum, GLint, GLint, GLint, void *))need("OSMesaCreateContextExt");
   GLboolean (*make_current)(void *, void *, GLenum, GLsizei, GLsizei) =
       (GLboolean (*)(void *, void *, GLenum, GLsizei, GLsizei))need("OSMesaMakeCurrent");
-  if (!contexts[number]) contexts[number] = create(GL_RGBA, 24, 8, 0, sharing ? contexts[0] : NULL);
+  if (!contexts[number] && how < 2) contexts[number] = create(GL_RGBA, 24, 8, 0, how ? contexts[0] : NULL);
+  if (!contexts[number] && how == 2) {
+    void *(*create_kind)(const int *, void *) =
+        (void *(*)(const int *, void *))need("OSMesaCreateContextAttribs");
+    /* OSMESA_FORMAT, DEPTH_BITS, STENCIL_BITS, PROFILE: CORE, CONTEXT_MAJOR_VERSION, MINOR_VERSION */
+    const int core[] = {0x22, GL_RGBA, 0x30, 24, 0x31, 8, 0x33, 0x34, 0x36, 3, 0x37, 2, 0};
+    contexts[number] = create_kind(core, NULL);
+  }
   if (!contexts[number] || !make_current(contexts[number], pixels, GL_UNSIGNED_BYTE, 64, 64))
     stop("OSMesa gives no context");
 }
@@ -99,13 +107,21 @@ static void bind_framebuffer(void) {
 #undef GL
 }
 
-static void use_context(GLuint number, int sharing) {
+static void use_context(GLuint number, int how) {
   void *(*create)(void *, void *, void *, const int *) =
       (void *(*)(void *, void *, void *, const int *))need("eglCreateContext");
   unsigned (*make_current)(void *, void *, void *, void *) =
       (unsigned (*)(void *, void *, void *, void *))need("eglMakeCurrent");
-  const int none = 0x3038 /* EGL_NONE */, is_new = !contexts[number];
-  if (is_new) contexts[number] = create(display, config, sharing ? contexts[0] : NULL, &none);
+  /* EGL_CONTEXT_MAJOR_VERSION, MINOR_VERSION, and: core profile; forward-compatible; compatibility profile with
+     debug, and with no-error */
+  const int kinds[][9] = {{0x3038 /* EGL_NONE */},
+                          {0x3038},
+                          {0x3098, 3, 0x30FB, 2, 0x30FD, 1, 0x3038},
+                          {0x3098, 3, 0x30FB, 1, 0x31B1, 1, 0x3038},
+                          {0x3098, 3, 0x30FB, 2, 0x30FD, 2, 0x31B0, 1, 0x3038},
+                          {0x3098, 3, 0x30FB, 2, 0x30FD, 2, 0x31B3, 1, 0x3038}};
+  const int is_new = !contexts[number];
+  if (is_new) contexts[number] = create(display, config, how == 1 ? contexts[0] : NULL, kinds[how]);
   if (!contexts[number] || !make_current(display, NULL, NULL, contexts[number])) stop("EGL gives no context");
   if (is_new) bind_framebuffer();
 }
@@ -150,10 +166,10 @@ static void on_vertex(void *user, const glev_vertex *vertex) {
   ++emitted_vertices;
 }
 
-static void use_context(GLuint number, int sharing) {
+static void use_context(GLuint number, int how) {
   const glev_sink sink = {sizeof sink, NULL, NULL, on_vertex, NULL};
   glev_context **const used = &contexts[number];
-  (void)sharing;
+  (void)how;
   if (!*used && (glevCreateContext(NULL, used) != GLEV_SUCCESS || glevSetSink(*used, &sink) != GLEV_SUCCESS)) {
     fprintf(stderr, "cannot start: no context\n");
     exit(2);
@@ -300,8 +316,8 @@ class Writer {
     used.insert(EntryPoint::GetError);
     const auto other = used.erase(EntryPoint::OtherContextEVALCTS);
     const auto sharing = used.erase(EntryPoint::SharingContextEVALCTS);
-    if (used.contains(EntryPoint::ContextOfKindEVALCTS))
-      throw NoCProgram("a context of another profile, a debug or a no-error context is made by evalcts only");
+    if (used.erase(EntryPoint::ContextOfKindEVALCTS))
+      text_ += "\n#define glContextOfKindEVALCTS(number, kind) use_context(number, 1 + (kind))\n";
     if (other) text_ += "\n#define glOtherContextEVALCTS(number) use_context(number, 0)\n";
     if (sharing) text_ += "\n#define glSharingContextEVALCTS(number) use_context(number, 1)\n";
     text_ += "\n/* The commands by their names. */\n";

@@ -171,6 +171,8 @@ ImplementationInfo inquire(Implementation& implementation) {
 
   std::istringstream extensions(string_of(GL_EXTENSIONS));
   for (std::string extension; extensions >> extension;) info.extensions.insert(extension);
+  info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&
+                  (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
   if (table.GetError)
     for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
 

@@ -78,6 +78,7 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;
   GLint texture_units = 1;
   std::set<std::string> extensions;
+  bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
 
   bool at_least(int wanted_major, int wanted_minor) const {
     return major > wanted_major || (major == wanted_major && minor >= wanted_minor);

@@ -1,5 +1,6 @@
 #include "harness/judge/prediction.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -28,6 +29,23 @@ gl::Trace play(const gl::Case& script, reference::Specification& specification) 
   return trace;
 }
 
+// The commands that the specification has.
+gl::Case known_commands(const gl::Case& script) {
+  gl::Case known;
+  std::vector<std::optional<int>> places;  // of all commands, in `known`
+  for (gl::Command command : script.commands()) {
+    std::optional<int>& place = places.emplace_back();
+    if (gl::name_of(command.entry).ends_with("EVALCTS"))
+      throw std::logic_error("a case of several contexts has no prediction");
+    if (!gl::has(oracle(), command.entry)) continue;
+    for (gl::Value& argument : command.arguments)
+      if (auto* result = std::get_if<gl::ResultOf>(&argument))
+        result->command = places.at(static_cast<std::size_t>(result->command)).value();
+    place = known.add(std::move(command)).index;
+  }
+  return known;
+}
+
 }  // namespace
 
 std::size_t Prediction::vertex_count() const {
@@ -51,26 +69,29 @@ bool Prediction::has_nonpositive_w() const {
 }
 
 Prediction predict(const gl::Case& script, int max_eval_order) {
-  gl::Case known;
-  std::vector<std::optional<int>> places;  // of all commands, in `known`
-  for (gl::Command command : script.commands()) {
-    std::optional<int>& place = places.emplace_back();
-    if (gl::name_of(command.entry).ends_with("EVALCTS"))
-      throw std::logic_error("a case of several contexts has no prediction");
-    if (!gl::has(oracle(), command.entry)) continue;
-    for (gl::Value& argument : command.arguments)
-      if (auto* result = std::get_if<gl::ResultOf>(&argument))
-        result->command = places.at(static_cast<std::size_t>(result->command)).value();
-    place = known.add(std::move(command)).index;
-  }
-
   reference::Specification specification({.max_eval_order = max_eval_order});
-  const gl::Trace trace = play(known, specification);
+  const gl::Trace trace = play(known_commands(script), specification);
 
   Prediction prediction;
   prediction.primitives = specification.take_primitives();
   if (!trace.left_over_errors().empty()) prediction.error = trace.left_over_errors().front();
   return prediction;
+}
+
+bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
+  const auto is_ours = [](const gl::Command& command) {
+    return gl::name_of(command.entry).ends_with("EVALCTS");
+  };
+  if (std::ranges::any_of(script.commands(), is_ours)) return true;
+  const gl::Case known = known_commands(script);
+  reference::Specification specification({.max_eval_order = max_eval_order});
+  const gl::Trace trace = play(known, specification);
+  if (!trace.left_over_errors().empty()) return true;
+  for (std::size_t i = 0; i < known.commands().size(); ++i)
+    if (known.commands()[i].entry == gl::EntryPoint::GetError &&
+        trace.error({static_cast<int>(i)}) != GL_NO_ERROR)
+      return true;
+  return false;
 }
 
 gl::Trace predict_answers(const gl::Case& script, int max_eval_order) {

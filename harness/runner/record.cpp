@@ -83,6 +83,7 @@ nlohmann::json to_json(const Record& record) {
       if (failures.front().contains(member)) json[member] = failures.front()[member];
   }
   if (!json.contains("capture") && !record.captures.empty()) json["capture"] = record.captures.front();
+  if (!record.readings.empty()) json["readings"] = record.readings;
   if (record.accuracy) json["accuracy"] = to_json(*record.accuracy);
   return json;
 }

@@ -1,6 +1,7 @@
 // Result records: what is known of one test after it ran.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -51,6 +52,7 @@ struct Record {
   std::vector<Failure> failures;        // the first few, in full
   std::vector<std::string> captures;
   std::optional<Accuracy> accuracy;
+  std::map<std::string, std::string> readings;  // of ambiguous text that the implementation follows
   std::uint32_t seed = 0;
   double seconds = 0;
 };

@@ -114,6 +114,8 @@ class Run {
       options.insert(options.end(), {"--library", request_.implementation.library});
     if (!request_.implementation.context.empty())
       options.insert(options.end(), {"--context", request_.implementation.context});
+    for (const std::string& reading : request_.readings)
+      options.insert(options.end(), {"--interpretation", reading});
     return options;
   }
 
@@ -516,6 +518,7 @@ class Run {
   json finish(json& result, const std::string& status) {
     result["status"] = status;
     json summary = json::object();
+    std::map<std::string, std::set<std::string>> readings;
     result["tests"] = json::array();
     for (const json& test : request_.tests) {
       const auto found = records_.find(test["name"]);
@@ -523,9 +526,12 @@ class Run {
       const std::string verdict = found->second["verdict"];
       summary[verdict] = summary.value(verdict, 0) + 1;
       if (verdict == "fail" || verdict == "crash" || verdict == "timeout") add_commands(found->second);
+      const json followed = found->second.value("readings", json::object());
+      for (const auto& [text, reading] : followed.items()) readings[text].insert(reading.get<std::string>());
       result["tests"].push_back(found->second);
     }
     result["summary"] = summary;
+    if (!readings.empty()) result["readings"] = readings;
     fs::remove_all(scratch_);
     write_atomically(file("results", "json"), to_text(result));
     return result;

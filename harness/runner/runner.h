@@ -22,6 +22,7 @@ struct RunRequest {
   std::string shard;     // "K-of-N" where `tests` are a part of all; else empty
   nlohmann::json tests;  // those to run: {"name", "requirements", "level"}
   std::string depth = "full";
+  std::vector<std::string> readings;  // NAME=READING, asked for
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
   int jobs = 1;  // processes that share the tests (a pass over one shared context: always one)

@@ -35,7 +35,7 @@ constexpr int kOwnFault = 3;
 
 struct Options {
   ImplementationOptions implementation;
-  std::vector<std::string> captures;
+  std::vector<std::string> captures, readings;
   bool captures_given = false;
   std::string depth = "full";
   std::uint32_t seed = 1;
@@ -225,6 +225,9 @@ void parse(int argc, char** argv, Options& options) {
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", options.seed, "seed of the random tests");
   auto* captures = app.add_option("--captures", options.captures, "use only these")->delimiter(',');
+  app.add_option("--interpretation", options.readings, "NAME=READING, as for evalcts run")
+      ->expected(1)
+      ->take_all();
   app.add_option("--records", options.records, "append a line of JSON for each event");
   app.add_option("--tests", options.tests,
                  "file with the names of the tests to run, one a line, in this order; after a tab, how many "
@@ -281,6 +284,11 @@ int run(int argc, char** argv) {
     program.subject.implementation = program.implementation.get();
     program.subject.depth = depth_named(options.depth);
     program.subject.seed = options.seed;
+    for (const std::string& choice : options.readings) {
+      const std::size_t equals = choice.find('=');
+      if (equals == std::string::npos) throw CannotStart("'" + choice + "' is no NAME=READING");
+      program.subject.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
+    }
     program.subject.before_case = [](const gl::Case& script) {
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)

@@ -23,8 +23,8 @@ constexpr std::size_t kFailuresInFull = 8;
 // Of so many tests one goes through display lists at that depth.
 constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
 
-// At most so many parameters of a test at quick depth: where it has no deliveries, where it has, and where they
-// are sparing.
+// At most so many parameters of a test at quick depth: where it has no deliveries, where it has, and where
+// they are sparing.
 constexpr std::size_t kParametersAtQuick = 3, kDeliveredAtQuick = 2, kSparingAtQuick = 1;
 
 // FNV-1a: a seed for each test that does not depend on which others run.
@@ -265,6 +265,8 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
     std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
   }
   lists_used_ = lists_used_ || uses_lists(delivered.script);
+  if (gl().no_error && may_raise_an_error(delivered.script, max_order()))
+    throw NotSupported("a no-error context, in which what raises an error is undefined");
   if (subject_.before_case) subject_.before_case(delivered.script);
   return delivered;
 }
@@ -296,8 +298,8 @@ Played Test::play(const gl::Case& written) {
   return played;
 }
 
-std::vector<const Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds,
-                                               bool nonpositive_w, std::size_t most) const {
+std::vector<const Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
+                                               std::size_t most) const {
   std::vector<const Capture*> captures;
   for (std::size_t i = 0; i < subject_.captures->size() && captures.size() < most; ++i) {
     const Capture* capture = subject_.captures->at(i);
@@ -462,6 +464,18 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
     }
     fail(std::move(failure), all_calls(script));
   }
+}
+
+void Test::follows(const std::string& text, const std::string& reading) {
+  record_.readings[text] = reading;
+  const auto asked = subject_.readings.find(text);
+  if (asked == subject_.readings.end() || asked->second == reading) return;
+  Failure failure;
+  failure.what = text;
+  failure.expected = asked->second;
+  failure.captured = reading;
+  failure.message = fmt::format("{} is read as '{}', '{}' was asked for", text, reading, asked->second);
+  fail(std::move(failure));
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -38,6 +39,7 @@ struct Subject {
   Captures* captures = nullptr;
   Depth depth = Depth::full;
   std::uint32_t seed = 1;
+  std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name
   std::function<void(const gl::Case&)> before_case;  // may be empty
   Reproduction* reproduction = nullptr;              // where a C program of the first failure is wanted
 };
@@ -141,6 +143,10 @@ class Test {
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
+  // The implementation follows this reading of an ambiguous text: both are named in "readings" of the
+  // catalogue. A failure where another reading was asked for.
+  void follows(const std::string& text, const std::string& reading);
+
   // `calls` is asked for those failures only that are kept in full.
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {});
 
@@ -194,8 +200,9 @@ struct TestInfo {
 // All tests, in the order of their names.
 const std::vector<TestInfo>& all_tests();
 
-// The least depth of each of `count` tests that differ in a parameter: quick for a few of them, in turn by the
-// name of the test, full for the others. The more deliveries each goes through, and the dearer, the fewer.
+// The least depth of each of `count` tests that differ in a parameter: quick for a few of them, in turn by
+// the name of the test, full for the others. The more deliveries each goes through, and the dearer, the
+// fewer.
 class Turns {
  public:
   Turns(const char* suite, const char* name, std::size_t count,
@@ -219,10 +226,10 @@ struct Registration {
                             [body, copy](Test& t) { body(t, copy); }, turns.next()});
     }
   }
-  // One test for each delivery, and for each parameter and delivery. Of what the parameters leave to it, quick
-  // depth takes the plain deliveries and one of the others in turn; full depth all without display lists (those
-  // that are `sparing` as quick depth does). One with display lists, in turn, is taken for every ninth test at
-  // quick, every third at full depth; thorough depth takes all.
+  // One test for each delivery, and for each parameter and delivery. Of what the parameters leave to it,
+  // quick depth takes the plain deliveries and one of the others in turn; full depth all without display
+  // lists (those that are `sparing` as quick depth does). One with display lists, in turn, is taken for every
+  // ninth test at quick, every third at full depth; thorough depth takes all.
   Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,

@@ -191,6 +191,16 @@ data card(const Column& column) {
   out.set("has_captures", !implementation.captures.empty());
   out.set("captures_summary", fmt::format("{} of {} available", available, implementation.captures.size()));
   out.set("captures", captures);
+
+  data readings = list();
+  for (const auto& [text, followed] : record.readings) {
+    data item;
+    item.set("text", text);
+    item.set("reading", join(followed, " and "));
+    readings << item;
+  }
+  out.set("has_readings", !record.readings.empty());
+  out.set("readings", readings);
   return out;
 }
 

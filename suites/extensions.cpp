@@ -1,0 +1,223 @@
+// Section 24 of the requirements: extensions that touch evaluators, where they are advertised, and their
+// tokens where they are not.
+#include <fmt/format.h>
+
+#include "harness/judge/prediction.h"
+#include "suites/pictures.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+bool has(Test& t, const char* extension) { return t.gl().extensions.contains(extension); }
+
+// A target of an extension.
+struct Foreign {
+  const char* name;
+  GLenum target;
+  const char* extension;
+};
+constexpr Foreign kForeign[] = {{"VERTEX_ATTRIB0_4_NV_1", 0x8660, "GL_NV_vertex_program"},
+                                {"VERTEX_ATTRIB15_4_NV_1", 0x866F, "GL_NV_vertex_program"},
+                                {"VERTEX_ATTRIB0_4_NV_2", 0x8670, "GL_NV_vertex_program"},
+                                {"TANGENT_1", 0x8444, "GL_EXT_coordinate_frame"},
+                                {"NURBS", 0x81CB, "GL_SGIX_nurbs_eval"}};
+
+}  // namespace
+
+EVALCTS_TESTS(Extensions, UnknownTarget, kForeign, const Foreign& foreign, must, "EV-EXT-UNKNOWN-TARGET") {
+  if (has(t, foreign.extension)) throw NotSupported(fmt::format("{} gives it a meaning", foreign.extension));
+  const GLenum target = foreign.target;
+  const std::vector<float> points(64, 0.5f);
+  expect_refused(t, "a token of an extension that is not there",
+                 {[&](gl::Case& c) { c.Map1f(target, 0.0f, 1.0f, 4, 2, points); },
+                  [&](gl::Case& c) { c.Map2f(target, 0.0f, 1.0f, 4, 2, 0.0f, 1.0f, 8, 2, points); },
+                  [&](gl::Case& c) { c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(4)); },
+                  [&](gl::Case& c) { c.Enable(target); }, [&](gl::Case& c) { c.Disable(target); },
+                  [&](gl::Case& c) { c.IsEnabled(target); }},
+                 {GL_INVALID_ENUM});
+}
+
+// --- ARB_vertex_program ------------------------------------------------------------------------------------
+
+namespace {
+
+void use_program(gl::Case& c, const std::string& body) {
+  const std::string text = "!!ARBvp1.0\nMOV result.position, vertex.position;\n" + body + "END\n";
+  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 1);
+  c.ProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), gl::text(text));
+  c.Enable(GL_VERTEX_PROGRAM_ARB);
+}
+
+using Color = std::array<float, 4>;
+
+// Points of a curve with maps of all kinds, in feedback mode; `before` stands before each evaluation.
+void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& colors,
+                   const std::function<void(gl::Case&, std::size_t)>& before) {
+  gl::Case maps;
+  define(maps,
+         make_map1(GL_MAP1_VERTEX_4, {-0.5, -0.25, -0.5, 1, 0.25, 0.75, 0.25, 1.25, 0.75, -0.5, 0.5, 1}));
+  define(maps, make_map1(GL_MAP1_COLOR_4, {0.125, 0.875, 0.25, 1, 0.75, 0.25, 1, 0.5}));
+  define(maps, make_map1(GL_MAP1_NORMAL, {0.6, 0, 0.8, -0.28, 0.96, 0}));
+  define(maps, make_map1(GL_MAP1_TEXTURE_COORD_4, {0, 1, 0.5, 1, 1, 0.25, -0.5, 2}));
+  for (const GLenum target : kKinds1[1].targets) maps.Enable(target);
+  const auto draw = [&](bool evaluated) {
+    gl::Case c = maps;
+    c.Begin(GL_POINTS);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      before(c, i);
+      if (evaluated) {
+        c.EvalCoord1f(static_cast<float>(i) / 4);
+      } else {
+        c.Color4f(0.25f, 0.5f, 0.75f, 1);
+        c.Vertex4f(0.25f, 0.125f * static_cast<float>(i), 0, 1);
+      }
+    }
+    c.End();
+    return c;
+  };
+  const auto wrong = [&](const Part& part) -> std::string {
+    const std::vector<FeedbackPrimitive> points = primitives_of(part);
+    if (points.size() != colors.size())
+      return fmt::format("{} points instead of {}", points.size(), colors.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double seen = points[i].vertices.at(0)[4 + k];
+        if (std::abs(seen - colors[i][k]) > kTolerance)
+          return fmt::format("component {} of the colour of point {} is {}", k, i, seen);
+      }
+    return {};
+  };
+  const Picture control = feedback(t, "control: explicit vertices", state, draw(false));
+  if (const std::string why = wrong(control.parts.at(0)); !why.empty())
+    throw NotObservable("pipeline: with explicit vertices " + why);
+  Picture picture = feedback(t, "evaluated", state, draw(true));
+  const std::string why = wrong(picture.parts.at(0));
+  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the program makes of its inputs",
+                        why);
+}
+
+}  // namespace
+
+EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN") {
+  t.require(100, 0, "GL_ARB_vertex_program");
+  gl::Case state;
+  use_program(state, "MOV result.color, {0.75, 0.25, 0.5, 0.125};\n");
+  expect_colors(t, state, std::vector<Color>(5, Color{0.75f, 0.25f, 0.5f, 0.125f}),
+                [](gl::Case&, std::size_t) {});
+}
+
+// Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
+EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC") {
+  t.require(100, 0, "GL_ARB_vertex_program");
+  gl::Case state;
+  use_program(state, "MOV result.color, vertex.attrib[6];\n");
+  std::vector<Color> colors;
+  for (int i = 0; i < 5; ++i)
+    colors.push_back({0.125f * static_cast<float>(i), 0.75f, 1 - 0.125f * static_cast<float>(i), 0.5f});
+  expect_colors(t, state, colors, [&](gl::Case& c, std::size_t i) {
+    c.VertexAttrib4f(6, colors[i][0], colors[i][1], colors[i][2], colors[i][3]);
+  });
+}
+
+// --- NV_vertex_program: maps of generic attributes
+// ------------------------------------------------------------
+
+namespace {
+
+constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
+constexpr const char* kNvVertexProgram = "GL_NV_vertex_program";
+
+// All of them but the one that ARB_vertex_program took for PROGRAM_BINDING_ARB.
+std::vector<GLenum> attribute_maps(Test& t) {
+  std::vector<GLenum> all;
+  for (GLenum i = 0; i < 16; ++i) all.push_back(kAttributeMaps1 + i);
+  for (GLenum i = 0; i < 16; ++i)
+    if (kAttributeMaps2 + i != 0x8677 || !has(t, "GL_ARB_vertex_program")) all.push_back(kAttributeMaps2 + i);
+  return all;
+}
+
+bool is_curve(GLenum target) { return target < kAttributeMaps2; }
+
+// Of order 2, or 2x2.
+void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
+  if (is_curve(target)) {
+    c.Map1f(target, 0.0f, 1.0f, stride, 2, points);
+  } else {
+    c.Map2f(target, 0.0f, 1.0f, stride, 2, 0.0f, 1.0f, 2 * stride, 2, points);
+  }
+}
+
+}  // namespace
+
+EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
+  t.require(100, 0, kNvVertexProgram);
+  for (const GLenum target : attribute_maps(t)) {
+    gl::Case c(fmt::format("map 0x{:04X}", target));
+    const std::vector<float> points = converted<float>(random_values(t.random(), is_curve(target) ? 8 : 16));
+    define_attribute_map(c, target, 4, points);
+    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(points.size() + 4));
+    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2));
+    c.Enable(target);
+    const gl::Ref on = c.IsEnabled(target), got = c.GetIntegerv(target, gl::out<GLint>(2));
+    c.Disable(target);
+    const gl::Ref off = c.IsEnabled(target), error = c.GetError();
+    Played played = t.play(c);
+    played.expect_values<float>(coefficients, points);
+    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{2} : std::vector<GLint>{2, 2});
+    played.expect_result(on, GL_TRUE);
+    played.expect_values<GLint>(got, {GL_TRUE});
+    played.expect_result(off, GL_FALSE);
+    played.expect_no_error(error);
+  }
+}
+
+EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K") {
+  t.require(100, 0, kNvVertexProgram);
+  std::vector<Calls> calls;
+  for (const GLenum target : attribute_maps(t))
+    calls.push_back([target](gl::Case& c) { define_attribute_map(c, target, 3, std::vector<float>(32, 1)); });
+  expect_refused(t, "stride 3", calls, {GL_INVALID_VALUE});
+}
+
+EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
+  t.require(100, 0, kNvVertexProgram);
+  for (const GLenum target : attribute_maps(t)) {
+    gl::Case c(fmt::format("map 0x{:04X}", target));
+    const gl::Ref on = c.IsEnabled(target);
+    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(3));
+    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8));
+    Played played = t.play(c);
+    played.expect_result(on, GL_FALSE);
+    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{1} : std::vector<GLint>{1, 1});
+    played.expect_values<float>(coefficients, {0, 0, 0, 1});
+  }
+}
+
+EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
+  t.require(100, 0, kNvVertexProgram);
+  for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
+    gl::Case c(bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
+    const std::vector<GLenum> maps = attribute_maps(t);
+    const auto set = [&](bool even) {
+      for (std::size_t i = 0; i < maps.size(); ++i) {
+        if ((i % 2 == 0) == even) {
+          c.Enable(maps[i]);
+        } else {
+          c.Disable(maps[i]);
+        }
+      }
+    };
+    set(true);
+    c.PushAttrib(bit);
+    set(false);
+    c.PopAttrib();
+    std::vector<gl::Ref> restored;
+    for (const GLenum target : maps) restored.push_back(c.IsEnabled(target));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps.size(); ++i)
+      played.expect_result(restored[i], i % 2 == 0 ? GL_TRUE : GL_FALSE);
+  }
+}
+
+}  // namespace evalcts
