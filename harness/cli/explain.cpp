@@ -1,6 +1,8 @@
 // evalcts coverage and evalcts explain: the requirements in words, and what the tests decide of them.
 #include <fmt/format.h>
+
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include <iostream>
 #include <map>
@@ -155,7 +157,7 @@ constexpr std::pair<const char*, const char*> kVerdicts[] = {
 
 }  // namespace
 
-int coverage(bool as_json) {
+int coverage(bool as_json, bool complete) {
   const json tests = list_tests(places().suite_program);
   const std::vector<Coverage> all = coverage_of(catalogue(), tests);
   const std::vector<std::string> problems = lint(catalogue(), tests);
@@ -173,7 +175,11 @@ int coverage(bool as_json) {
     show(all, tests["tests"].size());
   }
   for (const std::string& problem : problems) std::cerr << "evalcts: " << problem << "\n";
-  return problems.empty() ? kNothingUnexpected : kOwnFault;
+  if (!problems.empty()) return kOwnFault;
+  const auto is_open = [](const Coverage& entry) {
+    return entry.state == "undecided" || (entry.state == "in part" && entry.reason.empty());
+  };
+  return complete && std::any_of(all.begin(), all.end(), is_open) ? kUnexpected : kNothingUnexpected;
 }
 
 int explain(const std::string& name) {

@@ -87,6 +87,10 @@ int main(int argc, char** argv) {
   CLI::App* coverage_command =
       app.add_subcommand("coverage", "requirement by requirement: the tests that decide it, or why none can");
   coverage_command->add_flag("--json", as_json, "as JSON");
+  bool complete = false;
+  coverage_command->add_flag(
+      "--complete", complete,
+      "exit code 1 where a requirement is neither decided nor known to be undecidable");
 
   std::string name;
   CLI::App* explain_command =
@@ -112,7 +116,7 @@ int main(int argc, char** argv) {
   try {
     if (*run_command) return run(run_options);
     if (*list_command) return list(what, as_json);
-    if (*coverage_command) return coverage(as_json);
+    if (*coverage_command) return coverage(as_json, complete);
     if (*reproduce_command) return reproduce(reproduce_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {

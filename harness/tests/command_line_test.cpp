@@ -236,6 +236,25 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
     EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
 }
 
+// The reading that an implementation follows is recorded, and another is a failure where it is asked for.
+TEST_F(CommandLine, Readings) {
+  const auto judge = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {
+        "run",      "--implementation",  "production", "--output", folder_.string(),
+        "--filter", "Interpretations.*", "--baseline", "none"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return evalcts(arguments).code;
+  };
+  EXPECT_EQ(judge({}), 0);
+  const json readings = results("production")["readings"];
+  ASSERT_TRUE(readings.contains("C-V-GETN")) << readings;
+  const std::string followed = readings["C-V-GETN"][0];
+  EXPECT_EQ(judge({"--interpretation", "C-V-GETN=" + followed}), 0);
+  const std::string other = followed == "INVALID_VALUE" ? "INVALID_OPERATION" : "INVALID_VALUE";
+  EXPECT_EQ(judge({"--interpretation", "C-V-GETN=" + other}), 1);
+  EXPECT_EQ(results("production")["summary"]["fail"], 1);
+}
+
 TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
   const std::string name = "CurrentValues.Color/AT_ONCE/EvalCoord1f";
   using Case = std::pair<const char*, const char*>;
@@ -432,6 +451,15 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
     const json result = results("drill");
     EXPECT_EQ(result["status"], "not-started");
     EXPECT_NE(result["reason"].get<std::string>().find(reason), std::string::npos) << result["reason"];
+    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+  }
+  const std::pair<std::string, std::string> readings[] = {{"C-V-GETN", "is no NAME=READING"},
+                                                          {"C-NONE=x", "there is no interpretation 'C-NONE'"},
+                                                          {"C-V-GETN=x", "C-V-GETN has no reading 'x'"}};
+  for (const auto& [choice, reason] : readings) {
+    const Outcome outcome = evalcts({"run", "--implementation", "production", "--interpretation", choice,
+                                     "--output", folder_.string(), "--filter", "InitialState.O*"});
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
     EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
   }
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
