@@ -158,6 +158,13 @@ std::vector<Drawing> meshes(Test& t, GLenum primitive) {
   return all;
 }
 
+std::vector<Drawing> meshes_of(Test& t, const MeshKind& kind) {
+  std::vector<Drawing> all = meshes(t);
+  std::erase_if(all,
+                [&](const Drawing& drawing) { return (drawing.primitive == GL_QUAD_STRIP) != kind.filled; });
+  return all;
+}
+
 std::vector<Drawing> primitives(Test& t) {
   gl::Case coordinates1, points1, coordinates2, points2;
   define_curve(coordinates1);
@@ -185,6 +192,12 @@ std::vector<Drawing> primitives(Test& t) {
           drawing(t, "points of EvalPoint1", false, GL_POINTS, std::move(points1)),
           drawing(t, "a quad strip of EvalCoord2", true, GL_QUAD_STRIP, std::move(coordinates2)),
           drawing(t, "points of EvalPoint2", true, GL_POINTS, std::move(points2))};
+}
+
+std::vector<Drawing> all_drawings(Test& t) {
+  std::vector<Drawing> all = meshes(t);
+  for (Drawing& drawing : primitives(t)) all.push_back(std::move(drawing));
+  return all;
 }
 
 std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluated,

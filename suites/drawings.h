@@ -50,8 +50,19 @@ Drawing drawing(Test& t, std::string name, bool two, GLenum primitive, gl::Case 
 std::vector<Drawing> meshes(Test& t, const gl::Case& before = {});
 std::vector<Drawing> meshes(Test& t, GLenum primitive);
 
+// Apart where quads go a way of their own.
+struct MeshKind {
+  const char* name;
+  bool filled;
+};
+inline constexpr MeshKind kMeshKinds[] = {{"POINT_AND_LINE", false}, {"FILL", true}};
+std::vector<Drawing> meshes_of(Test& t, const MeshKind& kind);
+
 // EvalCoord and EvalPoint of either dimension, between Begin and End.
 std::vector<Drawing> primitives(Test& t);
+
+// Meshes, then the others.
+std::vector<Drawing> all_drawings(Test& t);
 
 std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluated,
                              const std::string& state_name = {}, const gl::Case& state = {});

@@ -10,12 +10,6 @@
 namespace evalcts {
 namespace {
 
-std::vector<Drawing> all_drawings(Test& t) {
-  std::vector<Drawing> drawings = meshes(t);
-  for (Drawing& drawing : primitives(t)) drawings.push_back(std::move(drawing));
-  return drawings;
-}
-
 // --- Counts ----------------------------------------------------------------------------------------------
 
 struct Counted {
@@ -39,8 +33,7 @@ Counted count(Test& t, const std::string& identity, GLenum target, const std::ve
   return {t.play(c), queries};
 }
 
-void expect_counted_like_explicit(Test& t, GLenum target) {
-  const std::vector<Drawing> drawings = all_drawings(t);
+void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Drawing>& drawings) {
   // The last one draws nothing.
   std::vector<Scene> vertices = scenes_of(drawings, false), evaluated = scenes_of(drawings, true);
   gl::Case empty;
@@ -66,12 +59,12 @@ void expect_counted_like_explicit(Test& t, GLenum target) {
 
 EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY") {
   t.require(1, 5, "GL_ARB_occlusion_query");
-  expect_counted_like_explicit(t, GL_SAMPLES_PASSED);
+  expect_counted_like_explicit(t, GL_SAMPLES_PASSED, all_drawings(t));
 }
 
-EVALCTS_TEST(Pipeline, PrimitivesGenerated, must, "EV-PIPE-PRIMGEN") {
+EVALCTS_TESTS(Pipeline, PrimitivesGenerated, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-PRIMGEN") {
   t.require(3, 0);
-  expect_counted_like_explicit(t, GL_PRIMITIVES_GENERATED);
+  expect_counted_like_explicit(t, GL_PRIMITIVES_GENERATED, meshes_of(t, kind));
 }
 
 // --- Conditional rendering -------------------------------------------------------------------------------

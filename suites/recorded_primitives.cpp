@@ -166,12 +166,6 @@ bool is_right(const Recording& recording, const Drawing& drawing) {
   return first_wrong(recording, drawing) == count && recording.vertices.size() == count * each;
 }
 
-std::vector<Drawing> all_drawings(Test& t) {
-  std::vector<Drawing> drawings = meshes(t);
-  for (Drawing& drawing : primitives(t)) drawings.push_back(std::move(drawing));
-  return drawings;
-}
-
 void expect_recorded(Recordings& recordings, const std::vector<Drawing>& drawings) {
   for (std::size_t i = 0; i < recordings.all.size(); ++i) {
     const Recording& seen = recordings.all[i];

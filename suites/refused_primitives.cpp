@@ -16,6 +16,8 @@ struct Refusal {
   std::string name;
   std::function<void(gl::Case&)> enter, leave;
   std::vector<GLenum> allowed;  // what Begin may be given
+
+  bool allows(GLenum primitive) const { return std::ranges::find(allowed, primitive) != allowed.end(); }
 };
 
 struct Prepared {
@@ -53,32 +55,36 @@ Attempts attempts(Test& t, const std::string& identity, const std::vector<Drawin
   define_curve(c);
   define_patch(c);
   if (evaluated) attempts.before = query_everything(c, t.max_order());
-  for (const Refusal& refusal : attempts.prepared.refusals)
-    for (const Drawing& drawing : drawings) {
-      const bool allowed = std::ranges::find(refusal.allowed, drawing.primitive) != refusal.allowed.end();
-      c.Clear(GL_COLOR_BUFFER_BIT);
-      refusal.enter(c);
-      gl::ResultOf query;
-      if (counted) c.BeginQuery(counted, query = make_query(c));
-      if (evaluated) {
-        c.append(drawing.evaluated);
-      } else if (allowed) {
-        c.append(drawing.vertices);
-      } else {
-        c.Begin(drawing.primitive);
-        c.End();
-      }
-      Attempt attempt = {
-          fmt::format("{}, {}", drawing.name, refusal.name), allowed, c.GetError(), c.GetError(), {}, {}};
-      if (counted) {
-        c.EndQuery(counted);
-        attempt.count = c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1));
-      }
-      refusal.leave(c);
-      attempt.read = c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide));
-      attempts.all.push_back(attempt);
+  const auto attempt = [&](const Refusal& refusal, const Drawing& drawing, bool allowed) {
+    c.Clear(GL_COLOR_BUFFER_BIT);
+    refusal.enter(c);
+    gl::ResultOf query;
+    if (counted) c.BeginQuery(counted, query = make_query(c));
+    if (evaluated) {
+      c.append(drawing.evaluated);
+    } else if (allowed) {
+      c.append(drawing.vertices);
+    } else {
+      c.Begin(drawing.primitive);
+      c.End();
     }
-  if (evaluated) attempts.after = query_everything(c, t.max_order());
+    Attempt made = {
+        fmt::format("{}, {}", drawing.name, refusal.name), allowed, c.GetError(), c.GetError(), {}, {}};
+    if (counted) {
+      c.EndQuery(counted);
+      made.count = c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1));
+    }
+    refusal.leave(c);
+    made.read = c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide));
+    attempts.all.push_back(made);
+  };
+  for (const bool allowed : {false, true}) {
+    for (const Refusal& refusal : attempts.prepared.refusals)
+      for (const Drawing& drawing : drawings)
+        if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
+    // What is drawn may have changed current values, which is not the subject here.
+    if (!allowed && evaluated) attempts.after = query_everything(c, t.max_order());
+  }
   return attempts;
 }
 
@@ -91,15 +97,15 @@ GLuint counted_by(const Played& played, const Attempt& attempt) {
   return attempt.count.index < 0 ? 0 : played.trace().values<GLuint>(attempt.count)[0];
 }
 
-void expect_refused_like_begin(Test& t, const Prepare& prepare, GLenum error, GLenum counted = 0) {
-  const std::vector<Drawing> drawings = meshes(t);
+void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, const Prepare& prepare,
+                               GLenum error, GLenum counted = 0) {
   const Attempts controls = attempts(t, "control: Begin", drawings, prepare, counted, false);
   const Played control = t.play(controls.script);
   for (const Program& program : controls.prepared.programs) require_linked(control, program);
 
   const Attempts evaluated = attempts(t, "evaluated", drawings, prepare, counted, true);
   Played played = t.play(evaluated.script);
-  bool observed = false;
+  bool observed = false, all_refused = true;
   for (std::size_t i = 0; i < evaluated.all.size(); ++i) {
     const Attempt& attempt = evaluated.all[i];
     const Attempt& begin = controls.all[i];
@@ -115,6 +121,7 @@ void expect_refused_like_begin(Test& t, const Prepare& prepare, GLenum error, GL
       if (begins_error != error || expected != 0 || expected_count != 0) continue;
       observed = true;
       played.expect_error(attempt.error, {error});
+      all_refused = all_refused && played.trace().error(attempt.error) == error;
       played.expect_no_error(attempt.no_more);
       played.expect(lit == 0, attempt.read, fmt::format("{} pixels are drawn ({})", lit, attempt.name),
                     "no pixel", fmt::format("{} pixels", lit));
@@ -130,7 +137,7 @@ void expect_refused_like_begin(Test& t, const Prepare& prepare, GLenum error, GL
                     std::to_string(expected_count), std::to_string(count));
   }
   if (!observed) throw NotObservable("pipeline: Begin does not raise the error, either");
-  expect_unchanged(played, evaluated.before, evaluated.after);
+  if (all_refused) expect_unchanged(played, evaluated.before, evaluated.after);
 }
 
 const std::vector<GLenum> kNone = {};
@@ -142,7 +149,7 @@ const std::vector<GLenum> kNone = {};
 EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO") {
   t.require(3, 0, "GL_ARB_framebuffer_object");
   expect_refused_like_begin(
-      t,
+      t, meshes(t),
       [](gl::Case& c) {
         const gl::ResultOf whole{c.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, gl::out<GLint>(1)).index, 0};
         const gl::ResultOf without_images{c.GenFramebuffers(1, gl::out<GLuint>(1)).index, 0};
@@ -172,7 +179,7 @@ EVALCTS_TESTS(Pipeline, NoValidAssemblyProgram, kInvalid, const Invalid& invalid
   if (!t.gl().extensions.count(invalid.extension))
     throw NotSupported(std::string("needs ") + invalid.extension);
   expect_refused_like_begin(
-      t,
+      t, meshes(t),
       [&](gl::Case&) {
         const GLenum target = invalid.target;
         return Prepared{{{"enabled without a program", [=](gl::Case& to) { to.Enable(target); },
@@ -185,7 +192,7 @@ EVALCTS_TESTS(Pipeline, NoValidAssemblyProgram, kInvalid, const Invalid& invalid
 EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM") {
   t.require(2, 0);
   expect_refused_like_begin(
-      t,
+      t, meshes(t),
       [](gl::Case& c) {
         const Program program = link_program(
             c, {{GL_FRAGMENT_SHADER,
@@ -210,7 +217,7 @@ constexpr std::size_t kRecordedFloats = 4096;
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE") {
   t.require(3, 0);
   expect_refused_like_begin(
-      t,
+      t, meshes(t),
       [](gl::Case& c) {
         const Program program = link_program(
             c,
@@ -257,7 +264,7 @@ std::string geometry_shader(const char* input, const char* output, int vertices)
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS") {
+EVALCTS_TESTS(Pipeline, GeometryShaderInputs, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-GS") {
   t.require(3, 2);
   struct Input {
     const char *name, *output;
@@ -270,7 +277,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS") {
                                      {"lines_adjacency", "line_strip", 4, {}},
                                      {"triangles_adjacency", "triangle_strip", 6, {}}};
   expect_refused_like_begin(
-      t,
+      t, meshes_of(t, kind),
       [&](gl::Case& c) {
         Prepared prepared;
         for (const Input& input : inputs) {
@@ -291,7 +298,7 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS") {
 EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS") {
   t.require(4, 0);
   expect_refused_like_begin(
-      t,
+      t, meshes(t),
       [](gl::Case& c) {
         Prepared prepared;
         for (const char* domain : {"isolines", "triangles", "quads"}) {

@@ -101,8 +101,7 @@ gl::Case moved(float x, float z, float z_scale) {
 
 // Each mesh and each primitive at two depths, and outside the clip volume.
 EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT") {
-  std::vector<Drawing> drawings = meshes(t);
-  for (Drawing& drawing : primitives(t)) drawings.push_back(std::move(drawing));
+  const std::vector<Drawing> drawings = all_drawings(t);
   struct Place {
     const char* name;
     float x, z;

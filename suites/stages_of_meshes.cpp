@@ -302,8 +302,7 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART") {
     stage.name = "fixed restart index";
     stage.state.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   }
-  std::vector<Drawing> drawings = meshes(t);
-  for (Drawing& drawing : primitives(t)) drawings.push_back(std::move(drawing));
+  const std::vector<Drawing> drawings = all_drawings(t);
   Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
   forget_stipple_starts(control);
   const auto is_as_without = [&](const Picture& picture, std::size_t i) {

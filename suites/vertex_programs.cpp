@@ -44,12 +44,6 @@ void set_current_values(gl::Case& c) {
   c.MultiTexCoord4f(GL_TEXTURE1, 0.5f, -0.25f, 0.125f, 1.5f);
 }
 
-std::vector<Drawing> all_drawings(Test& t) {
-  std::vector<Drawing> drawings = meshes(t);
-  for (Drawing& drawing : primitives(t)) drawings.push_back(std::move(drawing));
-  return drawings;
-}
-
 struct Kind {
   const char* name;
   bool assembly;
