@@ -266,12 +266,9 @@ EVALCTS_TESTS(Feedback, Colors, kColorStages, const ColorStage& stage, must, "EV
 
 namespace {
 
-// The colours of all vertices of each segment or of each quad: that of one of them, and by how much any other
-// differs from it.
-struct FlatColors {
-  Part part;
-  bool is_flat = true;
-};
+// The colour of each segment or of each quad, and by how much that of another of its vertices differs from
+// it.
+using FlatColors = std::map<std::size_t, std::array<double, 5>>;
 FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
   std::map<std::size_t, std::vector<std::array<double, 12>>> vertices;
   std::size_t segment = 0;
@@ -279,34 +276,48 @@ FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
     auto& all = vertices[drawing.primitive == GL_QUAD_STRIP ? quad_of(primitive) : segment++];
     all.insert(all.end(), primitive.vertices.begin(), primitive.vertices.end());
   }
-  FlatColors colors = {{part.name + ", colour of each and the difference within it", part.shown, {}}};
+  FlatColors colors;
   for (const auto& [place, of_one] : vertices) {
-    double difference = 0;
+    std::array<double, 5>& color = colors[place];
+    std::copy_n(&of_one[0][4], 4, color.begin());
     for (const auto& vertex : of_one)
-      for (std::size_t k = 4; k < 8; ++k)
-        difference = std::max(difference, std::abs(vertex[k] - of_one[0][k]));
-    colors.part.values.insert(colors.part.values.end(), &of_one[0][4], &of_one[0][8]);
-    colors.part.values.push_back(difference);
-    colors.is_flat = colors.is_flat && difference <= kTolerance;
+      for (std::size_t k = 0; k < 4; ++k) color[4] = std::max(color[4], std::abs(vertex[4 + k] - color[k]));
   }
   return colors;
 }
 
 }  // namespace
 
+// Each segment and each quad is judged where its explicit one is flat.
 EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR") {
-  std::vector<Drawing> drawings = meshes(t);
-  std::erase_if(drawings, [](const Drawing& drawing) { return drawing.primitive == GL_POINTS; });
-  gl::Case state;
-  state.ShadeModel(GL_FLAT);
-  const Picture control = feedback(t, "control: explicit vertices", scenes_of(drawings, false, "", state));
-  Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
+  const std::vector<Drawing> lines = meshes(t, GL_LINE_STRIP), quads = meshes(t, GL_QUAD_STRIP);
+  gl::Case flat;
+  flat.ShadeModel(GL_FLAT);
+  const auto scenes = [&](bool evaluated) {
+    std::vector<Scene> all = {Scene("the state alone", flat)};
+    for (Scene& scene : inside_and_half_outside(lines, evaluated)) all.push_back(std::move(scene));
+    for (Scene& scene : scenes_of(quads, evaluated, "inside", not_moved())) all.push_back(std::move(scene));
+    return all;
+  };
+  const Picture control = feedback(t, "control: explicit vertices", scenes(false));
+  Picture picture = feedback(t, "evaluated", scenes(true));
   bool observed = false;
-  for (std::size_t i = 0; i < drawings.size(); ++i) {
-    const FlatColors expected = flat_colors_of(drawings[i], control.parts[i]);
-    if (!expected.is_flat || expected.part.values.empty()) continue;
+  for (std::size_t i = 1; i < picture.parts.size(); ++i) {
+    const Drawing& drawing = i <= 2 * lines.size() ? lines[(i - 1) % lines.size()] : quads[0];
+    const FlatColors all_expected = flat_colors_of(drawing, control.parts[i]),
+                     all_seen = flat_colors_of(drawing, picture.parts[i]);
+    const std::string name = picture.parts[i].name + ", colours and the differences within them";
+    Part expected = {name, control.parts[i].shown, {}}, seen = {name, picture.parts[i].shown, {}};
+    for (const auto& [place, color] : all_expected) {
+      if (color[4] > kTolerance) continue;
+      expected.values.insert(expected.values.end(), color.begin(), color.end());
+      const auto found = all_seen.find(place);
+      if (found != all_seen.end())
+        seen.values.insert(seen.values.end(), found->second.begin(), found->second.end());
+    }
+    if (expected.values.empty()) continue;
     observed = true;
-    expect_like_explicit(picture.played, flat_colors_of(drawings[i], picture.parts[i]).part, expected.part);
+    expect_like_explicit(picture.played, seen, expected);
   }
   if (!observed) throw NotObservable("pipeline: explicit primitives are not flat in feedback mode");
 }
