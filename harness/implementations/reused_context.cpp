@@ -136,17 +136,23 @@ void programs_and_buffers(Case& c, const ImplementationInfo&) {
   c.UseProgram(0);
   c.Disable(GL_VERTEX_PROGRAM_ARB);
   c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 0);
+  c.Disable(GL_FRAGMENT_PROGRAM_ARB);
   for (const GLenum target :
        {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
     c.BindBuffer(target, 0);
   c.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   c.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
   c.Disable(GL_RASTERIZER_DISCARD);
+  c.Disable(GL_PRIMITIVE_RESTART);
+  c.Disable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  c.PrimitiveRestartIndex(0);
+  c.PatchParameteri(GL_PATCH_VERTICES, 3);
 }
 
 void feedback(Case& c, const ImplementationInfo&) {
   c.RenderMode(GL_RENDER);
   c.FeedbackBuffer(0, GL_2D, nullptr);
+  c.SelectBuffer(0, nullptr);
 }
 
 void transformation(Case& c, const ImplementationInfo& info) {
@@ -236,6 +242,7 @@ struct Pair {
 constexpr Pair kPairs[] = {{EntryPoint::Begin, EntryPoint::End},
                            {EntryPoint::BeginTransformFeedback, EntryPoint::EndTransformFeedback},
                            {EntryPoint::BeginQuery, EntryPoint::EndQuery},
+                           {EntryPoint::BeginConditionalRender, EntryPoint::EndConditionalRender},
                            {EntryPoint::NewList, EntryPoint::EndList},
                            {EntryPoint::PushAttrib, EntryPoint::PopAttrib}};
 
@@ -259,6 +266,7 @@ class Remains {
       if (command.entry == EntryPoint::CreateProgram) programs_.insert(returned());
       if (command.entry == EntryPoint::GenBuffers) written(buffers_);
       if (command.entry == EntryPoint::GenQueries) written(queries_);
+      if (command.entry == EntryPoint::GenFramebuffers) written(framebuffers_);
       // Textures, assembly programs and lists are made by names of one's own choice.
       const auto given = [&](std::size_t argument, std::set<GLuint>& names) {
         if (const auto* name = std::get_if<std::int64_t>(&command.arguments[argument]))
@@ -282,6 +290,7 @@ class Remains {
     for (const GLuint program : programs_) c.DeleteProgram(program);
     for (const GLuint shader : shaders_) c.DeleteShader(shader);
     if (!queries_.empty()) c.DeleteQueries(queries_.size(), array_of(queries_));
+    if (!framebuffers_.empty()) c.DeleteFramebuffers(framebuffers_.size(), array_of(framebuffers_));
     if (!buffers_.empty()) c.DeleteBuffers(buffers_.size(), array_of(buffers_));
     if (!assembly_programs_.empty())
       c.DeleteProgramsARB(assembly_programs_.size(), array_of(assembly_programs_));
@@ -306,7 +315,8 @@ class Remains {
   }
 
   std::vector<std::pair<EntryPoint, std::vector<gl::Value>>> open_;  // commands that close, latest last
-  std::set<GLuint> shaders_, programs_, buffers_, queries_, textures_, assembly_programs_, lists_;
+  std::set<GLuint> shaders_, programs_, buffers_, queries_, framebuffers_, textures_, assembly_programs_,
+      lists_;
 };
 
 // Nothing here uses the result of another command, so that commands can be left out.

@@ -1,0 +1,102 @@
+// Section 22 of the requirements, debug output: what a debug context says of the errors of evaluators.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/gl/contexts.h"
+#include "suites/maps2.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kMessages = 8;  // that are fetched at once
+
+std::vector<NamedCalls> mistakes() {
+  const std::vector<float> points(12, 0.5f);
+  return {{"Map1f of order 0", [=](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 0, points); }},
+          {"Map1d of an empty domain",
+           [=](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 1, 1, 3, 2, std::vector<double>(6, 0.5)); }},
+          {"Map2f with a small stride",
+           [=](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 2, 2, 0, 1, 3, 2, points); }},
+          {"MapGrid1f of 0 segments", [](gl::Case& c) { c.MapGrid1f(0, 0, 1); }},
+          {"MapGrid2f of 0 segments", [](gl::Case& c) { c.MapGrid2f(1, 0, 1, 0, 0, 1); }},
+          {"EvalMesh1 of FILL", [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }},
+          {"EvalMesh2 of TRIANGLES", [](gl::Case& c) { c.EvalMesh2(GL_TRIANGLES, 0, 1, 0, 1); }},
+          {"GetMapfv of a texture",
+           [](gl::Case& c) { c.GetMapfv(GL_TEXTURE_2D, GL_ORDER, gl::out<GLfloat>(4)); }}};
+}
+
+// The error of some commands, and of what sources and types the messages about it are.
+struct Answer {
+  GLenum error;
+  std::vector<GLuint> sources, types;
+  gl::Ref asked;
+
+  bool is_reported() const {
+    for (std::size_t i = 0; i < std::min(sources.size(), types.size()); ++i)
+      if (sources[i] == GL_DEBUG_SOURCE_API && types[i] == GL_DEBUG_TYPE_ERROR) return true;
+    return false;
+  }
+};
+struct Answers {
+  Played played;
+  std::vector<Answer> all;
+};
+
+// The commands in a debug context, each twice: a command of a case writes one array, so that sources and
+// types are fetched one after the other.
+Answers answers(Test& t, const std::string& identity, const std::vector<NamedCalls>& commands) {
+  struct Fetched {
+    gl::Ref error, count, array;
+  };
+  gl::Case c(identity);
+  c.ContextOfKindEVALCTS(1, EVALCTS_DEBUG);
+  for (int i = 0; i < 2; ++i)  // whatever the context says to begin with
+    c.GetDebugMessageLog(64, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+  std::vector<Fetched> fetched;
+  for (const NamedCalls& command : commands)
+    for (const bool types : {false, true}) {
+      command.issue(c);
+      const gl::Ref error = c.GetError();
+      const auto room = gl::out<GLuint>(kMessages);
+      const gl::Ref log =
+          types ? c.GetDebugMessageLog(kMessages, 0, nullptr, room, nullptr, nullptr, nullptr, nullptr)
+                : c.GetDebugMessageLog(kMessages, 0, room, nullptr, nullptr, nullptr, nullptr, nullptr);
+      fetched.push_back({error, log, log});
+    }
+  Answers answers = {t.play(c), {}};
+  const gl::Trace& trace = answers.played.trace();
+  const auto messages = [&](const Fetched& of) {
+    std::vector<GLuint> values = trace.values<GLuint>(of.array);
+    values.resize(std::min<std::size_t>(static_cast<std::size_t>(trace.result(of.count)), kMessages));
+    return values;
+  };
+  for (std::size_t i = 0; i < fetched.size(); i += 2)
+    answers.all.push_back({trace.error(fetched[i].error), messages(fetched[i]), messages(fetched[i + 1]),
+                           fetched[i + 1].count});
+  return answers;
+}
+
+}  // namespace
+
+// Where the error of another command is reported, those of evaluators are.
+EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG") {
+  t.require(4, 3, "GL_KHR_debug");
+  const Answers control =
+      answers(t, "control: Enable", {{"Enable of nothing", [](gl::Case& c) { c.Enable(GL_POINTS); }}});
+  if (control.all[0].error != GL_INVALID_ENUM || !control.all[0].is_reported())
+    throw NotObservable("pipeline: the debug context has no message for the error of another command");
+  const std::vector<NamedCalls> commands = mistakes();
+  Answers evaluators = answers(t, "errors of evaluators", commands);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const Answer& answer = evaluators.all[i];
+    if (answer.error == GL_NO_ERROR) continue;  // other tests say so
+    evaluators.played.expect(
+        answer.is_reported(), answer.asked,
+        fmt::format("{}: no message of type DEBUG_TYPE_ERROR from DEBUG_SOURCE_API", commands[i].name),
+        "a message", fmt::format("{} other messages", answer.types.size()));
+  }
+}
+
+}  // namespace evalcts

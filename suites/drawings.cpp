@@ -1,0 +1,237 @@
+#include "suites/drawings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace evalcts {
+namespace {
+
+double left() { return at_pixel(kLeft + kOff); }
+double right() { return at_pixel(kLeft + kOff + kWidth * kColumns); }
+double bottom() { return at_pixel(kBottom + kOff); }
+double top() { return at_pixel(kBottom + kOff + kHeight * kRows); }
+
+std::vector<double> concatenated(const std::vector<std::array<double, 4>>& values) {
+  std::vector<double> all;
+  for (const auto& value : values) all.insert(all.end(), value.begin(), value.end());
+  return all;
+}
+
+struct MeshMode {
+  const char* name;
+  GLenum mode, primitive;
+};
+constexpr MeshMode kMeshModes[] = {
+    {"POINT", GL_POINT, GL_POINTS}, {"LINE", GL_LINE, GL_LINE_STRIP}, {"FILL", GL_FILL, GL_QUAD_STRIP}};
+
+// Each of the control's vertices once, by where it is, and of the others that which is nearest to it.
+struct Vertices {
+  std::vector<std::array<double, 12>> of_control, seen;
+  std::size_t elsewhere = 0;  // of the seen ones
+};
+
+std::size_t nearest(const std::vector<std::array<double, 12>>& vertices,
+                    const std::array<double, 12>& vertex) {
+  constexpr double kSamePlace = 1;  // pixel
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (std::hypot(vertices[i][0] - vertex[0], vertices[i][1] - vertex[1]) < kSamePlace) return i;
+  return vertices.size();
+}
+
+Vertices matched(const Part& seen, const Part& control) {
+  Vertices vertices;
+  for (const FeedbackPrimitive& primitive : primitives_of(control))
+    for (const auto& vertex : primitive.vertices)
+      if (nearest(vertices.of_control, vertex) == vertices.of_control.size())
+        vertices.of_control.push_back(vertex);
+  std::vector<std::array<double, 12>> found(vertices.of_control.size());
+  std::vector<bool> is_there(found.size());
+  for (const FeedbackPrimitive& primitive : primitives_of(seen))
+    for (const auto& vertex : primitive.vertices) {
+      const std::size_t place = nearest(vertices.of_control, vertex);
+      if (place == found.size()) {
+        ++vertices.elsewhere;
+        continue;
+      }
+      // The worst one stands for all at this place.
+      const auto wrong = [&](const std::array<double, 12>& candidate) {
+        double most = 0;
+        for (std::size_t k = 0; k < 12; ++k)
+          most = std::max(most, std::abs(candidate[k] - vertices.of_control[place][k]));
+        return most;
+      };
+      if (!is_there[place] || wrong(vertex) > wrong(found[place])) found[place] = vertex;
+      is_there[place] = true;
+    }
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (is_there[i]) vertices.seen.push_back(found[i]);
+  return vertices;
+}
+
+std::vector<double> flat(const std::vector<std::array<double, 12>>& vertices) {
+  std::vector<double> values;
+  for (const auto& vertex : vertices) values.insert(values.end(), vertex.begin(), vertex.end());
+  return values;
+}
+
+Part with_plain_lines(Part part) {
+  std::ranges::replace(part.values, double{GL_LINE_RESET_TOKEN}, double{GL_LINE_TOKEN});
+  return part;
+}
+
+}  // namespace
+
+std::array<double, 4> curve_color_at(int i) {
+  return {0.1 + 0.8 * i / kColumns, 0.9 - 0.7 * i / kColumns, 0.5, 1};
+}
+
+std::array<double, 4> patch_color_at(int i, int j) {
+  return {0.1 + 0.9 * i / kColumns, 0.2 + 0.8 * j / kRows, 0.5, 1};
+}
+
+void define_curve(gl::Case& c) {
+  const double y = at_pixel(kCurveRow + kOff), middle = (left() + right()) / 2;
+  define(c, make_map1(GL_MAP1_VERTEX_3, {left(), y, -0.4, middle, y, 0.5, right(), y, 0.2}));
+  define(c, make_map1(GL_MAP1_COLOR_4, concatenated({curve_color_at(0), curve_color_at(kColumns)})));
+  define(c, make_map1(GL_MAP1_NORMAL, {0.6, 0, 0.8, -0.28, 0.36, 0.8}));
+  define(c, make_map1(GL_MAP1_TEXTURE_COORD_4, {0, 1, 0.5, 1, 1, 0.25, -0.5, 2}));
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4})
+    c.Enable(target);
+  map_grid(c, {kColumns, 0, 1});
+}
+
+void define_patch(gl::Case& c) {
+  const double heights[3][3] = {{-0.4, 0.1, 0.3}, {0.5, -0.2, 0.4}, {0.0, 0.45, -0.5}};
+  std::vector<double> points;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (const double value :
+           {left() + (right() - left()) * i / 2, bottom() + (top() - bottom()) * j / 2, heights[i][j]})
+        points.push_back(value);
+  define(c, make_map2(GL_MAP2_VERTEX_3, 3, 3, points));
+  define(c, make_map2(GL_MAP2_COLOR_4, 2, 2,
+                      concatenated({patch_color_at(0, 0), patch_color_at(0, kRows),
+                                    patch_color_at(kColumns, 0), patch_color_at(kColumns, kRows)})));
+  define(c, make_map2(GL_MAP2_NORMAL, 2, 2, {0.6, 0, 0.8, 0, 0.6, 0.8, -0.6, 0, 0.8, 0, -0.28, 0.96}));
+  define(c, make_map2(GL_MAP2_TEXTURE_COORD_4, 2, 2,
+                      {0, 1, 0.5, 1, 1, 0.25, -0.5, 2, 0.5, 0, 1, 1.5, -1, 0.5, 0.25, 1}));
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_4})
+    c.Enable(target);
+  map_grid(c, {kColumns, 0, 1}, {kRows, 0, 1});
+}
+
+Drawing drawing(Test& t, std::string name, bool two, GLenum primitive, gl::Case evaluated) {
+  Prediction predicted = predict(evaluated, t.max_order());
+  gl::Case vertices;
+  const gl::Case with_flags = as_explicit_commands(predicted);
+  for (const gl::Command& command : with_flags.commands())
+    if (command.entry != gl::EntryPoint::EdgeFlag) vertices.add(command);
+  return {std::move(name), two, primitive, std::move(evaluated), std::move(vertices), std::move(predicted)};
+}
+
+std::vector<Drawing> meshes(Test& t, const gl::Case& before) {
+  std::vector<Drawing> all;
+  for (const bool two : {false, true})
+    for (const MeshMode& mode : kMeshModes) {
+      if (!two && mode.mode == GL_FILL) continue;
+      gl::Case c;
+      if (two) {
+        define_patch(c);
+        c.append(before);
+        c.EvalMesh2(mode.mode, 0, kColumns, 0, kRows);
+      } else {
+        define_curve(c);
+        c.append(before);
+        c.EvalMesh1(mode.mode, 0, kColumns);
+      }
+      all.push_back(drawing(t, fmt::format("EvalMesh{} of {}", two ? 2 : 1, mode.name), two, mode.primitive,
+                            std::move(c)));
+    }
+  return all;
+}
+
+std::vector<Drawing> meshes(Test& t, GLenum primitive) {
+  std::vector<Drawing> all = meshes(t);
+  std::erase_if(all, [&](const Drawing& drawing) { return drawing.primitive != primitive; });
+  return all;
+}
+
+std::vector<Drawing> meshes_of(Test& t, const MeshKind& kind) {
+  std::vector<Drawing> all = meshes(t);
+  std::erase_if(all,
+                [&](const Drawing& drawing) { return (drawing.primitive == GL_QUAD_STRIP) != kind.filled; });
+  return all;
+}
+
+std::vector<Drawing> primitives(Test& t) {
+  gl::Case coordinates1, points1, coordinates2, points2;
+  define_curve(coordinates1);
+  coordinates1.Begin(GL_LINE_STRIP);
+  for (const float u : {0.0f, 0.375f, 1.0f}) coordinates1.EvalCoord1f(u);
+  coordinates1.End();
+
+  define_curve(points1);
+  points1.Begin(GL_POINTS);
+  for (int i = 0; i <= kColumns; ++i) points1.EvalPoint1(i);
+  points1.End();
+
+  define_patch(coordinates2);
+  coordinates2.Begin(GL_QUAD_STRIP);
+  for (const float u : {0.0f, 0.5f, 1.0f})
+    for (const float v : {0.25f, 1.0f}) coordinates2.EvalCoord2f(u, v);
+  coordinates2.End();
+
+  define_patch(points2);
+  points2.Begin(GL_POINTS);
+  for (int i = 0; i <= kColumns; ++i) points2.EvalPoint2(i, i % (kRows + 1));
+  points2.End();
+
+  return {drawing(t, "a line strip of EvalCoord1", false, GL_LINE_STRIP, std::move(coordinates1)),
+          drawing(t, "points of EvalPoint1", false, GL_POINTS, std::move(points1)),
+          drawing(t, "a quad strip of EvalCoord2", true, GL_QUAD_STRIP, std::move(coordinates2)),
+          drawing(t, "points of EvalPoint2", true, GL_POINTS, std::move(points2))};
+}
+
+std::vector<Drawing> all_drawings(Test& t) {
+  std::vector<Drawing> all = meshes(t);
+  for (Drawing& drawing : primitives(t)) all.push_back(std::move(drawing));
+  return all;
+}
+
+std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluated,
+                             const std::string& state_name, const gl::Case& state) {
+  std::vector<Scene> scenes;
+  for (const Drawing& drawing : drawings)
+    scenes.emplace_back(state_name.empty() ? drawing.name : drawing.name + ", " + state_name, state,
+                        evaluated ? drawing.evaluated : drawing.vertices);
+  return scenes;
+}
+
+void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
+                                const Part& control) {
+  if (drawing.primitive != GL_QUAD_STRIP) {
+    expect_like_explicit(played, with_plain_lines(seen), with_plain_lines(control));
+    return;
+  }
+  const Vertices vertices = matched(seen, control);
+  played.expect(vertices.elsewhere == 0, seen.shown,
+                fmt::format("{} vertices are where no explicit one is ({})", vertices.elsewhere, seen.name),
+                "no other vertices", fmt::format("{} other vertices", vertices.elsewhere));
+  expect_like_explicit(played, {seen.name, seen.shown, flat(vertices.seen)},
+                       {control.name, control.shown, flat(vertices.of_control)});
+}
+
+void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,
+                                const Picture& control) {
+  for (std::size_t i = 0; i < picture.parts.size(); ++i)
+    expect_drawn_like_explicit(picture.played, drawings[i % drawings.size()], picture.parts[i],
+                               control.parts.at(i));
+}
+
+bool lit(const Part& part) {
+  return std::ranges::any_of(part.values, [](double value) { return value > 0.05; });
+}
+
+}  // namespace evalcts

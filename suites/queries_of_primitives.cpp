@@ -1,0 +1,143 @@
+// Section 22 of the requirements, query objects: evaluated primitives are counted like explicit ones, and
+// conditional rendering discards them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "suites/drawings.h"
+#include "suites/programs.h"
+
+namespace evalcts {
+namespace {
+
+// --- Counts ----------------------------------------------------------------------------------------------
+
+struct Counted {
+  Played played;
+  std::vector<gl::Ref> queries;
+
+  GLuint count(std::size_t i) const { return played.trace().values<GLuint>(queries[i])[0]; }
+};
+
+Counted count(Test& t, const std::string& identity, GLenum target, const std::vector<Scene>& scenes) {
+  gl::Case c(identity);
+  c.Viewport(0, 0, kSide, kSide);
+  std::vector<gl::Ref> queries;
+  for (const Scene& scene : scenes) {
+    const gl::ResultOf query = make_query(c);
+    c.BeginQuery(target, query);
+    c.append(scene.commands);
+    c.EndQuery(target);
+    queries.push_back(c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1)));
+  }
+  return {t.play(c), queries};
+}
+
+void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Drawing>& drawings) {
+  // The last one draws nothing.
+  std::vector<Scene> vertices = scenes_of(drawings, false), evaluated = scenes_of(drawings, true);
+  gl::Case empty;
+  define_curve(empty);
+  define_patch(empty);
+  empty.EvalMesh1(GL_LINE, 3, 2);
+  empty.EvalMesh2(GL_FILL, 0, kColumns, 1, 0);
+  vertices.emplace_back("nothing", gl::Case());
+  evaluated.emplace_back("meshes of empty ranges", empty);
+  const Counted control = count(t, "control: explicit vertices", target, vertices);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if ((control.count(i) == 0) != (i == drawings.size()))
+      throw NotObservable("pipeline: explicit vertices are not counted");
+  Counted counted = count(t, "evaluated", target, evaluated);
+  for (std::size_t i = 0; i < evaluated.size(); ++i)
+    counted.played.expect(counted.count(i) == control.count(i), counted.queries[i],
+                          fmt::format("{}: {} are counted, of explicit vertices {}", evaluated[i].name,
+                                      counted.count(i), control.count(i)),
+                          std::to_string(control.count(i)), std::to_string(counted.count(i)));
+}
+
+}  // namespace
+
+EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY") {
+  t.require(1, 5, "GL_ARB_occlusion_query");
+  expect_counted_like_explicit(t, GL_SAMPLES_PASSED, all_drawings(t));
+}
+
+EVALCTS_TESTS(Pipeline, PrimitivesGenerated, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-PRIMGEN") {
+  t.require(3, 0);
+  expect_counted_like_explicit(t, GL_PRIMITIVES_GENERATED, meshes_of(t, kind));
+}
+
+// --- Conditional rendering -------------------------------------------------------------------------------
+
+namespace {
+
+// Each drawing under a query that no sample passed, and under one that some did.
+struct Conditional {
+  Played played;
+  std::vector<gl::Ref> failed, passed;
+
+  std::size_t count_lit(gl::Ref read) const {
+    const std::vector<GLfloat> values = played.trace().values<GLfloat>(read);
+    return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
+  }
+};
+
+Conditional render(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
+  gl::Case c(identity);
+  c.Viewport(0, 0, kSide, kSide);
+  c.ClearColor(0, 0, 0, 0);
+  const gl::ResultOf failing = make_query(c), passing = make_query(c);
+  c.BeginQuery(GL_SAMPLES_PASSED, failing);
+  c.EndQuery(GL_SAMPLES_PASSED);
+  c.BeginQuery(GL_SAMPLES_PASSED, passing);
+  c.Begin(GL_TRIANGLES);
+  c.Vertex2f(-1, -1);
+  c.Vertex2f(1, -1);
+  c.Vertex2f(0, 1);
+  c.End();
+  c.EndQuery(GL_SAMPLES_PASSED);
+  std::vector<gl::Ref> failed, passed;
+  for (const Scene& scene : scenes)
+    for (const bool passes : {false, true}) {
+      c.Clear(GL_COLOR_BUFFER_BIT);
+      c.BeginConditionalRender(passes ? passing : failing, GL_QUERY_WAIT);
+      c.append(scene.commands);
+      c.EndConditionalRender();
+      (passes ? passed : failed)
+          .push_back(c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide)));
+    }
+  return {t.play(c), failed, passed};
+}
+
+void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
+  const Conditional control = render(t, "control: explicit vertices", scenes_of(drawings, false));
+  for (std::size_t i = 0; i < drawings.size(); ++i)
+    if (control.count_lit(control.failed[i]) > 0 || control.count_lit(control.passed[i]) == 0)
+      throw NotObservable("pipeline: explicit vertices are not discarded, or are whatever the query says");
+  const std::vector<Scene> scenes = scenes_of(drawings, true);
+  Conditional evaluated = render(t, "evaluated", scenes);
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    const std::size_t lit = evaluated.count_lit(evaluated.failed[i]);
+    evaluated.played.expect(
+        lit == 0, evaluated.failed[i],
+        fmt::format("{}: {} pixels are drawn, though no sample passed", scenes[i].name, lit), "no pixel",
+        fmt::format("{} pixels", lit));
+    evaluated.played.expect(evaluated.count_lit(evaluated.passed[i]) > 0, evaluated.passed[i],
+                            fmt::format("{}: nothing is drawn, though samples passed", scenes[i].name),
+                            "some pixels", "no pixel");
+  }
+}
+
+}  // namespace
+
+EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER") {
+  t.require(3, 0, "GL_NV_conditional_render");
+  expect_discarded(t, meshes(t));
+}
+
+EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD") {
+  t.require(3, 0);
+  expect_discarded(t, primitives(t));
+}
+
+}  // namespace evalcts

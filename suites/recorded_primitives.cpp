@@ -1,0 +1,261 @@
+// Section 22 of the requirements, transform feedback: evaluated primitives are recorded in mesh order, with
+// rasterization and without.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "suites/drawings.h"
+#include "suites/programs.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kFloats = 12;  // of one vertex
+constexpr std::size_t kRoom = 128;   // vertices
+constexpr double kNear = 1e-4;
+
+using RecordedVertex = std::array<double, kFloats>;
+
+// A drawing as it was recorded, as separate points, lines or triangles.
+struct Recording {
+  std::string name;
+  gl::Ref written, data, error, read;
+  std::size_t size;  // of one primitive
+  std::vector<RecordedVertex> vertices = {};
+};
+
+struct Recordings {
+  Played played;
+  std::vector<Recording> all;
+};
+
+std::size_t size_of(GLenum primitive) {
+  return primitive == GL_POINTS ? 1 : primitive == GL_LINE_STRIP ? 2 : 3;
+}
+GLenum mode_of(GLenum primitive) {
+  return primitive == GL_POINTS ? GL_POINTS : primitive == GL_LINE_STRIP ? GL_LINES : GL_TRIANGLES;
+}
+
+Recordings record(Test& t, const std::string& identity, const std::vector<Scene>& scenes,
+                  const std::vector<Drawing>& drawings) {
+  gl::Case c(identity);
+  c.Viewport(0, 0, kSide, kSide);
+  c.ClearColor(0, 0, 0, 0);
+  const Program program = link_program(
+      c,
+      {{GL_VERTEX_SHADER,
+        "varying vec4 position;\nvarying vec4 color;\nvarying vec4 coordinates;\nvoid main() {\n  position = "
+        "gl_Vertex;\n  color = gl_Color;\n  coordinates = gl_MultiTexCoord0;\n  gl_FrontColor = "
+        "gl_Color;\n  gl_Position = gl_Vertex;\n}\n"}},
+      {"position", "color", "coordinates"});
+  c.UseProgram(program.name);
+  bind_recording_buffer(c, kRoom * kFloats);
+  std::vector<Recording> recordings;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const GLenum primitive = drawings[i % drawings.size()].primitive;
+    c.Clear(GL_COLOR_BUFFER_BIT);
+    const gl::ResultOf query = make_query(c);
+    c.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+    c.BeginTransformFeedback(mode_of(primitive));
+    c.append(scenes[i].commands);
+    c.EndTransformFeedback();
+    c.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    Recording recording = {
+        scenes[i].name,
+        c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1)),
+        c.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, kRoom * kFloats * sizeof(GLfloat),
+                           gl::out<GLfloat>(kRoom * kFloats)),
+        c.GetError(),
+        c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide)),
+        size_of(primitive)};
+    recordings.push_back(std::move(recording));
+  }
+  Recordings all = {t.play(c), std::move(recordings)};
+  require_linked(all.played, program);
+  for (Recording& recording : all.all) {
+    const std::size_t written = all.played.trace().values<GLuint>(recording.written)[0] * recording.size;
+    const std::vector<GLfloat> values = all.played.trace().values<GLfloat>(recording.data);
+    for (std::size_t i = 0; i < std::min(written, kRoom); ++i)
+      std::copy_n(&values[i * kFloats], kFloats, recording.vertices.emplace_back().begin());
+  }
+  return all;
+}
+
+std::size_t count_lit(const Recordings& recordings, const Recording& recording) {
+  const std::vector<GLfloat> values = recordings.played.trace().values<GLfloat>(recording.read);
+  return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
+}
+
+RecordedVertex vertex_of(const reference::Vertex& vertex) {
+  RecordedVertex values;
+  for (std::size_t k = 0; k < 4; ++k) {
+    values[k] = reference::rounded(vertex.position[k]);
+    values[4 + k] = reference::rounded(vertex.color[k]);
+    values[8 + k] = reference::rounded(vertex.texture_coordinate[0][k]);
+  }
+  return values;
+}
+
+bool alike(const RecordedVertex& a, const RecordedVertex& b) {
+  return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= kNear; });
+}
+
+// One primitive of a drawing, in mesh order: a point, a segment, or the corners of a quad in turn.
+using Corners = std::vector<RecordedVertex>;
+std::vector<Corners> primitives_in_order(const Drawing& drawing) {
+  std::vector<Corners> all;
+  for (const reference::Primitive& primitive : drawing.predicted.primitives) {
+    const auto& v = primitive.vertices;
+    const auto corner = [&](std::size_t i) { return vertex_of(v[i]); };
+    if (drawing.primitive == GL_POINTS) {
+      for (std::size_t i = 0; i < v.size(); ++i) all.push_back({corner(i)});
+    } else if (drawing.primitive == GL_LINE_STRIP) {
+      for (std::size_t i = 0; i + 1 < v.size(); ++i) all.push_back({corner(i), corner(i + 1)});
+    } else {
+      for (std::size_t i = 0; i + 3 < v.size(); i += 2)
+        all.push_back({corner(i), corner(i + 1), corner(i + 3), corner(i + 2)});
+    }
+  }
+  return all;
+}
+
+// Two triangles that part a quad along either diagonal, each the same way round as the quad.
+bool are_quad(std::span<const RecordedVertex> triangles, const Corners& quad) {
+  std::array<std::size_t, 2> left_out{};
+  for (std::size_t triangle = 0; triangle < 2; ++triangle) {
+    std::array<std::size_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto found = std::ranges::find_if(
+          quad, [&](const RecordedVertex& corner) { return alike(corner, triangles[3 * triangle + k]); });
+      if (found == quad.end()) return false;
+      corners[k] = static_cast<std::size_t>(found - quad.begin());
+    }
+    // Around the quad once: of the three steps two are by one corner, one by two.
+    std::size_t way = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t step = (corners[(k + 1) % 3] + 4 - corners[k]) % 4;
+      if (step == 0 || step == 3) return false;
+      way += step;
+    }
+    if (way != 4) return false;
+    left_out[triangle] = 6 - corners[0] - corners[1] - corners[2];
+  }
+  return left_out[0] == (left_out[1] + 2) % 4;
+}
+
+// The index of the first primitive that is not as expected; their number where all are. A wrong number of
+// them shows after those that there are.
+std::size_t first_wrong(const Recording& recording, const Drawing& drawing) {
+  const std::vector<Corners> expected = primitives_in_order(drawing);
+  const bool quads = drawing.primitive == GL_QUAD_STRIP;
+  const std::size_t each = quads ? 6 : recording.size;
+  const auto& v = recording.vertices;
+  std::size_t i = 0;
+  for (; i < expected.size() && (i + 1) * each <= v.size(); ++i) {
+    const std::span<const RecordedVertex> seen(&v[i * each], each);
+    const bool right = quads ? are_quad(seen, expected[i]) : std::ranges::equal(seen, expected[i], alike);
+    if (!right) return i;
+  }
+  return i;
+}
+
+bool is_right(const Recording& recording, const Drawing& drawing) {
+  const std::size_t count = primitives_in_order(drawing).size();
+  const std::size_t each = drawing.primitive == GL_QUAD_STRIP ? 6 : recording.size;
+  return first_wrong(recording, drawing) == count && recording.vertices.size() == count * each;
+}
+
+void expect_recorded(Recordings& recordings, const std::vector<Drawing>& drawings) {
+  for (std::size_t i = 0; i < recordings.all.size(); ++i) {
+    const Recording& seen = recordings.all[i];
+    const Drawing& drawing = drawings[i % drawings.size()];
+    const std::size_t expected = primitives_in_order(drawing).size(), where = first_wrong(seen, drawing);
+    recordings.played.expect(
+        is_right(seen, drawing), where < expected ? seen.data : seen.written,
+        where < expected ? fmt::format("{}: primitive {} of {} is not recorded as the mesh has it", seen.name,
+                                       where, expected)
+                         : fmt::format("{}: {} vertices are recorded of {} primitives", seen.name,
+                                       seen.vertices.size(), expected),
+        fmt::format("{} primitives in mesh order", expected),
+        fmt::format("{} vertices, wrong from primitive {} on", seen.vertices.size(), where));
+  }
+}
+
+void require_recorded(const Recordings& control, const std::vector<Drawing>& drawings) {
+  for (std::size_t i = 0; i < control.all.size(); ++i)
+    if (!is_right(control.all[i], drawings[i % drawings.size()]) ||
+        control.played.trace().error(control.all[i].error) != GL_NO_ERROR)
+      throw NotObservable("pipeline: explicit vertices are not recorded as they come");
+}
+
+}  // namespace
+
+EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB") {
+  t.require(3, 0);
+  const std::vector<Drawing> drawings = all_drawings(t);
+  require_recorded(record(t, "control: explicit vertices", scenes_of(drawings, false), drawings), drawings);
+  Recordings recordings = record(t, "evaluated", scenes_of(drawings, true), drawings);
+  for (const Recording& recording : recordings.all) recordings.played.expect_no_error(recording.error);
+  expect_recorded(recordings, drawings);
+}
+
+// Nothing is drawn, all is recorded.
+EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD") {
+  t.require(3, 0);
+  const std::vector<Drawing> drawings = all_drawings(t);
+  const auto scenes = [&](bool evaluated) {
+    gl::Case discarding, drawing;
+    discarding.Enable(GL_RASTERIZER_DISCARD);
+    drawing.Disable(GL_RASTERIZER_DISCARD);
+    std::vector<Scene> all = scenes_of(drawings, evaluated, "discarded", discarding);
+    for (Scene& scene : scenes_of(drawings, evaluated, "drawn", drawing)) all.push_back(std::move(scene));
+    return all;
+  };
+  const auto is_discarded = [&](std::size_t i) { return i < drawings.size(); };
+  const Recordings control = record(t, "control: explicit vertices", scenes(false), drawings);
+  require_recorded(control, drawings);
+  for (std::size_t i = 0; i < control.all.size(); ++i)
+    if ((count_lit(control, control.all[i]) == 0) != is_discarded(i))
+      throw NotObservable("pipeline: explicit vertices are not discarded, or never drawn");
+  Recordings recordings = record(t, "evaluated", scenes(true), drawings);
+  for (std::size_t i = 0; i < recordings.all.size(); ++i) {
+    const Recording& recording = recordings.all[i];
+    const std::size_t lit = count_lit(recordings, recording);
+    recordings.played.expect_no_error(recording.error);
+    recordings.played.expect((lit == 0) == is_discarded(i), recording.read,
+                             fmt::format("{}: {} pixels are drawn", recording.name, lit),
+                             is_discarded(i) ? "no pixel" : "some", std::to_string(lit));
+  }
+  expect_recorded(recordings, drawings);
+}
+
+// Errors are those of drawing.
+EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD") {
+  t.require(3, 0);
+  gl::Case c("errors with RASTERIZER_DISCARD");
+  define_curve(c);
+  define_patch(c);
+  c.Enable(GL_RASTERIZER_DISCARD);
+  std::vector<std::pair<gl::Ref, GLenum>> errors;
+  const auto expect = [&](GLenum error) { errors.emplace_back(c.GetError(), error); };
+  c.EvalMesh1(GL_FILL, 0, kColumns);
+  expect(GL_INVALID_ENUM);
+  c.EvalMesh2(GL_LINE_STRIP, 0, kColumns, 0, kRows);
+  expect(GL_INVALID_ENUM);
+  c.Begin(GL_POINTS);
+  c.EvalMesh1(GL_POINT, 0, kColumns);
+  c.End();
+  expect(GL_INVALID_OPERATION);
+  c.Begin(GL_POINTS);
+  c.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
+  c.End();
+  expect(GL_INVALID_OPERATION);
+  c.EvalMesh1(GL_LINE, 0, kColumns);
+  c.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
+  expect(GL_NO_ERROR);
+  Played played = t.play(c);
+  for (const auto& [asked, error] : errors) played.expect_error(asked, {error});
+}
+
+}  // namespace evalcts

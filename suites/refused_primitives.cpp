@@ -1,0 +1,325 @@
+// Section 22 of the requirements, primitives that the state of the pipeline does not allow: where Begin is an
+// error, EvalMesh is the same one and draws nothing.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "suites/drawings.h"
+#include "suites/programs.h"
+
+namespace evalcts {
+namespace {
+
+// A state that allows some kinds of primitives, or none.
+struct Refusal {
+  std::string name;
+  std::function<void(gl::Case&)> enter, leave;
+  std::vector<GLenum> allowed;  // what Begin may be given
+
+  bool allows(GLenum primitive) const { return std::ranges::find(allowed, primitive) != allowed.end(); }
+};
+
+struct Prepared {
+  std::vector<Refusal> refusals;
+  std::vector<Program> programs = {};
+};
+// What comes first, once.
+using Prepare = std::function<Prepared(gl::Case&)>;
+
+// One drawing in one state.
+struct Attempt {
+  std::string name;
+  bool allowed;
+  gl::Ref error, no_more;
+  gl::Ref count;  // of what the query counts, where there is one
+  gl::Ref read;   // the whole window
+};
+
+struct Attempts {
+  gl::Case script;
+  std::vector<gl::Ref> before, after;  // state of the evaluators
+  Prepared prepared;
+  std::vector<Attempt> all;
+};
+
+// Begin, where it is refused, is closed by End, whose own error, INVALID_OPERATION without Begin, says the
+// same.
+Attempts attempts(Test& t, const std::string& identity, const std::vector<Drawing>& drawings,
+                  const Prepare& prepare, GLenum counted, bool evaluated) {
+  Attempts attempts = {gl::Case(identity), {}, {}, {}, {}};
+  gl::Case& c = attempts.script;
+  c.Viewport(0, 0, kSide, kSide);
+  c.ClearColor(0, 0, 0, 0);
+  attempts.prepared = prepare(c);
+  define_curve(c);
+  define_patch(c);
+  if (evaluated) attempts.before = query_everything(c, t.max_order());
+  const auto attempt = [&](const Refusal& refusal, const Drawing& drawing, bool allowed) {
+    c.Clear(GL_COLOR_BUFFER_BIT);
+    refusal.enter(c);
+    gl::ResultOf query;
+    if (counted) c.BeginQuery(counted, query = make_query(c));
+    if (evaluated) {
+      c.append(drawing.evaluated);
+    } else if (allowed) {
+      c.append(drawing.vertices);
+    } else {
+      c.Begin(drawing.primitive);
+      c.End();
+    }
+    Attempt made = {
+        fmt::format("{}, {}", drawing.name, refusal.name), allowed, c.GetError(), c.GetError(), {}, {}};
+    if (counted) {
+      c.EndQuery(counted);
+      made.count = c.GetQueryObjectuiv(query, GL_QUERY_RESULT, gl::out<GLuint>(1));
+    }
+    refusal.leave(c);
+    made.read = c.ReadPixels(0, 0, kSide, kSide, GL_RED, GL_FLOAT, gl::out<GLfloat>(kSide * kSide));
+    attempts.all.push_back(made);
+  };
+  for (const bool allowed : {false, true}) {
+    for (const Refusal& refusal : attempts.prepared.refusals)
+      for (const Drawing& drawing : drawings)
+        if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
+    // What is drawn may have changed current values, which is not the subject here.
+    if (!allowed && evaluated) attempts.after = query_everything(c, t.max_order());
+  }
+  return attempts;
+}
+
+std::size_t count_lit(const Played& played, const Attempt& attempt) {
+  const std::vector<GLfloat> values = played.trace().values<GLfloat>(attempt.read);
+  return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
+}
+
+GLuint counted_by(const Played& played, const Attempt& attempt) {
+  return attempt.count.index < 0 ? 0 : played.trace().values<GLuint>(attempt.count)[0];
+}
+
+void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, const Prepare& prepare,
+                               GLenum error, GLenum counted = 0) {
+  const Attempts controls = attempts(t, "control: Begin", drawings, prepare, counted, false);
+  const Played control = t.play(controls.script);
+  for (const Program& program : controls.prepared.programs) require_linked(control, program);
+
+  const Attempts evaluated = attempts(t, "evaluated", drawings, prepare, counted, true);
+  Played played = t.play(evaluated.script);
+  bool observed = false, all_refused = true;
+  for (std::size_t i = 0; i < evaluated.all.size(); ++i) {
+    const Attempt& attempt = evaluated.all[i];
+    const Attempt& begin = controls.all[i];
+    const std::size_t lit = count_lit(played, attempt), expected = count_lit(control, begin);
+    const GLuint count = counted_by(played, attempt), expected_count = counted_by(control, begin);
+    const GLenum begins_error = control.trace().error(begin.error);
+    if (attempt.allowed) {
+      if (begins_error != GL_NO_ERROR || expected == 0) continue;
+      played.expect_no_error(attempt.error);
+      played.expect(lit > 0, attempt.read, fmt::format("nothing is drawn ({})", attempt.name),
+                    fmt::format("some of {} pixels", expected), "no pixel");
+    } else {
+      if (begins_error != error || expected != 0 || expected_count != 0) continue;
+      observed = true;
+      played.expect_error(attempt.error, {error});
+      all_refused = all_refused && played.trace().error(attempt.error) == error;
+      played.expect_no_error(attempt.no_more);
+      played.expect(lit == 0, attempt.read, fmt::format("{} pixels are drawn ({})", lit, attempt.name),
+                    "no pixel", fmt::format("{} pixels", lit));
+      if (attempt.count.index >= 0)
+        played.expect(count == 0, attempt.count,
+                      fmt::format("{} primitives are counted ({})", count, attempt.name), "0",
+                      std::to_string(count));
+    }
+    if (attempt.allowed && attempt.count.index >= 0)
+      played.expect(count == expected_count, attempt.count,
+                    fmt::format("{} primitives are counted, of explicit vertices {} ({})", count,
+                                expected_count, attempt.name),
+                    std::to_string(expected_count), std::to_string(count));
+  }
+  if (!observed) throw NotObservable("pipeline: Begin does not raise the error, either");
+  if (all_refused) expect_unchanged(played, evaluated.before, evaluated.after);
+}
+
+const std::vector<GLenum> kNone = {};
+
+}  // namespace
+
+// --- Framebuffers ----------------------------------------------------------------------------------------
+
+EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO") {
+  t.require(3, 0, "GL_ARB_framebuffer_object");
+  expect_refused_like_begin(
+      t, meshes(t),
+      [](gl::Case& c) {
+        const gl::ResultOf whole{c.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, gl::out<GLint>(1)).index, 0};
+        const gl::ResultOf without_images{c.GenFramebuffers(1, gl::out<GLuint>(1)).index, 0};
+        return Prepared{{{"a framebuffer without images",
+                          [=](gl::Case& to) { to.BindFramebuffer(GL_DRAW_FRAMEBUFFER, without_images); },
+                          [=](gl::Case& to) { to.BindFramebuffer(GL_DRAW_FRAMEBUFFER, whole); }, kNone}}};
+      },
+      GL_INVALID_FRAMEBUFFER_OPERATION);
+}
+
+// --- Programs that cannot run ----------------------------------------------------------------------------
+
+namespace {
+
+struct Invalid {
+  const char* name;
+  const char* extension;
+  GLenum target;
+};
+constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_VERTEX_PROGRAM_ARB},
+                                {"FRAGMENT_PROGRAM", "GL_ARB_fragment_program", GL_FRAGMENT_PROGRAM_ARB}};
+
+}  // namespace
+
+EVALCTS_TESTS(Pipeline, NoValidAssemblyProgram, kInvalid, const Invalid& invalid, must,
+              "EV-PIPE-INVALIDPROGRAM") {
+  if (!t.gl().extensions.count(invalid.extension))
+    throw NotSupported(std::string("needs ") + invalid.extension);
+  expect_refused_like_begin(
+      t, meshes(t),
+      [&](gl::Case&) {
+        const GLenum target = invalid.target;
+        return Prepared{{{"enabled without a program", [=](gl::Case& to) { to.Enable(target); },
+                          [=](gl::Case& to) { to.Disable(target); }, kNone}}};
+      },
+      GL_INVALID_OPERATION);
+}
+
+// Two samplers of different types have the same unit, which both have from the start.
+EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM") {
+  t.require(2, 0);
+  expect_refused_like_begin(
+      t, meshes(t),
+      [](gl::Case& c) {
+        const Program program = link_program(
+            c, {{GL_FRAGMENT_SHADER,
+                 "uniform sampler2D flat_one;\nuniform sampler3D deep_one;\nvoid main() {\n  gl_FragColor = "
+                 "texture2D(flat_one, gl_FragCoord.xy) + texture3D(deep_one, gl_FragCoord.xyz);\n}\n"}});
+        return Prepared{{{"samplers in conflict", [=](gl::Case& to) { to.UseProgram(program.name); },
+                          [](gl::Case& to) { to.UseProgram(0); }, kNone}},
+                        {program}};
+      },
+      GL_INVALID_OPERATION);
+}
+
+// --- Transform feedback ----------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t kRecordedFloats = 4096;
+
+}  // namespace
+
+// What is not refused is recorded like explicit vertices.
+EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE") {
+  t.require(3, 0);
+  expect_refused_like_begin(
+      t, meshes(t),
+      [](gl::Case& c) {
+        const Program program = link_program(
+            c,
+            {{GL_VERTEX_SHADER,
+              "varying vec4 seen;\nvoid main() {\n  seen = gl_Vertex;\n  gl_FrontColor = gl_Color;\n  "
+              "gl_Position = gl_Vertex;\n}\n"}},
+            {"seen"});
+        bind_recording_buffer(c, kRecordedFloats);
+        Prepared prepared{{}, {program}};
+        const auto add = [&](const char* name, GLenum mode, GLenum allowed) {
+          prepared.refusals.push_back({name,
+                                       [=](gl::Case& to) {
+                                         to.UseProgram(program.name);
+                                         to.BeginTransformFeedback(mode);
+                                       },
+                                       [](gl::Case& to) {
+                                         to.EndTransformFeedback();
+                                         to.UseProgram(0);
+                                       },
+                                       {allowed}});
+        };
+        add("transform feedback of POINTS", GL_POINTS, GL_POINTS);
+        add("transform feedback of LINES", GL_LINES, GL_LINE_STRIP);
+        add("transform feedback of TRIANGLES", GL_TRIANGLES, GL_QUAD_STRIP);
+        return prepared;
+      },
+      GL_INVALID_OPERATION, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+}
+
+// --- Geometry shaders and tessellation -------------------------------------------------------------------
+
+namespace {
+
+constexpr char kVertexShader[] = "#version 150 compatibility\nvoid main() {\n  gl_Position = gl_Vertex;\n}\n";
+constexpr char kFragmentShader[] =
+    "#version 150 compatibility\nvoid main() {\n  gl_FragColor = vec4(1.0);\n}\n";
+
+std::string geometry_shader(const char* input, const char* output, int vertices) {
+  return fmt::format(
+      "#version 150 compatibility\nlayout({}) in;\nlayout({}, max_vertices = {}) out;\nvoid main() {{\n  for "
+      "(int i = 0; i < {}; ++i) {{\n    gl_Position = gl_in[i].gl_Position;\n    EmitVertex();\n  }}\n}}\n",
+      input, output, vertices, vertices);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Pipeline, GeometryShaderInputs, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-GS") {
+  t.require(3, 2);
+  struct Input {
+    const char *name, *output;
+    int vertices;
+    std::vector<GLenum> allowed;
+  };
+  const std::vector<Input> inputs = {{"points", "points", 1, {GL_POINTS}},
+                                     {"lines", "line_strip", 2, {GL_LINE_STRIP}},
+                                     {"triangles", "triangle_strip", 3, {}},
+                                     {"lines_adjacency", "line_strip", 4, {}},
+                                     {"triangles_adjacency", "triangle_strip", 6, {}}};
+  expect_refused_like_begin(
+      t, meshes_of(t, kind),
+      [&](gl::Case& c) {
+        Prepared prepared;
+        for (const Input& input : inputs) {
+          const Program program = link_program(
+              c, {{GL_VERTEX_SHADER, kVertexShader},
+                  {GL_GEOMETRY_SHADER, geometry_shader(input.name, input.output, input.vertices)},
+                  {GL_FRAGMENT_SHADER, kFragmentShader}});
+          prepared.programs.push_back(program);
+          prepared.refusals.push_back({std::string("geometry shader of ") + input.name,
+                                       [=](gl::Case& to) { to.UseProgram(program.name); },
+                                       [](gl::Case& to) { to.UseProgram(0); }, input.allowed});
+        }
+        return prepared;
+      },
+      GL_INVALID_OPERATION);
+}
+
+EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS") {
+  t.require(4, 0);
+  expect_refused_like_begin(
+      t, meshes(t),
+      [](gl::Case& c) {
+        Prepared prepared;
+        for (const char* domain : {"isolines", "triangles", "quads"}) {
+          const Program program = link_program(
+              c, {{GL_VERTEX_SHADER, kVertexShader},
+                  {GL_TESS_EVALUATION_SHADER,
+                   fmt::format("#version 400 compatibility\nlayout({}) in;\nvoid main() {{\n  gl_Position = "
+                               "gl_in[0].gl_Position;\n}}\n",
+                               domain)},
+                  {GL_FRAGMENT_SHADER, kFragmentShader}});
+          prepared.programs.push_back(program);
+          prepared.refusals.push_back({std::string("tessellation of ") + domain,
+                                       [=](gl::Case& to) {
+                                         to.PatchParameteri(GL_PATCH_VERTICES, 1);
+                                         to.UseProgram(program.name);
+                                       },
+                                       [](gl::Case& to) { to.UseProgram(0); }, kNone});
+        }
+        return prepared;
+      },
+      GL_INVALID_OPERATION);
+}
+
+}  // namespace evalcts

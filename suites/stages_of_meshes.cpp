@@ -1,0 +1,330 @@
+// Section 22 of the requirements, stages of the fixed-function pipeline: texture generation, the texture
+// matrix, clip planes, fog and flat shading act on meshes as on explicit vertices.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "suites/drawings.h"
+
+namespace evalcts {
+namespace {
+
+using Values = std::vector<float>;
+
+// A state under which all drawings are looked at.
+struct Stage {
+  std::string name;
+  gl::Case state;
+};
+
+std::vector<Scene> staged(const std::vector<Stage>& stages, const std::vector<Drawing>& drawings,
+                          bool evaluated) {
+  std::vector<Scene> scenes;
+  for (const Stage& stage : stages)
+    for (Scene& scene : scenes_of(drawings, evaluated, stage.name, stage.state))
+      scenes.push_back(std::move(scene));
+  return scenes;
+}
+
+// The first stage is none: each of the others has to show.
+void require_each_effect(const Picture& control, std::size_t drawings) {
+  for (std::size_t i = drawings; i < control.parts.size(); ++i)
+    require_an_effect(control.parts[i].values, control.parts[i % drawings].values);
+}
+
+// In feedback mode, where the primitives stay whole.
+void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
+                               const std::vector<Drawing>& drawings) {
+  const Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  require_each_effect(control, drawings.size());
+  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
+  expect_drawn_like_explicit(picture, drawings, control);
+}
+
+// --- Texture coordinates ---------------------------------------------------------------------------------
+
+struct Generation {
+  const char* name;
+  GLint mode;
+  int coordinates;  // of S, T, R
+};
+constexpr Generation kGenerations[] = {{"OBJECT_LINEAR", GL_OBJECT_LINEAR, 3},
+                                       {"EYE_LINEAR", GL_EYE_LINEAR, 3},
+                                       {"SPHERE_MAP", GL_SPHERE_MAP, 2},
+                                       {"NORMAL_MAP", GL_NORMAL_MAP, 3},
+                                       {"REFLECTION_MAP", GL_REFLECTION_MAP, 3}};
+constexpr std::pair<GLenum, GLenum> kGenerated[] = {
+    {GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}, {GL_R, GL_TEXTURE_GEN_R}};
+
+// The eye is two units away, so that the directions to it are well-conditioned.
+gl::Case seen_from_a_distance() {
+  gl::Case state;
+  set_up_texture(state);
+  state.MatrixMode(GL_PROJECTION);
+  state.LoadMatrixf(Values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 2, 1});
+  state.MatrixMode(GL_MODELVIEW);
+  state.LoadMatrixf(Values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -2, 1});
+  for (const auto& [coordinate, enable] : kGenerated) state.Disable(enable);
+  return state;
+}
+
+struct Normals {
+  const char* name;
+  bool generated;
+};
+constexpr Normals kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
+
+}  // namespace
+
+EVALCTS_TESTS(Pipeline, TextureGeneration, kNormals, const Normals& normals, must, "EV-PIPE-TEXGEN") {
+  std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
+  for (const Generation& generation : kGenerations) {
+    const bool late = generation.mode == GL_NORMAL_MAP || generation.mode == GL_REFLECTION_MAP;
+    if (late && !t.gl().at_least(1, 3)) continue;
+    gl::Case state = seen_from_a_distance();
+    for (int k = 0; k < generation.coordinates; ++k) {
+      const auto& [coordinate, enable] = kGenerated[k];
+      state.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, generation.mode);
+      const float way = static_cast<float>(k) / 2;
+      for (const GLenum plane : {GL_OBJECT_PLANE, GL_EYE_PLANE})
+        state.TexGenfv(coordinate, plane, Values{2, 1 - way, way - 1, 0.5f});
+      state.Enable(enable);
+    }
+    stages.push_back({generation.name, std::move(state)});
+  }
+  gl::Case automatic;
+  automatic.Enable(GL_AUTO_NORMAL);
+  std::vector<Drawing> drawings = normals.generated ? meshes(t, automatic) : meshes(t);
+  if (normals.generated) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
+  expect_stages_in_feedback(t, stages, drawings);
+}
+
+EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX") {
+  const std::pair<const char*, Values> matrices[] = {
+      {"identity", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+      {"scaled", {3, 0, 0, 0, 0, -2, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 1.5f}},
+      {"turned and moved", {0, 2, 0, 0, 0, 0, 1, 0, -1, 0, 0, 0, 0.5f, -0.25f, 1, 1}}};
+  std::vector<Stage> stages;
+  for (const auto& [name, matrix] : matrices) {
+    gl::Case state;
+    set_up_texture(state);
+    state.MatrixMode(GL_TEXTURE);
+    state.LoadMatrixf(matrix);
+    state.MatrixMode(GL_MODELVIEW);
+    stages.push_back({name, std::move(state)});
+  }
+  expect_stages_in_feedback(t, stages, meshes(t));
+}
+
+// --- Clip planes -----------------------------------------------------------------------------------------
+
+namespace {
+
+// Between two columns of vertices.
+constexpr int kPlaneAt = 38;
+
+std::vector<Stage> clip_stages() {
+  gl::Case none, left, lower;
+  for (const GLenum plane : {GL_CLIP_PLANE0, GL_CLIP_PLANE1})
+    for (gl::Case* state : {&none, &left, &lower}) state->Disable(plane);
+  const double middle = at_pixel(kPlaneAt);
+  left.ClipPlane(GL_CLIP_PLANE0, std::vector<double>{-1, 0, 0, middle});
+  left.Enable(GL_CLIP_PLANE0);
+  lower.ClipPlane(GL_CLIP_PLANE1, std::vector<double>{0.25, -1, 0, 0.2});
+  lower.Enable(GL_CLIP_PLANE1);
+  return {{"no clip plane", none}, {"the right half clipped", left}, {"the upper part clipped", lower}};
+}
+
+}  // namespace
+
+EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE") {
+  std::vector<Drawing> drawings = meshes(t, GL_POINTS);
+  for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
+  const std::vector<Stage> stages = clip_stages();
+  const Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  // The second plane leaves the curve as it is.
+  for (std::size_t i = drawings.size(); i < control.parts.size(); ++i)
+    if (i < 2 * drawings.size() || drawings[i % drawings.size()].two)
+      require_an_effect(control.parts[i].values, control.parts[i % drawings.size()].values);
+  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
+  expect_drawn_like_explicit(picture, drawings, control);
+}
+
+// Clipped quads have other vertices whichever way they are decomposed: pixels on both sides of the plane.
+EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE") {
+  const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
+  std::vector<Stage> stages = clip_stages();
+  stages.pop_back();
+  std::vector<Area> areas;
+  for (int y = kBottom + 4; y < kBottom + kHeight * kRows; y += 4)
+    for (const int x : {kLeft + 4, kPlaneAt - 3, kPlaneAt + 2, kLeft + kWidth * kColumns - 4})
+      areas.push_back({x, y});
+  const Picture control =
+      pixels(t, "control: explicit quad strips", staged(stages, drawings, false), areas, GL_RED);
+  for (std::size_t i = 0; i < control.parts.size(); ++i) {
+    const bool clipped = i >= areas.size() && areas[i % areas.size()].x > kPlaneAt;
+    if (lit(control.parts[i]) == clipped) throw NotObservable("pipeline: explicit quads are not clipped");
+  }
+  // Colours within a quad depend on how it is decomposed.
+  Picture picture = pixels(t, "evaluated", staged(stages, drawings, true), areas, GL_RED);
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    const Part& seen = picture.parts[i];
+    const char* const is = lit(seen) ? "drawn" : "not drawn";
+    const char* const expected = lit(control.parts[i]) ? "drawn" : "not drawn";
+    picture.played.expect(lit(seen) == lit(control.parts[i]), seen.shown,
+                          fmt::format("{} is {}, expected {}", seen.name, is, expected), expected, is);
+  }
+}
+
+// --- Fog -------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Eye coordinates: z from -2 to -1, in front of the eye.
+gl::Case fog(GLint mode) {
+  gl::Case state;
+  state.PointSize(6);
+  state.MatrixMode(GL_PROJECTION);
+  state.LoadMatrixf(Values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1.5f, 1});
+  state.MatrixMode(GL_MODELVIEW);
+  state.LoadMatrixf(Values{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1.5f, 1});
+  state.Disable(GL_FOG);
+  if (!mode) return state;
+  state.Enable(GL_FOG);
+  state.Fogi(GL_FOG_MODE, mode);
+  state.Fogf(GL_FOG_DENSITY, 0.7f);
+  state.Fogf(GL_FOG_START, 0.9f);
+  state.Fogf(GL_FOG_END, 2.5f);
+  state.Fogfv(GL_FOG_COLOR, Values{0, 1, 1, 0});
+  return state;
+}
+
+// Where the vertices are.
+std::vector<Area> vertex_pixels(bool two) {
+  std::vector<Area> areas;
+  for (int i = 0; i <= kColumns; ++i) {
+    if (!two) areas.push_back({kLeft + kWidth * i, kCurveRow});
+    for (int j = 0; two && j <= kRows; ++j) areas.push_back({kLeft + kWidth * i, kBottom + kHeight * j});
+  }
+  return areas;
+}
+
+// POINT meshes in fog, one dimension after the other. The first stage is without fog.
+void expect_fog(Test& t, const std::vector<Stage>& stages) {
+  for (const Drawing& drawing : meshes(t, GL_POINTS)) {
+    const std::vector<Area> areas = vertex_pixels(drawing.two);
+    const Picture control =
+        pixels(t, "control: explicit vertices, " + drawing.name, staged(stages, {drawing}, false), areas);
+    const auto values = [&](std::size_t stage) {
+      std::vector<double> all;
+      for (std::size_t i = 0; i < areas.size(); ++i) {
+        const std::vector<double>& pixel = control.parts[stage * areas.size() + i].values;
+        all.insert(all.end(), pixel.begin(), pixel.end());
+      }
+      return all;
+    };
+    for (std::size_t i = 1; i < stages.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (alike(values(i), values(j), 2 * kTolerance))
+          throw NotObservable("pipeline: fog does not show with explicit vertices");
+    expect_like_explicit(pixels(t, "evaluated, " + drawing.name, staged(stages, {drawing}, true), areas),
+                         control);
+  }
+}
+
+}  // namespace
+
+EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG") {
+  expect_fog(t,
+             {{"no fog", fog(0)}, {"LINEAR", fog(GL_LINEAR)}, {"EXP", fog(GL_EXP)}, {"EXP2", fog(GL_EXP2)}});
+}
+
+EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG") {
+  t.require(1, 4, "GL_EXT_fog_coord");
+  std::vector<Stage> stages = {{"no fog", fog(0)}, {"LINEAR, by distance", fog(GL_LINEAR)}};
+  for (const float coordinate : {1.0f, 1.75f, 3.0f}) {
+    gl::Case state = fog(GL_LINEAR);
+    state.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+    state.FogCoordf(coordinate);
+    stages.push_back({fmt::format("LINEAR, fog coordinate {}", coordinate), std::move(state)});
+  }
+  expect_fog(t, stages);
+}
+
+// --- Flat shading ----------------------------------------------------------------------------------------
+
+// Pixels near both ends of each segment have the colour of its second vertex.
+EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE") {
+  gl::Case state;
+  state.ShadeModel(GL_FLAT);
+  constexpr int kOffEnds = 3;  // pixels
+  for (const Drawing& drawing : meshes(t, GL_LINE_STRIP)) {
+    std::vector<Area> areas;
+    std::vector<std::array<double, 4>> colors;
+    const auto add = [&](int x, int y, const std::array<double, 4>& color) {
+      areas.push_back({x, y});
+      colors.push_back(color);
+    };
+    for (int j = 0; j <= (drawing.two ? kRows : 0); ++j)
+      for (int i = 0; i < kColumns; ++i)
+        for (const int off : {kOffEnds, kWidth - kOffEnds})
+          add(kLeft + kWidth * i + off, drawing.two ? kBottom + kHeight * j : kCurveRow,
+              drawing.two ? patch_color_at(i + 1, j) : curve_color_at(i + 1));
+    for (int i = 0; drawing.two && i <= kColumns; ++i)
+      for (int j = 0; j < kRows; ++j)
+        for (const int off : {kOffEnds, kHeight - kOffEnds})
+          add(kLeft + kWidth * i, kBottom + kHeight * j + off, patch_color_at(i, j + 1));
+    const Picture control =
+        pixels(t, "control: explicit line strips, " + drawing.name, state, drawing.vertices, areas);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+      if (!alike(control.parts[i].values, {colors[i].begin(), colors[i].end()}))
+        throw NotObservable("pipeline: explicit segments do not have the colour of their second vertices");
+    expect_like_explicit(pixels(t, "evaluated, " + drawing.name, state, drawing.evaluated, areas), control);
+  }
+}
+
+// --- Primitive restart -----------------------------------------------------------------------------------
+
+// It is for elements of arrays: whatever the index, all comes out as without.
+EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART") {
+  t.require(3, 1);
+  std::vector<Stage> stages(1);
+  stages[0].name = "no restart";
+  stages[0].state.Disable(GL_PRIMITIVE_RESTART);
+  for (const GLuint index : {0u, 1u, 2u, 3u, 0xFFFFFFFFu}) {
+    Stage& stage = stages.emplace_back();
+    stage.name = fmt::format("restart index {}", index);
+    stage.state.Enable(GL_PRIMITIVE_RESTART);
+    stage.state.PrimitiveRestartIndex(index);
+  }
+  if (t.gl().at_least(4, 3)) {
+    Stage& stage = stages.emplace_back();
+    stage.name = "fixed restart index";
+    stage.state.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  }
+  const std::vector<Drawing> drawings = all_drawings(t);
+  Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  forget_stipple_starts(control);
+  const auto is_as_without = [&](const Picture& picture, std::size_t i) {
+    return alike(picture.parts[i].values, picture.parts[i % drawings.size()].values);
+  };
+  for (std::size_t i = 0; i < control.parts.size(); ++i)
+    if (control.parts[i].values.empty() || !is_as_without(control, i))
+      throw NotObservable("pipeline: explicit vertices come out otherwise with primitive restart");
+  Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
+  forget_stipple_starts(picture);
+  for (std::size_t i = 0; i < picture.parts.size(); ++i) {
+    const Part& seen = picture.parts[i];
+    const Part& without = picture.parts[i % drawings.size()];
+    if (i < drawings.size()) {
+      expect_drawn_like_explicit(picture.played, drawings[i], seen, control.parts[i]);
+    } else {
+      picture.played.expect(is_as_without(picture, i), seen.shown,
+                            fmt::format("{}: other primitives come out than without restart", seen.name),
+                            fmt::format("the same {} values", without.values.size()),
+                            fmt::format("{} values, others", seen.values.size()));
+    }
+  }
+}
+
+}  // namespace evalcts
