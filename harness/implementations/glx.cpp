@@ -158,7 +158,7 @@ class GlxContexts final : public ContextMaker {
     if (made->surface != None) glx_.DestroyPbuffer(display_, made->surface);
   }
 
-  void* exported(const char* command) override { return library_.exported(command); }
+  // It knows them all. What libGL exports says less: libglvnd's has names that the driver lacks.
   void* address_of(const char* command) override {
     return reinterpret_cast<void*>(glx_.GetProcAddressARB(reinterpret_cast<const GLubyte*>(command)));
   }
@@ -254,10 +254,13 @@ class GlxContexts final : public ContextMaker {
   }
 
   void choose_configuration(const std::string& where) {
+    // Single-buffered, Mesa would show each flush, on a surface that shows nothing (BadMatch).
     const int wanted[] = {GLX_RENDER_TYPE,
                           GLX_RGBA_BIT,
                           GLX_DRAWABLE_TYPE,
                           GLX_PBUFFER_BIT,
+                          GLX_DOUBLEBUFFER,
+                          True,
                           GLX_RED_SIZE,
                           8,
                           GLX_GREEN_SIZE,
@@ -276,17 +279,17 @@ class GlxContexts final : public ContextMaker {
     if (found && count > 0) configuration_ = found[0];
     if (found) xlib_.Free(found);
     if (count <= 0)
-      throw CannotStart(fmt::format(
-          "{} has no configuration for pbuffers of RGBA8, depth 24 and stencil 8; a driver may be "
-          "missing (Mesa's are in the packages libglx-mesa0 and libgl1-mesa-dri)",
-          where));
+      throw CannotStart(
+          fmt::format("{} has no configuration for pbuffers of two buffers of RGBA8, depth 24 and stencil 8; "
+                      "a driver may be "
+                      "missing (Mesa's are in the packages libglx-mesa0 and libgl1-mesa-dri)",
+                      where));
   }
 
   // What of the least that a context has to answer it does not; empty: nothing.
   std::string silence_of_context() {
     const auto command = [&]<class Function>(Function*, const char* name) {
-      void* own = exported(name);
-      return reinterpret_cast<Function*>(own ? own : address_of(name));
+      return reinterpret_cast<Function*>(address_of(name));
     };
     const GLubyte* version = command(&::glGetString, "glGetString")(GL_VERSION);
     if (!version || !*version) return "glGetString(GL_VERSION) answers nothing";

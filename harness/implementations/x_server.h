@@ -8,7 +8,8 @@
 namespace evalcts {
 
 // Xvfb, found in PATH, on the first display that is free, with indirect GLX. It ends with this object, with
-// its last client, and with the thread that made it, however that ends: nothing is left behind.
+// its last client, and with the thread that made it, however that ends and whatever has become of the server:
+// neither process nor socket is left behind.
 class XServer {
  public:
   // `preload`: a library that the server loads before its own; empty: none. Returns once clients can connect.
@@ -24,8 +25,9 @@ class XServer {
  private:
   std::string end();
 
-  pid_t process_ = -1;
+  pid_t guardian_ = -1;
   int log_ = -1;
+  int* number_ = nullptr;  // of the display; shared with the guardian
   std::string display_;
 };
 
