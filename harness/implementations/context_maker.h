@@ -41,6 +41,15 @@ enum class EglPlatform { any, surfaceless, device };
 // object bound, or a pbuffer where EGL cannot do without surfaces. Throws CannotStart.
 std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform);
 
+// EGL's OpenGL ES 2, with a pbuffer for each context: for layers of GL over it, which bring the commands.
+// Throws CannotStart.
+std::unique_ptr<ContextMaker> make_gles2_contexts();
+
+enum class GlxRendering { direct, indirect };
+// GLX: `library`, or libGL.so.1 where empty. The X server is that of DISPLAY, or an Xvfb of its own where
+// that does not answer. Each context has a pbuffer. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering);
+
 // A shared library that fills in evalcts_provider.h. Throws CannotStart.
 std::unique_ptr<ContextMaker> load_provider(const std::string& path);
 

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <cstdlib>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -102,10 +101,12 @@ struct FramebufferCommands {
 #undef X
 };
 
+enum class Api { opengl, gles2 };
+
 class EglContexts final : public ContextMaker {
  public:
-  EglContexts(const std::string& library, EglPlatform platform)
-      : library_(library), egl_(functions_of(library_)) {
+  EglContexts(const std::string& library, EglPlatform platform, Api api)
+      : library_(library), egl_(functions_of(library_)), api_(api) {
     const char* extensions = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     client_extensions_ = extensions ? extensions : "";
     if (!extensions) egl_.GetError();
@@ -120,10 +121,11 @@ class EglContexts final : public ContextMaker {
         display_ = EGL_NO_DISPLAY;
       }
     }
-    throw CannotStart(fmt::format(
-        "no display of {} gives an OpenGL context ({}); a driver for it may be missing (Mesa's are "
-        "in the packages libegl-mesa0 and libgl1-mesa-dri), or name another EGL with --library",
-        library_.path(), fmt::join(reasons, "; ")));
+    throw CannotStart(
+        fmt::format("no display of {} gives an {} context ({}); a driver for it may be missing (Mesa's are "
+                    "in the packages libegl-mesa0 and libgl1-mesa-dri){}",
+                    library_.path(), opengl() ? "OpenGL" : "OpenGL ES 2", fmt::join(reasons, "; "),
+                    opengl() ? ", or name another EGL with --library" : ""));
   }
 
   void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
@@ -170,6 +172,7 @@ class EglContexts final : public ContextMaker {
 
   // EGL 1.5, or EGL_KHR_create_context and EGL_KHR_create_context_no_error with the same values.
   std::vector<EGLint> attributes_of(GLuint kind) const {
+    if (!opengl()) throw CannotStart("OpenGL ES has no such kinds of contexts");
     std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,
                                       3,
                                       EGL_CONTEXT_MINOR_VERSION,
@@ -287,16 +290,19 @@ class EglContexts final : public ContextMaker {
     EGLint major = 0, minor = 0;
     if (!egl_.Initialize(display_, &major, &minor)) throw failure("eglInitialize");
     const char* apis = egl_.QueryString(display_, EGL_CLIENT_APIS);
-    if (!has_word(apis, "OpenGL") || !egl_.BindAPI(EGL_OPENGL_API))
-      throw CannotStart(fmt::format("it has no desktop OpenGL, only {}", apis ? apis : "nothing"));
+    if (!has_word(apis, opengl() ? "OpenGL" : "OpenGL_ES") ||
+        !egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API))
+      throw CannotStart(fmt::format("it has no {}, only {}", opengl() ? "desktop OpenGL" : "OpenGL ES",
+                                    apis ? apis : "nothing"));
 
     const bool is_1_5 = major > 1 || (major == 1 && minor >= 5);
     const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
     knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
                           client_has("EGL_KHR_client_get_all_proc_addresses");
-    surfaceless_ = has_word(extensions, "EGL_KHR_surfaceless_context");
+    // What knows nothing of framebuffer objects draws to a surface.
+    surfaceless_ = opengl() && has_word(extensions, "EGL_KHR_surfaceless_context");
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
-                             EGL_OPENGL_BIT,
+                             opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
                              EGL_SURFACE_TYPE,
                              surfaceless_ ? 0 : EGL_PBUFFER_BIT,
                              EGL_RED_SIZE,
@@ -314,10 +320,11 @@ class EglContexts final : public ContextMaker {
 
     // Without attributes comes the highest version with everything of 1.0 in it, and so with evaluators.
     attributes_ = {EGL_NONE};
+    if (!opengl()) attributes_ = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
     try {
       destroy(create());
     } catch (const CannotStart&) {
-      if (!is_1_5 && !has_word(extensions, "EGL_KHR_create_context")) throw;
+      if (!opengl() || (!is_1_5 && !has_word(extensions, "EGL_KHR_create_context"))) throw;
       attributes_ = {EGL_CONTEXT_MAJOR_VERSION,
                      3,
                      EGL_CONTEXT_MINOR_VERSION,
@@ -371,8 +378,11 @@ class EglContexts final : public ContextMaker {
           "the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})", status, error));
   }
 
+  bool opengl() const { return api_ == Api::opengl; }
+
   SharedLibrary library_;
   Functions egl_;
+  Api api_;
   FramebufferCommands gl_;
   std::string client_extensions_;
   // Stays initialized until the process ends: drivers have exit handlers of their own.
@@ -383,19 +393,24 @@ class EglContexts final : public ContextMaker {
   bool knows_all_commands_ = false;
 };
 
-}  // namespace
-
-std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform) {
-  if (!library.empty()) return std::make_unique<EglContexts>(library, platform);
-  std::optional<SharedLibrary> usual;
+std::string usual_library() {
   try {
-    usual.emplace("libEGL.so.1");
+    return SharedLibrary("libEGL.so.1").path();
   } catch (const CannotStart& error) {
     throw CannotStart(
         fmt::format("libEGL.so.1 is not installed (package libegl1), or name a library with --library; {}",
                     error.what()));
   }
-  return std::make_unique<EglContexts>("libEGL.so.1", platform);
+}
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform) {
+  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::opengl);
+}
+
+std::unique_ptr<ContextMaker> make_gles2_contexts() {
+  return std::make_unique<EglContexts>(usual_library(), EglPlatform::any, Api::gles2);
 }
 
 }  // namespace evalcts

@@ -27,6 +27,9 @@ const std::vector<NamedContexts>& named_contexts() {
       {"osmesa", [] { return make_osmesa_contexts(""); }},
       {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::surfaceless); }},
       {"egl-device", [] { return make_egl_contexts("", EglPlatform::device); }},
+      {"egl-gles2", [] { return make_gles2_contexts(); }},
+      {"glx", [] { return make_glx_contexts("", GlxRendering::direct); }},
+      {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::indirect); }},
       {"none", [] { return make_no_contexts(); }},
   };
   return all;
@@ -37,22 +40,24 @@ std::string guessed_kind(const std::string& path) {
   if (library.exported("evalcts_sink_open")) return "sink";
   if (library.exported("OSMesaCreateContextExt") || library.exported("OSMesaCreateContext")) return "osmesa";
   if (library.exported("eglGetDisplay")) return "egl";
+  if (library.exported("glXCreateNewContext")) return "glx";
   if (library.exported("evalcts_provider_open"))
     throw CannotStart(fmt::format("{0} is a provider of contexts: name it with --context", path));
   throw CannotStart(fmt::format(
       "{}: name what makes its contexts with --context ({}, or the path of a provider, see "
       "evalcts_provider.h)",
-      library.exported("glXCreateContext")
-          ? fmt::format("{} makes its contexts with GLX, which is not there yet", path)
-          : fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay and evalcts_sink_open", path),
+      fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext and "
+                  "evalcts_sink_open",
+                  path),
       fmt::join(context_names(), ", ")));
 }
 
 std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
   if (!options.name.empty())
     throw CannotStart("--context takes the place of --implementation: give one of them");
-  if (options.context == "none" && options.library.empty())
-    throw CannotStart("with --context none the commands come from --library: name one");
+  if ((options.context == "none" || options.context == "egl-gles2") && options.library.empty())
+    throw CannotStart(
+        fmt::format("with --context {} the commands come from --library: name one", options.context));
   const auto found = std::find_if(named_contexts().begin(), named_contexts().end(),
                                   [&](const NamedContexts& named) { return named.name == options.context; });
   if (found != named_contexts().end()) return make_gl_library("library", found->make(), options.library);
@@ -73,6 +78,8 @@ const std::vector<ImplementationKind>& implementation_kinds() {
       {"production", "libglevaluator, the evaluator of this project", "", true},
       {"reference", "the executable specification, in exact arithmetic", "", true},
       {"egl", "the GL of libEGL, without a window system", "libegl1", false},
+      {"glx", "the GL of libGL, rendering directly, under an X server (without one: Xvfb)", "xvfb", false},
+      {"glx-indirect", "the same, rendering indirectly: the GL of the X server", "xvfb", false},
       {"sink", "an evaluator of your own that is no GL, with --library", "", false},
   };
   return kinds;
@@ -92,6 +99,10 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
   const std::string name = options.name.empty() ? guessed_kind(options.library) : options.name;
   if (name == "osmesa") return make_gl_library(name, make_osmesa_contexts(options.library), "");
   if (name == "egl") return make_gl_library(name, make_egl_contexts(options.library, EglPlatform::any), "");
+  if (name == "glx" || name == "glx-indirect") {
+    const GlxRendering rendering = name == "glx" ? GlxRendering::direct : GlxRendering::indirect;
+    return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
+  }
   if (name == "sink") return open_sink(options.library);
   if (name == "reference" || name == "production") {
     if (!options.library.empty())

@@ -464,13 +464,16 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
   }
   const std::pair<std::vector<std::string>, std::string> contexts[] = {
       {{"--context", "none"}, "name one"},
-      {{"--context", "nonsense"}, "none of osmesa, egl-surfaceless, egl-device, none, nor a provider"},
+      {{"--context", "nonsense"},
+       "none of osmesa, egl-surfaceless, egl-device, egl-gles2, glx, glx-indirect, none, nor a provider"},
+      {{"--context", "egl-gles2"}, "with --context egl-gles2 the commands come from --library: name one"},
       {{"--context", "./absent.so"}, "cannot load './absent.so'"},
       {{"--context", "libm.so.6"}, "exports no evalcts_provider_open"},
       {{"--context", "none", "--library", "libm.so.6"}, "glGetString"},
       {{"--implementation", "sink"}, "needs --library"},
       {{"--implementation", "sink", "--library", "libm.so.6"}, "exports no evalcts_sink_open"},
       {{"--implementation", "egl", "--library", "libm.so.6"}, "it is not EGL"},
+      {{"--implementation", "glx", "--library", "libm.so.6"}, "it is not GLX"},
       {{"--library", "libm.so.6"}, "name what makes its contexts with --context"},
       {{"--library", OSMESA_PROVIDER}, "name it with --context"}};
   for (const auto& [more, reason] : contexts) {

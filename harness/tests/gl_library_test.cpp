@@ -1,7 +1,10 @@
 // Contexts of real GL libraries, where these are installed.
 #include <malloc.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <set>
+#include <sstream>
 
 #include "harness/implementations/implementation.h"
 #include "harness/tests/program.h"
@@ -99,22 +102,158 @@ TEST_F(GlLibrary, EglTakesThePlaceOfOSMesa) {
   EXPECT_FALSE(fs::exists(folder_ / "results-osmesa.json"));
 }
 
+// A layer over OpenGL ES: its commands, loaded once an ES context is current. There is one context in it.
+TEST_F(GlLibrary, LayerOverGles2) {
+  if (!available("egl")) GTEST_SKIP() << "no EGL here";
+  const std::vector<std::string> arguments = {"run",           "--library", DRILL_LAYER,          "--depth",
+                                              "quick",         "--filter",  "Map1State.Stride/*", "--output",
+                                              folder_.string()};
+  const auto with_context = [&](const char* context) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--context", context});
+    return evalcts(all);
+  };
+  const Outcome outcome = with_context("egl-gles2");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << outcome.text;
+  EXPECT_EQ(with_context("egl-surfaceless").code, 2);  // desktop GL is current
+
+  // ES itself has no evaluators.
+  const Outcome es = run({"--context", "egl-gles2", "--library", "libGLESv2.so.2"});
+  EXPECT_EQ(es.code, 2);
+  EXPECT_NE(es.text.find("no evaluators"), std::string::npos) << es.text;
+}
+
+// Each process has an X server of its own: there is no DISPLAY.
+class GlxLibrary : public GlLibrary {
+ protected:
+  GlxLibrary() {
+    unsetenv("DISPLAY");
+    path_ = std::getenv("PATH");
+  }
+  ~GlxLibrary() override { setenv("PATH", path_.c_str(), 1); }
+
+  // Found before the real Xvfb; `lines` go before `exec Xvfb arguments`.
+  void put_before_xvfb(const std::string& lines, const std::string& arguments = "\"$@\"") {
+    std::ofstream(folder_ / "Xvfb") << "#!/bin/sh\nPATH='" << path_ << "'\n"
+                                    << lines << "\nexec Xvfb " << arguments << "\n";
+    fs::permissions(folder_ / "Xvfb", fs::perms::owner_all);
+    setenv("PATH", (folder_.string() + ":" + path_).c_str(), 1);
+  }
+
+  std::string path_;
+};
+
+TEST_F(GlxLibrary, Direct) {
+  if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
+  expect_judged(run({"--implementation", "glx"}), "glx");
+  setenv("DISPLAY", ":54321", 1);  // nothing answers there
+  expect_judged(run({"--library", "libGL.so.1"}), "library");
+  unsetenv("DISPLAY");
+}
+
+TEST_F(GlxLibrary, Indirect) {
+  if (!available("glx-indirect")) GTEST_SKIP() << "no indirect rendering here";
+  const Outcome outcome = run({"--implementation", "glx-indirect", "--baseline", "none"});
+  const json result = results("glx-indirect");
+  ASSERT_EQ(result["status"], "complete") << outcome.text;
+  EXPECT_TRUE(result["implementation"]["version"].get<std::string>().starts_with("1.")) << outcome.text;
+  EXPECT_GT(result["summary"].value("pass", 0), 20) << outcome.text;
+  for (const json& capture : result["implementation"]["captures"])
+    EXPECT_EQ(capture["available"], capture["name"] == "FeedbackBuffer") << capture;
+}
+
+TEST_F(GlxLibrary, SaysWhyItDoesNotStart) {
+  if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
+  const auto fails = [&](const char* name, const char* reason) {
+    const Outcome outcome = run({"--implementation", name});
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+  };
+  put_before_xvfb("", "\"$@\" -iglx");
+  fails("glx-indirect", "Xvfb makes no indirect context: ");
+  put_before_xvfb("", "\"$@\" -extension GLX");
+  fails("glx", "Xvfb has GLX 0.0; 1.3 is needed");
+  put_before_xvfb("", "-nonsense");
+  fails("glx", "Unrecognized option: -nonsense");
+  setenv("PATH", folder_.c_str(), 1);
+  fs::remove(folder_ / "Xvfb");
+  fails("glx", "Xvfb is not installed (package xvfb)");
+}
+
+// However the suite ends, its X server does, even one that is deaf.
+TEST_F(GlxLibrary, LeavesNoServerBehind) {
+  if (!available("glx")) GTEST_SKIP() << "no GLX or no Xvfb here";
+  const fs::path noted = folder_ / "server";
+  put_before_xvfb("echo $$ >'" + noted.string() + ".new' && mv '" + noted.string() + ".new' '" +
+                  noted.string() + "'");
+  const std::string suite = fs::path(EVALCTS_PROGRAM).parent_path() / "evalcts-suite";
+  // The file that clients connect to.
+  const auto socket_of = [](pid_t server) {
+    std::error_code gone;
+    std::set<std::string> inodes;
+    for (const auto& entry : fs::directory_iterator("/proc/" + std::to_string(server) + "/fd", gone))
+      inodes.insert(fs::read_symlink(entry.path(), gone).string());
+    std::ifstream sockets("/proc/net/unix");
+    for (std::string line; std::getline(sockets, line);) {
+      std::istringstream words(line);
+      std::string word, inode, path;
+      for (int i = 0; i < 6; ++i) words >> word;
+      if (words >> inode >> path && path.starts_with("/tmp/.X11-unix/") &&
+          inodes.count("socket:[" + inode + "]"))
+        return fs::path(path);
+    }
+    return fs::path();
+  };
+  const auto within_a_minute = [](const auto& condition) {
+    for (int i = 0; i < 1200 && !condition(); ++i) usleep(50'000);
+    return condition();
+  };
+  for (const bool killed : {false, true}) {
+    fs::remove(noted);
+    std::vector<std::string> command = {suite, "--implementation", "glx"};
+    if (!killed) command.emplace_back("--describe");
+    ChildProcess child(command, "");
+    pid_t server = 0;
+    ASSERT_TRUE(within_a_minute([&] { return bool(std::ifstream(noted) >> server); }));
+    fs::path socket;
+    if (killed) {
+      ASSERT_TRUE(within_a_minute([&] { return !(socket = socket_of(server)).empty(); }));
+      sleep(3);  // it has a client by now
+      kill(server, SIGSTOP);
+      kill(child.id(), SIGKILL);
+    }
+    ASSERT_TRUE(child.wait(60));
+    EXPECT_TRUE(within_a_minute([&] { return kill(server, 0) != 0; })) << "the server is still there";
+    EXPECT_TRUE(socket.empty() || within_a_minute([&] { return !fs::exists(socket); })) << socket;
+  }
+}
+
 // A context that is not freed costs megabytes, and a run makes tens of thousands.
-TEST(GlLibraryLeaks, EglContextsAreFreed) {
+class GlLibraryLeaks : public testing::TestWithParam<const char*> {};
+
+TEST_P(GlLibraryLeaks, ContextsAreFreed) {
   ImplementationOptions options;
-  options.name = "egl";
-  std::unique_ptr<Implementation> egl;
+  options.name = GetParam();
+  std::unique_ptr<Implementation> library;
   try {
-    egl = open_implementation(options);
+    library = open_implementation(options);
   } catch (const CannotStart& error) {
     GTEST_SKIP() << error.what();
   }
   const auto in_use = [] { return mallinfo2().uordblks; };
-  for (int i = 0; i < 50; ++i) egl->create_context();
+  for (int i = 0; i < 50; ++i) library->create_context();
   const std::size_t before = in_use();
-  for (int i = 0; i < 200; ++i) egl->create_context();
+  for (int i = 0; i < 200; ++i) library->create_context();
   EXPECT_LT(in_use(), before + (4u << 20));
 }
+
+INSTANTIATE_TEST_SUITE_P(, GlLibraryLeaks, testing::Values("egl", "glx", "glx-indirect"),
+                         [](const auto& tested) {
+                           std::string name = tested.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace evalcts

@@ -24,7 +24,7 @@ machine=$top/machine        # what the scripts below know and note
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
-everything="$required libosmesa6 python3 clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
+everything="$required libosmesa6 xvfb python3 clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
 
 # --- the machine -------------------------------------------------------------------------------------------
 
@@ -183,7 +183,7 @@ for arguments in '--no-install run' 'run --no-install'; do
   # shellcheck disable=SC2086 # words
   evalcts $arguments
   exits 2
-  check "the line" grep -qxF "  sudo apt-get install --no-install-recommends ${required#g++ } libosmesa6" <<<"$output"
+  check "the line" grep -qxF "  sudo apt-get install --no-install-recommends ${required#g++ } libosmesa6 xvfb" <<<"$output"
 done
 calls_are ''
 : >"$machine/lists"
@@ -206,7 +206,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 clang"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb clang"
 called_not apt-get
 called_not ctest
 
@@ -215,18 +215,18 @@ rm "$bin/sudo"
 evalcts run
 exits 2
 says "only root"
-check "the line" grep -qxF "  apt-get install --no-install-recommends $required libosmesa6" <<<"$output"
+check "the line" grep -qxF "  apt-get install --no-install-recommends $required libosmesa6 xvfb" <<<"$output"
 calls_are ''
 
 scenario "the first call installs, builds, hands over; the second only builds"
 evalcts run --filter 'a  b' -- --no-install
 exits 7
-says "installing $required libosmesa6"
-says "12 packages, 6.0 MB to download, 25 MB on disk"
+says "installing $required libosmesa6 xvfb"
+says "13 packages, 6.5 MB to download, 27 MB on disk"
 says "<program><run><--filter><a  b><--><--no-install>"
 says "$top/elsewhere"
 says "lock is free"
-calls_are "apt-get -y -o DPkg::Lock::Timeout=120 install --no-install-recommends $required libosmesa6 \
+calls_are "apt-get -y -o DPkg::Lock::Timeout=120 install --no-install-recommends $required libosmesa6 xvfb \
 [noninteractive] as root;configure release;build release evalcts_programs;"
 : >"$machine/calls"
 evalcts list tests
@@ -419,7 +419,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 python3 ["
+called "libosmesa6 xvfb python3 ["
 called "ctest --preset debug in"
 called_not release
 

@@ -1,7 +1,9 @@
 // A library for the runner's tests: looks like OSMesa, evaluates with libglevaluator, and misbehaves on
 // command. It has no rasterizer, so no capture works on it; state and error tests run.
 //
-// With DRILL_OWN_CONTEXT it has one context from when it is loaded, and nothing that makes any.
+// With DRILL_OWN_CONTEXT it has one context from when it is loaded, and nothing that makes any. With
+// DRILL_LAYER it has it only if it is loaded where a context of OpenGL ES is current, as a layer over that
+// may need it.
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
@@ -9,6 +11,11 @@
 //   "lenient": strides below k are taken for k; "control": every explicit vertex crashes, "control-error": it
 //   leaves an error behind, and every evaluated one loses the current colour; "history": in a context where
 //   that happened, GetMapiv says that maps of VERTEX_3 have one point more.
+#ifdef DRILL_LAYER
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <dlfcn.h>
+#endif
 #include <glevaluator.h>
 #include <unistd.h>
 
@@ -48,7 +55,15 @@ void crash() {
 
 }  // namespace
 
-#ifdef DRILL_OWN_CONTEXT
+#ifdef DRILL_LAYER
+[[maybe_unused]] const bool made_over_es = [] {
+  void* const egl = dlopen("libEGL.so.1", RTLD_NOW | RTLD_NOLOAD);
+  if (!egl) return false;
+  const auto api = reinterpret_cast<decltype(&eglQueryAPI)>(dlsym(egl, "eglQueryAPI"));
+  const auto context = reinterpret_cast<decltype(&eglGetCurrentContext)>(dlsym(egl, "eglGetCurrentContext"));
+  return api() == EGL_OPENGL_ES_API && context() && glevCreateContext(nullptr, &current) == GLEV_SUCCESS;
+}();
+#elif defined(DRILL_OWN_CONTEXT)
 [[maybe_unused]] const glev_result made_when_loaded = glevCreateContext(nullptr, &current);
 #else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
@@ -65,7 +80,7 @@ EXPORT GLboolean OSMesaMakeCurrent(void* context, void*, GLenum, GLsizei, GLsize
 EXPORT void OSMesaDestroyContext(void* context) { glevDestroyContext(static_cast<glev_context*>(context)); }
 #endif
 
-EXPORT const GLubyte* glGetString(GLenum name) { return glevGetString(current, name); }
+EXPORT const GLubyte* glGetString(GLenum name) { return current ? glevGetString(current, name) : nullptr; }
 EXPORT GLenum glGetError() { return glevGetError(current); }
 EXPORT void glGetIntegerv(GLenum name, GLint* values) { glevGetIntegerv(current, name, values); }
 EXPORT void glGetFloatv(GLenum name, GLfloat* values) { glevGetFloatv(current, name, values); }
