@@ -171,30 +171,30 @@ class GlxContexts final : public ContextMaker {
   };
 
   static std::vector<int> attributes_of(GLuint kind) {
+    int minor = 2, profile = GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB, flags = 0, no_error = False;
     switch (kind) {
       case EVALCTS_CORE_PROFILE:
-        return {GLX_CONTEXT_MAJOR_VERSION_ARB,
-                3,
-                GLX_CONTEXT_MINOR_VERSION_ARB,
-                2,
-                GLX_CONTEXT_PROFILE_MASK_ARB,
-                GLX_CONTEXT_CORE_PROFILE_BIT_ARB,
-                None};
+        profile = GLX_CONTEXT_CORE_PROFILE_BIT_ARB;
+        break;
       case EVALCTS_FORWARD_COMPATIBLE:
-        return {GLX_CONTEXT_MAJOR_VERSION_ARB,
-                3,
-                GLX_CONTEXT_MINOR_VERSION_ARB,
-                1,
-                GLX_CONTEXT_FLAGS_ARB,
-                GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB,
-                None};
+        minor = 1;  // which knows no profiles
+        flags = GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB;
+        break;
       case EVALCTS_DEBUG:
-        return {GLX_CONTEXT_FLAGS_ARB, GLX_CONTEXT_DEBUG_BIT_ARB, None};
+        flags = GLX_CONTEXT_DEBUG_BIT_ARB;
+        break;
       case EVALCTS_NO_ERROR:
-        return {GLX_CONTEXT_OPENGL_NO_ERROR_ARB, True, None};
+        no_error = True;
+        break;
       default:
         throw CannotStart(fmt::format("there is no kind {} of contexts", kind));
     }
+    std::vector<int> attributes = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, minor};
+    if (minor >= 2) attributes.insert(attributes.end(), {GLX_CONTEXT_PROFILE_MASK_ARB, profile});
+    if (flags) attributes.insert(attributes.end(), {GLX_CONTEXT_FLAGS_ARB, flags});
+    if (no_error) attributes.insert(attributes.end(), {GLX_CONTEXT_OPENGL_NO_ERROR_ARB, True});
+    attributes.push_back(None);
+    return attributes;
   }
 
   // Up to one context that is made, answers, and is destroyed again.
