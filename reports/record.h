@@ -73,7 +73,7 @@ struct TestResult {
       failures;  // where the record lists none: what it says at the level of the test, if anything
   std::optional<Accuracy> accuracy;
   std::string rerun, debug, reproducer;  // commands
-  std::vector<std::string> history;  // the tests that have to come before, where the context is shared
+  std::vector<std::string> history;      // the tests that have to come before, where the context is shared
   std::optional<double> seconds;
 
   bool bad() const { return verdict <= Verdict::kFail; }

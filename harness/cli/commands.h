@@ -48,7 +48,8 @@ struct ReproduceOptions {
 
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
-// `complete`: a requirement, or a half of one, that is neither decided nor known to be undecidable is unexpected.
+// `complete`: a requirement, or a half of one, that is neither decided nor known to be undecidable is
+// unexpected.
 int coverage(bool as_json, bool complete);
 int explain(const std::string& name);
 int reproduce(const ReproduceOptions& options);

@@ -161,7 +161,8 @@ class Player {
       return inputs_of_call_[position]->data();
     }
     if (const auto* output = std::get_if<Output>(&value)) {
-      if (trace_.results_[index_].output) throw std::logic_error("a command fills one array of a case at most");
+      if (trace_.results_[index_].output)
+        throw std::logic_error("a command fills one array of a case at most");
       Trace::Written written{output->type, output->count, {}};
       written.bytes.assign((output->count + kGuardElements) * size_of(output->type), kFiller);
       return trace_.results_[index_].output.emplace(std::move(written)).bytes.data();

@@ -173,12 +173,10 @@ class EglContexts final : public ContextMaker {
   // EGL 1.5, or EGL_KHR_create_context and EGL_KHR_create_context_no_error with the same values.
   std::vector<EGLint> attributes_of(GLuint kind) const {
     if (!opengl()) throw CannotStart("OpenGL ES has no such kinds of contexts");
-    std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,
-                                      3,
-                                      EGL_CONTEXT_MINOR_VERSION,
-                                      2,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT};
+    std::vector<EGLint> attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,       3,
+        EGL_CONTEXT_MINOR_VERSION,       2,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT};
     switch (kind) {
       case EVALCTS_CORE_PROFILE:
         attributes = {EGL_CONTEXT_MAJOR_VERSION,       3,

@@ -23,8 +23,8 @@ struct Prediction {
 // and are left out, in display lists too. No other command may take a result of theirs.
 Prediction predict(const gl::Case& script, int max_eval_order);
 
-// Whether a command of the case raises an error, by the specification as far as it has the commands; true, too,
-// for a case of several contexts, of which it has one.
+// Whether a command of the case raises an error, by the specification as far as it has the commands; true,
+// too, for a case of several contexts, of which it has one.
 bool may_raise_an_error(const gl::Case& script, int max_eval_order);
 
 // What the commands answer on the executable specification: each query correctly rounded. Throws

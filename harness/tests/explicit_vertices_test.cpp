@@ -1,4 +1,5 @@
-// The control of a case through display lists: vertices in the place of evaluation, everything else as it was.
+// The control of a case through display lists: vertices in the place of evaluation, everything else as it
+// was.
 #include "harness/gl/explicit_vertices.h"
 
 #include <gtest/gtest.h>

@@ -58,9 +58,9 @@ TEST(RandomCommands, GoEverywhere) {
   }
   using enum gl::EntryPoint;
   for (const gl::EntryPoint entry :
-       {Map1f, Map1d, Map2f, Map2d, MapGrid1f, MapGrid2f, Enable, Disable, EvalCoord1f, EvalCoord2f, EvalPoint1,
-        EvalPoint2, EvalMesh1, EvalMesh2, GetError, NewList, EndList, CallList, PushAttrib, PopAttrib, Color4f,
-        Begin, End})
+       {Map1f,       Map1d,       Map2f,      Map2d,      MapGrid1f, MapGrid2f, Enable,   Disable,
+        EvalCoord1f, EvalCoord2f, EvalPoint1, EvalPoint2, EvalMesh1, EvalMesh2, GetError, NewList,
+        EndList,     CallList,    PushAttrib, PopAttrib,  Color4f,   Begin,     End})
     EXPECT_TRUE(seen.contains(entry)) << gl::name_of(entry);
 }
 
