@@ -244,7 +244,7 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
       fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
 }
 
-// Every test at thorough depth; otherwise one in sixteen, the same ones each time, and not those of many
+// Every test at thorough depth; otherwise one in 32, the same ones each time, and not those of many
 // primitives: another capture of the same case costs a library far more than the case.
 bool Test::cross_checked(const Prediction& prediction) const {
   constexpr std::uint32_t kOneOf = 32;
