@@ -11,6 +11,11 @@ namespace {
 
 bool has(Test& t, const char* extension) { return t.gl().extensions.contains(extension); }
 
+// Extensions that no version has taken in.
+void require(Test& t, const char* extension) {
+  if (!has(t, extension)) throw NotSupported(fmt::format("needs {}", extension));
+}
+
 // A target of an extension.
 struct Foreign {
   const char* name;
@@ -100,7 +105,7 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
 }  // namespace
 
 EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN") {
-  t.require(100, 0, "GL_ARB_vertex_program");
+  require(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, {0.75, 0.25, 0.5, 0.125};\n");
   expect_colors(t, state, std::vector<Color>(5, Color{0.75f, 0.25f, 0.5f, 0.125f}),
@@ -109,7 +114,7 @@ EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN") {
 
 // Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
 EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC") {
-  t.require(100, 0, "GL_ARB_vertex_program");
+  require(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, vertex.attrib[6];\n");
   std::vector<Color> colors;
@@ -151,7 +156,7 @@ void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::v
 }  // namespace
 
 EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
-  t.require(100, 0, kNvVertexProgram);
+  require(t, kNvVertexProgram);
   for (const GLenum target : attribute_maps(t)) {
     gl::Case c(fmt::format("map 0x{:04X}", target));
     const std::vector<float> points = converted<float>(random_values(t.random(), is_curve(target) ? 8 : 16));
@@ -173,7 +178,7 @@ EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
 }
 
 EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K") {
-  t.require(100, 0, kNvVertexProgram);
+  require(t, kNvVertexProgram);
   std::vector<Calls> calls;
   for (const GLenum target : attribute_maps(t))
     calls.push_back([target](gl::Case& c) { define_attribute_map(c, target, 3, std::vector<float>(32, 1)); });
@@ -181,7 +186,7 @@ EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K") {
 }
 
 EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
-  t.require(100, 0, kNvVertexProgram);
+  require(t, kNvVertexProgram);
   for (const GLenum target : attribute_maps(t)) {
     gl::Case c(fmt::format("map 0x{:04X}", target));
     const gl::Ref on = c.IsEnabled(target);
@@ -195,7 +200,7 @@ EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
 }
 
 EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
-  t.require(100, 0, kNvVertexProgram);
+  require(t, kNvVertexProgram);
   for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
     gl::Case c(bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
     const std::vector<GLenum> maps = attribute_maps(t);

@@ -236,6 +236,28 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
     EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
 }
 
+// Whatever quick depth leaves out, it keeps a test of every name and of every requirement that is decided.
+TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
+  const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
+  std::map<std::string, bool> names, requirements;
+  std::size_t quick = 0;
+  for (const json& test : tests["tests"]) {
+    const std::string name = test["name"];
+    const bool is_quick = test["from"] == "quick";
+    quick += is_quick;
+    bool& kept = names[name.substr(0, name.find('/'))];
+    kept = kept || is_quick;
+    for (const std::string id : test["requirements"]) {
+      bool& decided = requirements[id];
+      decided = decided || is_quick;
+    }
+  }
+  EXPECT_GT(quick, 500u);
+  EXPECT_LT(quick, tests["tests"].size() / 5);
+  for (const auto& [name, kept] : names) EXPECT_TRUE(kept) << name;
+  for (const auto& [id, decided] : requirements) EXPECT_TRUE(decided) << id;
+}
+
 // The reading that an implementation follows is recorded, and another is a failure where it is asked for.
 TEST_F(CommandLine, Readings) {
   const auto judge = [&](const std::vector<std::string>& more) {

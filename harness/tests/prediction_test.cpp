@@ -88,5 +88,30 @@ TEST(Prediction, KnowsThatFlushAndFinishAreNotForPrimitives) {
   }
 }
 
+// What a no-error context must not be given: errors that are asked for in the middle, or left behind.
+TEST(Prediction, KnowsWhatMayRaiseAnError) {
+  gl::Case legal("legal");
+  legal.Enable(GL_MAP1_VERTEX_3);
+  legal.PixelStorei(GL_PACK_ALIGNMENT, 1);  // of no concern to the specification
+  legal.Begin(GL_POINTS);
+  legal.EvalCoord1f(0.5f);
+  legal.End();
+  legal.GetError();
+  EXPECT_FALSE(may_raise_an_error(legal, 8));
+
+  gl::Case asked = legal;
+  asked.MapGrid1f(0, 0.0f, 1.0f);
+  asked.GetError();
+  EXPECT_TRUE(may_raise_an_error(asked, 8));
+
+  gl::Case left = legal;
+  left.EvalMesh1(GL_FILL, 0, 1);
+  EXPECT_TRUE(may_raise_an_error(left, 8));
+
+  gl::Case several = legal;
+  several.OtherContextEVALCTS(1);
+  EXPECT_TRUE(may_raise_an_error(several, 8));
+}
+
 }  // namespace
 }  // namespace evalcts
