@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "harness/gl/contexts.h"
+#include "harness/gl/requests.h"
 
 namespace evalcts::gl {
 

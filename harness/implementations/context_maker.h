@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "harness/implementations/implementation.h"
 
@@ -23,6 +24,10 @@ class ContextMaker {
   }
   // Throws CannotStart.
   virtual void make_current(void* /*context*/) {}
+  // Whether the next two do something: see gl/requests.h, for the context that is current.
+  virtual bool records_requests() const { return false; }
+  virtual void record_requests() {}
+  virtual std::vector<unsigned char> recorded_requests() { return {}; }
   // No context is current afterwards.
   virtual void destroy(void* context) = 0;
   // A GL command among the symbols of the library, and one that the library is asked for: the latter may make

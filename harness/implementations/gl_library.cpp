@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <string>
@@ -52,6 +53,14 @@ class MadeContext final : public Context {
   static void of_kind(GLuint number, GLuint kind) {
     of_the_case_->make_current(number, gl::EntryPoint::ContextOfKindEVALCTS,
                                [kind](ContextMaker& maker) { return maker.create_of_kind(kind); });
+  }
+
+  // Those of gl/requests.h.
+  static void record_requests() { of_the_case_->maker_.record_requests(); }
+  static GLsizei recorded_requests(GLsizei size, GLubyte* requests) {
+    const std::vector<unsigned char> all = of_the_case_->maker_.recorded_requests();
+    std::copy_n(all.begin(), std::min(all.size(), static_cast<std::size_t>(std::max(size, 0))), requests);
+    return static_cast<GLsizei>(all.size());
   }
 
  private:
@@ -121,6 +130,10 @@ class GlLibrary final : public Implementation {
       table_.OtherContextEVALCTS = &MadeContext::other;
       table_.SharingContextEVALCTS = &MadeContext::sharing;
       table_.ContextOfKindEVALCTS = &MadeContext::of_kind;
+    }
+    if (contexts_->records_requests()) {
+      table_.RecordRequestsEVALCTS = &MadeContext::record_requests;
+      table_.RecordedRequestsEVALCTS = &MadeContext::recorded_requests;
     }
     loaded_ = true;
   }

@@ -12,12 +12,12 @@
 #include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
 #include "harness/implementations/shared_library.h"
+#include "harness/implementations/x_recorder.h"
 #include "harness/implementations/x_server.h"
 
 // Last: it has macros for everyday words. Only the types of its declarations are used.
 #include <GL/glx.h>
 #undef DefaultScreen
-#undef DisplayString
 
 namespace evalcts {
 namespace {
@@ -28,8 +28,8 @@ constexpr int kSide = 64;  // pixels
 // (clang-format 14 never comes to an end with such lists.)
 // clang-format off
 #define XLIB_FUNCTIONS(X)                                                               \
-  X(OpenDisplay) X(CloseDisplay) X(DisplayString) X(DefaultScreen) X(Sync) X(Free)      \
-  X(SetErrorHandler) X(SetIOErrorHandler) X(GetErrorText)
+  X(OpenDisplay) X(CloseDisplay) X(DisplayName) X(DefaultScreen) X(Sync) X(Free)        \
+  X(QueryExtension) X(SetErrorHandler) X(SetIOErrorHandler) X(GetErrorText)
 #define GLX_FUNCTIONS(X)                                                                \
   X(QueryVersion) X(QueryExtensionsString) X(ChooseFBConfig) X(CreateNewContext)        \
   X(CreatePbuffer) X(DestroyPbuffer) X(MakeContextCurrent) X(IsDirect)                  \
@@ -151,6 +151,18 @@ class GlxContexts final : public ContextMaker {
       throw CannotStart("glXMakeContextCurrent refuses the context");
   }
 
+  bool records_requests() const override { return recorder_.has_value(); }
+  void record_requests() override {
+    synchronize();
+    recorder_->record();
+  }
+  std::vector<unsigned char> recorded_requests() override {
+    synchronize();
+    int opcode = 0, event = 0, error = 0;
+    xlib_.QueryExtension(display_, "GLX", &opcode, &event, &error);
+    return recorder_->take(static_cast<unsigned char>(opcode));
+  }
+
   void destroy(void* context) override {
     const std::unique_ptr<Made> made(static_cast<Made*>(context));
     glx_.MakeContextCurrent(display_, None, None, nullptr);
@@ -200,7 +212,7 @@ class GlxContexts final : public ContextMaker {
   // Up to one context that is made, answers, and is destroyed again.
   void open() {
     const char* given = std::getenv("DISPLAY");
-    if (given && *given) display_ = xlib_.OpenDisplay(nullptr);
+    if (given && *given) connect(given);
     if (display_) return prove();
     if (direct_) {
       start_server("");
@@ -220,18 +232,34 @@ class GlxContexts final : public ContextMaker {
 
   void start_server(const std::string& preload) {
     server_.emplace(preload);
-    display_ = xlib_.OpenDisplay(server_->display().c_str());
+    connect(server_->display());
     if (!display_) throw CannotStart(fmt::format("Xvfb, display {}, lets nobody in", server_->display()));
+  }
+
+  // Recorded where rendering is indirect and the server is on this machine and lets us in that way.
+  void connect(const std::string& server) {
+    if (!direct_) {
+      try {
+        recorder_.emplace(server);
+        display_ = xlib_.OpenDisplay(recorder_->display().c_str());
+      } catch (const CannotStart&) {
+        // It goes without.
+      }
+      if (display_) return;
+      recorder_.reset();
+    }
+    display_ = xlib_.OpenDisplay(server.c_str());
   }
 
   void disconnect() {
     if (display_) xlib_.CloseDisplay(display_);
     display_ = nullptr;
+    recorder_.reset();
     server_.reset();
   }
 
   void prove() {
-    const std::string where = server_ ? "Xvfb" : fmt::format("display {}", xlib_.DisplayString(display_));
+    const std::string where = server_ ? "Xvfb" : fmt::format("display {}", xlib_.DisplayName(nullptr));
     int major = 0, minor = 0;
     if (!glx_.QueryVersion(display_, &major, &minor) || major != 1 || minor < 3)
       throw CannotStart(fmt::format("{} has GLX {}.{}; 1.3 is needed", where, major, minor));
@@ -303,6 +331,12 @@ class GlxContexts final : public ContextMaker {
     return answer == points ? "" : "glGetMapfv does not give back what glMap1f was given";
   }
 
+  // What the client has to send has been sent and answered.
+  void synchronize() {
+    reinterpret_cast<decltype(&::glFinish)>(address_of("glFinish"))();
+    xlib_.Sync(display_, False);
+  }
+
   template <class Create>
   Made* make(const Create& create) {
     auto made = std::make_unique<Made>();
@@ -333,6 +367,7 @@ class GlxContexts final : public ContextMaker {
   Glx glx_;
   bool direct_;
   std::optional<XServer> server_;
+  std::optional<XRecorder> recorder_;
   Display* display_ = nullptr;
   GLXFBConfig configuration_ = nullptr;
 };

@@ -334,6 +334,8 @@ class Shared {
       : context_(std::move(context)), table_(context_->table()) {
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
     table_.ContextOfKindEVALCTS = nullptr;
+    table_.RecordRequestsEVALCTS = nullptr;
+    table_.RecordedRequestsEVALCTS = nullptr;
     // Its initial value is the size of a window that only the implementation knows.
     if (gl::has(context_->table(), EntryPoint::Viewport)) {
       Case question;

@@ -1,0 +1,379 @@
+// Section 25 of the requirements: what indirect GLX sends for the commands of evaluators, and what comes
+// back.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "suites/glx_requests.h"
+#include "suites/maps2.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+constexpr std::size_t kRoom = 1 << 16;  // bytes, for requests of small commands
+
+// Plays the calls; their requests have to be exactly these commands of evaluators.
+Played expect_sent(Test& t, const std::string& identity, const Calls& issue,
+                   const std::vector<SentCommand>& expected, std::size_t room = kRoom) {
+  gl::Case c(identity);
+  c.RecordRequestsEVALCTS();
+  issue(c);
+  const gl::Ref error = c.GetError();
+  const gl::Ref recorded = c.RecordedRequestsEVALCTS(static_cast<GLsizei>(room), gl::out<GLubyte>(room));
+  Played played = t.play(c);
+  played.expect_no_error(error);
+  const auto size = static_cast<std::size_t>(played.trace().result(recorded));
+  if (size > room) throw std::runtime_error("the requests do not fit");
+  Bytes requests = played.trace().values<GLubyte>(recorded);
+  requests.resize(size);
+  try {
+    const std::vector<SentCommand> sent = evaluator_commands(requests);
+    played.expect(sent == expected, recorded, "wrong requests", in_words(expected), in_words(sent));
+  } catch (const std::runtime_error& malformed) {
+    played.expect(false, recorded, "malformed requests", in_words(expected), malformed.what());
+  }
+  return played;
+}
+
+struct Command {
+  const char* name;
+  Calls issue;
+  unsigned opcode;
+  Bytes parameters;
+};
+
+void expect_sent(Test& t, const Command& command, bool rendering = true) {
+  expect_sent(t, command.name, command.issue, {{command.opcode, rendering, false, command.parameters}});
+}
+
+constexpr double kU = -0.375, kV = 1.25;  // the same in either precision
+
+const std::vector<float> kUf = {static_cast<float>(kU)},
+                         kUVf = {static_cast<float>(kU), static_cast<float>(kV)};
+const std::vector<double> kUd = {kU}, kUVd = {kU, kV};
+
+// One point or one segment of everything. No map of vertices is enabled: nothing is drawn.
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all = [] {
+    const Wire u1 = Wire().float64(kU), u1f = Wire().float32(kUf[0]);
+    std::vector<Command> c;
+    const auto map1 = make_map1(GL_MAP1_TEXTURE_COORD_2, 0.5, 2, 2, {0.25, -0.75});
+    const Map2 map2 = make_map2(GL_MAP2_TEXTURE_COORD_2, 1, 1, {0.25, -0.75});
+    c.push_back(
+        {"Map1d", [=](gl::Case& s) { define(s, map1, true); }, 143,
+         Wire().reals({0.5, 2}, true).card32(map1.target).int32(1).reals({0.25, -0.75}, true).bytes()});
+    c.push_back(
+        {"Map1f", [=](gl::Case& s) { define(s, map1, false); }, 144,
+         Wire().card32(map1.target).reals({0.5, 2}, false).int32(1).reals({0.25, -0.75}, false).bytes()});
+    c.push_back({"Map2d", [=](gl::Case& s) { define(s, map2, true); }, 145,
+                 Wire()
+                     .reals({0, 1, 0, 1}, true)
+                     .card32(map2.target)
+                     .int32(1)
+                     .int32(1)
+                     .reals({0.25, -0.75}, true)
+                     .bytes()});
+    c.push_back({"Map2f", [=](gl::Case& s) { define(s, map2, false); }, 146,
+                 Wire()
+                     .card32(map2.target)
+                     .reals({0, 1}, false)
+                     .int32(1)
+                     .reals({0, 1}, false)
+                     .int32(1)
+                     .reals({0.25, -0.75}, false)
+                     .bytes()});
+    c.push_back({"MapGrid1d", [](gl::Case& s) { s.MapGrid1d(7, 0.5, -3.0); }, 147,
+                 Wire().reals({0.5, -3}, true).int32(7).bytes()});
+    c.push_back({"MapGrid1f", [](gl::Case& s) { s.MapGrid1f(7, 0.5f, -3.0f); }, 148,
+                 Wire().int32(7).reals({0.5, -3}, false).bytes()});
+    c.push_back({"MapGrid2d", [](gl::Case& s) { s.MapGrid2d(7, 0.5, -3.0, 9, 2.0, 4.0); }, 149,
+                 Wire().reals({0.5, -3, 2, 4}, true).int32(7).int32(9).bytes()});
+    c.push_back({"MapGrid2f", [](gl::Case& s) { s.MapGrid2f(7, 0.5f, -3.0f, 9, 2.0f, 4.0f); }, 150,
+                 Wire().int32(7).reals({0.5, -3}, false).int32(9).reals({2, 4}, false).bytes()});
+    c.push_back(
+        {"EvalCoord1dv", [](gl::Case& s) { s.EvalCoord1dv(kUd); }, 151, Wire().reals(kUd, true).bytes()});
+    c.push_back(
+        {"EvalCoord1fv", [](gl::Case& s) { s.EvalCoord1fv(kUf); }, 152, Wire().reals(kUd, false).bytes()});
+    c.push_back(
+        {"EvalCoord2dv", [](gl::Case& s) { s.EvalCoord2dv(kUVd); }, 153, Wire().reals(kUVd, true).bytes()});
+    c.push_back(
+        {"EvalCoord2fv", [](gl::Case& s) { s.EvalCoord2fv(kUVf); }, 154, Wire().reals(kUVd, false).bytes()});
+    c.push_back({"EvalMesh1", [](gl::Case& s) { s.EvalMesh1(GL_LINE, -1, 2); }, 155,
+                 Wire().card32(GL_LINE).int32(-1).int32(2).bytes()});
+    c.push_back({"EvalPoint1", [](gl::Case& s) { s.EvalPoint1(-5); }, 156, Wire().int32(-5).bytes()});
+    c.push_back({"EvalMesh2", [](gl::Case& s) { s.EvalMesh2(GL_POINT, -1, 2, 3, 5); }, 157,
+                 Wire().card32(GL_POINT).int32(-1).int32(2).int32(3).int32(5).bytes()});
+    c.push_back(
+        {"EvalPoint2", [](gl::Case& s) { s.EvalPoint2(-5, 8); }, 158, Wire().int32(-5).int32(8).bytes()});
+    return c;
+  }();
+  return all;
+}
+
+const std::vector<Command>& grids() {
+  static const std::vector<Command> all(commands().begin() + 4, commands().begin() + 8);
+  return all;
+}
+
+// Each travels as its vector form.
+const std::vector<Command>& scalar_forms() {
+  static const std::vector<Command> all = {
+      {"EvalCoord1d", [](gl::Case& s) { s.EvalCoord1d(kU); }, 151, Wire().reals(kUd, true).bytes()},
+      {"EvalCoord1f", [](gl::Case& s) { s.EvalCoord1f(kUf[0]); }, 152, Wire().reals(kUd, false).bytes()},
+      {"EvalCoord2d", [](gl::Case& s) { s.EvalCoord2d(kU, kV); }, 153, Wire().reals(kUVd, true).bytes()},
+      {"EvalCoord2f", [](gl::Case& s) { s.EvalCoord2f(kUVf[0], kUVf[1]); }, 154,
+       Wire().reals(kUVd, false).bytes()}};
+  return all;
+}
+
+const std::vector<Command>& queries() {
+  const auto asks = [](GLenum target, GLenum query) { return Wire().card32(target).card32(query).bytes(); };
+  static const std::vector<Command> all = {
+      {"GetMapdv", [](gl::Case& s) { s.GetMapdv(GL_MAP1_COLOR_4, GL_COEFF, gl::out<GLdouble>(4)); }, 120,
+       asks(GL_MAP1_COLOR_4, GL_COEFF)},
+      {"GetMapfv", [](gl::Case& s) { s.GetMapfv(GL_MAP2_VERTEX_3, GL_DOMAIN, gl::out<GLfloat>(4)); }, 121,
+       asks(GL_MAP2_VERTEX_3, GL_DOMAIN)},
+      {"GetMapiv", [](gl::Case& s) { s.GetMapiv(GL_MAP1_NORMAL, GL_ORDER, gl::out<GLint>(1)); }, 122,
+       asks(GL_MAP1_NORMAL, GL_ORDER)}};
+  return all;
+}
+
+SentCommand sent_map(const Map1& map, bool doubles) {
+  Wire wire;
+  if (!doubles) wire.card32(map.target);
+  wire.reals({map.u1, map.u2}, doubles);
+  if (doubles) wire.card32(map.target);
+  wire.int32(map.order).reals(map.coefficients(), doubles);
+  return {doubles ? 143u : 144u, true, false, wire.bytes()};
+}
+
+SentCommand sent_map(const Map2& map, bool doubles) {
+  Wire wire;
+  if (doubles) {
+    wire.reals({map.u1, map.u2, map.v1, map.v2}, true).card32(map.target).int32(map.uorder).int32(map.vorder);
+  } else {
+    wire.card32(map.target).reals({map.u1, map.u2}, false).int32(map.uorder);
+    wire.reals({map.v1, map.v2}, false).int32(map.vorder);
+  }
+  return {doubles ? 145u : 146u, true, false, wire.reals(map.coefficients(), doubles).bytes()};
+}
+
+}  // namespace
+
+EVALCTS_TESTS(GlxProtocol, Opcodes, commands(), const Command& command, must, "EV-GLX-OPCODES") {
+  expect_sent(t, command);
+}
+
+EVALCTS_TESTS(GlxProtocol, ScalarForms, scalar_forms(), const Command& command, must, "EV-GLX-SCALAR") {
+  expect_sent(t, command);
+}
+
+EVALCTS_TESTS(GlxProtocol, Grids, grids(), const Command& command, must, "EV-GLX-MAPGRID") {
+  expect_sent(t, command);
+}
+
+EVALCTS_TESTS(GlxProtocol, Queries, queries(), const Command& command, must, "EV-GLX-SINGLES") {
+  expect_sent(t, command, false);
+}
+
+EVALCTS_TESTS(GlxProtocol, PointsOfMap1, gl::kMap1Targets, GLenum target, must, "EV-GLX-MAP1-PACK") {
+  for (const Form& form : kForms)
+    for (const int padding : {0, 3}) {
+      Map1 map = random_map(t, target, 4, gl::components_of(target) + padding);
+      map.u1 = 5, map.u2 = -2.25;
+      expect_sent(t, fmt::format("Map1{}, stride k+{}", form.name, padding),
+                  [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
+    }
+}
+
+EVALCTS_TESTS(GlxProtocol, PointsOfMap2, gl::kMap2Targets, GLenum target, must, "EV-GLX-MAP2-PACK") {
+  constexpr int kOrders[][2] = {{2, 3}, {3, 2}, {4, 1}};
+  for (const Form& form : kForms)
+    for (const Layout& layout : kLayouts)
+      for (const auto& [uorder, vorder] : kOrders) {
+        Map2 map = random_map2(t, target, uorder, vorder, layout);
+        map.u1 = 5, map.u2 = -2.25, map.v1 = -1, map.v2 = 0.5;
+        expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, uorder, vorder, layout.name),
+                    [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
+      }
+}
+
+// Whatever the client takes for too large for one request: the command that arrives is the same.
+EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE") {
+  const int most = t.max_order();
+  for (const Form& form : kForms)
+    for (const int padding : {0, 1}) {  // clients send packed points from where they are
+      const auto room = kRoom + static_cast<std::size_t>(most * most) * 4 * sizeof(double) * 2;
+      const Map1 curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
+      const Map2 surface = random_map2(t, GL_MAP2_VERTEX_4, most, most, (4 + padding) * most, 4 + padding);
+      expect_sent(
+          t, fmt::format("Map1{}, Map2{} of order {}, stride k+{}", form.name, form.name, most, padding),
+          [&](gl::Case& c) {
+            define(c, curve, form.doubles);
+            define(c, surface, form.doubles);
+            c.MapGrid1f(7, 0.5f, -3.0f);
+          },
+          {sent_map(curve, form.doubles),
+           sent_map(surface, form.doubles),
+           {148, true, false, grids()[1].parameters}},
+          room);
+    }
+}
+
+namespace {
+
+// Calls that the protocol names erroneous, with the error of each.
+struct Erroneous {
+  const char* name;
+  Calls issue;
+  GLenum error;
+};
+
+const std::vector<Erroneous>& erroneous_maps() {
+  static const std::vector<float> f(64);
+  static const std::vector<double> d(64);
+  static const std::vector<Erroneous> all = {
+      {"Map1f/TARGET", [](gl::Case& c) { c.Map1f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, f); }, GL_INVALID_ENUM},
+      {"Map1d/TARGET", [](gl::Case& c) { c.Map1d(GL_VERTEX_ARRAY, 0., 1., 3, 2, d); }, GL_INVALID_ENUM},
+      {"Map2f/TARGET", [](gl::Case& c) { c.Map2f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 2, f); },
+       GL_INVALID_ENUM},
+      {"Map2d/TARGET", [](gl::Case& c) { c.Map2d(GL_VERTEX_ARRAY, 0., 1., 3, 2, 0., 1., 6, 2, d); },
+       GL_INVALID_ENUM},
+      {"Map1f/ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 0, f); }, GL_INVALID_VALUE},
+      {"Map1d/ORDER", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, -1, d); }, GL_INVALID_VALUE},
+      {"Map2f/UORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 0, 0.f, 1.f, 6, 2, f); },
+       GL_INVALID_VALUE},
+      {"Map2d/VORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, 2, 0., 1., 6, -4, d); },
+       GL_INVALID_VALUE}};
+  return all;
+}
+
+const std::vector<Erroneous>& small_strides() {
+  static const std::vector<float> f(64);
+  static const std::vector<double> d(64);
+  static const std::vector<Erroneous> all = {
+      {"Map1f", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 2, 2, f); }, GL_INVALID_VALUE},
+      {"Map1d", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 2, 2, d); }, GL_INVALID_VALUE},
+      {"Map2f/USTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 2, 2, 0.f, 1.f, 6, 2, f); },
+       GL_INVALID_VALUE},
+      {"Map2d/VSTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 6, 2, 0., 1., 2, 2, d); },
+       GL_INVALID_VALUE}};
+  return all;
+}
+
+// The error is reported, no state changes, and if the command is sent at all it brings no points: it ends
+// with the small parameters, which are this long.
+void expect_erroneous(Test& t, const Erroneous& bad) {
+  gl::Case c(bad.name);
+  c.RecordRequestsEVALCTS();
+  bad.issue(c);
+  const gl::Ref error = c.GetError();
+  const gl::Ref recorded = c.RecordedRequestsEVALCTS(static_cast<GLsizei>(kRoom), gl::out<GLubyte>(kRoom));
+  Played played = t.play(c);
+  played.expect_error(error, {bad.error});
+  Bytes requests = played.trace().values<GLubyte>(recorded);
+  requests.resize(static_cast<std::size_t>(played.trace().result(recorded)));
+  const std::vector<SentCommand> sent = evaluator_commands(requests);
+  const auto small = [](unsigned opcode) -> std::size_t {
+    return opcode == 143 ? 24 : opcode == 144 ? 16 : opcode == 145 ? 44 : 28;
+  };
+  for (const SentCommand& command : sent)
+    played.expect(command.parameters.size() == small(command.opcode), recorded,
+                  "an erroneous command with points",
+                  fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
+  expect_refused(t, fmt::format("{}: nothing changes", bad.name), {bad.issue}, {bad.error});
+}
+
+}  // namespace
+
+EVALCTS_TESTS(GlxProtocol, ErroneousMaps, erroneous_maps(), const Erroneous& bad, must, "EV-GLX-ERRONEOUS") {
+  expect_erroneous(t, bad);
+}
+
+EVALCTS_TESTS(GlxProtocol, SmallStrides, small_strides(), const Erroneous& bad, must,
+              "EV-GLX-STRIDE-CLIENT") {
+  expect_erroneous(t, bad);
+}
+
+namespace {
+
+// Whatever is asked for afterwards shows that rendering is indirect.
+void begin_indirect(gl::Case& c) {
+  c.RecordRequestsEVALCTS();
+  c.MapGrid1f(7, 0.5f, -3.0f);
+  c.RecordedRequestsEVALCTS(static_cast<GLsizei>(kRoom), gl::out<GLubyte>(kRoom));
+}
+
+struct Getter {
+  const char* name;
+  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
+};
+constexpr Getter kGetters[] = {
+    {"GetMapdv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapdv(target, query, gl::out<GLdouble>(room)); }},
+    {"GetMapfv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapfv(target, query, gl::out<GLfloat>(room)); }},
+    {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapiv(target, query, gl::out<GLint>(room));
+     }}};
+
+}  // namespace
+
+// n values, for n = 1 and more; behind an array of n values lies a guard.
+EVALCTS_TESTS(GlxProtocol, Replies, kGetters, const Getter& form, must, "EV-GLX-GETMAP-REPLY") {
+  const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
+  gl::Case c("orders, domains and points");
+  begin_indirect(c);
+  const Map1 index = make_map1(GL_MAP1_INDEX, {9});
+  const Map2 surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
+  define(c, index);
+  define(c, surface);
+  const gl::Ref one[] = {form.get(c, index.target, GL_ORDER, 1), form.get(c, index.target, GL_COEFF, 1)};
+  const gl::Ref two[] = {form.get(c, index.target, GL_DOMAIN, 2), form.get(c, surface.target, GL_ORDER, 2)};
+  const gl::Ref four = form.get(c, surface.target, GL_DOMAIN, 4);
+  const gl::Ref eight = form.get(c, surface.target, GL_COEFF, 8);
+  Played played = t.play(c);
+  played.expect_values(one[0], std::vector<double>{1});
+  played.expect_values(one[1], std::vector<double>{9});
+  played.expect_values(two[0], std::vector<double>{0, 1});
+  played.expect_values(two[1], std::vector<double>{2, 2});
+  played.expect_values(four, std::vector<double>{0, 1, 0, 1});
+  played.expect_values(eight, points);
+}
+
+// A query that raises an error leaves the array alone, and the next one is answered as ever.
+EVALCTS_TESTS(GlxProtocol, EmptyReplies, kGetters, const Getter& form, must, "EV-GLX-GETMAP-REPLY") {
+  gl::Case c("a bad query, a bad target");
+  begin_indirect(c);
+  c.GetError();
+  const gl::Ref bad_query = form.get(c, GL_MAP1_VERTEX_3, GL_MAP_COLOR, 8);
+  const gl::Ref first = c.GetError();
+  const gl::Ref bad_target = form.get(c, GL_MAP_COLOR, GL_ORDER, 8);
+  const gl::Ref second = c.GetError();
+  const gl::Ref good = form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1);
+  Played played = t.play(c);
+  played.expect_error(first, {GL_INVALID_ENUM});
+  played.expect_nothing_written(bad_query);
+  played.expect_error(second, {GL_INVALID_ENUM});
+  played.expect_nothing_written(bad_target);
+  played.expect_values(good, std::vector<double>{1});
+}
+
+// All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
+EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT") {
+  expect_sent(t, commands().front());  // it is indirect
+  for (const bool two : {false, true}) {
+    gl::Case c(two ? "a surface" : "a curve");
+    for (const GLenum target : (two ? kKinds2 : kKinds1)[0].targets) {
+      two ? define(c, random_map2(t, target, 3, 2)) : define(c, random_map(t, target, 4));
+      c.Enable(target);
+    }
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.25f, 1.0f}) two ? c.EvalCoord2f(u, 0.375f) : c.EvalCoord1f(u);
+    c.End();
+    t.expect_emission(c, kPosition | kColor | kTextureCoordinate0);
+  }
+}
+
+}  // namespace evalcts

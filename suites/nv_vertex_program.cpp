@@ -1,0 +1,352 @@
+// Section 24 of the requirements: NV_vertex_program, maps of its 16 vertex attributes.
+#include <fmt/format.h>
+
+#include "suites/pictures.h"
+#include "suites/refusal.h"
+
+namespace evalcts {
+namespace {
+
+constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
+
+void require_nv(Test& t) {
+  if (!t.gl().extensions.contains("GL_NV_vertex_program")) throw NotSupported("needs GL_NV_vertex_program");
+}
+
+// All of them but the one that ARB_vertex_program took for PROGRAM_BINDING_ARB.
+std::vector<GLenum> attribute_maps(Test& t) {
+  std::vector<GLenum> all;
+  for (GLenum i = 0; i < 16; ++i) all.push_back(kAttributeMaps1 + i);
+  for (GLenum i = 0; i < 16; ++i)
+    if (kAttributeMaps2 + i != 0x8677 || !t.gl().extensions.contains("GL_ARB_vertex_program"))
+      all.push_back(kAttributeMaps2 + i);
+  return all;
+}
+
+bool is_curve(GLenum target) { return target < kAttributeMaps2; }
+
+// Of order 2, or 2x2.
+void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
+  if (is_curve(target)) {
+    c.Map1f(target, 0.0f, 1.0f, stride, 2, points);
+  } else {
+    c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
+  }
+}
+
+}  // namespace
+
+EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
+  require_nv(t);
+  for (const GLenum target : attribute_maps(t)) {
+    gl::Case c(fmt::format("map 0x{:04X}", target));
+    const std::vector<float> points = converted<float>(random_values(t.random(), is_curve(target) ? 8 : 16));
+    define_attribute_map(c, target, 4, points);
+    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(points.size() + 4));
+    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2));
+    c.Enable(target);
+    const gl::Ref on = c.IsEnabled(target), got = c.GetIntegerv(target, gl::out<GLint>(2));
+    c.Disable(target);
+    const gl::Ref off = c.IsEnabled(target), error = c.GetError();
+    Played played = t.play(c);
+    played.expect_values<float>(coefficients, points);
+    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{2} : std::vector<GLint>{2, 2});
+    played.expect_result(on, GL_TRUE);
+    played.expect_values<GLint>(got, {GL_TRUE});
+    played.expect_result(off, GL_FALSE);
+    played.expect_no_error(error);
+  }
+}
+
+EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K") {
+  require_nv(t);
+  std::vector<Calls> calls;
+  for (const GLenum target : attribute_maps(t))
+    calls.push_back([target](gl::Case& c) { define_attribute_map(c, target, 3, std::vector<float>(32, 1)); });
+  expect_refused(t, "stride 3", calls, {GL_INVALID_VALUE});
+}
+
+EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
+  require_nv(t);
+  for (const GLenum target : attribute_maps(t)) {
+    gl::Case c(fmt::format("map 0x{:04X}", target));
+    const gl::Ref on = c.IsEnabled(target);
+    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(3));
+    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8));
+    Played played = t.play(c);
+    played.expect_result(on, GL_FALSE);
+    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{1} : std::vector<GLint>{1, 1});
+    played.expect_values<float>(coefficients, {0, 0, 0, 1});
+  }
+}
+
+EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
+  require_nv(t);
+  for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
+    gl::Case c(bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
+    const std::vector<GLenum> maps = attribute_maps(t);
+    const auto set = [&](bool even) {
+      for (std::size_t i = 0; i < maps.size(); ++i) {
+        if ((i % 2 == 0) == even) {
+          c.Enable(maps[i]);
+        } else {
+          c.Disable(maps[i]);
+        }
+      }
+    };
+    set(true);
+    c.PushAttrib(bit);
+    set(false);
+    c.PopAttrib();
+    std::vector<gl::Ref> restored;
+    for (const GLenum target : maps) restored.push_back(c.IsEnabled(target));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps.size(); ++i)
+      played.expect_result(restored[i], i % 2 == 0 ? GL_TRUE : GL_FALSE);
+  }
+}
+
+// --- Programs: what of the attributes comes out as the colour ----------------------------------------------
+
+namespace {
+
+// Attributes that alias conventional ones (table X.1 of the extension).
+constexpr GLenum kPositionAttribute = 0, kNormalAttribute = 2, kColorAttribute = 3;
+
+using Color = std::array<double, 4>;
+
+// Passes on the position and makes this of the attributes.
+void use_nv_program(gl::Case& c, const std::string& color) {
+  const std::string text = "!!VP1.0\nMOV o[HPOS], v[OPOS];\nMOV o[COL0], " + color + ";\nEND";
+  c.LoadProgramNV(GL_VERTEX_PROGRAM_NV, 1, static_cast<GLsizei>(text.size()), gl::text(text));
+  c.BindProgramNV(GL_VERTEX_PROGRAM_NV, 1);
+  c.Enable(GL_VERTEX_PROGRAM_NV);
+}
+
+struct Dimension {
+  const char* name;
+  bool two;
+};
+constexpr Dimension kDimensions[] = {{"1-D", false}, {"2-D", true}};
+
+GLenum attribute_map(const Dimension& dimension, GLenum attribute) {
+  return (dimension.two ? kAttributeMaps2 : kAttributeMaps1) + attribute;
+}
+// The conventional target of this dimension.
+GLenum target_of(const Dimension& dimension, GLenum map1) {
+  return dimension.two ? map1 - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4 : map1;
+}
+
+// Of order 2 in u, constant in v: from one value to the other. Four components, or the first three.
+void define_ramp(gl::Case& c, const Dimension& dimension, GLenum target, const Color& from, const Color& to,
+                 int components = 4) {
+  std::vector<float> points;
+  for (const Color* end : {&from, &to})
+    for (int i = 0; i < components; ++i)
+      points.push_back(static_cast<float>((*end)[static_cast<std::size_t>(i)]));
+  if (dimension.two) {
+    c.Map2f(target, 0.0f, 1.0f, components, 2, 0.0f, 1.0f, components, 1, points);
+  } else {
+    c.Map1f(target, 0.0f, 1.0f, components, 2, points);
+  }
+  c.Enable(target);
+}
+
+constexpr Color kFromPosition{-0.5, -0.25, 0, 1}, kToPosition{0.75, 0.5, 0, 1};
+constexpr Color kFromColor{0.125, 0.875, 0.25, 1}, kToColor{0.75, 0.25, 1, 0.5};
+constexpr Color kFromOther{1, 0, 0.5, 0.25}, kToOther{0, 1, 0.25, 0.75};
+constexpr Color kCurrent{0.0625, 0.5, 0.9375, 0.375};
+constexpr double kAt[] = {0, 0.25, 0.75, 1};
+
+double between(double from, double to, double u) { return from + u * (to - from); }
+
+void set_current_color(gl::Case& c) {
+  c.Color4f(static_cast<float>(kCurrent[0]), static_cast<float>(kCurrent[1]), static_cast<float>(kCurrent[2]),
+            static_cast<float>(kCurrent[3]));
+}
+
+// Evaluated at four arguments between Begin and End.
+void draw(gl::Case& c, const Dimension& dimension) {
+  c.Begin(GL_POINTS);
+  for (const double u : kAt) {
+    if (dimension.two) {
+      c.EvalCoord2f(static_cast<float>(u), 0.5f);
+    } else {
+      c.EvalCoord1f(static_cast<float>(u));
+    }
+  }
+  c.End();
+}
+
+// What is wrong with the points of a part; empty: nothing.
+std::string wrong_points(const Part& part, std::size_t count, const std::function<Color(double)>& color,
+                         const std::function<Color(double)>& position) {
+  const std::vector<FeedbackPrimitive> points = primitives_of(part);
+  if (points.size() != count) return fmt::format("{} points instead of {}", points.size(), count);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& values = points[i].vertices.at(0);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (std::abs(values[4 + k] - color(kAt[i])[k]) > kTolerance)
+        return fmt::format("component {} of the colour at u = {} is {}, not {}", k, kAt[i], values[4 + k],
+                           color(kAt[i])[k]);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (const double pixel = 32 + 32 * position(kAt[i])[k]; std::abs(values[k] - pixel) > 1)
+        return fmt::format("component {} of the position at u = {} is {}, not {}", k, kAt[i], values[k],
+                           pixel);
+  }
+  return {};
+}
+
+Color position_at(double u) {
+  Color p;
+  for (std::size_t k = 0; k < 4; ++k) p[k] = between(kFromPosition[k], kToPosition[k], u);
+  return p;
+}
+std::function<Color(double)> ramp(const Color& from, const Color& to) {
+  return [=](double u) {
+    Color c;
+    for (std::size_t k = 0; k < 4; ++k) c[k] = between(from[k], to[k], u);
+    return c;
+  };
+}
+
+// The program has to work with explicit vertices, or nothing can be said.
+void require_programs(Test& t, const std::string& color_source,
+                      const std::function<void(gl::Case&)>& set_source, const Color& shown) {
+  gl::Case state, drawing;
+  use_nv_program(state, color_source);
+  drawing.Begin(GL_POINTS);
+  for (const double u : kAt) {
+    set_source(drawing);
+    const Color p = position_at(u);
+    drawing.Vertex4f(static_cast<float>(p[0]), static_cast<float>(p[1]), 0, 1);
+  }
+  drawing.End();
+  const Picture control = feedback(t, "control: explicit vertices", state, drawing);
+  const std::string why = wrong_points(
+      control.parts.at(0), std::size(kAt), [&](double) { return shown; }, position_at);
+  if (!why.empty()) throw NotObservable("pipeline: with explicit vertices " + why);
+}
+
+void expect_points(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+                   std::size_t count, const std::function<Color(double)>& color) {
+  Picture picture = feedback(t, identity, state, drawing);
+  const std::string why = wrong_points(picture.parts.at(0), count, color, position_at);
+  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
+}
+
+}  // namespace
+
+EVALCTS_TESTS(NvVertexProgram, IgnoredWithoutProgram, kDimensions, const Dimension& dimension, must,
+              "EV-EXT-NVVP-MODE") {
+  require_nv(t);
+  const GLenum vertex = target_of(dimension, GL_MAP1_VERTEX_4);
+  gl::Case drawing;
+  set_current_color(drawing);
+  define_ramp(drawing, dimension, attribute_map(dimension, kColorAttribute), kFromOther, kToOther);
+  define_ramp(drawing, dimension, vertex, kFromPosition, kToPosition);
+  draw(drawing, dimension);
+  expect_points(t, "a map of attribute 3, no program", {}, drawing, std::size(kAt), ramp(kCurrent, kCurrent));
+
+  gl::Case no_vertices;
+  define_ramp(no_vertices, dimension, attribute_map(dimension, kPositionAttribute), kFromPosition,
+              kToPosition);
+  draw(no_vertices, dimension);
+  expect_points(t, "a map of attribute 0, no program, no map of vertices", {}, no_vertices, 0, ramp({}, {}));
+}
+
+EVALCTS_TESTS(NvVertexProgram, BeatConventionalMaps, kDimensions, const Dimension& dimension, must,
+              "EV-EXT-NVVP-PRIORITY") {
+  require_nv(t);
+  require_programs(t, "v[COL0]", set_current_color, kCurrent);
+  gl::Case state;
+  use_nv_program(state, "v[COL0]");
+  for (const bool on : {true, false}) {
+    gl::Case drawing;
+    set_current_color(drawing);
+    define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_VERTEX_4), kFromPosition, kToPosition);
+    define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_COLOR_4), kFromColor, kToColor);
+    define_ramp(drawing, dimension, attribute_map(dimension, kColorAttribute), kFromOther, kToOther);
+    if (!on) drawing.Disable(attribute_map(dimension, kColorAttribute));
+    draw(drawing, dimension);
+    expect_points(t, on ? "both enabled" : "only COLOR_4 enabled", state, drawing, std::size(kAt),
+                  on ? ramp(kFromOther, kToOther) : ramp(kFromColor, kToColor));
+  }
+}
+
+EVALCTS_TESTS(NvVertexProgram, Attribute0IsTheVertex, kDimensions, const Dimension& dimension, must,
+              "EV-EXT-NVVP-VERTEX") {
+  require_nv(t);
+  require_programs(t, "v[COL0]", set_current_color, kCurrent);
+  gl::Case state;
+  use_nv_program(state, "v[COL0]");
+  for (const bool colored : {false, true}) {
+    gl::Case drawing;
+    set_current_color(drawing);
+    define_ramp(drawing, dimension, attribute_map(dimension, kPositionAttribute), kFromPosition, kToPosition);
+    if (colored) define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_COLOR_4), kFromColor, kToColor);
+    draw(drawing, dimension);
+    expect_points(t, colored ? "attribute 0 and COLOR_4" : "attribute 0 alone", state, drawing,
+                  std::size(kAt), colored ? ramp(kFromColor, kToColor) : ramp(kCurrent, kCurrent));
+  }
+}
+
+// q = (u/w - 1/2, v/(2 w) - 1/4, 0) with w = 1 + u/2: dq/du x dq/dv = (0, 0, 1/w^2 * 1/(2 w)), shorter
+// than 1.
+EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON") {
+  require_nv(t);
+  constexpr Dimension kSurface{"2-D", true};
+  const auto set_normal = [](gl::Case& c) { c.Normal3f(0, 0, 2); };
+  require_programs(t, "v[NRML]", set_normal, {0, 0, 1, 1});  // colours are clamped
+  gl::Case state, drawing;
+  use_nv_program(state, "v[NRML]");
+  const auto point = [](double u, double v) {
+    const double w = 1 + u / 2;
+    return std::array<float, 4>{static_cast<float>(u - w / 2), static_cast<float>(v / 2 - w / 4), 0,
+                                static_cast<float>(w)};
+  };
+  std::vector<float> points;
+  for (const double u : {0.0, 1.0})
+    for (const double v : {0.0, 1.0})
+      for (const float value : point(u, v)) points.push_back(value);
+  const GLenum target = attribute_map(kSurface, kPositionAttribute);
+  drawing.Map2f(target, 0.0f, 1.0f, 8, 2, 0.0f, 1.0f, 4, 2, points);
+  drawing.Enable(target);
+  drawing.Enable(GL_AUTO_NORMAL);
+  draw(drawing, kSurface);
+  Picture picture = feedback(t, "a rational patch of attribute 0", state, drawing);
+  const std::string why = wrong_points(
+      picture.parts.at(0), std::size(kAt),
+      [](double u) {
+        const double w = 1 + u / 2;
+        return Color{0, 0, 0.5 / (w * w * w), 1};
+      },
+      [](double u) {
+        const double w = 1 + u / 2;
+        return Color{u / w - 0.5, 0.25 / w - 0.25, 0, 1};
+      });
+  picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "(mx, my, mz, 1), not normalized", why);
+}
+
+EVALCTS_TESTS(NvVertexProgram, CurrentAttributesStay, kDimensions, const Dimension& dimension, must,
+              "EV-EXT-NVVP-CURRENT") {
+  require_nv(t);
+  gl::Case c("all 16 attributes have maps");
+  use_nv_program(c, "v[COL0]");
+  set_current_color(c);
+  c.Normal3f(0.25f, -0.5f, 0.75f);
+  c.MultiTexCoord4f(GL_TEXTURE0, 0.5f, -0.25f, 0.125f, 1.5f);
+  for (const GLenum target : attribute_maps(t))
+    if (is_curve(target) != dimension.two) define_ramp(c, dimension, target, kFromOther, kToOther);
+  c.GetError();
+  draw(c, dimension);
+  const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+  const gl::Ref normal = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+  const gl::Ref texture = c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
+  Played played = t.play(c);
+  played.expect_values_near(color, std::vector<double>(kCurrent.begin(), kCurrent.end()), 1e-5);
+  played.expect_values_near(normal, std::vector<double>{0.25, -0.5, 0.75}, 1e-5);
+  played.expect_values_near(texture, std::vector<double>{0.5, -0.25, 0.125, 1.5}, 1e-5);
+}
+
+}  // namespace evalcts
