@@ -155,17 +155,28 @@ class Run {
     record["reproducer"] = shell_line(reproduce);
   }
 
-  // Asks a child of its own one question. An empty answer comes with a reason.
-  json ask(const std::vector<std::string>& question, std::string& reason) const {
-    const fs::path answer_file = scratch_ / "answer.json";
+  // A question to a child of its own, which is at work on it from the beginning.
+  struct Question {
+    fs::path answer_file;
+    ChildProcess child;
+    Clock::time_point begin = Clock::now();
+  };
+  // `name`: unlike that of any other question at the same time.
+  std::unique_ptr<Question> ask(const std::string& name, const std::vector<std::string>& question) const {
+    const fs::path answer_file = scratch_ / ("answer-" + name + ".json");
     fs::remove(answer_file);
     std::vector<std::string> command = suite_command();
     command.push_back("--die-with-parent");
     command.insert(command.end(), question.begin(), question.end());
     command.insert(command.end(), {"--answer", answer_file.string()});
-    ChildProcess child(command, file("log", "txt").string());
+    return std::unique_ptr<Question>(
+        new Question{answer_file, ChildProcess(command, file("log", "txt").string())});
+  }
+
+  // Waits for it. An empty answer comes with a reason.
+  json answer(Question& question, std::string& reason) const {
+    auto& [answer_file, child, begin] = question;
     std::optional<Ending> ending;
-    const auto begin = Clock::now();
     while (!(ending = child.wait(kLook)) && !interrupted && seconds_since(begin) < kStartTimeout) continue;
     if (!ending) {
       child.kill();
@@ -190,7 +201,7 @@ class Run {
 
   bool start(json& result) {
     std::string reason;
-    const json description = ask({"--describe"}, reason);
+    const json description = answer(*ask("description", {"--describe"}), reason);
     if (description.is_null()) {
       result["reason"] = reason;
       return false;
@@ -201,9 +212,13 @@ class Run {
     implementation["kind"] = description["name"];
     baseline_ = Baseline::best_fit(request_.baselines, implementation, pass());
     implementation["captures"] = json::array();
-    for (const std::string name : description["all_captures"]) {
+    const std::vector<std::string> names = description["all_captures"];
+    std::vector<std::unique_ptr<Question>> proofs;
+    for (const std::string& name : names) proofs.push_back(ask(name, {"--prove", name}));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const std::string& name = names[i];
       std::string why;
-      json capture = ask({"--prove", name}, why);
+      json capture = answer(*proofs[i], why);
       if (capture.is_null()) capture = {{"name", name}, {"available", false}, {"reason", why}};
       if (capture["available"].get<bool>()) captures_.push_back(name);
       implementation["captures"].push_back(capture);
@@ -238,6 +253,31 @@ class Run {
     return child.run();
   }
 
+  // Each of the tests in a process of its own, side by side, its cases traced: not results either.
+  std::vector<ChildRun> run_alone(const std::vector<std::string>& tests) const {
+    std::vector<std::unique_ptr<SuiteChild>> children;
+    const auto of_test = [this](std::size_t i, const char* extension) {
+      return scratch_ / fmt::format("alone-{}.{}", i + 1, extension);
+    };
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      std::vector<std::string> command = command_for({tests[i]}, of_test(i, "txt"), of_test(i, "jsonl"));
+      command.push_back("--trace-cases");
+      children.push_back(std::make_unique<SuiteChild>(command, of_test(i, "jsonl"), of_test(i, "log"),
+                                                      request_.seconds_per_test));
+    }
+    std::vector<bool> has_ended(children.size());
+    while (std::ranges::count(has_ended, false) > 0)
+      for (std::size_t i = 0; i < children.size(); ++i)
+        has_ended[i] =
+            has_ended[i] || children[i]->look(kLook / static_cast<double>(children.size()), deadline_);
+    std::vector<ChildRun> runs;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      runs.push_back(children[i]->run());
+      append_to_log(of_test(i, "log"));
+    }
+    return runs;
+  }
+
   void run_tests() {
     records_file_ = file("records", "jsonl");
     for (const json& test : request_.tests)
@@ -253,8 +293,7 @@ class Run {
       if (remaining.empty()) return;
       const std::size_t before = records_.size();
       const std::vector<ChildRun> ended = run_side_by_side(remaining);
-      for (const ChildRun& child : ended)
-        if (!child.in_flight.empty()) record_death(child);
+      record_deaths(ended);
       if (interrupted || records_.size() > before || ++fruitless < kMostEmptyStarts) continue;
       const ChildRun& last = ended.back();
       for (const std::string& name : remaining)
@@ -357,16 +396,29 @@ class Run {
     records_[name] = std::move(record);
   }
 
-  // The child died in a test. Alone in a new child, with its cases traced, it shows the calls; where it
-  // passes alone, the tests before it are cut down to those that matter.
-  void record_death(const ChildRun& child) {
+  // Those children that died in a test. Alone in a new child, with its cases traced, it shows the calls;
+  // where it passes alone, the tests before it are cut down to those that matter.
+  void record_deaths(const std::vector<ChildRun>& ended) {
+    std::vector<const ChildRun*> dead;
+    for (const ChildRun& child : ended)
+      if (!child.in_flight.empty()) dead.push_back(&child);
+    const auto jobs = static_cast<std::size_t>(request_.jobs);
+    for (std::size_t begin = 0; begin < dead.size(); begin += jobs) {
+      const std::size_t end = std::min(begin + jobs, dead.size());
+      std::vector<std::string> names;
+      for (std::size_t i = begin; i < end; ++i) names.push_back(dead[i]->in_flight);
+      progress_({"confirming", records_.size(), request_.tests.size(), names.front()});
+      const std::vector<ChildRun> alone =
+          interrupted ? std::vector<ChildRun>(names.size()) : run_alone(names);
+      for (std::size_t i = begin; i < end; ++i) record_death(*dead[i], alone[i - begin]);
+    }
+  }
+
+  void record_death(const ChildRun& child, const ChildRun& alone) {
     const std::string name = child.in_flight;
-    progress_({"confirming", records_.size(), request_.tests.size(), name});
     const std::string verdict = child.hung ? "timeout" : "crash";
     const std::string how = child.hung ? fmt::format("no answer within {} seconds", request_.seconds_per_test)
                                        : "the process ended with " + describe(child.ending);
-    ChildRun alone;
-    if (!interrupted) alone = run_scratch({name}, true);
     if (interrupted) {
       add_record(name, verdict, how + "; not confirmed, the run was interrupted", nullptr);
       return;

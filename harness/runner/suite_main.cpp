@@ -269,7 +269,8 @@ int run(int argc, char** argv) {
     answer(options, list_tests());
     return 0;
   }
-  const std::vector<Chosen> tests = tests_to_register(options.tests);
+  const bool answers = options.describe || !options.prove.empty();
+  const std::vector<Chosen> tests = answers ? std::vector<Chosen>() : tests_to_register(options.tests);
   program.records = std::make_unique<RecordFile>(options.records);
   if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
   const bool only_list = testing::GTEST_FLAG(list_tests);
@@ -297,7 +298,7 @@ int run(int argc, char** argv) {
              {"case", script.identity()},
              {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
     };
-    if (options.describe || !options.prove.empty()) {
+    if (answers) {
       answer(options, options.describe ? description_of(program.subject) : prove_one(program));
       return 0;
     }

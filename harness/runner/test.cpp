@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "harness/gl/call_log.h"
@@ -85,8 +86,14 @@ gl::Check at_most_written(gl::Ref query, std::size_t count) {
           .accepted = {{0.0, static_cast<double>(count)}}};
 }
 
-std::vector<TestInfo>& registry() {
-  static std::vector<TestInfo> tests;
+// A test, or one through each of several deliveries.
+struct Registered {
+  TestInfo info;
+  std::shared_ptr<const std::vector<gl::Delivery>> deliveries;
+};
+
+std::vector<Registered>& registry() {
+  static std::vector<Registered> tests;
   return tests;
 }
 
@@ -603,9 +610,15 @@ Turns::Turns(const char* suite, const char* name, std::size_t count,
   next_ = step_ ? hash(fmt::format("{}.{}", suite, name)) % step_ : 0;
 }
 
-Registration::Registration(TestInfo info) { registry().push_back(std::move(info)); }
+Registration::Registration(TestInfo info) { registry().push_back({std::move(info), nullptr}); }
 
-Registration::Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info) {
+Registration::Registration(std::shared_ptr<const Deliveries> deliveries, TestInfo info) {
+  registry().push_back({std::move(info), std::move(deliveries)});
+}
+
+namespace {
+
+void add(const TestInfo& info, const std::vector<gl::Delivery>& deliveries, std::vector<TestInfo>& tests) {
   const auto uses_lists = [](const gl::Delivery& delivery) { return delivery.lists != gl::Lists::none; };
   const auto is_other = [&](const gl::Delivery& delivery) {
     return !uses_lists(delivery) && !delivery.is_plain();
@@ -626,9 +639,11 @@ Registration::Registration(const std::vector<gl::Delivery>& deliveries, const Te
     } else if (is_other(delivery) && other++ != turn % others) {
       delivered.from = delivery.sparing ? Depth::thorough : Depth::full;
     }
-    registry().push_back(std::move(delivered));
+    tests.push_back(std::move(delivered));
   }
 }
+
+}  // namespace
 
 std::string Registration::name_with(const char* name, const std::string& parameter) {
   return fmt::format("{}/{}", name, parameter);
@@ -641,9 +656,15 @@ std::string Registration::parameter_name(GLenum target) {
 
 const std::vector<TestInfo>& all_tests() {
   static const std::vector<TestInfo> sorted = [] {
-    std::vector<TestInfo> tests = registry();
-    std::sort(tests.begin(), tests.end(),
-              [](const TestInfo& a, const TestInfo& b) { return a.full_name() < b.full_name(); });
+    std::vector<TestInfo> tests;
+    for (const auto& [info, deliveries] : registry()) {
+      if (deliveries) {
+        add(info, *deliveries, tests);
+      } else {
+        tests.push_back(info);
+      }
+    }
+    std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
     return tests;
   }();
   return sorted;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <memory>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -230,7 +231,8 @@ struct Registration {
   // quick depth takes the plain deliveries and one of the others in turn; full depth all without display
   // lists (those that are `sparing` as quick depth does). One with display lists, in turn, is taken for every
   // ninth test at quick, every third at full depth; thorough depth takes all.
-  Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info);
+  Registration(const std::vector<gl::Delivery>& deliveries, const TestInfo& info)
+      : Registration(std::make_shared<const Deliveries>(deliveries), info) {}
   template <class Body>
   Registration(const std::vector<gl::Delivery>& deliveries, const char* suite, const char* name, Level level,
                std::initializer_list<std::string_view> requirements, Body body)
@@ -240,14 +242,18 @@ struct Registration {
                const Parameters& parameters, Level level,
                std::initializer_list<std::string_view> requirements, Body body) {
     Turns turns(suite, name, std::size(parameters), deliveries);
+    const auto shared = std::make_shared<const Deliveries>(deliveries);
     for (const auto& parameter : parameters) {
       const auto copy = parameter;
-      Registration(deliveries, TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
-                                        [body, copy](Test& t) { body(t, copy); }, turns.next()});
+      Registration(shared, TestInfo{suite, name_with(name, parameter_name(copy)), requirements, level,
+                                    [body, copy](Test& t) { body(t, copy); }, turns.next()});
     }
   }
 
  private:
+  using Deliveries = std::vector<gl::Delivery>;
+  // The tests are made when all_tests() is asked for: most processes of a run have no use for thousands.
+  Registration(std::shared_ptr<const Deliveries> deliveries, TestInfo info);
   static std::string name_with(const char* name, const std::string& parameter);  // "NAME/PARAMETER"
   static std::string parameter_name(GLenum target);
   template <class Parameter>
