@@ -6,7 +6,7 @@
 #include "suites/random_commands.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_after_random_commands {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -179,4 +179,4 @@ EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP
   });
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_after_random_commands

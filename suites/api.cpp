@@ -7,7 +7,7 @@
 #include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_api {
 namespace {
 
 // A legal call of a command, where it may stand.
@@ -338,4 +338,4 @@ EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-AP
     }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_api

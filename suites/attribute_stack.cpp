@@ -4,7 +4,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_attribute_stack {
 namespace {
 
 // All that evaluators have in the groups of the attribute stack.
@@ -327,4 +327,4 @@ EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST") {
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_attribute_stack

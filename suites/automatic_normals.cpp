@@ -8,7 +8,7 @@
 
 #include "suites/grid_cases.h"
 
-namespace evalcts {
+namespace evalcts::suite_automatic_normals {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -455,4 +455,4 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OrderOne, must, "EV-
                       {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)}});
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_automatic_normals

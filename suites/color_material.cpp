@@ -5,7 +5,7 @@
 #include "suites/maps.h"
 #include "suites/pictures.h"
 
-namespace evalcts {
+namespace evalcts::suite_color_material {
 namespace {
 
 // Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
@@ -259,4 +259,4 @@ EVALCTS_TESTS_BY(without_lists(), ColorMaterial, NoVertexMap, kSomeTracked, cons
   expect_like_explicit(picture.played, picture.parts.at(0), control);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_color_material

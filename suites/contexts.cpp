@@ -3,7 +3,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_contexts {
 namespace {
 
 // Everything of evaluators away from its initial value, in one of two ways.
@@ -157,4 +157,77 @@ EVALCTS_TESTS(Contexts, EvaluatesAfterSwitch, kOthers, const Other& other, must,
   played.expect_same(before, after);
 }
 
-}  // namespace evalcts
+// --- glXCopyContext ----------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr GLuint kCopy = 1;
+
+// Everything set in the first context, then copied to a fresh one by the mask. Throws NotObservable where
+// what has nothing to do with evaluators is not copied either.
+void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
+  gl::Case control("control: the clear colour");
+  control.ClearColor(0.25f, 0.5f, 0.75f, 1.0f);
+  control.OtherContextEVALCTS(kCopy);
+  control.CopyContextEVALCTS(0, kCopy, GL_COLOR_BUFFER_BIT);
+  control.OtherContextEVALCTS(kCopy);
+  const gl::Ref color = control.GetFloatv(GL_COLOR_CLEAR_VALUE, gl::out<GLfloat>(4));
+  const std::vector<GLfloat> expected = {0.25f, 0.5f, 0.75f, 1.0f};
+  if (t.play(control).trace().values<GLfloat>(color) != expected)
+    throw NotObservable("pipeline: glXCopyContext does not copy the clear colour");
+  set_everything(t, c, 0);
+  c.OtherContextEVALCTS(kCopy);
+  c.CopyContextEVALCTS(0, kCopy, mask);
+}
+
+// What EVAL_BIT saves.
+std::vector<gl::Ref> query_pushable(gl::Case& c) {
+  std::vector<gl::Ref> queries;
+  for (const GLenum target : gl::kMap1Targets) queries.push_back(c.IsEnabled(target));
+  for (const GLenum target : gl::kMap2Targets) queries.push_back(c.IsEnabled(target));
+  queries.push_back(c.IsEnabled(GL_AUTO_NORMAL));
+  queries.push_back(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)));
+  queries.push_back(c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4)));
+  queries.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
+  queries.push_back(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)));
+  return queries;
+}
+
+}  // namespace
+
+EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY") {
+  gl::Case c("EVAL_BIT is copied");
+  set_and_copy(t, c, GL_EVAL_BIT);
+  const std::vector<gl::Ref> source = query_pushable(c);
+  c.OtherContextEVALCTS(kCopy);
+  const std::vector<gl::Ref> copy = query_pushable(c);
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  expect_unchanged(played, source, copy);
+  played.expect_no_error(error);
+}
+
+EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS") {
+  gl::Case c("ALL_ATTRIB_BITS are copied");
+  std::vector<GLenum> targets(std::begin(gl::kMap1Targets), std::end(gl::kMap1Targets));
+  targets.insert(targets.end(), std::begin(gl::kMap2Targets), std::end(gl::kMap2Targets));
+  const auto query_maps = [&] {
+    std::vector<gl::Ref> queries;
+    for (const GLenum target : targets) {
+      queries.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
+      queries.push_back(c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4)));
+      queries.push_back(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(64)));
+    }
+    return queries;
+  };
+  const std::vector<gl::Ref> initial = query_maps();
+  set_and_copy(t, c, GL_ALL_ATTRIB_BITS);
+  c.OtherContextEVALCTS(kCopy);
+  const std::vector<gl::Ref> copy = query_maps();
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  expect_unchanged(played, initial, copy);
+  played.expect_no_error(error);
+}
+
+}  // namespace evalcts::suite_contexts

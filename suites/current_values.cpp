@@ -10,7 +10,7 @@
 #include "harness/gl/lift.h"
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_current_values {
 namespace {
 
 struct Query {
@@ -442,4 +442,4 @@ EVALCTS_DELIVERED_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-
   });
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_current_values

@@ -7,7 +7,7 @@
 #include "suites/maps2.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_debug_output {
 namespace {
 
 constexpr std::size_t kMessages = 8;  // that are fetched at once
@@ -99,4 +99,4 @@ EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG") {
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_debug_output

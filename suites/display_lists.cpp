@@ -6,7 +6,7 @@
 #include "suites/grid_cases.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_display_lists {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -875,4 +875,4 @@ EVALCTS_TESTS(DisplayLists, CurrentValuesUntouched, kDimensions, const Dimension
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_display_lists

@@ -2,7 +2,7 @@
 #include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_enables {
 namespace {
 
 std::vector<GLenum> all_caps() {
@@ -171,4 +171,4 @@ EVALCTS_LISTED_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", 
   other_dimension(t, true);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_enables

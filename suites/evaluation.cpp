@@ -8,7 +8,7 @@
 #include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_evaluation {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -654,4 +654,4 @@ EVALCTS_DELIVERED_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVA
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_evaluation

@@ -6,7 +6,7 @@
 #include "suites/pictures.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_extensions {
 namespace {
 
 bool has(Test& t, const char* extension) { return t.gl().extensions.contains(extension); }
@@ -125,4 +125,4 @@ EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC") {
   });
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_extensions

@@ -8,7 +8,7 @@
 
 #include "suites/drawings.h"
 
-namespace evalcts {
+namespace evalcts::suite_feedback_mode {
 namespace {
 
 // Half of the drawing is to the right of the view volume, no vertex near its border.
@@ -322,4 +322,4 @@ EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR") {
   if (!observed) throw NotObservable("pipeline: explicit primitives are not flat in feedback mode");
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_feedback_mode

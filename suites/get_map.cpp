@@ -3,7 +3,7 @@
 
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_get_map {
 namespace {
 
 // One of the three forms; `room` elements to write to.
@@ -295,4 +295,4 @@ EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND") {
     }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_get_map

@@ -5,7 +5,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_get_map2 {
 namespace {
 
 // Maps whose integer queries are plainly rounded, whatever one reads (C-GETMAPIV-NORM).
@@ -204,4 +204,4 @@ EVALCTS_TESTS(GetMap2, PackBufferIgnored, gl::kMap2Targets, GLenum target, must,
   expect_map2(played, real, map, true);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_get_map2

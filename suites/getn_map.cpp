@@ -3,7 +3,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_getn_map {
 namespace {
 
 // One of the three forms, with the GetMap command that it has to agree with. `room`: elements that there is
@@ -235,4 +235,4 @@ EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV
                    query, bytes, {GL_INVALID_OPERATION}, true);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_getn_map

@@ -8,7 +8,7 @@
 #include "suites/maps2.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_glx_protocol {
 namespace {
 
 constexpr std::size_t kRoom = 1 << 16;  // bytes, for requests of small commands
@@ -376,4 +376,4 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT") {
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_glx_protocol

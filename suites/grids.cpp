@@ -5,7 +5,7 @@
 
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_grids {
 namespace {
 
 constexpr GLint kHighest = std::numeric_limits<GLint>::max();
@@ -393,4 +393,4 @@ EVALCTS_LISTED_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2
     }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_grids

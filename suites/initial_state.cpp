@@ -1,7 +1,7 @@
 // Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_initial_state {
 namespace {
 
 std::vector<GLenum> both(const std::array<GLenum, 9>& first, const std::array<GLenum, 9>& second) {
@@ -207,4 +207,4 @@ EVALCTS_TESTS(InitialState, MaxEvalOrder2, gl::kMap2Targets, GLenum target, must
     played.expect_values(defined[i], std::vector<GLint>{orders[i].first, orders[i].second});
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_initial_state

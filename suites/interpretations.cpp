@@ -7,7 +7,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_interpretations {
 namespace {
 
 std::string shown(const std::vector<double>& values) {
@@ -111,4 +111,4 @@ EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, interpretation, "EV-MAP1-
                {{"error", GL_INVALID_VALUE}, {"accepted", GL_NO_ERROR}});
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_interpretations

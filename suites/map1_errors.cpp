@@ -6,7 +6,7 @@
 
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_map1_errors {
 namespace {
 
 // A legal map, to be spoiled by the test. Memory for order 65 at any stride used here stands behind it, so
@@ -331,4 +331,4 @@ EVALCTS_LISTED_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetF
   expect_accepted("negative zeros and subnormals", map);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map1_errors

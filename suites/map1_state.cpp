@@ -3,7 +3,7 @@
 
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_map1_state {
 namespace {
 
 void evaluate_some(gl::Case& c) {
@@ -244,4 +244,4 @@ EVALCTS_LISTED_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm
   expect_map1(played, query, map, form.doubles);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map1_state

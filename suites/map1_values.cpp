@@ -7,7 +7,7 @@
 
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_map1_values {
 namespace {
 
 struct Domain {
@@ -261,4 +261,4 @@ EVALCTS_TESTS(Map1Accuracy, GoodSinglePrecision, visible_targets(), GLenum targe
   measure(t, target, t.by_depth(4, 4, 1000));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map1_values

@@ -7,7 +7,7 @@
 
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_map2_errors {
 namespace {
 
 constexpr int kLowest = std::numeric_limits<int>::min();
@@ -356,4 +356,4 @@ EVALCTS_LISTED_TESTS(Map2Errors, NoOtherCondition, target_forms2(), const Target
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map2_errors

@@ -5,7 +5,7 @@
 
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_map2_state {
 namespace {
 
 using Orders = std::pair<int, int>;
@@ -336,4 +336,4 @@ EVALCTS_LISTED_TESTS(Map2State, BuffersIgnored, target_forms2(), const TargetFor
   definitions.check();
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map2_state

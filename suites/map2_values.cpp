@@ -6,7 +6,7 @@
 
 #include "suites/grid_cases.h"
 
-namespace evalcts {
+namespace evalcts::suite_map2_values {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -365,4 +365,4 @@ EVALCTS_TESTS(Map2Accuracy, GoodSinglePrecision, visible_targets2(), GLenum targ
   measure(t, target, t.by_depth(4, 8, 500));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_map2_values

@@ -189,14 +189,14 @@ void expect_answers(Played& played, const MapQuery& query, const std::vector<GLi
                     const std::vector<double>& domain, const std::vector<double>& coefficients,
                     bool doubles) {
   // Queries promise single precision, to one part in 10^5 (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
-  constexpr double kTolerance = 1e-5;
+  constexpr double kRelative = 1e-5;
   played.expect_values(query.order, order);
   if (doubles) {
-    played.expect_values_near(query.domain, domain, kTolerance);
-    played.expect_values_near(query.coefficients, coefficients, kTolerance);
+    played.expect_values_near(query.domain, domain, kRelative);
+    played.expect_values_near(query.coefficients, coefficients, kRelative);
   } else {
-    played.expect_values_near(query.domain, converted<float>(domain), kTolerance);
-    played.expect_values_near(query.coefficients, converted<float>(coefficients), kTolerance);
+    played.expect_values_near(query.domain, converted<float>(domain), kRelative);
+    played.expect_values_near(query.coefficients, converted<float>(coefficients), kRelative);
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_mesh_errors {
 namespace {
 
 // EvalMesh1 or EvalMesh2, over a range that is small (U-INTMAX-MESH) or empty.
@@ -298,4 +298,4 @@ EVALCTS_LISTED_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
   expect_unchanged(played, before, after);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_mesh_errors

@@ -12,7 +12,7 @@
 #include "suites/grid_cases.h"
 #include "suites/pictures.h"
 
-namespace evalcts {
+namespace evalcts::suite_mesh_pipeline {
 namespace {
 
 // --- The patch -------------------------------------------------------------------------------------------
@@ -705,4 +705,4 @@ EVALCTS_TESTS(Mesh2, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH2
 
 EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE") { expect_starts(t, stippled_mesh2()); }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_mesh_pipeline

@@ -9,7 +9,7 @@
 #include "harness/judge/prediction.h"
 #include "suites/grid_cases.h"
 
-namespace evalcts {
+namespace evalcts::suite_meshes {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -530,4 +530,4 @@ EVALCTS_LISTED_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, 
   expect_same_bits(t, "in a part of the mesh", draw({{0, 100}}), draw({{2, 9}, {50, 60}, {97, 100}}));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_meshes

@@ -14,7 +14,7 @@
 #include "harness/gl/call_log.h"
 #include "suites/maps2.h"
 
-namespace evalcts {
+namespace evalcts::suite_metamorphic {
 namespace {
 
 // Through display lists, too, but not twice: the tests judge by themselves what comes out.
@@ -606,4 +606,4 @@ EVALCTS_TEST_BY(in_lists(), Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOM
   expect_domain_shift(t, true, true);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_metamorphic

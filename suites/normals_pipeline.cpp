@@ -6,7 +6,7 @@
 #include "suites/maps2.h"
 #include "suites/pictures.h"
 
-namespace evalcts {
+namespace evalcts::suite_normals_pipeline {
 namespace {
 
 const std::vector<float> kTwice = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
@@ -206,4 +206,4 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_normals_pipeline

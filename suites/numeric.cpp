@@ -11,7 +11,7 @@
 #include "harness/gl/call_log.h"
 #include "suites/grid_cases.h"
 
-namespace evalcts {
+namespace evalcts::suite_numeric {
 namespace {
 
 // Through display lists, too, but not twice: the tests judge by themselves what comes out.
@@ -807,4 +807,4 @@ EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATE
   repetition.check(t, kPosition, kDrawn2);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_numeric

@@ -4,7 +4,7 @@
 #include "suites/pictures.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_nv_vertex_program {
 namespace {
 
 constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
@@ -349,4 +349,4 @@ EVALCTS_TESTS(NvVertexProgram, CurrentAttributesStay, kDimensions, const Dimensi
   played.expect_values_near(texture, std::vector<double>{0.5, -0.25, 0.125, 1.5}, 1e-5);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_nv_vertex_program

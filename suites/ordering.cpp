@@ -7,7 +7,7 @@
 #include "suites/pictures.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_ordering {
 namespace {
 
 std::vector<NamedCalls> allowed() {
@@ -229,4 +229,4 @@ EVALCTS_TESTS(Ordering, SeesEarlierState2, kDrawn, const Drawn& drawn, must, "EV
   expect_in_order(t, drawn, true);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_ordering

@@ -7,7 +7,7 @@
 #include "suites/maps.h"
 #include "suites/pictures.h"
 
-namespace evalcts {
+namespace evalcts::suite_pipeline {
 namespace {
 
 // Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
@@ -279,4 +279,4 @@ EVALCTS_TEST_BY(without_lists(), Pipeline, ArraysHaveNoInfluence, must, "EV-COOR
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_pipeline

@@ -5,7 +5,7 @@
 
 #include "suites/grid_cases.h"
 
-namespace evalcts {
+namespace evalcts::suite_points {
 namespace {
 
 constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
@@ -188,4 +188,4 @@ EVALCTS_LISTED_TESTS(Points, SameBitsAsMesh, kDimensions, const Dimension& d, qu
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_points

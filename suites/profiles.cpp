@@ -6,7 +6,7 @@
 #include "harness/gl/contexts.h"
 #include "suites/refusal.h"
 
-namespace evalcts {
+namespace evalcts::suite_profiles {
 namespace {
 
 constexpr GLuint kOther = 1;
@@ -210,4 +210,4 @@ EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR") {
   played.expect_no_error(error);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_profiles

@@ -7,7 +7,7 @@
 #include "suites/drawings.h"
 #include "suites/programs.h"
 
-namespace evalcts {
+namespace evalcts::suite_queries_of_primitives {
 namespace {
 
 // --- Counts ----------------------------------------------------------------------------------------------
@@ -140,4 +140,4 @@ EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD") 
   expect_discarded(t, primitives(t));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_queries_of_primitives

@@ -8,7 +8,7 @@
 #include "suites/drawings.h"
 #include "suites/programs.h"
 
-namespace evalcts {
+namespace evalcts::suite_recorded_primitives {
 namespace {
 
 constexpr std::size_t kFloats = 12;  // of one vertex
@@ -258,4 +258,4 @@ EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD") {
   for (const auto& [asked, error] : errors) played.expect_error(asked, {error});
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_recorded_primitives

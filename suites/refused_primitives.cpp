@@ -8,7 +8,7 @@
 #include "suites/drawings.h"
 #include "suites/programs.h"
 
-namespace evalcts {
+namespace evalcts::suite_refused_primitives {
 namespace {
 
 // A state that allows some kinds of primitives, or none.
@@ -322,4 +322,4 @@ EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS") {
       GL_INVALID_OPERATION);
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_refused_primitives

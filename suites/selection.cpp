@@ -7,7 +7,7 @@
 
 #include "suites/drawings.h"
 
-namespace evalcts {
+namespace evalcts::suite_selection {
 namespace {
 
 constexpr std::size_t kRoom = 512;
@@ -206,4 +206,4 @@ EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY") {
         fmt::format("{}", expected), fmt::format("{}", selection.names()));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_selection

@@ -6,7 +6,7 @@
 
 #include "suites/maps.h"
 
-namespace evalcts {
+namespace evalcts::suite_shader_attributes {
 namespace {
 
 constexpr std::size_t kVertices = 9;
@@ -154,4 +154,4 @@ EVALCTS_DELIVERED_TESTS(ShaderAttributes, GenericZero,
   t.fail(std::move(failure));
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_shader_attributes

@@ -6,7 +6,7 @@
 
 #include "suites/drawings.h"
 
-namespace evalcts {
+namespace evalcts::suite_stages_of_meshes {
 namespace {
 
 using Values = std::vector<float>;
@@ -327,4 +327,4 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART") {
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_stages_of_meshes

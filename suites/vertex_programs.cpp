@@ -7,7 +7,7 @@
 #include "suites/drawings.h"
 #include "suites/programs.h"
 
-namespace evalcts {
+namespace evalcts::suite_vertex_programs {
 namespace {
 
 // Something of every conventional attribute; positions stay within the view volume.
@@ -167,4 +167,4 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS") {
   }
 }
 
-}  // namespace evalcts
+}  // namespace evalcts::suite_vertex_programs

@@ -182,7 +182,7 @@ static void make_context(void) { use_context(0, 0); }
 
 // --- The rest of the program -------------------------------------------------------------------------------
 
-constexpr char kArrays[] = R"(
+constexpr char kClientArrays[] = R"(
 /* A client array ends directly before an inaccessible page: reading past its end crashes. */
 struct array {
   unsigned char *base;
@@ -226,8 +226,6 @@ static const char *error_name(GLenum error) {
   }
 }
 )";
-
-constexpr std::size_t kGuardElements = 16;  // as the player has them
 
 bool returns_value(EntryPoint entry) {
   switch (entry) {
@@ -349,7 +347,7 @@ class Writer {
   // --- the commands ---
 
   void play() {
-    if (uses_inputs()) text_ += kArrays;
+    if (uses_inputs()) text_ += kClientArrays;
     text_ += "\n";
     for (std::size_t i = 0; i < commands_.size(); ++i) {
       if (const Output* output = output_of(commands_[i]))

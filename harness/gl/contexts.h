@@ -21,4 +21,8 @@ enum {
   EVALCTS_NO_ERROR             // compatibility profile, KHR_no_error
 };
 void glContextOfKindEVALCTS(GLuint context, GLuint kind);
+
+// Copies the state that belongs to the attribute groups of the mask from one context of the case, which is
+// current afterwards, to another, which is not current (glXCopyContext: GLX 1.4 section 3.3.7).
+void glCopyContextEVALCTS(GLuint from, GLuint to, GLbitfield mask);
 }

@@ -11,7 +11,6 @@
 namespace evalcts::gl {
 namespace {
 
-constexpr std::size_t kGuardElements = 16;
 constexpr std::byte kFiller{0xA5};
 constexpr int kMostErrors = 16;
 

@@ -12,6 +12,9 @@
 
 namespace evalcts::gl {
 
+// Behind each array that a command fills: room that stays as it is.
+inline constexpr std::size_t kGuardElements = 16;
+
 // The implementation under test has no such command: what rests on it cannot be observed.
 struct MissingEntryPoint : std::runtime_error {
   explicit MissingEntryPoint(EntryPoint missing);

@@ -9,6 +9,9 @@
 
 namespace evalcts {
 
+// The framebuffer of each context is so wide and so high, in pixels.
+inline constexpr int kFramebufferSide = 64;
+
 class ContextMaker {
  public:
   virtual ~ContextMaker() = default;
@@ -24,6 +27,10 @@ class ContextMaker {
   }
   // Throws CannotStart.
   virtual void make_current(void* /*context*/) {}
+  // Whether copy() does something: copies what a mask of PushAttrib names from the context that is current to
+  // one that is not. Throws CannotStart.
+  virtual bool copies() const { return false; }
+  virtual void copy(void* /*from*/, void* /*to*/, GLbitfield /*mask*/) {}
   // Whether the next two do something: see gl/requests.h, for the context that is current.
   virtual bool records_requests() const { return false; }
   virtual void record_requests() {}

@@ -16,8 +16,6 @@
 namespace evalcts {
 namespace {
 
-constexpr GLsizei kSide = 64;  // pixels
-
 // All of EGL 1.4 that is needed. Only the types of the header's declarations are used.
 // (clang-format 14 never comes to an end with such lists.)
 // clang-format off
@@ -210,7 +208,7 @@ class EglContexts final : public ContextMaker {
     if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
     try {
       if (!surfaceless_) {
-        const EGLint size[] = {EGL_WIDTH, kSide, EGL_HEIGHT, kSide, EGL_NONE};
+        const EGLint size[] = {EGL_WIDTH, kFramebufferSide, EGL_HEIGHT, kFramebufferSide, EGL_NONE};
         made->surface = egl_.CreatePbufferSurface(display_, config_, size);
         if (made->surface == EGL_NO_SURFACE) throw failure("eglCreatePbufferSurface");
       }
@@ -358,17 +356,17 @@ class EglContexts final : public ContextMaker {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl_.GenRenderbuffers(2, renderbuffers);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[0]);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kSide, kSide);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kFramebufferSide, kFramebufferSide);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[1]);
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kSide, kSide);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kFramebufferSide, kFramebufferSide);
     gl_.BindRenderbuffer(GL_RENDERBUFFER, 0);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers[0]);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
     gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
     gl_.DrawBuffer(GL_COLOR_ATTACHMENT0);
     gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl_.Viewport(0, 0, kSide, kSide);
-    gl_.Scissor(0, 0, kSide, kSide);
+    gl_.Viewport(0, 0, kFramebufferSide, kFramebufferSide);
+    gl_.Scissor(0, 0, kFramebufferSide, kFramebufferSide);
     const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
     const GLenum error = gl_.GetError();
     if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR)

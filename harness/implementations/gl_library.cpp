@@ -55,6 +55,22 @@ class MadeContext final : public Context {
                                [kind](ContextMaker& maker) { return maker.create_of_kind(kind); });
   }
 
+  static void copy(GLuint from, GLuint to, GLbitfield mask) {
+    MadeContext& all = *of_the_case_;
+    const auto handle = [&](GLuint number) {
+      const auto made = all.others_.find(number);
+      if (number != 0 && made == all.others_.end())
+        throw gl::MissingEntryPoint(gl::EntryPoint::CopyContextEVALCTS);
+      return number == 0 ? all.handle_ : made->second;
+    };
+    try {
+      all.maker_.make_current(handle(from));
+      all.maker_.copy(handle(from), handle(to), mask);
+    } catch (const CannotStart&) {
+      throw gl::MissingEntryPoint(gl::EntryPoint::CopyContextEVALCTS);
+    }
+  }
+
   // Those of gl/requests.h.
   static void record_requests() { of_the_case_->maker_.record_requests(); }
   static GLsizei recorded_requests(GLsizei size, GLubyte* requests) {
@@ -131,6 +147,7 @@ class GlLibrary final : public Implementation {
       table_.SharingContextEVALCTS = &MadeContext::sharing;
       table_.ContextOfKindEVALCTS = &MadeContext::of_kind;
     }
+    if (contexts_->copies()) table_.CopyContextEVALCTS = &MadeContext::copy;
     if (contexts_->records_requests()) {
       table_.RecordRequestsEVALCTS = &MadeContext::record_requests;
       table_.RecordedRequestsEVALCTS = &MadeContext::recorded_requests;

@@ -22,8 +22,6 @@
 namespace evalcts {
 namespace {
 
-constexpr int kSide = 64;  // pixels
-
 // All of Xlib and GLX 1.3 that is needed.
 // (clang-format 14 never comes to an end with such lists.)
 // clang-format off
@@ -33,7 +31,7 @@ constexpr int kSide = 64;  // pixels
 #define GLX_FUNCTIONS(X)                                                                \
   X(QueryVersion) X(QueryExtensionsString) X(ChooseFBConfig) X(CreateNewContext)        \
   X(CreatePbuffer) X(DestroyPbuffer) X(MakeContextCurrent) X(IsDirect)                  \
-  X(DestroyContext) X(GetProcAddressARB)
+  X(DestroyContext) X(CopyContext) X(GetProcAddressARB)
 // clang-format on
 
 struct Xlib {
@@ -149,6 +147,16 @@ class GlxContexts final : public ContextMaker {
     const Made& made = *static_cast<Made*>(context);
     if (!glx_.MakeContextCurrent(display_, made.surface, made.surface, made.context))
       throw CannotStart("glXMakeContextCurrent refuses the context");
+  }
+
+  bool copies() const override { return true; }
+  void copy(void* from, void* to, GLbitfield mask) override {
+    errors::expected = true;
+    errors::latest.clear();
+    glx_.CopyContext(display_, static_cast<Made*>(from)->context, static_cast<Made*>(to)->context, mask);
+    xlib_.Sync(display_, False);
+    errors::expected = false;
+    if (!errors::latest.empty()) throw CannotStart("glXCopyContext: " + errors::latest);
   }
 
   bool records_requests() const override { return recorder_.has_value(); }
@@ -316,18 +324,18 @@ class GlxContexts final : public ContextMaker {
 
   // What of the least that a context has to answer it does not; empty: nothing.
   std::string silence_of_context() {
-    const auto command = [&]<class Function>(Function*, const char* name) {
-      return reinterpret_cast<Function*>(address_of(name));
-    };
-    const GLubyte* version = command(&::glGetString, "glGetString")(GL_VERSION);
+    const GLubyte* version =
+        reinterpret_cast<decltype(&::glGetString)>(address_of("glGetString"))(GL_VERSION);
     if (!version || !*version) return "glGetString(GL_VERSION) answers nothing";
     GLint order = 0;
-    command(&::glGetIntegerv, "glGetIntegerv")(GL_MAX_EVAL_ORDER, &order);
+    reinterpret_cast<decltype(&::glGetIntegerv)>(address_of("glGetIntegerv"))(GL_MAX_EVAL_ORDER, &order);
     if (order < 8) return fmt::format("GL_MAX_EVAL_ORDER is {}", order);
     const std::array<GLfloat, 8> points = {1, 2, 3, 4, 5, 6, 7, 8};
     std::array<GLfloat, 8> answer{};
-    command(&::glMap1f, "glMap1f")(GL_MAP1_VERTEX_4, 0, 1, 4, 2, points.data());
-    command(&::glGetMapfv, "glGetMapfv")(GL_MAP1_VERTEX_4, GL_COEFF, answer.data());
+    reinterpret_cast<decltype(&::glMap1f)>(address_of("glMap1f"))(GL_MAP1_VERTEX_4, 0, 1, 4, 2,
+                                                                  points.data());
+    reinterpret_cast<decltype(&::glGetMapfv)>(address_of("glGetMapfv"))(GL_MAP1_VERTEX_4, GL_COEFF,
+                                                                        answer.data());
     return answer == points ? "" : "glGetMapfv does not give back what glMap1f was given";
   }
 
@@ -343,7 +351,7 @@ class GlxContexts final : public ContextMaker {
     errors::expected = true;
     errors::latest.clear();
     made->context = create();
-    const int size[] = {GLX_PBUFFER_WIDTH, kSide, GLX_PBUFFER_HEIGHT, kSide, None};
+    const int size[] = {GLX_PBUFFER_WIDTH, kFramebufferSide, GLX_PBUFFER_HEIGHT, kFramebufferSide, None};
     if (made->context) made->surface = glx_.CreatePbuffer(display_, configuration_, size);
     xlib_.Sync(display_, False);
     const bool current = made->context && made->surface != None && errors::latest.empty() &&

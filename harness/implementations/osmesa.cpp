@@ -19,8 +19,6 @@ using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsi
 using DestroyContext = void (*)(OSMesaContext);
 using GetProcAddress = void* (*)(const char* name);
 
-constexpr GLsizei kSide = 64;  // pixels
-
 class OSMesaContexts final : public ContextMaker {
  public:
   explicit OSMesaContexts(const std::string& library)
@@ -66,7 +64,7 @@ class OSMesaContexts final : public ContextMaker {
     return current(create(attributes, nullptr));
   }
   void make_current(void* context) override {
-    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide))
+    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kFramebufferSide, kFramebufferSide))
       throw CannotStart("OSMesaMakeCurrent refuses the context");
   }
 
@@ -100,7 +98,7 @@ class OSMesaContexts final : public ContextMaker {
   MakeCurrent make_current_ = nullptr;
   DestroyContext destroy_ = nullptr;
   bool exports_commands_ = false;
-  std::vector<unsigned char> pixels_ = std::vector<unsigned char>(kSide * kSide * 4);
+  std::vector<unsigned char> pixels_ = std::vector<unsigned char>(kFramebufferSide * kFramebufferSide * 4);
 };
 
 }  // namespace

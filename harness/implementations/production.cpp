@@ -11,13 +11,13 @@
 namespace evalcts {
 namespace {
 
-struct Current {
+struct CurrentHandle {
   static inline thread_local glev_context* current = nullptr;
 };
 
 gl::Table bind_functions() {
   gl::Table table;
-#define BIND(name) table.name = &Forward<Current, &glev##name>::call
+#define BIND(name) table.name = &Forward<CurrentHandle, &glev##name>::call
   BIND(Map1f);
   BIND(Map1d);
   BIND(Map2f);
@@ -139,7 +139,7 @@ class ProductionContext final : public Context {
  public:
   explicit ProductionContext(const gl::Table& table) : table_(table) { make_current(0); }
   ~ProductionContext() override {
-    Current::current = nullptr;
+    CurrentHandle::current = nullptr;
     for (const auto& [number, context] : contexts_) glevDestroyContext(context);
   }
   ProductionContext(const ProductionContext&) = delete;
@@ -156,7 +156,7 @@ class ProductionContext final : public Context {
   void make_current(GLuint number) {
     of_the_case_ = this;
     if (contexts_.find(number) == contexts_.end()) contexts_[number] = make();
-    Current::current = contexts_[number];
+    CurrentHandle::current = contexts_[number];
   }
 
   glev_context* make() {

@@ -11,7 +11,7 @@ namespace {
 
 using reference::Specification;
 
-struct Current {
+struct CurrentSpecification {
   static inline thread_local Specification* current = nullptr;
 };
 
@@ -32,7 +32,7 @@ ObservedVertex rounded(const reference::Vertex& vertex) {
 class ReferenceContext final : public Context {
  public:
   explicit ReferenceContext(const gl::Table& table) : table_(table) { make_current(0); }
-  ~ReferenceContext() override { Current::current = nullptr; }
+  ~ReferenceContext() override { CurrentSpecification::current = nullptr; }
   ReferenceContext(const ReferenceContext&) = delete;
   ReferenceContext& operator=(const ReferenceContext&) = delete;
 
@@ -40,7 +40,7 @@ class ReferenceContext final : public Context {
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override {
     std::vector<ObservedPrimitive> primitives;
-    for (const reference::Primitive& primitive : Current::current->take_primitives()) {
+    for (const reference::Primitive& primitive : CurrentSpecification::current->take_primitives()) {
       ObservedPrimitive& observed = primitives.emplace_back();
       observed.mode = primitive.mode;
       for (const reference::Vertex& vertex : primitive.vertices) observed.vertices.push_back(rounded(vertex));
@@ -54,7 +54,7 @@ class ReferenceContext final : public Context {
  private:
   void make_current(GLuint number) {
     of_the_case_ = this;
-    Current::current = &contexts_[number];
+    CurrentSpecification::current = &contexts_[number];
   }
 
   static inline thread_local ReferenceContext* of_the_case_ = nullptr;
@@ -70,7 +70,7 @@ class Reference final : public Implementation {
 
  private:
   gl::Table table_ = [] {
-    gl::Table table = bind_methods<Current, Specification>();
+    gl::Table table = bind_methods<CurrentSpecification, Specification>();
     table.OtherContextEVALCTS = &ReferenceContext::other;
     return table;
   }();

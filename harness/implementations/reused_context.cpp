@@ -334,6 +334,7 @@ class Shared {
       : context_(std::move(context)), table_(context_->table()) {
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
     table_.ContextOfKindEVALCTS = nullptr;
+    table_.CopyContextEVALCTS = nullptr;
     table_.RecordRequestsEVALCTS = nullptr;
     table_.RecordedRequestsEVALCTS = nullptr;
     // Its initial value is the size of a window that only the implementation knows.

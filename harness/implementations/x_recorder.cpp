@@ -25,7 +25,7 @@ namespace evalcts {
 namespace {
 
 constexpr int kFirstNumber = 1000, kNumbers = 1000;  // far from those that servers take
-constexpr std::size_t kMostDescriptors = 32;  // in one message; Xlib and servers send fewer
+constexpr std::size_t kMostDescriptors = 32;         // in one message; Xlib and servers send fewer
 
 class Descriptor {
  public:

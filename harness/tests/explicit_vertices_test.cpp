@@ -11,7 +11,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-Lines lines_of(const Case& script) { return to_c(script, 0, static_cast<int>(script.commands().size()) - 1); }
+Lines calls_of(const Case& script) { return to_c(script, 0, static_cast<int>(script.commands().size()) - 1); }
 
 TEST(ExplicitVertices, StandInThePlaceOfEveryEvaluation) {
   Case c("curve");
@@ -23,10 +23,10 @@ TEST(ExplicitVertices, StandInThePlaceOfEveryEvaluation) {
   c.End();
   const Case control = with_explicit_vertices(c);
   EXPECT_EQ(control.identity(), "curve");
-  const Lines lines = lines_of(control);
+  const Lines lines = calls_of(control);
   ASSERT_EQ(lines.size(), 6u);
   EXPECT_EQ(lines[0], "glBegin(GL_LINE_STRIP);");
-  EXPECT_EQ(lines[1], lines_of(c)[1]);
+  EXPECT_EQ(lines[1], calls_of(c)[1]);
   EXPECT_EQ(lines[5], "glEnd();");
   for (const std::size_t i : {2, 3, 4}) EXPECT_TRUE(lines[i].starts_with("glVertex3f(")) << lines[i];
   EXPECT_NE(lines[2], lines[3]);
@@ -37,7 +37,7 @@ TEST(ExplicitVertices, MakeAPrimitiveOfAMesh) {
   Case c("meshes");
   c.EvalMesh1(GL_LINE, 0, 9);
   c.EvalMesh2(GL_POINT, 0, 1, 0, 1);
-  const Lines lines = lines_of(with_explicit_vertices(c));
+  const Lines lines = calls_of(with_explicit_vertices(c));
   ASSERT_EQ(lines.size(), 8u);
   EXPECT_EQ(lines[0], "glBegin(GL_LINE_STRIP);");
   EXPECT_EQ(lines[3], "glEnd();");

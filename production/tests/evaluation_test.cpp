@@ -265,8 +265,8 @@ TEST_F(Evaluation, ARedefinedMapTakesEffectAtOnce) {
 TEST_F(Evaluation, EveryFiniteArgumentIsLegalAndOthersDoNoHarm) {
   Line(GLEV_MAP1_VERTEX_3, 0, 1);
   const float before = At(0.3).position[0];
-  constexpr float kMax = std::numeric_limits<float>::max(), kInf = std::numeric_limits<float>::infinity();
-  for (float u : {-kMax, -1.0f, -0.0f, 0x1p-149f, kMax, kInf, -kInf, std::nanf("")}) {
+  constexpr float kLargest = std::numeric_limits<float>::max(), kInf = std::numeric_limits<float>::infinity();
+  for (float u : {-kLargest, -1.0f, -0.0f, 0x1p-149f, kLargest, kInf, -kInf, std::nanf("")}) {
     OneVertex([&] { glevEvalCoord1f(gl, u); });
   }
   EXPECT_EQ(Values(At(-0.0).position), (Floats{0, 0, 0, 1}));

@@ -5,11 +5,17 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <glevaluator.h>
 
 namespace glev_tests {
+
+constexpr int kMax = 64;  // MAX_EVAL_ORDER
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr unsigned kSeed = 20240117;  // of random data
 
 // The nine kinds of map, by offset from COLOR_4: values of a control point and initial point.
 struct TargetRow {

@@ -76,8 +76,7 @@ TEST_F(ListCalls, EveryType) {
 }
 
 TEST_F(ListCalls, NumbersThatAreNoNamesAreHarmless) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const std::vector<float> offsets = {NAN, kInfinity, -kInfinity, 1e30f, -1e30f, 1};
+  const std::vector<float> offsets = {NAN, INFINITY, -INFINITY, 1e30f, -1e30f, 1};
   EXPECT_EQ(Called<float>(GLEV_FLOAT, 10, {11}, offsets, 6), Floats{0});
 }
 

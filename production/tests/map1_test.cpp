@@ -10,10 +10,6 @@
 namespace glev_tests {
 namespace {
 
-constexpr int kMax = 64;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 class Map1 : public ContextTest {
  protected:
   Map1() {

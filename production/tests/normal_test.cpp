@@ -13,8 +13,6 @@
 namespace glev_tests {
 namespace {
 
-constexpr unsigned kSeed = 20240119;
-
 class Normals : public ContextTest {
  protected:
   Normals() { glevEnable(gl, GLEV_AUTO_NORMAL); }

@@ -11,8 +11,6 @@
 namespace glev_tests {
 namespace {
 
-constexpr unsigned kSeed = 20240117;
-
 class Numerics : public ContextTest {
  protected:
   Numerics() { glevEnable(gl, GLEV_MAP1_VERTEX_3); }
@@ -92,7 +90,6 @@ TEST_F(Numerics, AnArgumentNextToAnEnd) {
 }
 
 TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   for (int order : {2, 3, 4, 17, 64}) {
     for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
@@ -113,7 +110,6 @@ TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
 
 TEST_F(Numerics, OrderOneIsConstantEverywhere) {
   Define(2, 5, {0.1});
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (double u : {2.0, 5.0, 3.0, -1e30, 1e300, kInfinity, std::nan("")}) EXPECT_EQ(At(u), 0.1f) << u;
 }
 

@@ -6,9 +6,9 @@
 namespace glev_tests {
 namespace {
 
-using Primitive = ContextTest;
+using PrimitiveTest = ContextTest;
 
-TEST_F(Primitive, EveryModeReachesTheSink) {
+TEST_F(PrimitiveTest, EveryModeReachesTheSink) {
   for (glev_enum mode = 0; mode <= 0xD; ++mode) {
     recording = {};
     glevBegin(gl, mode);
@@ -22,7 +22,7 @@ TEST_F(Primitive, EveryModeReachesTheSink) {
   }
 }
 
-TEST_F(Primitive, BadModesDoNotBegin) {
+TEST_F(PrimitiveTest, BadModesDoNotBegin) {
   ExpectRefused(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xF); });
   ExpectRefused(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xFFFFFFFF); });
   ExpectRefused(GLEV_INVALID_OPERATION, [&] { glevBegin(gl, 0xE); });
@@ -31,7 +31,7 @@ TEST_F(Primitive, BadModesDoNotBegin) {
   EXPECT_EQ(recording.ended, 0);
 }
 
-TEST_F(Primitive, BeginDoesNotNestAndThePrimitiveGoesOn) {
+TEST_F(PrimitiveTest, BeginDoesNotNestAndThePrimitiveGoesOn) {
   glevBegin(gl, GLEV_LINES);
   glevVertex2f(gl, 1, 1);
   glevBegin(gl, GLEV_POINTS);
@@ -44,7 +44,7 @@ TEST_F(Primitive, BeginDoesNotNestAndThePrimitiveGoesOn) {
   EXPECT_EQ(recording.ended, 1);
 }
 
-TEST_F(Primitive, VertexForms) {
+TEST_F(PrimitiveTest, VertexForms) {
   const float f[] = {0.1f, 2, -3, 0.5f};
   const double d[] = {0.1, 2, -3, 0.5};
   const Floats two = {0.1f, 2, 0, 1}, three = {0.1f, 2, -3, 1}, four = {0.1f, 2, -3, 0.5f};
@@ -67,7 +67,7 @@ TEST_F(Primitive, VertexForms) {
   ExpectRefusedInPrimitive(GLEV_INVALID_VALUE, [&] { glevVertex3dv(gl, nullptr); });
 }
 
-TEST_F(Primitive, AVertexCarriesEverythingCurrent) {
+TEST_F(PrimitiveTest, AVertexCarriesEverythingCurrent) {
   glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
   glevNormal3f(gl, 1, 2, 3);
   glevIndexf(gl, 17);
@@ -87,7 +87,7 @@ TEST_F(Primitive, AVertexCarriesEverythingCurrent) {
   }
 }
 
-TEST_F(Primitive, CurrentValuesMayChangeBetweenVertices) {
+TEST_F(PrimitiveTest, CurrentValuesMayChangeBetweenVertices) {
   glevBegin(gl, GLEV_POINTS);
   glevColor3f(gl, 1, 0, 0);
   glevVertex2f(gl, 0, 0);
@@ -100,7 +100,7 @@ TEST_F(Primitive, CurrentValuesMayChangeBetweenVertices) {
   EXPECT_EQ(Values(recording.vertices[1].color), (Floats{0, 1, 0, 1}));
 }
 
-TEST_F(Primitive, OutsideBeginAndEndNothingIsEmitted) {
+TEST_F(PrimitiveTest, OutsideBeginAndEndNothingIsEmitted) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevVertex3f(gl, 1, 2, 3);
   glevEvalCoord1f(gl, 0.5f);
@@ -110,7 +110,7 @@ TEST_F(Primitive, OutsideBeginAndEndNothingIsEmitted) {
 
 // ---- Sink
 
-TEST_F(Primitive, CallbacksAndTheSinkItselfMayBeMissing) {
+TEST_F(PrimitiveTest, CallbacksAndTheSinkItselfMayBeMissing) {
   glev_sink empty = {sizeof(glev_sink), nullptr, nullptr, nullptr, nullptr};
   for (const glev_sink* sink : {&empty, static_cast<glev_sink*>(nullptr)}) {
     ASSERT_EQ(glevSetSink(gl, sink), GLEV_SUCCESS);
@@ -124,7 +124,7 @@ TEST_F(Primitive, CallbacksAndTheSinkItselfMayBeMissing) {
   EXPECT_EQ(recording.ended, 0);
 }
 
-TEST_F(Primitive, TheSinkIsNotChangedWithinAPrimitive) {
+TEST_F(PrimitiveTest, TheSinkIsNotChangedWithinAPrimitive) {
   glevBegin(gl, GLEV_POINTS);
   EXPECT_EQ(glevSetSink(gl, nullptr), GLEV_ERROR_IN_PRIMITIVE);
   glevVertex3f(gl, 1, 2, 3);
@@ -133,7 +133,7 @@ TEST_F(Primitive, TheSinkIsNotChangedWithinAPrimitive) {
   ExpectError(GLEV_NO_ERROR);
 }
 
-TEST_F(Primitive, SizesOfStructures) {
+TEST_F(PrimitiveTest, SizesOfStructures) {
   struct Larger {
     glev_sink sink;
     void* later = nullptr;
@@ -150,7 +150,7 @@ TEST_F(Primitive, SizesOfStructures) {
   OneVertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the sink set before still works
 }
 
-TEST_F(Primitive, CallbacksMayCallWhatIsLegalThere) {
+TEST_F(PrimitiveTest, CallbacksMayCallWhatIsLegalThere) {
   struct User {
     glev_context* gl;
     int calls;

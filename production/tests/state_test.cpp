@@ -11,7 +11,6 @@ namespace glev_tests {
 namespace {
 
 class States : public ContextTest {};
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The answer of each form of Get, with a guard behind it.
 struct Answers {

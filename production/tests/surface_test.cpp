@@ -11,10 +11,6 @@
 namespace glev_tests {
 namespace {
 
-constexpr unsigned kSeed = 20240118;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 class Surfaces : public ContextTest {
  protected:
   // Bilinear: a corner for each end of u and v, all components the same.

@@ -18,7 +18,7 @@ Rational rational(long double x) {
   return Rational(high) + Rational(static_cast<double>(x - high));
 }
 
-struct Case {
+struct MethodCase {
   std::vector<double> points;
   double u1, u2;
   Argument u;
@@ -31,7 +31,8 @@ struct Case {
 class Worst {
  public:
   ~Worst() { std::cout << "largest error / bound: " << largest_ << "\n"; }
-  void record(const Case& c, long double got, const Rational& exact, const Rational& bound, Method method) {
+  void record(const MethodCase& c, long double got, const Rational& exact, const Rational& bound,
+              Method method) {
     const Rational error = abs(rational(got) - exact);
     if (!bound.is_zero()) largest_ = std::max(largest_, (error / bound).to_double());
     EXPECT_LE(error, bound) << "order " << c.order() << " u1 " << c.u1 << " u2 " << c.u2 << " u "
@@ -43,13 +44,13 @@ class Worst {
   double largest_ = 0;
 };
 
-long double evaluate_case(Arithmetic& a, const Case& c, Parameter how, Method method) {
+long double evaluate_case(Arithmetic& a, const MethodCase& c, Parameter how, Method method) {
   const long double u = c.u.is_grid() ? grid_point(a, c.u.index(), c.u.segments(), c.u.first(), c.u.last())
                                       : static_cast<long double>(c.u.coordinate());
   return evaluate_by(a, method, {c.points.begin(), c.points.end()}, parameter(a, how, u, c.u1, c.u2));
 }
 
-Case random_case(std::mt19937_64& generator, int order) {
+MethodCase random_case(std::mt19937_64& generator, int order) {
   const Data kinds[] = {Data::kFloats, Data::kFloats, Data::kIntegers, Data::kCancelling, Data::kSparse};
   const double domains[][2] = {{0, 1},  {0, 1},       {0, 1},       {2, 5},
                                {5, -2}, {0.1f, 0.7f}, {1000, 1008}, {-0x1p20, 0x1p-20}};
@@ -69,7 +70,7 @@ TEST(EveryMethod, IsAcceptedInSinglePrecision) {
   SinglePrecision arithmetic;
   for (int order = 1; order <= kMaxOrder; ++order) {
     for (int repetition = 0; repetition < (order <= 30 ? 15 : 3); ++repetition) {
-      const Case c = random_case(generator, order);
+      const MethodCase c = random_case(generator, order);
       if (!must_applies(c.curve(), c.u)) continue;
       const Acceptance acceptance = reference::acceptance(c.curve(), c.u);
       for (const Parameter how : kParameters) {
@@ -97,7 +98,7 @@ TEST(EveryMethod, IsAcceptedWhereSinglePrecisionUnderflows) {
   SinglePrecision gradual;
   FlushToZero flushed;
   for (int repetition = 0; repetition < 300; ++repetition) {
-    Case c = random_case(generator, pick(generator, 1, 30));
+    MethodCase c = random_case(generator, pick(generator, 1, 30));
     for (double& point : c.points) point = std::ldexp(static_cast<float>(point), pick(generator, -149, 0));
     for (double& point : c.points) point = static_cast<float>(point);
     if (pick(generator, 0, 1)) c.u = Argument::coordinate(std::ldexp(1.0, pick(generator, -149, 0)));
@@ -122,8 +123,8 @@ TEST(EveryMethod, IsAcceptedWhenInputsAreStoredInSinglePrecision) {
     const double u1 = uniform(generator, -3, 3), u2 = u1 + uniform(generator, 0.01, 3);
     const Argument u = pick(generator, 0, 1) ? Argument::coordinate(uniform(generator, u1, u2))
                                              : Argument::grid(pick(generator, 0, 9), 9, u1, u2);
-    const Case c{control_values(generator, Data::kDoubles, order), u1, u2, u};
-    Case stored = c;
+    const MethodCase c{control_values(generator, Data::kDoubles, order), u1, u2, u};
+    MethodCase stored = c;
     const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
     std::transform(c.points.begin(), c.points.end(), stored.points.begin(), single);
     stored.u1 = single(u1);
@@ -147,7 +148,7 @@ TEST(EveryMethod, IsAcceptedWithRandomErrors) {
   RandomErrors arithmetic(generator);
   for (int order = 1; order <= kMaxOrder; ++order) {
     for (int repetition = 0; repetition < (order <= 30 ? 10 : 2); ++repetition) {
-      const Case c = random_case(generator, order);
+      const MethodCase c = random_case(generator, order);
       const Rational exact = evaluate(c.curve(), c.u), bound = acceptance_bound(c.curve(), c.u);
       for (const Parameter how : kParameters) {
         for (const Method method : kMethods) {
@@ -165,7 +166,7 @@ TEST(EveryMethod, IsAcceptedWithTheWorstErrors) {
   Worst worst;
   for (int order = 1; order <= kMaxOrder; order += order < 30 ? 1 : 17) {
     for (int repetition = 0; repetition < (order <= 12 ? 6 : 1); ++repetition) {
-      const Case c = random_case(generator, order);
+      const MethodCase c = random_case(generator, order);
       const Rational exact = evaluate(c.curve(), c.u), bound = acceptance_bound(c.curve(), c.u);
       for (const Method method : kMethods) {
         if (order > 30 && method != Method::kHorner && method != Method::kDirectSum)
@@ -203,7 +204,7 @@ TEST(EveryMethod, IsAcceptedOnSurfaces) {
   double largest = 0;
   for (int repetition = 0; repetition < 150; ++repetition) {
     const int n = pick(generator, 0, 7), m = pick(generator, 0, 7);
-    const Case u = random_case(generator, n + 1), v = random_case(generator, m + 1);
+    const MethodCase u = random_case(generator, n + 1), v = random_case(generator, m + 1);
     const std::vector<double> points = control_values(
         generator, pick(generator, 0, 1) ? Data::kFloats : Data::kCancelling, (n + 1) * (m + 1));
     const Surface surface{points.data(), m + 1, 1, n + 1, m + 1, u.u1, u.u2, v.u1, v.u2};
@@ -212,7 +213,7 @@ TEST(EveryMethod, IsAcceptedOnSurfaces) {
       for (const Method method : kMethods) {
         outward.restart();
         outward.signs.clear();
-        const auto coordinate = [&](const Case& c) {
+        const auto coordinate = [&](const MethodCase& c) {
           const long double x = c.u.is_grid()
                                     ? grid_point(*a, c.u.index(), c.u.segments(), c.u.first(), c.u.last())
                                     : static_cast<long double>(c.u.coordinate());

@@ -4,18 +4,14 @@
 #include <reference/rounding.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace evalcts::reference {
 namespace {
 
-const float kNan = std::numeric_limits<float>::quiet_NaN(),
-            kInfinity = std::numeric_limits<float>::infinity();
-
 std::shared_ptr<const Map> curve_map() {
   return std::make_shared<const Map>(
-      Map{GL_MAP1_VERTEX_3, {3, 0, 2}, {}, {1, -1, kNan, 1.0 / 3, -5, 0, 4, 7, 0}});
+      Map{GL_MAP1_VERTEX_3, {3, 0, 2}, {}, {1, -1, NAN, 1.0 / 3, -5, 0, 4, 7, 0}});
 }
 
 TEST(PlainComponent, IsExact) {
@@ -33,15 +29,15 @@ TEST(PlainComponent, IsExact) {
 }
 
 TEST(PlainComponent, MayBeNoNumber) {
-  for (const float value : {kNan, kInfinity, -kInfinity}) {
+  for (const float value : {NAN, INFINITY, -INFINITY}) {
     const Component component = value;
     EXPECT_FALSE(is_finite(component));
     EXPECT_THROW(exact(component), std::domain_error);
     EXPECT_THROW(acceptance(component), std::domain_error);
     EXPECT_THROW(acceptance_bound(component), std::domain_error);
   }
-  EXPECT_EQ(rounded(Component(-kInfinity)), -kInfinity);
-  EXPECT_TRUE(std::isnan(rounded(Component(kNan))));
+  EXPECT_EQ(rounded(Component(-INFINITY)), -INFINITY);
+  EXPECT_TRUE(std::isnan(rounded(Component(NAN))));
 }
 
 TEST(SampleOfACurve, IsItsValue) {
@@ -67,7 +63,7 @@ TEST(SampleOfACurve, IsItsValue) {
 TEST(SampleOfACurve, MayHaveNoValue) {
   const auto map = curve_map();
   const Component of_nan = Sample{map, 2, Argument::coordinate(1), std::nullopt};
-  const Component at_infinity = Sample{map, 0, Argument::coordinate(kInfinity), std::nullopt};
+  const Component at_infinity = Sample{map, 0, Argument::coordinate(INFINITY), std::nullopt};
   for (const Component& component : {of_nan, at_infinity}) {
     EXPECT_FALSE(is_finite(component));
     EXPECT_TRUE(std::isnan(rounded(component)));
@@ -91,7 +87,7 @@ TEST(SampleOfASurface, IsItsValue) {
   EXPECT_TRUE(must_applies(component));
   EXPECT_EQ(exact(Sample{map, 0, Argument::coordinate(1), Argument::coordinate(2)}), Rational(10));
   EXPECT_EQ(exact(Sample{map, 0, Argument::coordinate(0), Argument::coordinate(4)}), Rational(2));
-  EXPECT_FALSE(is_finite(Sample{map, 0, u, Argument::coordinate(kNan)}));
+  EXPECT_FALSE(is_finite(Sample{map, 0, u, Argument::coordinate(NAN)}));
 }
 
 TEST(GuaranteedRange, DependsOnTargetAndVersion) {

@@ -1,6 +1,7 @@
 // Sections 3 and 5 of the requirements: Map1 and its errors.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -8,8 +9,6 @@
 
 namespace evalcts::reference {
 namespace {
-
-const float kNan = std::numeric_limits<float>::quiet_NaN();
 
 TEST(Map1, AcceptsEveryOrderOfEveryTarget) {  // EV-MAP1-ORDER-ALL, EV-MAP1-STRIDE-MIN
   Specification gl;
@@ -46,7 +45,7 @@ TYPED_TEST(Map1Of, CountsTheStrideInValuesAndSkipsThePadding) {  // EV-MAP1-STRI
       Specification gl;
       // Exactly the memory that may be read: the last point has no padding behind it.
       auto points = std::make_unique<TypeParam[]>(2 * stride + k);
-      std::fill_n(points.get(), 2 * stride + k, static_cast<TypeParam>(kNan));
+      std::fill_n(points.get(), 2 * stride + k, static_cast<TypeParam>(NAN));
       std::vector<GLdouble> expected;
       for (int p = 0; p < 3; ++p) {
         for (int c = 0; c < k; ++c) {
@@ -193,7 +192,8 @@ TEST(Map1, AcceptsWhatIsNoError) {  // EV-MAP-NOERR-OTHER, U-NAN-*, U-STRIDE-HUG
   gl.Map1d(GL_MAP1_INDEX, 0, 1, 1, 2, nullptr);
   expect_error(gl, GL_NO_ERROR);
   EXPECT_EQ(queryable_state(gl), before);
-  gl.Map1f(GL_MAP1_INDEX, kNan, kNan, 1, 1, &kNan);
+  const float nan = NAN;
+  gl.Map1f(GL_MAP1_INDEX, nan, nan, 1, 1, &nan);
   expect_error(gl, GL_NO_ERROR);
 }
 

@@ -16,8 +16,6 @@ namespace {
 using Decimal = boost::multiprecision::cpp_bin_float_100;
 using Floats = std::array<float, 3>;
 
-Argument at(double u) { return Argument::coordinate(u); }
-
 Decimal decimal(const Fraction& f) { return Decimal(numerator(f)) / Decimal(denominator(f)); }
 
 Decimal decimal_length(const SecondVector& m) {

@@ -18,7 +18,7 @@ NormalMethod random_method(std::mt19937_64& generator) {
           pick(generator, 0, 1) != 0};
 }
 
-struct Case {
+struct NormalCase {
   Patch patch;
   Argument u, v;
 
@@ -41,7 +41,7 @@ Argument random_argument(std::mt19937_64& generator, double u1, double u2) {
 }
 
 // A bumpy sheet of some size somewhere, or a net without any order; w from half to four, of either sign.
-Case random_case(std::mt19937_64& generator, int size, int uorder, int vorder) {
+NormalCase random_case(std::mt19937_64& generator, int size, int uorder, int vorder) {
   Patch patch = random_patch(generator, Data::kFloats, size, uorder, vorder);
   const double scales[] = {0.01, 1, 1, 1000};
   const double scale = scales[pick(generator, 0, 3)];
@@ -71,12 +71,12 @@ long double coordinate(Arithmetic& a, const Argument& u) {
                      : static_cast<long double>(u.coordinate());
 }
 
-RealVector run(Arithmetic& a, const Case& c, const NormalMethod& how, bool clear) {
+RealVector run(Arithmetic& a, const NormalCase& c, const NormalMethod& how, bool clear) {
   const long double u = coordinate(a, c.u), v = coordinate(a, c.v);
   return normal_by(a, how, c.patch, u, v, clear);
 }
 
-RealVector run_unit(Arithmetic& a, const Case& c, const NormalMethod& how) {
+RealVector run_unit(Arithmetic& a, const NormalCase& c, const NormalMethod& how) {
   return unit_by(a, how.unit, run(a, c, how, false));
 }
 
@@ -93,7 +93,7 @@ RealVector exact_unit(const Vector& m) {
 
 // The sign is that of the normalised coordinates; with the domain variables it flips with each reversed
 // domain.
-bool is_flipped(const Case& c, const NormalMethod& how) {
+bool is_flipped(const NormalCase& c, const NormalMethod& how) {
   return how.domain_variable && (c.patch.u1 > c.patch.u2) != (c.patch.v1 > c.patch.v2);
 }
 
@@ -104,7 +104,7 @@ double excess(const RealVector& got, const RealVector& exact, bool flipped, long
   return std::isnan(got[0]) ? HUGE_VAL : static_cast<double>(most / bound);
 }
 
-std::string describe(const Case& c, const NormalMethod& how) {
+std::string in_words(const NormalCase& c, const NormalMethod& how) {
   return "components " + std::to_string(c.patch.size) + " orders " + std::to_string(c.patch.uorder) + " " +
          std::to_string(c.patch.vorder) + " method " + std::to_string(static_cast<int>(how.method)) +
          " slope " + std::to_string(static_cast<int>(how.slope)) + " tangent " +
@@ -125,7 +125,7 @@ TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
   SinglePrecision arithmetic;
   Statistics seen;
   for (int repetition = 0; repetition < 1500; ++repetition) {
-    const Case c =
+    const NormalCase c =
         random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
     const NormalAcceptance acceptance = c.acceptance();
     ++seen.all;
@@ -138,8 +138,8 @@ TEST(EveryNormalMethod, IsAcceptedInSinglePrecision) {
       const std::array<float, 3> floats{static_cast<float>(got[0]), static_cast<float>(got[1]),
                                         static_cast<float>(got[2])};
       const bool flipped = is_flipped(c, how);
-      EXPECT_TRUE(is_within(floats, acceptance.m, *acceptance.bound, flipped)) << describe(c, how);
-      EXPECT_TRUE(direction_is_within(floats, acceptance.m, *acceptance.bound, flipped)) << describe(c, how);
+      EXPECT_TRUE(is_within(floats, acceptance.m, *acceptance.bound, flipped)) << in_words(c, how);
+      EXPECT_TRUE(direction_is_within(floats, acceptance.m, *acceptance.bound, flipped)) << in_words(c, how);
       seen.worst = std::max(seen.worst, excess(got, exact, flipped, real(*acceptance.bound)));
     }
   }
@@ -151,7 +151,7 @@ TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
   RandomErrors arithmetic(generator);
   Statistics seen;
   for (int repetition = 0; repetition < 2500; ++repetition) {
-    const Case c =
+    const NormalCase c =
         random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
     const NormalAcceptance acceptance = c.acceptance();
     ++seen.all;
@@ -162,7 +162,7 @@ TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
       const NormalMethod how = random_method(generator);
       const double share =
           excess(run_unit(arithmetic, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
-      EXPECT_LE(share, 1) << describe(c, how);
+      EXPECT_LE(share, 1) << in_words(c, how);
       seen.worst = std::max(seen.worst, share);
     }
   }
@@ -176,7 +176,7 @@ TEST(EveryNormalMethod, IsAcceptedAsAVector) {
   SinglePrecision single;
   Statistics seen;
   for (int repetition = 0; repetition < 1500; ++repetition) {
-    const Case c =
+    const NormalCase c =
         random_case(generator, pick(generator, 3, 4), pick(generator, 2, 8), pick(generator, 2, 8));
     const NormalAcceptance acceptance = c.acceptance();
     ++seen.all;
@@ -190,7 +190,7 @@ TEST(EveryNormalMethod, IsAcceptedAsAVector) {
         how.domain_variable = false;
         const double share =
             excess(run(*arithmetic, c, how, true), exact, false, real(*acceptance.vector_bound));
-        EXPECT_LE(share, 1) << describe(c, how);
+        EXPECT_LE(share, 1) << in_words(c, how);
         seen.worst = std::max(seen.worst, share);
       }
     }
@@ -231,7 +231,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
   std::mt19937_64 generator = make_generator();
   Statistics seen, vectors;
   for (int repetition = 0; repetition < 160; ++repetition) {
-    const Case c =
+    const NormalCase c =
         random_case(generator, pick(generator, 3, 4), pick(generator, 2, 4), pick(generator, 2, 4));
     const NormalAcceptance acceptance = c.acceptance();
     ++seen.all, ++vectors.all;
@@ -244,7 +244,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
                         [&](Arithmetic& a) {
                           const double share =
                               excess(run_unit(a, c, how), exact, is_flipped(c, how), real(*acceptance.bound));
-                          EXPECT_LE(share, 1) << describe(c, how);
+                          EXPECT_LE(share, 1) << in_words(c, how);
                           seen.worst = std::max(seen.worst, share);
                         });
     how.domain_variable = false;
@@ -254,7 +254,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
                         [&](Arithmetic& a) {
                           const double share = excess(run(a, c, how, true), exact_vector, false,
                                                       real(*acceptance.vector_bound));
-                          EXPECT_LE(share, 1) << describe(c, how);
+                          EXPECT_LE(share, 1) << in_words(c, how);
                           vectors.worst = std::max(vectors.worst, share);
                         });
   }

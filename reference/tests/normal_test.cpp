@@ -10,8 +10,6 @@
 namespace evalcts::reference {
 namespace {
 
-Argument at(double u) { return Argument::coordinate(u); }
-
 Argument random_argument(std::mt19937_64& generator) {
   if (pick(generator, 0, 2) == 0) {
     return Argument::grid(pick(generator, -1, 8), 7, uniform(generator, -1, 1), static_cast<float>(1.5));

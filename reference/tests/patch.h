@@ -13,6 +13,8 @@
 
 namespace evalcts::reference {
 
+inline Argument at(double u) { return Argument::coordinate(u); }
+
 // Control points of three or four components, R_ij at points[(i * vorder + j) * size].
 struct Patch {
   int size, uorder, vorder;

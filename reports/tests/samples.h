@@ -14,6 +14,10 @@ inline nlohmann::json read_sample(const std::string& name) {
   return nlohmann::json::parse(in);
 }
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 // Everything that could break out of HTML, XML or a terminal: markup, quotes, the end of a CDATA section,
 // template tags, control characters, a C1 control, a noncharacter, an encoded surrogate, a lone lead byte.
 inline std::string hostile_text() {
