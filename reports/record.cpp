@@ -78,6 +78,13 @@ class Object {
     return value->get<double>();
   }
 
+  std::optional<std::int64_t> integer(const std::string& key) const {
+    const json* value = find(key);
+    if (!value) return std::nullopt;
+    if (!value->is_number_integer()) fail(path(key), "an integer", *value);
+    return value->get<std::int64_t>();
+  }
+
   std::optional<std::uint64_t> natural(const std::string& key) const {
     const json* value = find(key);
     if (!value) return std::nullopt;
@@ -188,7 +195,7 @@ Implementation read_implementation(const Object& in) {
   out.renderer = in.text("renderer");
   out.version = in.text("version");
   out.machine = in.text("machine");
-  out.max_eval_order = in.natural("max_eval_order");
+  out.max_eval_order = in.integer("max_eval_order");
   in.each("captures", [&](const json& item, const std::string& where) {
     const Object capture(item, where);
     out.captures.push_back({capture.text("name"), capture.boolean("available"), capture.text("reason")});

@@ -44,7 +44,7 @@ struct Capture {
 
 struct Implementation {
   std::string name, library, vendor, renderer, version, machine;
-  std::optional<std::uint64_t> max_eval_order;
+  std::optional<std::int64_t> max_eval_order;  // what it says; a broken one may say anything
   std::vector<Capture> captures;
 };
 

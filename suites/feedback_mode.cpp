@@ -58,35 +58,47 @@ EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT") {
   expect_drawn_like_explicit(picture, drawings, control);
 }
 
-// LINE_RESET_TOKEN may stand for LINE_TOKEN at the first segment of each strip only.
+// Either token stands for a segment.
 EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE") {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
-  const auto starts_elsewhere = [](const Drawing& drawing, const Part& part) {
-    std::set<std::size_t> first;
-    std::size_t segment = 0;
-    for (const reference::Primitive& strip : drawing.predicted.primitives) {
-      first.insert(segment);
-      segment += strip.vertices.size() - 1;
-    }
-    const std::vector<FeedbackPrimitive> lines = primitives_of(part);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      if (lines[i].token == GL_LINE_RESET_TOKEN && !first.count(i)) return true;
-    return false;
-  };
   const Picture control = feedback(t, "control: explicit strips", inside_and_half_outside(drawings, false));
-  bool starts_observed = true;
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
-    const Drawing& drawing = drawings[i % drawings.size()];
     const std::vector<FeedbackPrimitive> lines = primitives_of(control.parts[i]);
     const bool whole = i < drawings.size();
     if (!are_all(lines, {GL_LINE_TOKEN, GL_LINE_RESET_TOKEN}) || lines.empty() ||
-        (lines.size() == count_segments(drawing)) != whole)
+        (lines.size() == count_segments(drawings[i % drawings.size()])) != whole)
       throw NotObservable("pipeline: explicit line strips do not come back segment by segment");
-    if (whole && starts_elsewhere(drawing, control.parts[i])) starts_observed = false;
   }
   Picture picture = feedback(t, "evaluated", inside_and_half_outside(drawings, true));
   expect_drawn_like_explicit(picture, drawings, control);
-  if (!starts_observed) return;
+}
+
+namespace {
+
+// Whether a segment that is not the first of its strip has LINE_RESET_TOKEN.
+bool starts_elsewhere(const Drawing& drawing, const Part& part) {
+  std::set<std::size_t> first;
+  std::size_t segment = 0;
+  for (const reference::Primitive& strip : drawing.predicted.primitives) {
+    first.insert(segment);
+    segment += strip.vertices.size() - 1;
+  }
+  const std::vector<FeedbackPrimitive> lines = primitives_of(part);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].token == GL_LINE_RESET_TOKEN && !first.count(i)) return true;
+  return false;
+}
+
+}  // namespace
+
+// LINE_RESET_TOKEN stands at the first segment of a strip only: advice (U-FEEDBACK-RESET).
+EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE") {
+  const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
+  const Picture control = feedback(t, "control: explicit strips", scenes_of(drawings, false));
+  for (std::size_t i = 0; i < drawings.size(); ++i)
+    if (starts_elsewhere(drawings[i], control.parts[i]))
+      throw NotObservable("pipeline: LINE_RESET_TOKEN stands within explicit strips");
+  Picture picture = feedback(t, "evaluated", scenes_of(drawings, true));
   for (std::size_t i = 0; i < drawings.size(); ++i) {
     const Part& part = picture.parts[i];
     picture.played.expect(

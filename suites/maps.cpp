@@ -1,5 +1,7 @@
 #include "suites/maps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace evalcts {
@@ -56,6 +58,17 @@ Map1 random_map(Test& t, GLenum target, int order) {
 Map1 random_map(Test& t, GLenum target, int order, int stride) {
   const auto count = static_cast<std::size_t>(order * gl::components_of(target));
   return make_map1(target, 0, 1, stride, random_values(t.random(), count));
+}
+
+std::vector<int> orders_too_high(const Test& t) {
+  constexpr int kHighest = 0x10001;
+  const int limit = std::max(t.gl().max_eval_order, 8);
+  if (limit >= kHighest)
+    throw NotObservable(fmt::format("MAX_EVAL_ORDER is {}: no order above it can be tried", limit));
+  std::vector<int> orders;
+  for (const int order : {limit + 1, limit + 2, limit + 100, 0x101, kHighest})
+    if (order > limit) orders.push_back(order);
+  return orders;
 }
 
 std::string label(GLenum token) { return gl::token_name(token).substr(3); }

@@ -48,6 +48,9 @@ std::vector<T> converted(const std::vector<double>& values) {
   return out;
 }
 
+// Orders above MAX_EVAL_ORDER, MAX+1 first. Throws NotObservable where the implementation claims to take any.
+std::vector<int> orders_too_high(const Test& t);
+
 // "MAP1_VERTEX_3"
 std::string label(GLenum token);
 

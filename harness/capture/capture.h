@@ -13,11 +13,6 @@
 
 namespace evalcts {
 
-// This implementation gives no way to observe what was asked for: never a pass, never a failure.
-struct NotObservable : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 // What is asked of a capture.
 struct Wanted {
   Attributes attributes = 0;       // to be observed at least

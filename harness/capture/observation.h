@@ -3,12 +3,18 @@
 
 #include <array>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "harness/gl/table.h"
 
 namespace evalcts {
+
+// This implementation gives no way to observe what was asked for: never a pass, never a failure.
+struct NotObservable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // Attributes of a vertex, as a set.
 enum Attribute : std::uint32_t {

@@ -66,8 +66,8 @@ class MadeContext final : public Context {
     try {
       all.maker_.make_current(handle(from));
       all.maker_.copy(handle(from), handle(to), mask);
-    } catch (const CannotStart&) {
-      throw gl::MissingEntryPoint(gl::EntryPoint::CopyContextEVALCTS);
+    } catch (const CannotStart& error) {
+      throw NotObservable(std::string("pipeline: ") + error.what());
     }
   }
 

@@ -705,7 +705,7 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
     for (int i = 0; i < 1000; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       const pid_t child = child_of(run.id());
-      std::ifstream records(folder_ / (round ? "scratch-drill/again.jsonl" : "records-drill.jsonl"));
+      std::ifstream records(folder_ / (round ? "scratch-drill/alone-1.jsonl" : "records-drill.jsonl"));
       std::string last;
       for (std::string line; std::getline(records, line);) last = line;
       if (child > 0 && child != killed && last.find(round ? "\"case\"" : "\"start\"") != std::string::npos &&

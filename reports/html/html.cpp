@@ -129,9 +129,7 @@ void add_row(data& rows, const char* term, const std::string& value, bool code =
   rows << row;
 }
 
-std::string text_of_natural(std::optional<std::uint64_t> n) {
-  return n ? fmt::format("{}", *n) : std::string();
-}
+std::string text_of(std::optional<std::int64_t> n) { return n ? fmt::format("{}", *n) : std::string(); }
 
 data card(const Column& column) {
   const Record& record = column.record;
@@ -172,7 +170,7 @@ data card(const Column& column) {
   add_row(circumstances, "Tests", fmt::format("{}", record.total()));
   add_row(circumstances, "Depth", record.depth);
   add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
-  add_row(circumstances, "Largest order", text_of_natural(implementation.max_eval_order));
+  add_row(circumstances, "Largest order", text_of(implementation.max_eval_order));
   add_row(circumstances, "Machine", implementation.machine);
   add_row(circumstances, "Command", record.command, true);
   add_row(circumstances, "evalcts", record.evalcts_version);

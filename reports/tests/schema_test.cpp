@@ -45,7 +45,7 @@ TEST(Schema, ChangedSamplesAreNot) {
        std::vector<std::pair<const char*, json>>{{"/format", "evalcts-results-2"},
                                                  {"/status", "done"},
                                                  {"/implementation/captures/0/available", "yes"},
-                                                 {"/implementation/max_eval_order", -1},
+                                                 {"/implementation/max_eval_order", 30.5},
                                                  {"/summary/passed", 1},
                                                  {"/summary/pass", "1"},
                                                  {"/tests/0/verdict", "passed"},
