@@ -167,7 +167,8 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome = evalcts(
         {"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(), "--depth",
-         "quick", "--filter", "InitialState.*:Api.EntryPoint/*:Map1Errors.OrderTooHigh/*_f:Precedence.*"});
+         "quick", "--filter",
+         "InitialState.*:Api.EntryPoint/EvalCoord1dv:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     const json result = results("wretched");
     EXPECT_EQ(result["status"], "complete") << outcome.text;
