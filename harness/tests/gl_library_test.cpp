@@ -168,7 +168,7 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
     const Outcome outcome = evalcts(
         {"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(), "--depth",
          "quick", "--filter",
-         "InitialState.*:Api.EntryPoint/EvalCoord1dv:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
+         "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     const json result = results("wretched");
     EXPECT_EQ(result["status"], "complete") << outcome.text;
