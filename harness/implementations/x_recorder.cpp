@@ -8,14 +8,15 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <mutex>
 #include <optional>
-#include <regex>
 #include <thread>
 #include <utility>
 
@@ -213,11 +214,15 @@ class XRecorder::Pump {
 };
 
 XRecorder::XRecorder(const std::string& server) {
-  static const std::regex local(R"((?:unix)?:(\d{1,9})(?:\.\d+)?)");
-  std::smatch parts;
-  if (!std::regex_match(server, parts, local))
+  // ":1", "unix:1", ":1.0"
+  const std::size_t colon = server.starts_with("unix:") ? 4 : 0;
+  int number = -1;
+  const char* const end = server.data() + server.size();
+  const auto [after, error] =
+      std::from_chars(server.data() + std::min(colon + 1, server.size()), end, number);
+  if (server[colon] != ':' || error != std::errc() || number < 0 || (after != end && *after != '.'))
     throw CannotStart(fmt::format("display {} is not on this machine", server));
-  pump_ = std::make_unique<Pump>(socket_of(std::stoi(parts[1])));
+  pump_ = std::make_unique<Pump>(socket_of(number));
   display_ = pump_->display();
 }
 
