@@ -111,7 +111,7 @@ EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
 namespace {
 
 // Attributes that alias conventional ones (table X.1 of the extension).
-constexpr GLenum kPositionAttribute = 0, kNormalAttribute = 2, kColorAttribute = 3;
+constexpr GLenum kPositionAttribute = 0, kColorAttribute = 3;
 
 using Color = std::array<double, 4>;
 
