@@ -6,20 +6,6 @@
 namespace evalcts::suite_get_map {
 namespace {
 
-// One of the three forms; `room` elements to write to.
-struct Getter {
-  const char* name;
-  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
-};
-constexpr Getter kGetters[] = {
-    {"GetMapfv", [](gl::Case& c, GLenum target, GLenum query,
-                    std::size_t room) { return c.GetMapfv(target, query, gl::out<GLfloat>(room)); }},
-    {"GetMapdv", [](gl::Case& c, GLenum target, GLenum query,
-                    std::size_t room) { return c.GetMapdv(target, query, gl::out<GLdouble>(room)); }},
-    {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapiv(target, query, gl::out<GLint>(room));
-     }}};
-
 // Maps whose integer queries are plainly rounded, whatever one reads (C-GETMAPIV-NORM).
 const std::vector<GLenum>& plain_targets() {
   static const std::vector<GLenum> targets = {

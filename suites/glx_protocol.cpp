@@ -319,19 +319,6 @@ void begin_indirect(gl::Case& c) {
   recorded_requests(c);
 }
 
-struct Getter {
-  const char* name;
-  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
-};
-constexpr Getter kGetters[] = {
-    {"GetMapdv", [](gl::Case& c, GLenum target, GLenum query,
-                    std::size_t room) { return c.GetMapdv(target, query, gl::out<GLdouble>(room)); }},
-    {"GetMapfv", [](gl::Case& c, GLenum target, GLenum query,
-                    std::size_t room) { return c.GetMapfv(target, query, gl::out<GLfloat>(room)); }},
-    {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapiv(target, query, gl::out<GLint>(room));
-     }}};
-
 }  // namespace
 
 // n values, for n = 1 and more; behind an array of n values lies a guard.

@@ -120,6 +120,20 @@ void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const 
 // Control points that give the same memory to every call with this slot, with the contents of the moment.
 gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot);
 
+// One of the three forms; `room` elements to write to.
+struct Getter {
+  const char* name;
+  gl::Ref (*get)(gl::Case&, GLenum target, GLenum query, std::size_t room);
+};
+inline constexpr Getter kGetters[] = {
+    {"GetMapfv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapfv(target, query, gl::out<GLfloat>(room)); }},
+    {"GetMapdv", [](gl::Case& c, GLenum target, GLenum query,
+                    std::size_t room) { return c.GetMapdv(target, query, gl::out<GLdouble>(room)); }},
+    {"GetMapiv", [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
+       return c.GetMapiv(target, query, gl::out<GLint>(room));
+     }}};
+
 // Order, domain and points of one map, through GetMapfv or GetMapdv.
 struct MapQuery {
   gl::Ref order, domain, coefficients;

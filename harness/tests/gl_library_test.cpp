@@ -174,6 +174,7 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
     EXPECT_EQ(result["status"], "complete") << outcome.text;
     EXPECT_FALSE(result["summary"].contains("internal-error")) << result["summary"];
     EXPECT_GT(result["tests"].size(), 30u);
+    EXPECT_EQ(result["summary"].contains("crash"), how == std::string("crashes")) << result["summary"];
   }
   unsetenv("EVALCTS_DRILL");
 }

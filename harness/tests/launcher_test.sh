@@ -270,7 +270,7 @@ sed -i '/clang$/d' "$machine/lists" "$machine/mirror"
 evalcts test --all
 check "clang is left out" grep -qE "^clang +left out: no package clang$" <<<"$output"
 check "tidy is left out" grep -qE "^tidy +left out: no package clang$" <<<"$output"
-called "ctest --preset coverage"
+called "ctest --preset debug"
 called_not "configure clang"
 
 scenario "no apt at all"
