@@ -36,9 +36,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   last.primitives.erase(last.primitives.begin(),
                         last.primitives.begin() + static_cast<std::ptrdiff_t>(before));
   const std::size_t count = last.vertex_count();
-  // Room for a past of which everything is drawn twice: where the last points do not come out nothing is
-  // said.
-  t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, [&](const Observation& seen) {
+  const auto judge_last = [&](const Observation& seen) {
     if (seen.overflow) throw NotObservable("far too many vertices come out, which other tests say");
     Observation tail = seen;
     std::vector<ObservedVertex> vertices;
@@ -49,7 +47,10 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
     tail.primitives = {{GL_POINTS, vertices}};
     tail.attributes &= kUnit0;
     return judge(last, tail, {.version = 10 * t.gl().major + t.gl().minor}).mismatches;
-  });
+  };
+  // Room for a past of which everything is drawn twice: where the last points do not come out nothing is
+  // said.
+  t.expect_observation(c, kUnit0, 2 * all.vertex_count() + 8, kPoints, judge_last, Test::Judged::after_lists);
 }
 
 // Section 11 is about current values.

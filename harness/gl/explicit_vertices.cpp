@@ -13,10 +13,17 @@ void vertex(Case& c, int number) {
 Case with_explicit_vertices(const Case& script) {
   Case control(script.identity());
   std::vector<int> places;
+  bool in_primitive = false;
   for (const Command& written : script.commands()) {
     const int number = static_cast<int>(places.size());
     const std::string_view name = name_of(written.entry);
+    if (name == "glBegin") in_primitive = true;
+    if (name == "glEnd") in_primitive = false;
     if (name.starts_with("glEvalMesh")) {
+      if (in_primitive) {  // an error without effect
+        places.push_back(-1);
+        continue;
+      }
       const bool line = std::get<std::int64_t>(written.arguments[0]) == GL_LINE;
       control.Begin(line ? GL_LINE_STRIP : GL_POINTS);
       for (const int i : {number, number + 1}) vertex(control, i);

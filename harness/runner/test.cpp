@@ -263,6 +263,7 @@ bool Test::cross_checked(const Prediction& prediction) const {
 // Counts the case and returns it as it is delivered.
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++record_.cases;
+  lists_in_doubt_.reset();
   if (subject_.reproduction) subject_.reproduction->begin_case();
   gl::DeliveredCase delivered;
   if (delivery_) {
@@ -331,6 +332,7 @@ Observation Test::observe(const gl::Case& written, Attributes required, std::siz
   const gl::Case script = begin_case(written).script;
   const Capture& capture = capture_for(required, kinds);
   note_capture(capture);
+  note_lists(script, capture, required);
   return capture.observe(*subject_.implementation, script, {required, most_vertices, kinds});
 }
 
@@ -354,18 +356,26 @@ Topology Test::topology_of(const Prediction& prediction, const Capture& capture)
   return *std::move(topology);
 }
 
+// A failure of this case will put the lists in doubt that it goes through, if any.
+void Test::note_lists(const gl::Case& script, const Capture& capture, Attributes judged) {
+  // In a reproduction they are beyond doubt, and the control is not the case.
+  if (!uses_lists(script) || subject_.reproduction) return;
+  // Where vertices are astray nothing else of them is right.
+  lists_in_doubt_ = {script, &capture, (judged | kPosition) & capture.attributes()};
+}
+
 // Where a case through display lists fails, the same with explicit vertices has to be right: otherwise the
 // lists are to blame, not the evaluators. Throws NotObservable.
-void Test::require_lists_of_vertices(const gl::Case& script, const Capture& capture) const {
-  const gl::Case control = gl::with_explicit_vertices(script);
+void Test::require_lists_of_vertices(const Listed& listed) const {
+  const gl::Case control = gl::with_explicit_vertices(listed.script);
   const Prediction prediction = predict(control, max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
-  if (!capture.takes(kinds)) return;
-  const Topology topology = topology_of(prediction, capture);
-  const Observation seen = capture.observe(*subject_.implementation, control,
-                                           {capture.attributes(), most_vertices_of(prediction) + 8, kinds});
-  const std::vector<Mismatch> mismatches =
-      judge(prediction, topology, seen, {.version = 10 * gl().major + gl().minor}).mismatches;
+  if (!listed.capture->takes(kinds)) return;
+  const Topology topology = topology_of(prediction, *listed.capture);
+  const Observation seen = listed.capture->observe(*subject_.implementation, control,
+                                                   {listed.judged, most_vertices_of(prediction) + 8, kinds});
+  const JudgeOptions options{.attributes = listed.judged, .version = 10 * gl().major + gl().minor};
+  const std::vector<Mismatch> mismatches = judge(prediction, topology, seen, options).mismatches;
   if (!mismatches.empty())
     throw NotObservable("pipeline: in display lists explicit vertices go wrong, too: " +
                         mismatches.front().message);
@@ -423,7 +433,7 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
     return judgement;
   };
   const Judgement judgement = judged(observation);
-  if (!judgement.mismatches.empty() && uses_lists(script)) require_lists_of_vertices(script, *capture);
+  note_lists(script, *capture, capture->attributes());
   fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
@@ -433,10 +443,11 @@ void Test::expect_emission(const gl::Case& written, Attributes required) {
 }
 
 void Test::expect_observation(const gl::Case& written, Attributes required, std::size_t most_vertices,
-                              PrimitiveKinds kinds, const OwnJudge& judge) {
+                              PrimitiveKinds kinds, const OwnJudge& judge, Judged judged) {
   const gl::Case script = begin_case(written).script;
   const Capture& capture = capture_for(required, kinds);
   note_capture(capture);
+  if (judged == Judged::in_lists) note_lists(script, capture, required);
   const Wanted wanted{required, most_vertices, kinds};
   fail_each(script, capture, wanted, capture.observe(*subject_.implementation, script, wanted), judge);
 }
@@ -486,6 +497,7 @@ void Test::follows(const std::string& text, const std::string& reading) {
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls) {
+  if (lists_in_doubt_) require_lists_of_vertices(*std::exchange(lists_in_doubt_, std::nullopt));
   if (subject_.reproduction) subject_.reproduction->failed(failure);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != record_.cases) ++record_.failed_cases;

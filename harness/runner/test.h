@@ -136,9 +136,11 @@ class Test {
                       PrimitiveKinds kinds = kPoints);
   // What is wrong with what came out; may throw NotObservable.
   using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
-  // The same, and fails for each mismatch that the test's own judge finds.
+  // The same, and fails for each mismatch that the test's own judge finds. What it looks at may come after
+  // all lists of the case.
+  enum class Judged { in_lists, after_lists };
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
-                          PrimitiveKinds kinds, const OwnJudge& judge);
+                          PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::in_lists);
 
   // What comes out through a vertex shader of the test's own. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
@@ -169,12 +171,21 @@ class Test {
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
                  const Observation& seen, const OwnJudge& judge);
   Topology topology_of(const Prediction& prediction, const Capture& capture) const;
-  void require_lists_of_vertices(const gl::Case& script, const Capture& capture) const;
+
+  // A case that was observed through display lists.
+  struct Listed {
+    gl::Case script;
+    const Capture* capture;
+    Attributes judged;
+  };
+  void note_lists(const gl::Case& script, const Capture& capture, Attributes judged);
+  void require_lists_of_vertices(const Listed& listed) const;
 
   const Subject& subject_;
   Record& record_;
   std::optional<gl::Delivery> delivery_;
   bool lists_used_ = false;
+  std::optional<Listed> lists_in_doubt_;  // until explicit vertices come right out of them
   std::size_t last_failed_case_ = 0;
   std::mt19937 random_;
 };

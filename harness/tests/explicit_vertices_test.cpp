@@ -45,6 +45,20 @@ TEST(ExplicitVertices, MakeAPrimitiveOfAMesh) {
   EXPECT_EQ(lines[7], "glEnd();");
 }
 
+// There a mesh is an error, which must not end the primitive.
+TEST(ExplicitVertices, LeaveOutAMeshBetweenBeginAndEnd) {
+  Case c("mesh in a primitive");
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.EvalMesh1(GL_POINT, 0, 9);
+  c.EvalCoord1f(1);
+  c.End();
+  const Lines lines = calls_of(with_explicit_vertices(c));
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[0], "glBegin(GL_POINTS);");
+  EXPECT_EQ(lines[3], "glEnd();");
+}
+
 // What commands take from the results of earlier ones moves with these.
 TEST(ExplicitVertices, KeepReferencesToEarlierCommands) {
   Case c("buffer");

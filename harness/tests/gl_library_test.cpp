@@ -179,6 +179,28 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
   unsetenv("EVALCTS_DRILL");
 }
 
+// Evaluators are to blame where explicit vertices come right out of the same lists, and nowhere else: for
+// each way in which tests judge what they observe.
+TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  const std::pair<const char*, const char*> drills[] = {
+      {"", "pass"}, {"evaluated", "fail"}, {"lists", "not-observable"}};
+  for (const auto& [how, verdict] : drills) {
+    SCOPED_TRACE(how);
+    setenv("EVALCTS_DRILL", how, 1);
+    const Outcome outcome =
+        evalcts({"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(),
+                 "--depth", "quick", "--filter",
+                 "Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f/Split:DisplayLists.CalledTwiceSameBits/*:"
+                 "Evaluation.RepeatedCallSameBits/MAP1_VERTEX_4/EvalCoord1f/Split:"
+                 "Metamorphic.ReversedCurve/Nested:ShaderAttributes.GenericZero/*/EvalCoord1f/Executed"});
+    const json result = results("wretched");
+    EXPECT_EQ(result["tests"].size(), 7u) << outcome.text;
+    for (const json& test : result["tests"])
+      EXPECT_EQ(test["verdict"], verdict) << test["name"] << ": " << test["message"];
+  }
+}
+
 class GlxLibrary : public GlLibrary {
  protected:
   GlxLibrary() {

@@ -1,6 +1,8 @@
 // A provider over OSMesa with which a library is as bad as libraries get. EVALCTS_DRILL says how:
 //   half: every second command is missing; low, high: limits are -1, or the largest integer; silent: GetError
-//   knows no error; noisy: it never ends to know one; crashes: every second call of an evaluator crashes.
+//   knows no error; noisy: it never ends to know one; crashes: every second call of an evaluator crashes;
+//   lists: what draws goes into lists with vertices astray, explicit ones or evaluated; evaluated: these
+//   only.
 #include <GL/gl.h>
 #include <dlfcn.h>
 #include <evalcts_provider.h>
@@ -53,6 +55,52 @@ void eval_coord1f(GLfloat u) {
   real<decltype(::glEvalCoord1f)>("glEvalCoord1f")(u);
 }
 
+// Vertices of a list are each in another wrong place.
+bool in_list = false;
+GLfloat astray(bool is_evaluated) {
+  static int vertices = 0;
+  return in_list && (is_evaluated || drill("lists")) ? 0x1p-10f * static_cast<GLfloat>(++vertices % 64) : 0;
+}
+void new_list(GLuint list, GLenum mode) {
+  real<decltype(::glNewList)>("glNewList")(list, mode);
+  in_list = true;
+}
+void end_list() {
+  in_list = false;
+  real<decltype(::glEndList)>("glEndList")();
+}
+void vertex3f(GLfloat x, GLfloat y, GLfloat z) {
+  real<decltype(::glVertex3f)>("glVertex3f")(x + astray(false), y, z);
+}
+void vertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
+  real<decltype(::glVertex4f)>("glVertex4f")(x + astray(false), y, z, w);
+}
+void eval_coord1f_astray(GLfloat u) { real<decltype(::glEvalCoord1f)>("glEvalCoord1f")(u + astray(true)); }
+void eval_coord2f_astray(GLfloat u, GLfloat v) {
+  real<decltype(::glEvalCoord2f)>("glEvalCoord2f")(u + astray(true), v);
+}
+void eval_mesh1_astray(GLenum mode, GLint first, GLint last) {
+  real<decltype(::glEvalMesh1)>("glEvalMesh1")(mode, first, last + (in_list ? 1 : 0));
+}
+void eval_mesh2_astray(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  real<decltype(::glEvalMesh2)>("glEvalMesh2")(mode, i1, i2 + (in_list ? 1 : 0), j1, j2);
+}
+template <class Function>
+void* address_of(Function* function) {
+  return reinterpret_cast<void*>(function);
+}
+void* get_address_astray(std::string_view name) {
+  if (name == "glNewList") return address_of(&new_list);
+  if (name == "glEndList") return address_of(&end_list);
+  if (name == "glVertex3f") return address_of(&vertex3f);
+  if (name == "glVertex4f") return address_of(&vertex4f);
+  if (name == "glEvalCoord1f") return address_of(&eval_coord1f_astray);
+  if (name == "glEvalCoord2f") return address_of(&eval_coord2f_astray);
+  if (name == "glEvalMesh1") return address_of(&eval_mesh1_astray);
+  if (name == "glEvalMesh2") return address_of(&eval_mesh2_astray);
+  return nullptr;
+}
+
 // Without these nothing starts.
 bool is_vital(std::string_view command) {
   static const std::set<std::string_view> kVital = {"glGetString", "glGetError", "glGetIntegerv",
@@ -73,6 +121,8 @@ void* get_address(const char* command) {
     return reinterpret_cast<void*>(&wrong_limits);
   if (name == "glMap1f" && drill("crashes")) return reinterpret_cast<void*>(&map1f);
   if (name == "glEvalCoord1f" && drill("crashes")) return reinterpret_cast<void*>(&eval_coord1f);
+  if (drill("lists") || drill("evaluated"))
+    if (void* const address = get_address_astray(name)) return address;
   return dlsym(library, command);
 }
 
