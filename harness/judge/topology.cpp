@@ -154,12 +154,16 @@ std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
 // How far what came out is from a vertex of the case: near zero where it is that vertex.
 class Distance {
  public:
-  Distance(const Prediction& prediction, Attributes attributes) : attributes_(attributes) {
+  Distance(const Prediction& prediction, const Observation& observation)
+      : attributes_(observation.attributes) {
     for (const reference::Primitive& primitive : prediction.primitives)
       for (const reference::Vertex& vertex : primitive.vertices) {
         std::vector<float> values;
         for (const auto* four : {&vertex.position, &vertex.texture_coordinate[0], &vertex.color})
           for (const reference::Component& component : *four) values.push_back(reference::rounded(component));
+        if (observation.clamped_colors)
+          for (auto color = values.end() - 4; color != values.end(); ++color)
+            *color = std::clamp(*color, 0.0f, 1.0f);
         expected_.push_back(std::move(values));
       }
   }
@@ -224,7 +228,7 @@ Match two_triangles(const Distance& distance, const Quad& q, const std::vector<O
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation) {
   const std::optional<std::vector<Quad>> quads = quads_of(prediction);
   if (!quads || quads->empty()) return {};
-  const Distance distance(prediction, observation.attributes);
+  const Distance distance(prediction, observation);
   Topology topology{shape_of(observation), {}};
   const std::vector<ObservedPrimitive>& seen = observation.primitives;
   std::size_t next = 0;

@@ -1,6 +1,8 @@
 // Topology: what comes out of lines and polygons is learned from explicit vertices.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "harness/judge/judge.h"
 
 namespace evalcts {
@@ -93,6 +95,27 @@ TEST(MatchQuads, SeesTheOtherWindingAndTheWrongQuad) {
   EXPECT_GT(mismatches(observed(GL_POLYGON, {{13, 12, 11, 10}})), 0u);
   EXPECT_GT(mismatches(observed(GL_POLYGON, {{10, 11, 12, 14}})), 0u);
   EXPECT_GT(mismatches(observed(GL_TRIANGLES, {{10, 11, 12}, {10, 11, 12}})), 0u);
+}
+
+// What the clamp took from colours says nothing of which vertex it was.
+TEST(MatchQuads, ClampedColorsDoNotMislead) {
+  gl::Case c;
+  c.Begin(GL_QUADS);
+  for (int i = 0; i < 4; ++i) {
+    c.Color4f(i % 2 ? -20 : 0.5f, 0, 0, 1);
+    c.Vertex2f(static_cast<float>(10 + i), 1);
+  }
+  c.End();
+  const Prediction quad = predict(c, 8);
+  Observation seen = observed(GL_TRIANGLES, {{10, 11, 13}, {11, 12, 13}});
+  seen.attributes |= kColor;
+  seen.clamped_colors = true;
+  for (ObservedPrimitive& triangle : seen.primitives)
+    for (ObservedVertex& vertex : triangle.vertices)
+      vertex.color = {std::fmod(vertex.position[0], 2.0f) == 0 ? 0.5f : 0.0f, 0, 0, 1};
+  const auto matched = match_quads(quad, seen);
+  ASSERT_TRUE(matched);
+  EXPECT_EQ(matched->vertices, (Numbers{0, 1, 3, 1, 2, 3}));
 }
 
 TEST(MatchQuads, NeedsAsManyAsThereAre) {
