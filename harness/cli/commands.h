@@ -46,6 +46,15 @@ struct ReproduceOptions {
   std::string program;  // how evalcts was called
 };
 
+struct FaultsOptions {
+  std::string filter;  // empty: all
+  std::string shard;   // "K/N"; empty: all
+  bool complete = false;
+  double seconds_per_test = 20;
+  std::optional<int> jobs;
+  std::string output;  // empty: the usual folder
+};
+
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 // `complete`: a requirement, or a half of one, that is neither decided nor known to be undecidable is
@@ -53,14 +62,20 @@ int list(const std::string& what, bool as_json);
 int coverage(bool as_json, bool complete);
 int explain(const std::string& name);
 int reproduce(const ReproduceOptions& options);
+// `complete`: a requirement that tests decide and no fault breaks is unexpected, too.
+int faults(const FaultsOptions& options);
+
+// {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
+// std::runtime_error.
+nlohmann::json list_faults();
 
 // Why an implementation does not start; empty where it does. Asked in a child: libraries do not share a
 // process well.
 std::string why_not(const std::string& implementation);
 
-// Where this program, the suite program and the usual output folder are.
+// Where this program, the suite programs and the usual output folder are.
 struct Places {
-  std::filesystem::path suite_program;
+  std::filesystem::path suite_program, faulty_suite_program;
   std::filesystem::path output;
   std::filesystem::path baselines;
   // libglevaluator for C programs; empty where it is not known.

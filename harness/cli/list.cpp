@@ -69,6 +69,15 @@ int list(const std::string& what, bool as_json) {
           std::cout << fmt::format("{:<36} {}\n", entry["id"].get<std::string>() + "=" + reading,
                                    meaning.get<std::string>());
     }
+  } else if (what == "faults") {
+    const json all = list_faults();
+    if (as_json) {
+      std::cout << all.dump(1) << "\n";
+    } else {
+      for (const json& fault : all["faults"])
+        std::cout << fmt::format("{:<44} {}\n", fault["name"].get<std::string>(),
+                                 fault["what"].get<std::string>());
+    }
   } else if (what == "requirements") {
     if (as_json) {
       std::cout << catalogue().dump(1) << "\n";

@@ -78,10 +78,10 @@ int main(int argc, char** argv) {
   std::string what;
   bool as_json = false;
   CLI::App* list_command =
-      app.add_subcommand("list", "implementations, requirements, interpretations or tests");
+      app.add_subcommand("list", "implementations, requirements, interpretations, tests or faults");
   list_command->add_option("what", what)
       ->required()
-      ->check(CLI::IsMember({"implementations", "requirements", "interpretations", "tests"}));
+      ->check(CLI::IsMember({"implementations", "requirements", "interpretations", "tests", "faults"}));
   list_command->add_flag("--json", as_json, "as JSON");
 
   CLI::App* coverage_command =
@@ -108,6 +108,23 @@ int main(int argc, char** argv) {
   reproduce_command->add_option("--output", reproduce_options.output, "the C file to write");
   reproduce_command->add_option("--results", reproduce_options.results, "folder with the results of the run");
 
+  FaultsOptions faults_options;
+  CLI::App* faults_command = app.add_subcommand(
+      "faults", "break one rule at a time on purpose: does the suite catch it? (the tests of the tests)");
+  faults_command->add_option("--filter", faults_options.filter, "faults to try: patterns as for run");
+  faults_command->add_option("--shard", faults_options.shard, "K/N: every N-th fault, from the K-th on")
+      ->check([](const std::string& text) {
+        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+      });
+  faults_command->add_flag("--complete", faults_options.complete,
+                           "exit code 1 where a requirement that tests decide has no fault, too");
+  faults_command->add_option("--timeout", faults_options.seconds_per_test, "seconds for each test")
+      ->check(CLI::PositiveNumber);
+  faults_command
+      ->add_option("--jobs", faults_options.jobs, "faults side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  faults_command->add_option("--output", faults_options.output, "folder for faults.json and faults.md");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -118,6 +135,7 @@ int main(int argc, char** argv) {
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json, complete);
     if (*reproduce_command) return reproduce(reproduce_options);
+    if (*faults_command) return faults(faults_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

@@ -15,6 +15,7 @@ Places places() {
   const bool in_checkout = fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json");
   return {
       folder / "evalcts-suite",
+      folder / "evalcts-faulty-suite",
       in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results",
       in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines",
       in_checkout ? fs::weakly_canonical(top / "production/include") : fs::path(),

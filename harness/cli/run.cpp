@@ -1,11 +1,9 @@
 #include <evalcts/reports.h>
 #include <fmt/format.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
-#include <csignal>
 #include <cstdlib>
 #include <future>
 #include <iostream>
@@ -16,6 +14,7 @@
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/cli/terminal.h"
 #include "harness/runner/baseline.h"
 #include "harness/runner/depth.h"
 #include "harness/runner/runner.h"
@@ -25,41 +24,6 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-constexpr int kMostUsualJobs = 8;
-
-void stop_when_asked() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = true; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
-
-// One line that is written over, on terminals only, with the progress of all that run side by side.
-class ProgressLine {
- public:
-  void show(const std::string& name, const Progress& progress) {
-    if (!terminal_) return;
-    const std::lock_guard lock(mutex_);
-    state_[name] =
-        progress.phase == "test" ? fmt::format("{} of {}", progress.done, progress.total) : progress.phase;
-    std::string line;
-    for (const auto& [implementation, state] : state_)
-      line += fmt::format("{}{}: {}", line.empty() ? "" : "   ", implementation, state);
-    if (line.size() > 99) line.resize(99);
-    std::cerr << "\r\033[K" << line << std::flush;
-  }
-  // Prints whole lines without the progress line getting in between.
-  void print(const std::string& text) {
-    const std::lock_guard lock(mutex_);
-    if (terminal_) std::cerr << "\r\033[K" << std::flush;
-    std::cout << text << std::flush;
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  std::mutex mutex_;
-  std::map<std::string, std::string> state_;
-};
 
 int exit_code_of(const json& result, bool named, bool strict) {
   if (result["status"] == "not-started") return named ? kWrongUse : kNothingUnexpected;
@@ -74,13 +38,6 @@ int exit_code_of(const json& result, bool named, bool strict) {
   }
   if (strict && result.contains("stale_baseline_entries")) code = kUnexpected;
   return code;
-}
-
-// As many processes as there are cores for this one, within reason.
-int usual_jobs() {
-  cpu_set_t cores;
-  if (sched_getaffinity(0, sizeof cores, &cores) != 0) return 1;
-  return std::clamp(CPU_COUNT(&cores), 1, kMostUsualJobs);
 }
 
 bool is_file_name(const std::string& label) {
@@ -243,7 +200,11 @@ int run(const RunOptions& options) {
                    : implementation.name.empty() ? "library"
                                                  : implementation.name;
     running.push_back(std::async(std::launch::async, [request, &line, &options]() mutable {
-      const auto show = [&](const Progress& progress) { line.show(request.name, progress); };
+      const auto show = [&](const Progress& progress) {
+        line.show(request.name, progress.phase == "test"
+                                    ? fmt::format("{} of {}", progress.done, progress.total)
+                                    : progress.phase);
+      };
       std::vector<json> passes = {run_implementation(request, show)};
       if (options.reuse_context && passes[0]["status"] == "complete") {
         const json first = passes[0];

@@ -1,5 +1,5 @@
-// The suite program: a plain GoogleTest program that judges one implementation. The runner starts it as a
-// child; any other GoogleTest runner can, too.
+#include "harness/runner/suite_main.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -258,7 +258,7 @@ void parse(int argc, char** argv, Options& options) {
     options.implementation.name = "reference";
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
   // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
   static Program& program = *new Program;
@@ -277,6 +277,7 @@ int run(int argc, char** argv) {
   if (!only_list) {
     try {
       program.implementation = open_implementation(options.implementation);
+      if (wrapping) program.implementation = wrapping(std::move(program.implementation));
       program.subject.info = inquire(*program.implementation);
     } catch (const CannotStart& exception) {
       if (!options.answer.empty()) answer(options, {{"cannot_start", exception.what()}});
@@ -330,18 +331,19 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace evalcts
 
-int main(int argc, char** argv) {
+int suite_main(int argc, char** argv, const Wrapping& wrapping) {
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test are recorded, not kept
   try {
-    return evalcts::run(argc, argv);
-  } catch (const evalcts::CannotStart& error) {
+    return run(argc, argv, wrapping);
+  } catch (const CannotStart& error) {
     std::cerr << "cannot start: " << error.what() << "\n";
-    return evalcts::kCannotStart;
+    return kCannotStart;
   } catch (const std::exception& error) {
     std::cerr << "evalcts-suite: " << error.what() << "\n";
-    return evalcts::kOwnFault;
+    return kOwnFault;
   }
 }
+
+}  // namespace evalcts

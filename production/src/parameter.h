@@ -5,6 +5,8 @@
 
 #include <glevaluator.h>
 
+#include "production/src/fault.h"
+
 namespace glev {
 
 // The interval [u1, u2] of a map; u1 > u2 is legal.
@@ -39,6 +41,10 @@ inline Parameter Locate(const Domain& domain, double u) {
   if (u == domain.u1) return {1, 0, Parameter::End::kFirst};
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
   const double width = domain.u2 - domain.u1;
+  if (GLEV_FAULTY(SFromRoundedT)) {
+    const float t = static_cast<float>((u - domain.u1) / width);
+    return {1 - t, t, Parameter::End::kNeither};
+  }
   return {(domain.u2 - u) / width, (u - domain.u1) / width, Parameter::End::kNeither};
 }
 

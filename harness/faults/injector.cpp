@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "harness/faults/fault.h"
+#include "production/src/fault.h"
+
+namespace evalcts::faults {
+namespace {
+
+std::vector<Fault>& wrappers() {
+  static std::vector<Fault> all;
+  return all;
+}
+
+// The faults that are switches, in the order of glev::Fault.
+std::vector<Fault> switches() {
+  return {
+#define GLEV_FAULT(name, level, requirements, what) \
+  {#name, "production", Level::level, requirements, what, nullptr},
+#include "production/src/faults.def"
+#undef GLEV_FAULT
+  };
+}
+
+void activate_switch(std::string_view name) {
+  const std::vector<Fault> all = switches();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == name) glev::active_fault = static_cast<glev::Fault>(i + 1);
+}
+
+// What a fault does to a context.
+class FaultyContext final : public Context {
+ public:
+  FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
+    memory = {};
+    sound = table_ = inner_->table();
+    Injection injection{table_};
+    fault.inject(injection);
+    emitted_ = injection.emitted;
+    // A command that is missing stays so.
+#define GL_ENTRY(name, kinds) \
+  if (!sound.name) table_.name = nullptr;
+#include "harness/gl/entry_points.def"
+#undef GL_ENTRY
+  }
+
+  const gl::Table& table() const override { return table_; }
+  bool has_sink() const override { return inner_->has_sink(); }
+  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
+  std::vector<ObservedPrimitive> take_emitted() override {
+    std::vector<ObservedPrimitive> primitives = inner_->take_emitted();
+    if (emitted_) emitted_(primitives);
+    return primitives;
+  }
+
+ private:
+  std::unique_ptr<Context> inner_;
+  gl::Table table_;
+  void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
+};
+
+class Faulty final : public Implementation {
+ public:
+  Faulty(std::unique_ptr<Implementation> inner, const Fault& fault)
+      : inner_(std::move(inner)), fault_(fault) {}
+
+  std::string name() const override { return inner_->name(); }
+  std::string library() const override { return inner_->library(); }
+  std::unique_ptr<Context> create_context() override {
+    return std::make_unique<FaultyContext>(inner_->create_context(), fault_);
+  }
+  // The idle context that may live beside the others has no part in a case.
+  std::unique_ptr<Context> create_beside() override { return inner_->create_beside(); }
+
+ private:
+  std::unique_ptr<Implementation> inner_;
+  const Fault& fault_;
+};
+
+}  // namespace
+
+FaultRegistration::FaultRegistration(const Fault& fault) { wrappers().push_back(fault); }
+
+const std::vector<Fault>& all_faults() {
+  static const std::vector<Fault> sorted = [] {
+    std::vector<Fault> all = wrappers();
+    for (const Fault& fault : switches()) all.push_back(fault);
+    std::ranges::sort(all, {}, &Fault::name);
+    return all;
+  }();
+  return sorted;
+}
+
+std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner, std::string_view name) {
+  const auto found = std::ranges::find(all_faults(), name, &Fault::name);
+  if (found == all_faults().end()) throw CannotStart(fmt::format("there is no fault '{}'", name));
+  if (found->inject) return std::make_unique<Faulty>(std::move(inner), *found);
+  activate_switch(name);
+  return inner;
+}
+
+}  // namespace evalcts::faults
