@@ -486,7 +486,8 @@ EVALCTS_LISTED_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], k
   std::size_t shared = 0;
   for (const auto& [point, positions] : points) {
     if (positions.size() > 1) ++shared;
-    const auto other = std::ranges::find_if(positions, [&](const auto& p) { return p != positions.front(); });
+    const auto other =
+        std::ranges::find_if(positions, [&first = positions.front()](const auto& p) { return p != first; });
     if (other != positions.end())
       fail_at(t, "in the primitives that share it", point, positions.front(), *other);
   }

@@ -376,12 +376,12 @@ void expect_symmetry(Test& t, bool two) {
           two ? std::vector<std::pair<bool, bool>>{{true, false}, {false, true}, {true, true}}
               : std::vector<std::pair<bool, bool>>{{true, false}};
       for (const auto& [u, v] : directions) {
-        const auto reverse = [&](const Map2& map) { return reversed(map, u, v); };
-        const auto reverse_domain = [&](const Map2& map) {
+        const auto reverse = [&, u = u, v = v](const Map2& map) { return reversed(map, u, v); };
+        const auto reverse_domain = [&, u = u, v = v](const Map2& map) {
           return over(map, u ? map.u2 : map.u1, u ? map.u1 : map.u2, v ? map.v2 : map.v1,
                       v ? map.v1 : map.v2);
         };
-        const std::vector<At> mirrored = changed(plain.arguments, [&](const At& at) {
+        const std::vector<At> mirrored = changed(plain.arguments, [&, u = u, v = v](const At& at) {
           return At{u ? 4 - at.u : at.u, v ? 4 - at.v : at.v};
         });
         relations.add("points reversed and arguments mirrored", plain, {changed(maps, reverse), mirrored});
@@ -418,7 +418,8 @@ void expect_elevation(Test& t, bool two) {
                                               : std::vector<Orders>{{order, 1}})
         relations.add(
             "degree elevated", plain,
-            {changed(maps, [&](const Map2& map) { return elevated(map, uorder, vorder); }), plain.arguments});
+            {changed(maps, [&, u = uorder, v = vorder](const Map2& map) { return elevated(map, u, v); }),
+             plain.arguments});
     // A straight line is a map of any order.
     for (int order = 3; order <= t.max_order(); order += two || order > 10 ? 7 : 1) {
       const std::vector<Map2> lines = random_maps(t, kinds, {2, two ? 2 : 1}, (order - 1) << 4);

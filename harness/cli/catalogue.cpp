@@ -6,6 +6,7 @@
 #include <set>
 
 #include "requirements_data.h"  // generated: kRequirements
+#include "suites/generated/findings_data.h"
 
 namespace evalcts {
 namespace {
@@ -31,6 +32,11 @@ std::map<std::string, std::string> undecidable_halves(const nlohmann::json& requ
 
 const nlohmann::json& catalogue() {
   static const nlohmann::json data = nlohmann::json::parse(kRequirements);
+  return data;
+}
+
+const nlohmann::json& findings() {
+  static const nlohmann::json data = nlohmann::json::parse(kFindings);
   return data;
 }
 

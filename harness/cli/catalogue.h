@@ -11,6 +11,10 @@ namespace evalcts {
 // decide says why: "undecidable": "reason", or {"1-D": "reason"} for one of its halves.
 const nlohmann::json& catalogue();
 
+// The programs that random search found and every run replays: {"name", "cause", "requirement", "program",
+// ...} each.
+const nlohmann::json& findings();
+
 // The ambiguous texts with more than one accepted reading: {"id", "readings": {name: meaning}, ...} each, of
 // "contradictions" and "undefined".
 std::vector<nlohmann::json> interpretations();

@@ -55,6 +55,16 @@ struct FaultsOptions {
   std::string output;  // empty: the usual folder
 };
 
+struct FuzzOptions {
+  std::string implementation, library, context;
+  std::uint32_t seed = 1;
+  std::optional<std::uint32_t> programs;
+  double seconds = 0;  // 0: no limit
+  int length = 120;    // commands of a program, about
+  std::optional<int> jobs;
+  std::string output;  // empty: the usual folder
+};
+
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 // `complete`: a requirement, or a half of one, that is neither decided nor known to be undecidable is
@@ -64,6 +74,7 @@ int explain(const std::string& name);
 int reproduce(const ReproduceOptions& options);
 // `complete`: a requirement that tests decide and no fault breaks is unexpected, too.
 int faults(const FaultsOptions& options);
+int fuzz(const FuzzOptions& options);
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.

@@ -125,6 +125,24 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256));
   faults_command->add_option("--output", faults_options.output, "folder for faults.json and faults.md");
 
+  FuzzOptions fuzz_options;
+  CLI::App* fuzz_command = app.add_subcommand(
+      "fuzz", "random programs side by side with the executable specification; differences are made small");
+  fuzz_command->add_option("--implementation", fuzz_options.implementation, "what to judge");
+  fuzz_command->add_option("--library", fuzz_options.library, "shared library instead of the usual one");
+  fuzz_command->add_option("--context", fuzz_options.context, "what makes the contexts, as for run");
+  fuzz_command->add_option("--seed", fuzz_options.seed,
+                           "the same seed gives the same programs on every machine");
+  fuzz_command->add_option("--programs", fuzz_options.programs, "how many");
+  fuzz_command
+      ->add_option("--seconds", fuzz_options.seconds, "for how long (default: 60, without --programs)")
+      ->check(CLI::PositiveNumber);
+  fuzz_command->add_option("--length", fuzz_options.length, "commands of a program, about")
+      ->check(CLI::Range(1, 100000));
+  fuzz_command->add_option("--jobs", fuzz_options.jobs, "processes side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  fuzz_command->add_option("--output", fuzz_options.output, "folder for what is found");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -136,6 +154,7 @@ int main(int argc, char** argv) {
     if (*coverage_command) return coverage(as_json, complete);
     if (*reproduce_command) return reproduce(reproduce_options);
     if (*faults_command) return faults(faults_options);
+    if (*fuzz_command) return fuzz(fuzz_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

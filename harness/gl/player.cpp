@@ -71,12 +71,13 @@ class Player {
  public:
   explicit Player(const Table& table) : table_(table) {}
 
-  Trace play(const Case& script) {
+  Trace play(const Case& script, const std::function<void(std::size_t)>& after_each) {
     for (const Command& command : script.commands())
       if (!has(table_, command.entry)) throw MissingEntryPoint(command.entry);
     trace_.results_.resize(script.commands().size());
     for (const Command& command : script.commands()) {
       issue(command);
+      if (after_each) after_each(index_);
       ++index_;
     }
     if (uses_other_contexts(script)) table_.OtherContextEVALCTS(0);
@@ -201,7 +202,9 @@ class Player {
   std::array<ClientArray*, 16> inputs_of_call_{};
 };
 
-Trace play(const Case& script, const Table& table) { return Player(table).play(script); }
+Trace play(const Case& script, const Table& table, const std::function<void(std::size_t)>& after_each) {
+  return Player(table).play(script, after_each);
+}
 
 const Trace::Written& Trace::output(Ref command) const {
   const auto& output = results_.at(static_cast<std::size_t>(command.index)).output;

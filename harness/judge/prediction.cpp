@@ -22,9 +22,10 @@ const gl::Table& oracle() {
   return table;
 }
 
-gl::Trace play(const gl::Case& script, reference::Specification& specification) {
+gl::Trace play(const gl::Case& script, reference::Specification& specification,
+               const std::function<void(std::size_t)>& after_each = {}) {
   Oracle::current = &specification;
-  gl::Trace trace = gl::play(script, oracle());
+  gl::Trace trace = gl::play(script, oracle(), after_each);
   Oracle::current = nullptr;
   return trace;
 }
@@ -101,6 +102,17 @@ gl::Trace predict_answers(const gl::Case& script, int max_eval_order) {
   } catch (const gl::MissingEntryPoint& missing) {
     throw std::logic_error(missing.what());
   }
+}
+
+std::vector<std::vector<GLenum>> predict_errors(const gl::Case& script, int max_eval_order) {
+  reference::Specification specification({.max_eval_order = max_eval_order});
+  std::vector<std::vector<GLenum>> errors;
+  try {
+    play(script, specification, [&](std::size_t) { errors.push_back(specification.permitted_errors()); });
+  } catch (const gl::MissingEntryPoint& missing) {
+    throw std::logic_error(missing.what());
+  }
+  return errors;
 }
 
 gl::Case as_explicit_commands(const Prediction& prediction) {

@@ -31,6 +31,9 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order);
 // std::logic_error if it lacks one of the commands.
 gl::Trace predict_answers(const gl::Case& script, int max_eval_order);
 
+// For each command the errors that it is free to raise there; none for most. Throws as predict_answers does.
+std::vector<std::vector<GLenum>> predict_errors(const gl::Case& script, int max_eval_order);
+
 // The primitives of the prediction with explicit vertices: each value correctly rounded, colour, normal and
 // texture coordinates of unit 0 before each vertex. What evaluation has to be like (EV-COORD-ASIF), up to the
 // accuracy rule.

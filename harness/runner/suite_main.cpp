@@ -18,7 +18,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "harness/fuzz/campaign.h"
 #include "harness/gl/call_log.h"
+#include "harness/gl/case_json.h"
 #include "harness/implementations/reused_context.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/reproduction.h"
@@ -40,7 +42,10 @@ struct Options {
   std::string depth = "full";
   std::uint32_t seed = 1;
   std::string records, tests, claims, answer, prove, reproduce;
-  bool describe = false, list = false, trace_cases = false, die_with_parent = false, reuse_context = false;
+  fuzz::Campaign campaign;
+  std::string replay;
+  bool fuzz = false, describe = false, list = false, trace_cases = false, die_with_parent = false,
+       reuse_context = false;
 };
 
 // One line for each event, written at once, so that nothing obtained is lost when the process dies.
@@ -242,6 +247,13 @@ void parse(int argc, char** argv, Options& options) {
   app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
   app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
   app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
+  app.add_flag("--fuzz", options.fuzz, "play random programs of the seed instead of tests");
+  app.add_option("--first", options.campaign.first, "number of the first program")->needs("--fuzz");
+  app.add_option("--step", options.campaign.step, "from a program to the next one")->needs("--fuzz");
+  app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
+  app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
+  app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
+  app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
   app.add_flag("--reuse-context", options.reuse_context,
                "play all cases on one context, whose state is restored by calls in between");
@@ -258,6 +270,24 @@ void parse(int argc, char** argv, Options& options) {
     options.implementation.name = "reference";
 }
 
+// Random programs, or one from a file: 1 where the one from the file shows a difference.
+int play_programs(const Program& program) {
+  const auto report = [&](const json& event) { program.records->write(event); };
+  if (program.options.fuzz) {
+    fuzz::play(program.subject, program.options.campaign, report);
+    return 0;
+  }
+  std::ifstream file(program.options.replay);
+  if (!file) throw std::runtime_error("cannot read '" + program.options.replay + "'");
+  gl::Case script = gl::case_from_json(json::parse(file));
+  script.set_identity("program");
+  report({{"event", "start"}, {"name", "program"}});
+  const std::optional<fuzz::Finding> finding = fuzz::judge_program(program.subject, script);
+  report({{"event", "result"},
+          {"record", {{"name", "program"}, {"finding", finding ? fuzz::to_json(*finding) : json()}}}});
+  return finding ? 1 : 0;
+}
+
 int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
   // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
@@ -270,7 +300,9 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     return 0;
   }
   const bool answers = options.describe || !options.prove.empty();
-  const std::vector<Chosen> tests = answers ? std::vector<Chosen>() : tests_to_register(options.tests);
+  const bool plays_programs = options.fuzz || !options.replay.empty();
+  const std::vector<Chosen> tests =
+      answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests);
   program.records = std::make_unique<RecordFile>(options.records);
   if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
   const bool only_list = testing::GTEST_FLAG(list_tests);
@@ -317,6 +349,13 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.subject.reproduction = program.reproduction.get();
       program.subject.implementation = &program.reproduction->implementation();
     }
+  }
+  if (plays_programs) {
+    program.subject.before_case = nullptr;
+    const int status = play_programs(program);
+    program.captures.reset();
+    program.records->write({{"event", "end"}});
+    return status;
   }
   for (const Chosen& chosen : tests)
     testing::RegisterTest(

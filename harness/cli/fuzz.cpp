@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "harness/cli/catalogue.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/terminal.h"
+#include "harness/fuzz/hunt.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+// The causes of the findings that the suite replays in every run: those are known.
+std::map<std::string, std::string> known_causes() {
+  std::map<std::string, std::string> known;
+  for (const json& finding : findings())
+    known[finding.at("cause").get<std::string>()] = finding.at("name").get<std::string>();
+  return known;
+}
+
+}  // namespace
+
+int fuzz(const FuzzOptions& options) {
+  if (options.implementation.empty() && options.library.empty() && options.context.empty()) {
+    std::cerr << "evalcts: fuzz needs --implementation, --library or --context\n";
+    return kWrongUse;
+  }
+  const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error || access(output.c_str(), W_OK) != 0) {
+    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
+                             output.string());
+    return kWrongUse;
+  }
+  stop_when_asked();
+  ProgressLine line;
+  fuzz::HuntRequest request = {.suite_program = places().suite_program,
+                               .implementation = {options.implementation, options.library, options.context},
+                               .name = options.implementation.empty() ? "library" : options.implementation,
+                               .seed = options.seed,
+                               .programs = options.programs,
+                               .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,
+                               .length = options.length,
+                               .jobs = options.jobs.value_or(usual_jobs()),
+                               .known = known_causes(),
+                               .output = output};
+  const fuzz::Hunt hunt = fuzz::hunt(request, [&](const fuzz::Hunt& now) {
+    line.show("fuzz",
+              fmt::format("{} programs, {} commands ({:.0f} a second), {} causes", now.programs, now.commands,
+                          now.seconds > 0 ? static_cast<double>(now.commands) / now.seconds : 0.0,
+                          now.causes.size()));
+  });
+  if (!hunt.cannot_start.empty()) {
+    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);
+    return kWrongUse;
+  }
+  std::string text;
+  std::size_t unexpected = 0;
+  for (const fuzz::Cause& cause : hunt.causes) {
+    const bool known = !cause.known_as.empty();
+    unexpected += !known;
+    text += fmt::format("{} ({} of {} programs, {} first): {}\n  {}\n  {}\n",
+                        known ? "known as " + cause.known_as : "new", cause.times, hunt.programs,
+                        cause.program, cause.cause, cause.finding.value("message", ""), cause.file);
+  }
+  text += fmt::format("{}: seed {}: {} programs, {} commands in {:.1f} s; {} causes, {} of them new\n",
+                      request.name, request.seed, hunt.programs, hunt.commands, hunt.seconds,
+                      hunt.causes.size(), unexpected);
+  line.print(text);
+  if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
+  return unexpected > 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,55 @@
+#include "harness/fuzz/as_specified.h"
+
+#include "harness/judge/prediction.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+// Queries may answer in single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
+constexpr double kTolerance = 1e-5;
+
+template <class T>
+std::vector<T> written_values(const gl::Trace& trace, gl::Ref query) {
+  std::vector<T> values = trace.values<T>(query);
+  values.resize(trace.written(query));
+  return values;
+}
+
+void expect_answer(Played& played, const gl::Trace& expected, gl::Ref query) {
+  switch (expected.type(query)) {
+    case gl::Scalar::i32:
+      return played.expect_values(query, written_values<GLint>(expected, query));
+    case gl::Scalar::u8:
+      return played.expect_values(query, written_values<GLubyte>(expected, query));
+    case gl::Scalar::f32:
+      return played.expect_values_near(query, written_values<GLfloat>(expected, query), kTolerance);
+    default:
+      return played.expect_values_near(query, written_values<GLdouble>(expected, query), kTolerance);
+  }
+}
+
+void expect_answers(Test& t, const gl::Case& program) {
+  const gl::Trace expected = predict_answers(program, t.max_order());
+  Played played = t.play(program);
+  for (int i = 0; i < static_cast<int>(program.commands().size()); ++i) {
+    const gl::Ref command{i};
+    if (program.commands()[static_cast<std::size_t>(i)].entry == gl::EntryPoint::GetError) {
+      played.expect_error(command, {expected.error(command)});
+    } else if (expected.has_output(command)) {
+      expect_answer(played, expected, command);
+    } else {
+      played.expect_result(command, expected.result(command));
+    }
+  }
+}
+
+}  // namespace
+
+void expect_as_specified(Test& t, const gl::Case& program, Look look) {
+  constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
+  if (look != Look::vertices) expect_answers(t, program);
+  if (look != Look::answers && predict(program, t.max_order()).vertex_count() > 0)
+    t.expect_emission(program, kJudged);
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,54 @@
+// Random programs against one implementation, in this process.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "harness/fuzz/as_specified.h"
+#include "harness/gl/case.h"
+#include "harness/runner/test.h"
+
+namespace evalcts::fuzz {
+
+struct Campaign {
+  std::uint32_t first = 0;                // number of the first program
+  std::uint32_t step = 1;                 // to the next one
+  std::optional<std::uint32_t> programs;  // how many; none: until the time is over
+  double seconds = 0;                     // 0: no limit
+  int length = 120;                       // commands of a program, about
+  int most_attempts = 400;                // to make a failing program smaller
+};
+
+// One difference from the executable specification.
+struct Finding {
+  gl::Case program;
+  Failure failure;  // the first
+  // What tells its cause from others, as well as a program can: the commands without the forms of their
+  // arguments, and what differs: "Map1 VERTEX_3, Enable, Begin, EvalCoord1, End: color".
+  std::string cause;
+  std::string requirement;  // that is broken, as far as the commands tell
+};
+
+// The program on the implementation; none where it does what the specification says or where nothing can be
+// seen. Throws std::logic_error on a fault of evalcts itself.
+std::optional<Finding> judge_program(const Subject& subject, const gl::Case& program, Look look = Look::all);
+
+// See Finding::cause; `what` differs, "position" or "crash".
+std::string cause_of(const gl::Case& program, const std::string& what);
+
+// {"program": commands as in gl/case_json.h, "cause", "requirement", "what", "message", "expected",
+// "captured", "calls"}
+nlohmann::json to_json(const Finding& finding);
+
+// Plays the campaign and reports, as it goes on, events for the runner (see suite_child.h):
+//   {"event": "campaign", "max_eval_order"}, first; {"event": "start", "name": "program 17"}; {"event":
+//   "smaller", "program": ...} while a failing one shrinks;
+//   {"event": "finding", "number": 17, "finding": ...}; {"event": "progress", "programs", "commands",
+//   "vertices"}.
+void play(const Subject& subject, const Campaign& campaign,
+          const std::function<void(const nlohmann::json& event)>& report);
+
+}  // namespace evalcts::fuzz

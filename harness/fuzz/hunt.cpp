@@ -1,0 +1,267 @@
+#include "harness/fuzz/hunt.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <memory>
+
+#include "harness/fuzz/campaign.h"
+#include "harness/fuzz/legal.h"
+#include "harness/fuzz/random_program.h"
+#include "harness/fuzz/shrink.h"
+#include "harness/gl/call_log.h"
+#include "harness/gl/case_json.h"
+#include "harness/runner/runner.h"
+#include "harness/runner/suite_child.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLook = 0.02;
+constexpr int kMostAttemptsAlone = 150;  // to make a crash smaller: each is a process
+constexpr double kPatience = 60;         // beyond the time limit, for a program that is being made smaller
+constexpr int kMostEmptyStarts = 3;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::uint32_t number_of(const std::string& program) {
+  return static_cast<std::uint32_t>(std::stoul(program.substr(program.find(' ') + 1)));
+}
+
+class Hunter {
+ public:
+  Hunter(const HuntRequest& request, const std::function<void(const Hunt&)>& progress)
+      : request_(request), progress_(progress), scratch_(request.output / ("scratch-fuzz-" + request.name)) {}
+
+  Hunt run() {
+    fs::remove_all(scratch_);
+    fs::create_directory(scratch_);
+    for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
+    while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
+    hunt_.seconds = seconds_since(begin_);
+    std::ranges::sort(hunt_.causes, {}, [](const Cause& cause) { return number_of(cause.program); });
+    fs::remove_all(scratch_);
+    return std::move(hunt_);
+  }
+
+ private:
+  struct Lane {
+    std::unique_ptr<SuiteChild> child;
+    std::uint32_t first = 0;
+    std::optional<std::uint32_t> programs;
+    std::uint64_t played = 0, commands = 0;  // as the child last said
+    json smaller;                            // the smallest version so far of what it works on
+  };
+
+  // The programs K, K + jobs, K + 2 jobs, ... of one lane.
+  std::optional<std::uint32_t> programs_of(int k) const {
+    if (!request_.programs) return {};
+    const auto jobs = static_cast<std::uint32_t>(request_.jobs), own = static_cast<std::uint32_t>(k);
+    return *request_.programs / jobs + (own < *request_.programs % jobs ? 1 : 0);
+  }
+
+  std::vector<std::string> shared_options() const {
+    std::vector<std::string> options = {request_.suite_program.string(), "--seed",
+                                        std::to_string(request_.seed), "--die-with-parent"};
+    const auto add = [&](const char* name, const std::string& value) {
+      if (!value.empty()) options.insert(options.end(), {name, value});
+    };
+    add("--implementation", request_.implementation.name);
+    add("--library", request_.implementation.library);
+    add("--context", request_.implementation.context);
+    return options;
+  }
+
+  fs::path scratch(int lane, const char* extension) const {
+    return scratch_ / fmt::format("{}.{}", lane + 1, extension);
+  }
+
+  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs) {
+    if (lanes_.size() <= static_cast<std::size_t>(k)) lanes_.resize(static_cast<std::size_t>(k) + 1);
+    Lane& lane = lanes_[static_cast<std::size_t>(k)];
+    lane = {};
+    lane.first = first;
+    lane.programs = programs;
+    const double left = request_.seconds > 0 ? request_.seconds - seconds_since(begin_) : 0;
+    if (interrupted || (programs && *programs == 0) || (request_.seconds > 0 && left <= 0)) return;
+    std::vector<std::string> command = shared_options();
+    command.insert(command.end(),
+                   {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs),
+                    "--length", std::to_string(request_.length), "--records", scratch(k, "jsonl").string()});
+    if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
+    if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
+    fs::remove(scratch(k, "jsonl"));
+    lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
+                                              request_.seconds_per_program);
+  }
+
+  void look() {
+    for (std::size_t k = 0; k < lanes_.size(); ++k) {
+      Lane& lane = lanes_[k];
+      if (!lane.child) continue;
+      SuiteChild::Deadline deadline;
+      if (request_.seconds > 0)
+        deadline = begin_ + std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(request_.seconds + kPatience));
+      const bool ended = lane.child->look(kLook, deadline, [&](const json& event) { take(lane, event); });
+      if (ended) finish(static_cast<int>(k));
+    }
+    hunt_.seconds = seconds_since(begin_);
+    progress_(hunt_);
+  }
+
+  void take(Lane& lane, const json& event) {
+    const std::string kind = event.value("event", "");
+    if (kind == "campaign") {
+      max_eval_order_ = event["max_eval_order"];
+    } else if (kind == "start") {
+      lane.smaller = nullptr;
+    } else if (kind == "smaller") {
+      lane.smaller = event["program"];
+    } else if (kind == "finding") {
+      found(fmt::format("program {}", event["number"].get<std::uint32_t>()), event["finding"]);
+    } else if (kind == "progress") {
+      hunt_.programs += event["programs"].get<std::uint64_t>() - lane.played;
+      hunt_.commands += event["commands"].get<std::uint64_t>() - lane.commands;
+      lane.played = event["programs"];
+      lane.commands = event["commands"];
+    }
+  }
+
+  // A child has ended: at its end, or by a death, which is a finding; another one goes on behind it.
+  void finish(int k) {
+    Lane& lane = lanes_[static_cast<std::size_t>(k)];
+    const ChildRun run = lane.child->run();
+    const Lane last = std::exchange(lane, {});
+    if (run.complete || interrupted || run.cut_short) return;
+    constexpr int kOwnFault = 3;
+    if (!run.ending.signalled && run.ending.value == kOwnFault)
+      throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch(k, "log"))));
+    if (run.in_flight.empty()) {
+      if (++empty_starts_ >= kMostEmptyStarts || hunt_.programs == 0)
+        hunt_.cannot_start =
+            "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
+      return;
+    }
+    const std::uint32_t number = number_of(run.in_flight);
+    died(run, number, last.smaller);
+    const std::uint32_t done = (number - last.first) / static_cast<std::uint32_t>(request_.jobs) + 1;
+    hunt_.programs += done - last.played;
+    start(k, number + static_cast<std::uint32_t>(request_.jobs),
+          last.programs ? std::optional(*last.programs - done) : std::nullopt);
+  }
+
+  static std::string last_line(const fs::path& log) {
+    std::ifstream stream(log);
+    std::string last;
+    for (std::string line; std::getline(stream, line);)
+      if (!line.empty()) last = line;
+    return last;
+  }
+
+  // The death of the child in a program, made smaller by playing candidates in processes of their own.
+  void died(const ChildRun& run, std::uint32_t number, const json& smaller) {
+    const std::string how = run.hung ? "timeout" : "crash";
+    gl::Case program = smaller.is_null()
+                           ? random_program(request_.seed, number, request_.length, max_eval_order_)
+                           : gl::case_from_json(smaller);
+    int at = 0;
+    const auto dies = [&](const gl::Case& candidate) {
+      if (interrupted || !is_defined(candidate, max_eval_order_)) return false;
+      return !play_alone(candidate, ++at).ending_is_regular;
+    };
+    // What a smaller version was tried with is not known: where none dies alone, the whole program stands.
+    if (!run.hung && dies(program)) program = shrink(program, dies, kMostAttemptsAlone);
+    json finding = {{"program", gl::to_json(program)},
+                    {"requirement", "EV-NUM-SPECIAL-SAFE"},
+                    {"what", how},
+                    {"message", fmt::format("{}: {}", how, describe(run.ending))},
+                    {"expected", "the program is played to its end"},
+                    {"captured", describe(run.ending)},
+                    {"calls", gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1)},
+                    {"cause", cause_of(program, how)}};
+    found(fmt::format("program {}", number), finding);
+  }
+
+  struct Alone {
+    bool ending_is_regular;
+  };
+  Alone play_alone(const gl::Case& program, int at) const {
+    const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
+    write_atomically(file, gl::to_json(program).dump());
+    std::vector<std::string> command = shared_options();
+    command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
+    SuiteChild child(command, events, scratch_ / "alone.log", request_.seconds_per_program);
+    while (!child.look(kLook)) continue;
+    fs::remove(events);
+    return {child.run().complete};
+  }
+
+  void found(const std::string& program, const json& finding) {
+    const std::string cause = finding["cause"];
+    auto known = std::ranges::find(hunt_.causes, cause, &Cause::cause);
+    if (known == hunt_.causes.end()) {
+      Cause fresh;
+      fresh.cause = cause;
+      fresh.program = program;
+      fresh.finding = finding;
+      const auto as = request_.known.find(cause);
+      if (as != request_.known.end()) fresh.known_as = as->second;
+      fresh.file =
+          (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, hunt_.causes.size() + 1)).string();
+      hunt_.causes.push_back(std::move(fresh));
+      known = hunt_.causes.end() - 1;
+      write(*known);
+    }
+    ++known->times;
+  }
+
+  void write(const Cause& cause) const {
+    const json& finding = cause.finding;
+    write_atomically(cause.file, finding.dump(1) + "\n");
+    std::string text =
+        fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.cause,
+                    finding["message"].get<std::string>(), finding["expected"].get<std::string>(),
+                    finding["captured"].get<std::string>(), finding["requirement"].get<std::string>());
+    const gl::Case program = gl::case_from_json(finding["program"]);
+    text += fmt::format(
+        "{}\n",
+        fmt::join(gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1, 1000, 0), "\n"));
+    write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
+    // The C program, as far as there is one for this implementation.
+    const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";
+    write_atomically(replay, finding["program"].dump());
+    std::vector<std::string> command = shared_options();
+    command.insert(command.end(), {"--replay", replay.string(), "--records", events.string(), "--reproduce",
+                                   fs::path(cause.file).replace_extension(".c").string()});
+    SuiteChild child(command, events, scratch_ / "write.log", request_.seconds_per_program);
+    while (!child.look(kLook)) continue;
+    fs::remove(events);
+  }
+
+  const HuntRequest& request_;
+  const std::function<void(const Hunt&)>& progress_;
+  const fs::path scratch_;
+  const Clock::time_point begin_ = Clock::now();
+  std::vector<Lane> lanes_;
+  Hunt hunt_;
+  int empty_starts_ = 0;
+  int max_eval_order_ = 8;  // as the children know it
+};
+
+}  // namespace
+
+Hunt hunt(const HuntRequest& request, const std::function<void(const Hunt& now)>& progress) {
+  return Hunter(request, progress).run();
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,100 @@
+#include "harness/fuzz/legal.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "harness/judge/prediction.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+using gl::EntryPoint;
+
+std::int64_t integer(const gl::Command& command, std::size_t i) {
+  const auto* value = std::get_if<std::int64_t>(&command.arguments.at(i));
+  return value ? *value : 0;
+}
+
+bool emits_vertices(EntryPoint entry) {
+  const std::string_view name = gl::name_of(entry);
+  return name.starts_with("glEvalCoord") || name.starts_with("glEvalPoint") || name.starts_with("glVertex");
+}
+
+// Never an error, whatever its arguments.
+bool is_current_value(EntryPoint entry) {
+  const std::string_view name = gl::name_of(entry);
+  for (const std::string_view prefix : {"glColor", "glNormal", "glTexCoord", "glIndex", "glEdgeFlag"})
+    if (name.starts_with(prefix)) return true;
+  return false;
+}
+
+// Where primitives begin and end, lists included.
+class Primitives {
+ public:
+  // False where a vertex command comes outside a primitive.
+  bool issue(const gl::Command& command) {
+    if (command.entry == EntryPoint::NewList && !inside_ && !open_) {
+      open_ = static_cast<GLuint>(integer(command, 0));
+      compile_only_ = integer(command, 1) == GL_COMPILE;
+      lists_[*open_].clear();
+      return true;
+    }
+    if (command.entry == EntryPoint::EndList) {
+      if (!inside_) open_.reset();
+      return true;
+    }
+    if (open_) lists_[*open_].push_back(command);
+    return open_ && compile_only_ ? true : execute(command, 0);
+  }
+  bool is_open() const { return inside_ || open_; }
+
+ private:
+  static constexpr int kMostNesting = 16;  // more than a program has
+
+  bool execute(const gl::Command& command, int depth) {
+    if (emits_vertices(command.entry)) return inside_;
+    if (command.entry == EntryPoint::Begin && integer(command, 0) <= GL_POLYGON) inside_ = true;
+    if (command.entry == EntryPoint::End) inside_ = false;
+    if (command.entry != EntryPoint::CallList) return true;
+    if (depth == kMostNesting) return false;
+    const auto list = lists_.find(static_cast<GLuint>(integer(command, 0)));
+    if (list == lists_.end()) return true;
+    // A list that is being replaced while it is called: its old self is executed, which is not kept here.
+    if (open_ && *open_ == list->first) return false;
+    for (const gl::Command& inner : list->second)
+      if (!execute(inner, depth + 1)) return false;
+    return true;
+  }
+
+  bool inside_ = false;
+  bool compile_only_ = false;
+  std::optional<GLuint> open_;
+  std::map<GLuint, std::vector<gl::Command>> lists_;
+};
+
+}  // namespace
+
+bool is_defined(const gl::Case& program, int max_eval_order) {
+  Primitives primitives;
+  for (const gl::Command& command : program.commands())
+    if (!primitives.issue(command)) return false;
+  if (primitives.is_open()) return false;
+
+  const std::vector<std::vector<GLenum>> errors = predict_errors(program, max_eval_order);
+  bool pending = false;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const EntryPoint entry = program.commands()[i].entry;
+    if (is_current_value(entry) || emits_vertices(entry)) continue;
+    if (entry == EntryPoint::GetError) {
+      if (!errors[i].empty()) return false;
+      pending = false;
+    } else if (!errors[i].empty()) {
+      if (pending || errors[i].size() > 1) return false;
+      pending = true;
+    }
+  }
+  return !pending;
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,556 @@
+#include "harness/fuzz/random_program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "harness/fuzz/legal.h"
+#include "harness/gl/tokens.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+constexpr GLuint kFirstList = 100;
+constexpr int kLists = 6, kMostDepth = 6;
+
+enum class Kind { points, lines, polygons };
+
+// Distributions are made by hand: those of the standard library differ from machine to machine.
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed) {}
+
+  // From 0 to count - 1.
+  int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
+  bool one_in(int count) { return below(count) == 0; }
+  template <class Range>
+  auto pick(const Range& range) {
+    return std::begin(range)[below(static_cast<int>(std::size(range)))];
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+class Writer {
+ public:
+  Writer(gl::Case& c, Dice& dice, int max_eval_order) : c_(c), dice_(dice), max_order_(max_eval_order) {
+    const int kind = dice_.below(8);
+    kind_ = kind == 0 ? Kind::lines : kind == 1 ? Kind::polygons : Kind::points;
+    hostile_ = dice_.one_in(4);
+  }
+
+  void write(int length) {
+    for (int i = 2 + dice_.below(3); i > 0; --i) supply();
+    if (!dice_.one_in(4)) grid();
+    while (static_cast<int>(c_.commands().size()) < length) command();
+    while (depth_ > 0) pop();
+  }
+
+ private:
+  // --- numbers: doubles that a float holds
+  // ------------------------------------------------------------------
+
+  double simple() { return (dice_.below(65) - 32) / 16.0; }
+  double number() {
+    if (!hostile_ || !dice_.one_in(3)) return simple();
+    switch (dice_.below(4)) {
+      case 0:
+        return 0;
+      case 1:  // a full significand
+        return std::ldexp(dice_.below(1 << 24) - (1 << 23), -23);
+      case 2:
+        return std::ldexp(simple(), dice_.below(60) - 30);
+      default:
+        return dice_.one_in(2) ? 1 : -1;
+    }
+  }
+  std::vector<double> numbers(std::size_t count) {
+    std::vector<double> values(count);
+    for (double& value : values) value = number();
+    return values;
+  }
+  template <class Real>
+  static std::vector<Real> as(const std::vector<double>& values) {
+    return {values.begin(), values.end()};
+  }
+
+  // Two ends that differ as floats.
+  std::pair<double, double> domain() {
+    constexpr std::pair<double, double> kUsual[] = {{0, 1}, {0, 1}, {1, 0}, {-1, 1}, {0, 4}, {0.25, 0.75}};
+    constexpr std::pair<double, double> kAwkward[] = {{1000, 1001},      {3, -5},          {0, 0x1p-10},
+                                                      {-0x1p20, 0x1p20}, {1, 1 + 0x1p-12}, {-7, -6.5}};
+    return hostile_ && dice_.one_in(3) ? dice_.pick(kAwkward) : dice_.pick(kUsual);
+  }
+  // An argument: mostly inside a usual domain, now and then outside.
+  double argument() {
+    constexpr double kEnds[] = {0, 1, 0.5, 0.25, 0.75, -1, 4, 1000, 1000.5};
+    return dice_.one_in(2) ? dice_.pick(kEnds) : dice_.below(257) / 256.0;
+  }
+
+  GLenum map1_target() { return dice_.one_in(3) ? vertex_target(1) : dice_.pick(gl::kMap1Targets); }
+  GLenum map2_target() { return dice_.one_in(3) ? vertex_target(2) : dice_.pick(gl::kMap2Targets); }
+  GLenum vertex_target(int dimension) {
+    const bool four = dice_.one_in(2);
+    if (dimension == 1) return four ? GL_MAP1_VERTEX_4 : GL_MAP1_VERTEX_3;
+    return four ? GL_MAP2_VERTEX_4 : GL_MAP2_VERTEX_3;
+  }
+  int order() { return dice_.one_in(40) ? max_order_ : 1 + dice_.below(dice_.one_in(6) ? 9 : 5); }
+
+  // --- commands
+  // ---------------------------------------------------------------------------------------------
+
+  // What later commands need for anything to be seen.
+  void supply() {
+    const int dimension = 1 + dice_.below(2);
+    const GLenum target = vertex_target(dimension);
+    if (dimension == 1)
+      map1(target);
+    else
+      map2(target);
+    c_.Enable(target);
+  }
+
+  void command() {
+    constexpr int kWeights[] = {8, 7, 5, 10, 8, 24, 9, 5, 5, 6, 5, 4, 2};
+    int at = dice_.below(98), what = 0;
+    while (at >= kWeights[what]) at -= kWeights[what++];
+    switch (what) {
+      case 0:
+        return map1(map1_target());
+      case 1:
+        return map2(map2_target());
+      case 2:
+        return grid();
+      case 3:
+        return enable();
+      case 4:
+        return current_value();
+      case 5:
+        return primitive();
+      case 6:
+        return mesh();
+      case 7:
+        return refused();
+      case 8:
+        return query();
+      case 9:
+        return dice_.one_in(2) && depth_ < kMostDepth ? push() : pop();
+      case 10:
+        return list();
+      case 11:
+        return call();
+      default:
+        return other_unit();
+    }
+  }
+
+  void map1(GLenum target) {
+    const int k = gl::components_of(target), n = order(), stride = k + (dice_.one_in(4) ? dice_.below(4) : 0);
+    const auto [u1, u2] = domain();
+    const std::vector<double> points = numbers(static_cast<std::size_t>((n - 1) * stride + k));
+    if (dice_.one_in(2))
+      c_.Map1f(target, u1, u2, stride, n, as<GLfloat>(points));
+    else
+      c_.Map1d(target, u1, u2, stride, n, points);
+  }
+
+  void map2(GLenum target) {
+    const int k = gl::components_of(target), uorder = order(), vorder = 1 + dice_.below(4);
+    int vstride = k + (dice_.one_in(4) ? dice_.below(3) : 0);
+    int ustride = vstride * vorder + (dice_.one_in(4) ? dice_.below(3) : 0);
+    if (dice_.one_in(4)) {  // u runs fastest
+      ustride = vstride;
+      vstride = ustride * uorder;
+    }
+    const auto [u1, u2] = domain();
+    const auto [v1, v2] = domain();
+    const std::vector<double> points =
+        numbers(static_cast<std::size_t>((uorder - 1) * ustride + (vorder - 1) * vstride + k));
+    if (dice_.one_in(2))
+      c_.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, as<GLfloat>(points));
+    else
+      c_.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  }
+
+  void grid() {
+    const GLint n = 1 + dice_.below(9), m = 1 + dice_.below(5);
+    const auto [u1, u2] = domain();
+    const auto [v1, v2] = domain();
+    switch (dice_.below(4)) {
+      case 0:
+        c_.MapGrid1f(n, u1, u2);
+        return;
+      case 1:
+        c_.MapGrid1d(n, u1, u2);
+        return;
+      case 2:
+        c_.MapGrid2f(n, u1, u2, m, v1, v2);
+        return;
+      default:
+        c_.MapGrid2d(n, u1, u2, m, v1, v2);
+    }
+  }
+
+  void enable() {
+    const GLenum cap = dice_.one_in(14)  ? static_cast<GLenum>(GL_AUTO_NORMAL)
+                       : dice_.one_in(2) ? map1_target()
+                                         : map2_target();
+    if (dice_.one_in(3))
+      c_.Disable(cap);
+    else
+      c_.Enable(cap);
+  }
+
+  void current_value() {
+    const auto f = [&] { return static_cast<GLfloat>(number()); };
+    switch (dice_.below(16)) {
+      case 0:
+        c_.Color3f(f(), f(), f());
+        return;
+      case 1:
+        c_.Color4f(f(), f(), f(), f());
+        return;
+      case 2:
+        c_.Color4d(number(), number(), number(), number());
+        return;
+      case 3:
+        c_.Color3dv(numbers(3));
+        return;
+      case 4:
+        c_.Normal3f(f(), f(), f());
+        return;
+      case 5:
+        c_.Normal3dv(numbers(3));
+        return;
+      case 6:
+        c_.TexCoord1f(f());
+        return;
+      case 7:
+        c_.TexCoord2d(number(), number());
+        return;
+      case 8:
+        c_.TexCoord3f(f(), f(), f());
+        return;
+      case 9:
+        c_.TexCoord4fv(as<GLfloat>(numbers(4)));
+        return;
+      case 10:
+        c_.MultiTexCoord1f(GL_TEXTURE1, f());
+        return;
+      case 11:
+        c_.MultiTexCoord2f(GL_TEXTURE0, f(), f());
+        return;
+      case 12:
+        c_.MultiTexCoord4d(GL_TEXTURE1, number(), number(), number(), number());
+        return;
+      case 13:
+        c_.Indexf(static_cast<GLfloat>(dice_.below(200)));
+        return;
+      default:
+        c_.EdgeFlag(dice_.below(2));
+    }
+  }
+
+  GLenum mode() {
+    switch (kind_) {
+      case Kind::points:
+        return GL_POINTS;
+      case Kind::lines:
+        return dice_.one_in(2) ? GL_LINES : GL_LINE_STRIP;
+      default: {
+        constexpr GLenum kModes[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
+        return dice_.pick(kModes);
+      }
+    }
+  }
+
+  void vertex() {
+    switch (dice_.below(15)) {
+      case 0:
+      case 1:
+        c_.EvalCoord1f(argument());
+        return;
+      case 2:
+        c_.EvalCoord1d(argument());
+        return;
+      case 3:
+        c_.EvalCoord1fv(std::vector<GLfloat>{static_cast<GLfloat>(argument())});
+        return;
+      case 4:
+        c_.EvalCoord1dv(std::vector<GLdouble>{argument()});
+        return;
+      case 5:
+      case 6:
+        c_.EvalCoord2f(argument(), argument());
+        return;
+      case 7:
+        c_.EvalCoord2d(argument(), argument());
+        return;
+      case 8:
+        c_.EvalCoord2fv(
+            std::vector<GLfloat>{static_cast<GLfloat>(argument()), static_cast<GLfloat>(argument())});
+        return;
+      case 9:
+        c_.EvalCoord2dv(std::vector<GLdouble>{argument(), argument()});
+        return;
+      case 10:
+      case 11:
+        c_.EvalPoint1(dice_.below(12) - 1);
+        return;
+      case 12:
+      case 13:
+        c_.EvalPoint2(dice_.below(12) - 1, dice_.below(7) - 1);
+        return;
+      default:
+        if (dice_.one_in(2))
+          c_.Vertex3f(simple(), simple(), simple());
+        else
+          c_.Vertex4dv(std::vector<GLdouble>{simple(), simple(), simple(), 1});
+    }
+  }
+
+  void primitive(int count = 0) {
+    if (count == 0) count = dice_.one_in(60) ? 200 : 1 + dice_.below(6);
+    c_.Begin(mode());
+    // Complete lines and triangles only.
+    if (kind_ != Kind::points) count = 6;
+    for (int i = 0; i < count; ++i) {
+      if (dice_.one_in(4)) current_value();
+      vertex();
+    }
+    c_.End();
+  }
+
+  void mesh() {
+    const GLint i1 = dice_.below(4) - 1, i2 = i1 + 1 + dice_.below(4), j1 = dice_.below(3),
+                j2 = j1 + 1 + dice_.below(2);
+    const GLenum how = kind_ == Kind::points ? GL_POINT : GL_LINE;
+    if (kind_ == Kind::polygons)
+      c_.EvalMesh2(GL_FILL, i1, i2, j1, j2);
+    else if (dice_.one_in(2))
+      c_.EvalMesh1(how, i1, i2);
+    else
+      c_.EvalMesh2(how, i1, i2, j1, j2);
+  }
+
+  // A command with one mistake, and the question for its error.
+  void refused() {
+    const std::vector<GLfloat> points(64, 0.5f);
+    const GLenum target1 = map1_target(), target2 = map2_target();
+    const int k1 = gl::components_of(target1), k2 = gl::components_of(target2);
+    switch (dice_.below(22)) {
+      case 0:
+        c_.Map1f(target1, 0, 0, k1, 2, points);
+        break;
+      case 1:
+        c_.Map1f(target1, 0, 1, k1 - 1, 2, points);
+        break;
+      case 2:
+        c_.Map1f(target1, 0, 1, k1, -dice_.below(2), points);
+        break;
+      case 3:
+        c_.Map1f(target1, 0, 1, k1, max_order_ + 1,
+                 std::vector<GLfloat>(static_cast<std::size_t>(4 * max_order_ + 4)));
+        break;
+      case 4:
+        c_.Map1f(target2, 0, 1, 4, 2, points);
+        break;
+      case 5:
+        c_.Map2f(target1, 0, 1, 4, 2, 0, 1, 8, 2, points);
+        break;
+      case 6:
+        c_.Map2f(target2, 1, 1, k2, 2, 0, 1, 2 * k2, 2, points);
+        break;
+      case 7:
+        c_.Map2f(target2, 0, 1, k2, 2, 2, 2, 2 * k2, 2, points);
+        break;
+      case 8:
+        c_.Map2f(target2, 0, 1, k2, 2, 0, 1, k2 - 1, 2, points);
+        break;
+      case 9:
+        c_.Map2f(target2, 0, 1, k2, 2, 0, 1, 2 * k2, 0, points);
+        break;
+      case 10:
+        c_.MapGrid1f(-dice_.below(3), 0, 1);
+        break;
+      case 11:
+        c_.MapGrid2f(2, 0, 1, -dice_.below(3), 0, 1);
+        break;
+      case 12:
+        c_.EvalMesh1(GL_FILL, 0, 1);
+        break;
+      case 13:
+        c_.EvalMesh2(GL_POINTS, 0, 1, 0, 1);
+        break;
+      case 14:
+        c_.Enable(GL_COEFF);
+        break;
+      case 15:
+        c_.GetMapfv(GL_COEFF, GL_COEFF, gl::out<GLfloat>(8));
+        break;
+      case 16:
+        c_.GetMapdv(target1, target2, gl::out<GLdouble>(8));
+        break;
+      case 17:
+        c_.Begin(GL_POLYGON + 20);
+        break;
+      case 18:
+        c_.End();
+        break;
+      case 19:
+        return inside([&] { c_.Map1f(target1, 0, 1, k1, 2, points); });
+      case 20:
+        return inside([&] { c_.MapGrid1f(3, 0, 1); });
+      default:
+        return inside([&] { c_.Enable(target2); });
+    }
+    c_.GetError();
+  }
+  template <class Body>
+  void inside(Body body) {
+    c_.Begin(mode());
+    body();
+    c_.End();
+    c_.GetError();
+  }
+
+  // Queries flush, which hides defects: they are few.
+  void query() {
+    switch (dice_.below(14)) {
+      case 0:
+        c_.IsEnabled(dice_.one_in(2) ? map1_target() : map2_target());
+        return;
+      case 1:
+        c_.IsEnabled(GL_AUTO_NORMAL);
+        return;
+      case 2:
+        c_.GetMapfv(map1_target(), GL_COEFF, gl::out<GLfloat>(static_cast<std::size_t>(4 * max_order_)));
+        return;
+      case 3:
+        c_.GetMapdv(map2_target(), GL_COEFF, gl::out<GLdouble>(static_cast<std::size_t>(16 * max_order_)));
+        return;
+      case 4:
+        c_.GetMapiv(map1_target(), GL_ORDER, gl::out<GLint>(1));
+        return;
+      case 5:
+        c_.GetMapiv(map2_target(), GL_ORDER, gl::out<GLint>(2));
+        return;
+      case 6:
+        c_.GetMapfv(map1_target(), GL_DOMAIN, gl::out<GLfloat>(2));
+        return;
+      case 7:
+        c_.GetMapdv(map2_target(), GL_DOMAIN, gl::out<GLdouble>(4));
+        return;
+      case 8:
+        c_.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+        return;
+      case 9:
+        c_.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
+        return;
+      case 10:
+        c_.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+        return;
+      case 11:
+        c_.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+        return;
+      case 12:
+        c_.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
+        return;
+      default:
+        c_.GetError();
+    }
+  }
+
+  void push() {
+    constexpr GLbitfield kMasks[] = {
+        GL_EVAL_BIT,    GL_ENABLE_BIT, GL_CURRENT_BIT, GL_ALL_ATTRIB_BITS, GL_EVAL_BIT | GL_CURRENT_BIT,
+        GL_LIGHTING_BIT};
+    c_.PushAttrib(dice_.pick(kMasks));
+    ++depth_;
+  }
+  void pop() {
+    if (depth_ == 0) return;
+    c_.PopAttrib();
+    --depth_;
+  }
+
+  GLuint list_name() { return kFirstList + static_cast<GLuint>(dice_.below(kLists)); }
+  void call() { c_.CallList(list_name()); }
+  void list() {
+    const GLuint name = list_name();
+    c_.NewList(name, dice_.one_in(2) ? GL_COMPILE : GL_COMPILE_AND_EXECUTE);
+    for (int i = 1 + dice_.below(5); i > 0; --i) {
+      switch (dice_.below(8)) {
+        case 0:
+          map1(map1_target());
+          break;
+        case 1:
+          map2(map2_target());
+          break;
+        case 2:
+          grid();
+          break;
+        case 3:
+          enable();
+          break;
+        case 4:
+          current_value();
+          break;
+        case 5:
+          mesh();
+          break;
+        case 6:
+          if (name > kFirstList) {  // never itself
+            c_.CallList(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
+            break;
+          }
+          [[fallthrough]];
+        default:
+          primitive(2);
+      }
+    }
+    c_.EndList();
+    if (dice_.one_in(2)) c_.CallList(name);
+  }
+
+  // Map commands are refused while another unit is active.
+  void other_unit() {
+    c_.ActiveTexture(GL_TEXTURE1);
+    switch (dice_.below(3)) {
+      case 0:
+        map1(map1_target());
+        c_.GetError();
+        break;
+      case 1:
+        primitive();
+        break;
+      default:
+        current_value();
+    }
+    c_.ActiveTexture(GL_TEXTURE0);
+  }
+
+  gl::Case& c_;
+  Dice& dice_;
+  int max_order_;
+  Kind kind_;
+  bool hostile_ = false;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order) {
+  // Where chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
+    gl::Case program(fmt::format("program {} of seed {}", number, seed));
+    Writer(program, dice, max_eval_order).write(length);
+    if (is_defined(program, max_eval_order)) return program;
+  }
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,15 @@
+// Random programs: sequences of commands over the whole surface of evaluators, errors on purpose included.
+#pragma once
+
+#include <cstdint>
+
+#include "harness/gl/case.h"
+
+namespace evalcts::fuzz {
+
+// The program of that number: the same for the same seed, on every machine. About `length` commands; what it
+// does is defined (see is_defined). A program draws one kind of primitives (most of them points, some lines,
+// some polygons), so that every capture can show it.
+gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order);
+
+}  // namespace evalcts::fuzz

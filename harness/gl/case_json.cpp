@@ -1,0 +1,179 @@
+#include "harness/gl/case_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "harness/gl/tokens.h"
+
+namespace evalcts::gl {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::pair<Scalar, const char*> kTypes[] = {
+    {Scalar::u8, "u8"},   {Scalar::i8, "i8"},   {Scalar::i32, "i32"}, {Scalar::u32, "u32"},
+    {Scalar::i64, "i64"}, {Scalar::f32, "f32"}, {Scalar::f64, "f64"}};
+
+const char* name_of_type(Scalar type) {
+  for (const auto& [of, name] : kTypes)
+    if (of == type) return name;
+  throw std::invalid_argument("no such type");
+}
+
+Scalar type_named(const std::string& name) {
+  for (const auto& [type, of] : kTypes)
+    if (name == of) return type;
+  throw std::invalid_argument(fmt::format("'{}' is no type of array elements", name));
+}
+
+template <class Use>
+auto with_type(Scalar type, Use use) {
+  switch (type) {
+    case Scalar::u8:
+      return use(std::uint8_t());
+    case Scalar::i8:
+      return use(std::int8_t());
+    case Scalar::i32:
+      return use(std::int32_t());
+    case Scalar::u32:
+      return use(std::uint32_t());
+    case Scalar::i64:
+      return use(std::int64_t());
+    case Scalar::f32:
+      return use(float());
+    default:
+      return use(double());
+  }
+}
+
+template <class Number>
+json finite(Number value) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (!std::isfinite(value)) throw std::invalid_argument("a value that is not finite");
+    return static_cast<double>(value);
+  } else {
+    return value;
+  }
+}
+
+json values_as_json(const Input& input) {
+  return with_type(input.type, [&](auto zero) {
+    json values = json::array();
+    for (std::size_t at = 0; at + sizeof zero <= input.bytes.size(); at += sizeof zero) {
+      auto value = zero;
+      std::memcpy(&value, input.bytes.data() + at, sizeof value);
+      values.push_back(finite(value));
+    }
+    return values;
+  });
+}
+
+json argument_of(const Value& value, char kind) {
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    const auto token = static_cast<GLenum>(*integer);
+    const std::string name = kind == 'm' ? primitive_name(token) : kind == 'e' ? token_name(token) : "";
+    if (name.starts_with("GL_")) return name;
+    return *integer;
+  }
+  if (const auto* single = std::get_if<float>(&value)) return finite(*single);
+  if (const auto* real = std::get_if<double>(&value)) return finite(*real);
+  if (const auto* input = std::get_if<Input>(&value)) return {{name_of_type(input->type), values_as_json(*input)}};
+  if (const auto* output = std::get_if<Output>(&value))
+    return {{"out", name_of_type(output->type)}, {"count", output->count}};
+  if (std::holds_alternative<std::nullptr_t>(value)) return nullptr;
+  throw std::invalid_argument("a result of another command, or strings");
+}
+
+// All tokens with a name, which depends on nothing else.
+const std::map<std::string, GLenum>& tokens_by_name() {
+  static const std::map<std::string, GLenum> all = [] {
+    std::map<std::string, GLenum> map;
+    for (GLenum token = 0xFFFF; token > 0; --token)
+      if (const std::string name = token_name(token); name.starts_with("GL_")) map[name] = token;
+    for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) map[primitive_name(mode)] = mode;
+    return map;
+  }();
+  return all;
+}
+
+std::int64_t integer_from(const json& data) {
+  if (data.is_string()) {
+    const auto found = tokens_by_name().find(data.get<std::string>());
+    if (found == tokens_by_name().end())
+      throw std::invalid_argument(fmt::format("'{}' is no token that is known", data.get<std::string>()));
+    return found->second;
+  }
+  if (!data.is_number_integer()) throw std::invalid_argument(fmt::format("{} is no integer", data.dump()));
+  return data.get<std::int64_t>();
+}
+
+template <class Parameter>
+Value value_from(const json& data) {
+  if constexpr (std::is_pointer_v<Parameter>) {
+    if (data.is_null()) return nullptr;
+    if (!data.is_object()) throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
+    if (data.contains("out"))
+      return Output{type_named(data["out"].get<std::string>()), data.at("count").get<std::size_t>()};
+    if (data.size() != 1 || !data.begin()->is_array())
+      throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
+    const Scalar type = type_named(data.begin().key());
+    return with_type(type, [&](auto zero) -> Value {
+      std::vector<decltype(zero)> values;
+      for (const json& element : data.begin().value()) values.push_back(element.get<decltype(zero)>());
+      return array(values);
+    });
+  } else if constexpr (std::is_floating_point_v<Parameter>) {
+    if (!data.is_number()) throw std::invalid_argument(fmt::format("{} is no number", data.dump()));
+    return data.get<Parameter>();
+  } else {
+    return integer_from(data);
+  }
+}
+
+template <class Result, class... Parameters>
+std::vector<Value> arguments_from(Result (*)(Parameters...), const json& data) {
+  if (data.size() != sizeof...(Parameters) + 1)
+    throw std::invalid_argument(fmt::format("{} takes {} arguments", data[0].dump(), sizeof...(Parameters)));
+  std::size_t i = 0;
+  std::vector<Value> arguments;
+  (arguments.push_back(value_from<Parameters>(data[++i])), ...);
+  return arguments;
+}
+
+Command command_from(const json& data) {
+  if (!data.is_array() || data.empty() || !data[0].is_string())
+    throw std::invalid_argument(fmt::format("{} is no command", data.dump()));
+  const std::string name = data[0];
+#define GL_ENTRY(entry, kinds) \
+  if (name == #entry) return {EntryPoint::entry, arguments_from(decltype(Table::entry)(nullptr), data)};
+#include "harness/gl/entry_points.def"
+#undef GL_ENTRY
+  throw std::invalid_argument(fmt::format("there is no command '{}'", name));
+}
+
+}  // namespace
+
+json to_json(const Case& script) {
+  json commands = json::array();
+  for (const Command& command : script.commands()) {
+    const std::string_view kinds = parameter_kinds(command.entry);
+    json data = {std::string(name_of(command.entry).substr(2))};
+    for (std::size_t i = 0; i < command.arguments.size(); ++i)
+      data.push_back(argument_of(command.arguments[i], kinds[i]));
+    commands.push_back(std::move(data));
+  }
+  return commands;
+}
+
+Case case_from_json(const json& commands) {
+  if (!commands.is_array()) throw std::invalid_argument("the commands of a case are an array");
+  Case script;
+  for (const json& command : commands) script.add(command_from(command));
+  return script;
+}
+
+}  // namespace evalcts::gl
