@@ -74,9 +74,11 @@ int fuzz(const FuzzOptions& options) {
                         known ? "known as " + cause.known_as : "new", cause.times, hunt.programs,
                         cause.program, cause.cause, cause.finding.value("message", ""), cause.file);
   }
-  text += fmt::format("{}: seed {}: {} programs, {} commands in {:.1f} s; {} causes, {} of them new\n",
-                      request.name, request.seed, hunt.programs, hunt.commands, hunt.seconds,
-                      hunt.causes.size(), unexpected);
+  text += fmt::format(
+      "{}: seed {}: {} programs ({} of them seen in full), {} commands in {:.1f} s; {} causes, {} of them "
+      "new\n",
+      request.name, request.seed, hunt.programs, hunt.judged, hunt.commands, hunt.seconds, hunt.causes.size(),
+      unexpected);
   line.print(text);
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   return unexpected > 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;

@@ -80,6 +80,13 @@ std::string requirement_of(const gl::Case& program, const Failure& failure) {
 
 }  // namespace
 
+gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
+  gl::Case left(program.identity());
+  for (const gl::Command& command : program.commands())
+    if (gl::has(table, command.entry)) left.add(command);
+  return left;
+}
+
 std::string cause_of(const gl::Case& program, const std::string& what) {
   std::vector<std::string> words;
   for (const gl::Command& command : program.commands()) {
@@ -92,16 +99,16 @@ std::string cause_of(const gl::Case& program, const std::string& what) {
   return fmt::format("{}: {}", fmt::join(words, ", "), what);
 }
 
-std::optional<Finding> judge_program(const Subject& subject, const gl::Case& program, Look look) {
+Judged judge_program(const Subject& subject, const gl::Case& program, Look look) {
   Record record;
   record.name = program.identity();
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, look); });
   if (record.verdict == Verdict::internal_error)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
-  if (record.verdict != Verdict::fail) return {};
+  if (record.verdict != Verdict::fail) return {{}, record.verdict == Verdict::pass};
   const Failure& failure = record.failures.front();
-  return Finding{program, failure, cause_of(program, kind_of(failure)), requirement_of(program, failure)};
+  return {Finding{program, failure, cause_of(program, kind_of(failure)), requirement_of(program, failure)}};
 }
 
 json to_json(const Finding& finding) {
@@ -116,9 +123,10 @@ void play(const Subject& subject, const Campaign& campaign, const std::function<
   report({{"event", "campaign"}, {"max_eval_order", max_order}});
   const Clock::time_point begin = Clock::now();
   Clock::time_point reported = begin;
-  std::uint64_t programs = 0, commands = 0;
+  const gl::Table table = subject.implementation->create_context()->table();
+  std::uint64_t programs = 0, judged = 0, commands = 0;
   const auto progress = [&] {
-    report({{"event", "progress"}, {"programs", programs}, {"commands", commands}});
+    report({{"event", "progress"}, {"programs", programs}, {"judged", judged}, {"commands", commands}});
     reported = Clock::now();
   };
   for (std::uint32_t number = campaign.first; !campaign.programs || programs < *campaign.programs;
@@ -127,17 +135,21 @@ void play(const Subject& subject, const Campaign& campaign, const std::function<
         std::chrono::duration<double>(Clock::now() - begin).count() >= campaign.seconds)
       break;
     report({{"event", "start"}, {"name", fmt::format("program {}", number)}});
-    const gl::Case program = random_program(subject.seed, number, campaign.length, max_order);
+    const gl::Case program =
+        with_commands_of(table, random_program(subject.seed, number, campaign.length, max_order));
     ++programs;
+    if (!is_defined(program, max_order)) continue;  // for want of the commands that are missing
+    Judged outcome = judge_program(subject, program);
+    std::optional<Finding>& finding = outcome.finding;
+    judged += outcome.judged;
     commands += program.commands().size();
-    std::optional<Finding> finding = judge_program(subject, program);
     if (finding) {
       const std::string kind = kind_of(finding->failure);
       // What differs is an answer or a vertex: only that is looked at again.
       const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
       const auto still = [&](const gl::Case& candidate) {
         if (!is_defined(candidate, max_order)) return false;
-        std::optional<Finding> found = judge_program(subject, candidate, look);
+        std::optional<Finding> found = judge_program(subject, candidate, look).finding;
         if (!found || kind_of(found->failure) != kind) return false;
         finding = std::move(found);
         return true;

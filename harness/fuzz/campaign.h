@@ -32,9 +32,15 @@ struct Finding {
   std::string requirement;  // that is broken, as far as the commands tell
 };
 
-// The program on the implementation; none where it does what the specification says or where nothing can be
-// seen. Throws std::logic_error on a fault of evalcts itself.
-std::optional<Finding> judge_program(const Subject& subject, const gl::Case& program, Look look = Look::all);
+// What is left of a program where the implementation lacks commands.
+gl::Case with_commands_of(const gl::Table& table, const gl::Case& program);
+
+// The program on the implementation. Throws std::logic_error on a fault of evalcts itself.
+struct Judged {
+  std::optional<Finding> finding;
+  bool judged = true;  // false: not all of it could be seen
+};
+Judged judge_program(const Subject& subject, const gl::Case& program, Look look = Look::all);
 
 // See Finding::cause; `what` differs, "position" or "crash".
 std::string cause_of(const gl::Case& program, const std::string& what);
@@ -43,11 +49,13 @@ std::string cause_of(const gl::Case& program, const std::string& what);
 // "captured", "calls"}
 nlohmann::json to_json(const Finding& finding);
 
-// Plays the campaign and reports, as it goes on, events for the runner (see suite_child.h):
-//   {"event": "campaign", "max_eval_order"}, first; {"event": "start", "name": "program 17"}; {"event":
-//   "smaller", "program": ...} while a failing one shrinks;
-//   {"event": "finding", "number": 17, "finding": ...}; {"event": "progress", "programs", "commands",
-//   "vertices"}.
+// Plays the campaign, of each program the commands that the implementation has, and reports events for the
+// runner (see suite_child.h):
+//   {"event": "campaign", "max_eval_order"}, first;
+//   {"event": "start", "name": "program 17"};
+//   {"event": "smaller", "program": ...} while a failing one shrinks;
+//   {"event": "finding", "number": 17, "finding": ...};
+//   {"event": "progress", "programs", "judged", "commands"}: "judged" are those of which all could be seen.
 void play(const Subject& subject, const Campaign& campaign,
           const std::function<void(const nlohmann::json& event)>& report);
 

@@ -58,8 +58,8 @@ class Hunter {
     std::unique_ptr<SuiteChild> child;
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
-    std::uint64_t played = 0, commands = 0;  // as the child last said
-    json smaller;                            // the smallest version so far of what it works on
+    std::uint64_t played = 0, judged = 0, commands = 0;  // as the child last said
+    json smaller;                                        // the smallest version so far of what it works on
   };
 
   // The programs K, K + jobs, K + 2 jobs, ... of one lane.
@@ -132,6 +132,8 @@ class Hunter {
     } else if (kind == "progress") {
       hunt_.programs += event["programs"].get<std::uint64_t>() - lane.played;
       hunt_.commands += event["commands"].get<std::uint64_t>() - lane.commands;
+      hunt_.judged += event["judged"].get<std::uint64_t>() - lane.judged;
+      lane.judged = event["judged"];
       lane.played = event["programs"];
       lane.commands = event["commands"];
     }

@@ -40,7 +40,7 @@ struct Cause {
 };
 
 struct Hunt {
-  std::uint64_t programs = 0, commands = 0;
+  std::uint64_t programs = 0, judged = 0, commands = 0;  // judged: all that they do could be seen
   double seconds = 0;
   std::vector<Cause> causes;  // in the order of their first programs
   std::string cannot_start;   // why nothing was played; else empty

@@ -279,10 +279,11 @@ int play_programs(const Program& program) {
   }
   std::ifstream file(program.options.replay);
   if (!file) throw std::runtime_error("cannot read '" + program.options.replay + "'");
-  gl::Case script = gl::case_from_json(json::parse(file));
+  gl::Case script = fuzz::with_commands_of(program.implementation->create_context()->table(),
+                                           gl::case_from_json(json::parse(file)));
   script.set_identity("program");
   report({{"event", "start"}, {"name", "program"}});
-  const std::optional<fuzz::Finding> finding = fuzz::judge_program(program.subject, script);
+  const std::optional<fuzz::Finding> finding = fuzz::judge_program(program.subject, script).finding;
   report({{"event", "result"},
           {"record", {{"name", "program"}, {"finding", finding ? fuzz::to_json(*finding) : json()}}}});
   return finding ? 1 : 0;

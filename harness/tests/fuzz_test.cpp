@@ -9,6 +9,7 @@
 #include "harness/fuzz/shrink.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
+#include "harness/tests/program.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -221,13 +222,64 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
 // An answer, not a vertex.
 TEST(Campaign, FindsAWrongAnswer) {
   Altered altered([](gl::Table& table) {
-    table.IsEnabled = [](GLenum cap) -> GLboolean {
-      return cap == GL_MAP2_INDEX ? GL_FALSE : Altered::sound.IsEnabled(cap);
+    table.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+      Altered::sound.MapGrid1f(n < 1 ? 1 : n, u1, u2);
     };
   });
-  const Played played = play_against(altered, 200);
+  const Played played = play_against(altered, 400);
   ASSERT_FALSE(played.findings.empty());
-  EXPECT_EQ(played.findings.front()["finding"]["cause"], "Enable GL_MAP2_INDEX, IsEnabled: glIsEnabled");
+  EXPECT_EQ(played.findings.front()["finding"]["cause"], "MapGrid1, GetError: glGetError");
+}
+
+// --- the command ------------------------------------------------------------------------------------------
+
+class FuzzCommand : public ProgramTest {
+ protected:
+  Outcome fuzz(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"fuzz", "--output", folder_.string()});
+    return evalcts(arguments);
+  }
+  Outcome fuzz_drill(const char* drill) {
+    setenv("EVALCTS_DRILL", drill, 1);
+    return fuzz({"--implementation", "osmesa", "--library", DRILL_LIBRARY, "--programs", "150"});
+  }
+  json finding() const {
+    std::ifstream file(folder_ / "fuzz-osmesa-1.json");
+    return json::parse(file, nullptr, false);
+  }
+};
+
+TEST_F(FuzzCommand, SaysWhatItNeeds) {
+  EXPECT_EQ(fuzz({}).code, 2);
+  EXPECT_EQ(fuzz({"--implementation", "no-such-implementation", "--programs", "1"}).code, 2);
+  EXPECT_EQ(fuzz({"--library", "/no/such/library.so", "--programs", "1"}).code, 2);
+}
+
+TEST_F(FuzzCommand, ProductionHoldsOut) {
+  const Outcome outcome = fuzz({"--implementation", "production", "--programs", "40", "--seed", "5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("seed 5: 40 programs (40 of them seen in full)"), std::string::npos)
+      << outcome.text;
+}
+
+// Map1f for INDEX with order 5 crashes.
+TEST_F(FuzzCommand, ACrashIsMadeSmall) {
+  const Outcome outcome = fuzz_drill("crash");
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_NE(outcome.text.find("150 programs"), std::string::npos) << outcome.text;
+  ASSERT_TRUE(finding().is_object()) << outcome.text;
+  EXPECT_EQ(finding()["cause"], "Map1 GL_MAP1_INDEX: crash");
+  EXPECT_EQ(finding()["program"].size(), 1u);
+  std::ifstream program(folder_ / "fuzz-osmesa-1.c");
+  EXPECT_TRUE(program) << "a C program";
+}
+
+TEST_F(FuzzCommand, AWrongAnswerIsMadeSmall) {
+  const Outcome outcome = fuzz_drill("lenient");
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  ASSERT_TRUE(finding().is_object()) << outcome.text;
+  EXPECT_EQ(finding()["what"], "glGetError");
+  EXPECT_EQ(finding()["program"].size(), 2u) << finding()["program"];
 }
 
 }  // namespace
