@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <stdexcept>
 
 #include "harness/fuzz/legal.h"
@@ -31,26 +32,13 @@ std::string kind_of(const Failure& failure) {
 std::string without_form(std::string name) {
   name = name.substr(2);
   for (const std::string_view stem :
-       {"GetMap", "GetnMap", "MapGrid1", "MapGrid2", "Map1", "Map2", "EvalCoord1", "EvalCoord2",
-        "MultiTexCoord", "TexCoord", "Color", "Normal", "Vertex", "Index"})
+       {"GetMap", "GetnMap", "MapGrid1", "MapGrid2", "Map1", "Map2", "EvalCoord1", "EvalCoord2", "Vertex"})
     if (name.starts_with(stem)) return std::string(stem);
+  for (const std::string_view stem : {"MultiTexCoord", "TexCoord", "Color", "Normal", "Index", "EdgeFlag"})
+    if (name.starts_with(stem)) return "current value";
   if (name == "GetFloatv" || name == "GetIntegerv" || name == "GetDoublev" || name == "GetBooleanv")
     return "Get";
   return name;
-}
-
-bool takes_target(EntryPoint entry) {
-  switch (entry) {
-    case EntryPoint::Map1f:
-    case EntryPoint::Map1d:
-    case EntryPoint::Map2f:
-    case EntryPoint::Map2d:
-    case EntryPoint::Enable:
-    case EntryPoint::Disable:
-      return true;
-    default:
-      return false;
-  }
 }
 
 bool uses(const gl::Case& program, EntryPoint entry) {
@@ -88,13 +76,11 @@ gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
 }
 
 std::string cause_of(const gl::Case& program, const std::string& what) {
-  std::vector<std::string> words;
+  std::set<std::string> words;
   for (const gl::Command& command : program.commands()) {
-    std::string word = without_form(std::string(gl::name_of(command.entry)));
-    if (takes_target(command.entry))
-      if (const auto* target = std::get_if<std::int64_t>(&command.arguments[0]))
-        word += " " + gl::token_name(static_cast<GLenum>(*target));
-    if (words.empty() || words.back() != word) words.push_back(word);
+    const std::string word = without_form(std::string(gl::name_of(command.entry)));
+    const auto* cap = command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
+    words.insert(cap && *cap == GL_AUTO_NORMAL ? "AUTO_NORMAL" : word);
   }
   return fmt::format("{}: {}", fmt::join(words, ", "), what);
 }

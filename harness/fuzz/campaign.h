@@ -26,8 +26,8 @@ struct Campaign {
 struct Finding {
   gl::Case program;
   Failure failure;  // the first
-  // What tells its cause from others, as well as a program can: the commands without the forms of their
-  // arguments, and what differs: "Map1 VERTEX_3, Enable, Begin, EvalCoord1, End: color".
+  // What tells its cause from others: which commands it has, whatever their arguments and order, and what
+  // differs: "Begin, Enable, End, EvalCoord1, Map1: color".
   std::string cause;
   std::string requirement;  // that is broken, as far as the commands tell
 };
