@@ -13,7 +13,8 @@ struct State {
   bool auto_normal = false;
   GLint segments = 1;  // of the grids, and other numbers derived from it for the ends
 };
-constexpr State kBefore{false, true, 3}, kAfter{true, false, 7}, kLast{false, false, 12};
+// Each differs from the next in everything.
+constexpr State kBefore{false, true, 3}, kAfter{true, false, 7}, kLast{false, true, 12};
 
 bool enabled(const State& state, std::size_t i) { return (i % 2 == 1) == state.odd_maps; }
 std::vector<double> grid1(const State& state) { return {0.25 * state.segments, -1.0 * state.segments}; }
@@ -261,6 +262,31 @@ EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesAsRestored, must
   c.PopAttrib();
   draw();
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
+// Where no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
+EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT") {
+  gl::Case c("points of a grid before the push, of another grid, and after the pop");
+  const auto draw = [&] {
+    c.EvalMesh1(GL_POINT, 0, 3);
+    c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
+  };
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  c.Enable(GL_MAP1_VERTEX_3);
+  define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid1f(3, 0.0f, 0.75f);
+  c.MapGrid2f(2, 0.25f, 1.0f, 1, 0.5f, 0.0f);
+  draw();
+  for (const GLbitfield mask : {static_cast<GLbitfield>(GL_EVAL_BIT), 0xFFFFFFFFu}) {
+    c.PushAttrib(mask);
+    c.MapGrid1f(5, 1.0f, 0.5f);
+    c.MapGrid2f(3, 0.0f, 0.5f, 2, 1.0f, 0.25f);
+    draw();
+    c.PopAttrib();
+    draw();
+  }
+  t.expect_emission(c, kPosition);
 }
 
 EVALCTS_TEST_BY(in_lists(), AttributeStack, Nested, must, "EV-ATTRIB-NEST") {

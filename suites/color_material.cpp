@@ -12,6 +12,10 @@ namespace {
 std::vector<gl::Delivery> without_lists() {
   return gl::sparing(gl::without(gl::kLists, gl::curve_deliveries()));
 }
+// Every command at full depth: where a test has few parameters their turns do not show all.
+std::vector<gl::Delivery> every_command() {
+  return gl::without(gl::kLists | gl::kArrays, gl::curve_deliveries());
+}
 std::vector<gl::Delivery> in_primitives() {
   return gl::sparing(gl::without(gl::kLists | gl::kMeshes, gl::curve_deliveries()));
 }
@@ -200,7 +204,7 @@ EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, Faces, kFaces, const Face& face
 }
 
 // Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
-EVALCTS_TEST_BY(without_lists(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
+EVALCTS_TEST_BY(every_command(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
   gl::Case state;
   light(state);
   gl::Case tracking = state;
@@ -212,7 +216,7 @@ EVALCTS_TEST_BY(without_lists(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1
 }
 
 // Without lighting the evaluated colour is the vertex's.
-EVALCTS_TEST_BY(without_lists(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
+EVALCTS_TEST_BY(every_command(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
   gl::Case lit;
   light(lit);
   track(lit, GL_EMISSION);
@@ -225,7 +229,7 @@ EVALCTS_TEST_BY(without_lists(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D"
 }
 
 // Without a vertex map a colour map does nothing: no material, no current colour, no later vertex is other.
-EVALCTS_TESTS_BY(without_lists(), ColorMaterial, NoVertexMap, kSomeTracked, const Tracked& tracked, must,
+EVALCTS_TESTS_BY(every_command(), ColorMaterial, NoVertexMap, kSomeTracked, const Tracked& tracked, must,
                  "EV-CMAT-NOVERTEX/1-D") {
   t.require(1, 1);
   gl::Case c("queried before and after");

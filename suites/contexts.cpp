@@ -56,12 +56,19 @@ EVALCTS_TESTS(Contexts, Fresh, kOthers, const Other& other, must, "EV-CTX-FRESH"
 // well as in others. (An implementation that shares evaluators answers the same in both.)
 EVALCTS_TESTS(Contexts, Private, kOthers, const Other& other, must, "EV-CTX-PRIVATE") {
   gl::Case c("two contexts set in different ways in turn");
+  const std::vector<gl::Ref> untouched = query_everything(c, t.max_order());
   other.make_current(c, 1);
   set_everything(t, c, 1);
   const std::vector<gl::Ref> second = query_everything(c, t.max_order());
   c.OtherContextEVALCTS(0);
   const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
+  // The first context has what the other one has not.
   set_everything(t, c, 0);
+  c.Disable(GL_AUTO_NORMAL);
+  for (std::size_t i = 0; i < gl::kMap1Targets.size(); i += 2) {
+    c.Disable(gl::kMap1Targets[i]);
+    c.Disable(gl::kMap2Targets[gl::kMap2Targets.size() - 1 - i]);
+  }
   const std::vector<gl::Ref> first = query_everything(c, t.max_order());
   c.OtherContextEVALCTS(1);
   const std::vector<gl::Ref> second_again = query_everything(c, t.max_order());
@@ -73,7 +80,8 @@ EVALCTS_TESTS(Contexts, Private, kOthers, const Other& other, must, "EV-CTX-PRIV
   Played played = t.play(c);
   expect_unchanged(played, second, second_again);
   expect_unchanged(played, first, first_again);
-  expect_unchanged(played, fresh, initial);
+  expect_unchanged(played, untouched, initial);
+  expect_unchanged(played, untouched, fresh);
 }
 
 // Maps that a list defines are those of the context that calls it; the list itself is shared.

@@ -507,6 +507,36 @@ EVALCTS_TESTS(DisplayLists, MapsOfTheCall, kDimensions, const Dimension& dimensi
   t.expect_emission(c, kUnit0);
 }
 
+// Positions alone: the map that is drawn defined anew, then outranked by another, then off.
+EVALCTS_TESTS(DisplayLists, VertexMapsOfTheCall, kDimensions, const Dimension& dimension, must,
+              "EV-DL-EXECSTATE-MAP") {
+  const GLenum three = dimension.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3;
+  const GLenum four = dimension.two ? GL_MAP2_VERTEX_4 : GL_MAP1_VERTEX_4;
+  const auto define_anew = [&](gl::Case& c, GLenum target) {
+    dimension.two ? define(c, random_map2(t, target, 2, 3)) : define(c, random_map(t, target, 3));
+  };
+  gl::Case c("compiled with a map of VERTEX_3, called after it was defined anew, with VERTEX_4, and without");
+  define_anew(c, three);
+  c.Enable(three);
+  set_grid(c, dimension.two);
+  compile(c, kList, [&](gl::Case& list) {
+    evaluate_some(list, dimension.two);
+    mesh_of_points(list, dimension.two);
+  });
+  define_anew(c, three);
+  c.CallList(kList);
+  define_anew(c, four);
+  c.Enable(four);
+  c.CallList(kList);
+  define_anew(c, four);
+  c.CallList(kList);
+  c.Disable(four);
+  c.CallList(kList);
+  c.Disable(three);
+  c.CallList(kList);
+  t.expect_emission(c, kPosition);
+}
+
 // Compiled while no map was enabled at all.
 EVALCTS_TESTS(DisplayLists, MapsEnabledAfterwards, kDimensions, const Dimension& dimension, must,
               "EV-DL-EXECSTATE-MAP") {
