@@ -91,8 +91,9 @@ void glev_context::DefineMap(int dimension, glev_enum name,
                              const std::array<glev::MapDirection, 2>& directions, const Real* points) {
   const glev_enum error = FindMapError(dimension, name, directions, points);
   if (error != GLEV_NO_ERROR) return RecordError(error);
-  if (RefusedInPrimitive()) return;
-  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
+  if (!(GLEV_FAULTY(ListDefinesInPrimitive) && list_depth_ > 0) && RefusedInPrimitive()) return;
+  const bool unit_counts = !(GLEV_FAULTY(ActiveTextureIgnoredInLists) && list_depth_ > 0);
+  if (active_unit_ != 0 && unit_counts) return RecordError(GLEV_INVALID_OPERATION);
   const int slot = FindTarget(name).slot;
   const auto& [u, v] = directions;
   if (!maps_[dimension - 1][slot].Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
@@ -112,13 +113,14 @@ void glev_context::IssueDefineMap(int dimension, glev_enum name,
       const int components = glev::kSlotTable[FindTarget(name).slot].components;
       const auto& [u, v] = directions;
       glev::DefineMapCommand packed{dimension, name, directions};
-      packed.directions[0].stride = v.order * components;
+      packed.directions[0].stride = (GLEV_FAULTY(CompiledRowsByUOrder) ? u.order : v.order) * components;
       packed.directions[1].stride = components;
       const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
       void* memory = Compile(packed, values * sizeof(double));
       if (memory != nullptr) glev::CopyPoints(components, u, v, points, new (memory) double[values]);
     }
-    if (open_.mode == GLEV_COMPILE) return;
+    if (GLEV_FAULTY(DoublesNotExecutedWhileCompiling) && sizeof(Real) == sizeof(double)) return;
+    if (open_.mode == GLEV_COMPILE && !(GLEV_FAULTY(Map2ExecutedWhileCompiling) && dimension == 2)) return;
   }
   DefineMap(dimension, name, directions, points);
 }
@@ -237,12 +239,14 @@ void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
     glev::RoundTo(vertex.texcoord[0], row.At(Attribute::kTexcoord, u));
   if (plan.components(Attribute::kNormal) != 0) glev::RoundTo(vertex.normal, row.At(Attribute::kNormal, u));
   if (plan.automatic_normals()) glev::RoundTo(vertex.normal, row.NormalAt(position, u));
+  if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0) current_.texcoord[0][1] = vertex.texcoord[0][1];
+  if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.color[3] = vertex.color[3];
   Emit(vertex);
 }
 
 template <class Argument>
 void glev_context::EvaluateAt(int dimension, const Argument& u, const Argument& v) {
-  if (!in_primitive_) return;
+  if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
   const glev_plan* plan = PlanToDraw(dimension);
   if (plan != nullptr) EmitRow(glev::Row(*plan, v), u);
 }
@@ -253,6 +257,7 @@ void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   for (const Grid& direction : grid) {
     if (direction.segments <= 0) return RecordError(GLEV_INVALID_VALUE);
   }
+  if (GLEV_FAULTY(ListRefusesGridSilently) && list_depth_ > 0 && in_primitive_) return;
   if (RefusedInPrimitive()) return;
   eval_.grid[dimension - 1] = grid;
   DropPlan(dimension);
@@ -401,10 +406,12 @@ void glev_context::PopAttrib() {
     const glev::EvalAttributes before = eval_;
     eval_.enabled = saved.eval.enabled;
     eval_.auto_normal = saved.eval.auto_normal;
-    if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
+    if ((saved.mask & GLEV_EVAL_BIT) != 0 || GLEV_FAULTY(EnableBitRestoresGrids))
+      eval_.grid = saved.eval.grid;
     // What is as before keeps its plan.
     const auto changed = [&](int d) {
-      return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
+      const bool grid_counts = !(GLEV_FAULTY(PopKeepsPlanOfGrid) && d == 1);
+      return eval_.enabled[d] != before.enabled[d] || (grid_counts && eval_.grid[d] != before.grid[d]);
     };
     if (changed(0)) DropPlan(1);
     if (changed(1) || eval_.auto_normal != before.auto_normal) DropPlan(2);

@@ -12,6 +12,7 @@
 #include "production/src/allocator.h"
 #include "production/src/attributes.h"
 #include "production/src/display_list.h"
+#include "production/src/fault.h"
 #include "production/src/list_table.h"
 #include "production/src/map.h"
 #include "production/src/parameter.h"
@@ -61,8 +62,13 @@ struct glev_context {
   template <class Command>
   void Issue(const Command& command) {
     if (IsCompiling()) {
+      const bool executes = open_.mode != GLEV_COMPILE;
+      if (GLEV_FAULTY(ExecutedMeshNotCompiled) && Command::kOpcode == glev::Opcode::kEvalMesh2 && executes)
+        return command.Run(*this);
       Compile(command);
-      if (open_.mode == GLEV_COMPILE) return;
+      if (GLEV_FAULTY(EnableExecutedWhileCompiling) && Command::kOpcode == glev::Opcode::kSetEnabled)
+        command.Run(*this);
+      if (!executes) return;
     }
     command.Run(*this);
   }

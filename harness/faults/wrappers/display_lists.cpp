@@ -1,0 +1,550 @@
+// Section 20: evaluator commands in display lists. What happens when a list is called is in
+// production/src/faults.def.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/faults/around.h"
+#include "harness/faults/forms.h"
+#include "harness/gl/tokens.h"
+
+namespace evalcts::faults::display_lists {
+namespace {
+
+// memory.count is the mode of the list that is open, 0 where there is none.
+void watch_lists(Injection& in) {
+  in.gl.NewList = [](GLuint list, GLenum mode) {
+    sound.NewList(list, mode);
+    memory.count = static_cast<long>(mode);
+  };
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory.count = 0;
+  };
+}
+
+bool compiles() { return memory.count != 0; }
+bool compiles_only() { return memory.count == GL_COMPILE; }
+
+// --- Compiled, not executed --------------------------------------------------------------------------------
+
+EVALCTS_FAULT(MeshDrawnAtEndList, production, must, "EV-DL-COMPILED EV-DL-COMPEXEC",
+              "EndList draws the last EvalMesh1 of the list") {
+  watch_lists(in);
+  mesh1(in, [](auto call) {
+    if (compiles()) memory.numbers = {static_cast<double>(call.i1), static_cast<double>(call.i2)};
+    go1(call);
+  });
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory.count = 0;
+    if (memory.numbers.empty()) return;
+    sound.EvalMesh1(GL_POINT, static_cast<GLint>(memory.numbers[0]), static_cast<GLint>(memory.numbers[1]));
+    memory.numbers.clear();
+  };
+}
+
+EVALCTS_FAULT(GridSetAtEndList, production, must, "EV-DL-COMPILED",
+              "EndList executes the last MapGrid1d of the list") {
+  watch_lists(in);
+  in.gl.MapGrid1d = [](GLint n, GLdouble u1, GLdouble u2) {
+    if (compiles_only()) memory.numbers = {static_cast<double>(n), u1, u2};
+    sound.MapGrid1d(n, u1, u2);
+  };
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory.count = 0;
+    if (memory.numbers.empty()) return;
+    sound.MapGrid1d(static_cast<GLint>(memory.numbers[0]), memory.numbers[1], memory.numbers[2]);
+    memory.numbers.clear();
+  };
+}
+
+// --- Called ------------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(AutoNormalNotCompiled, production, must, "EV-DL-EXECUTE",
+              "Enable and Disable of AUTO_NORMAL are left out of lists") {
+  watch_lists(in);
+  in.gl.Enable = [](GLenum cap) {
+    if (!compiles_only() || cap != GL_AUTO_NORMAL) sound.Enable(cap);
+  };
+  in.gl.Disable = [](GLenum cap) {
+    if (!compiles_only() || cap != GL_AUTO_NORMAL) sound.Disable(cap);
+  };
+}
+
+EVALCTS_FAULT(CompiledGridSwapsDirections, production, must, "EV-DL-EXECUTE",
+              "a compiled MapGrid2d has the segments of u and v the other way round") {
+  watch_lists(in);
+  in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
+    if (compiles()) std::swap(un, vn);
+    sound.MapGrid2d(un, u1, u2, vn, v1, v2);
+  };
+}
+
+EVALCTS_FAULT(CallRestoresGrid, production, must, "EV-DL-EXECUTE",
+              "CallList leaves the grid of one dimension as it was") {
+  watch_lists(in);
+  in.gl.Begin = [](GLenum mode) {
+    sound.Begin(mode);
+    memory.flag = true;
+  };
+  in.gl.End = [] {
+    sound.End();
+    memory.flag = false;
+  };
+  in.gl.CallList = [](GLuint list) {
+    if (memory.flag || compiles()) return sound.CallList(list);
+    GLdouble domain[2] = {0, 1};
+    const GLint segments = integer(GL_MAP1_GRID_SEGMENTS);
+    sound.GetDoublev(GL_MAP1_GRID_DOMAIN, domain);
+    sound.CallList(list);
+    sound.MapGrid1d(segments, domain[0], domain[1]);
+  };
+}
+
+// --- Compiled and executed ---------------------------------------------------------------------------------
+
+EVALCTS_FAULT(EvalPointCompiledTwice, production, must, "EV-DL-COMPEXEC",
+              "EvalPoint2 in a list that is compiled and executed is there twice") {
+  watch_lists(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    sound.EvalPoint2(i, j);
+    if (memory.count == GL_COMPILE_AND_EXECUTE) sound.EvalPoint2(i, j);
+  };
+}
+
+// --- Control points ----------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(CompiledMap2fReadAtEndList, production, must, "EV-DL-POINTS-COPIED",
+              "the points of a compiled Map2f are read by EndList") {
+  struct Held {
+    GLenum target;
+    GLfloat u1, u2;
+    GLint ustride, uorder;
+    GLfloat v1, v2;
+    GLint vstride, vorder;
+    const GLfloat* points;
+  };
+  static std::vector<Held> held;
+  held.clear();
+  watch_lists(in);
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    if (compiles())
+      held.push_back({target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points});
+    else
+      sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+  in.gl.EndList = [] {
+    for (const Held& h : held)
+      sound.Map2f(h.target, h.u1, h.u2, h.ustride, h.uorder, h.v1, h.v2, h.vstride, h.vorder, h.points);
+    held.clear();
+    sound.EndList();
+    memory.count = 0;
+  };
+}
+
+EVALCTS_FAULT(CompiledPointsFoundByAddress, production, must, "EV-DL-POINTS-COPIED",
+              "a list takes points from an address that an earlier list had as they were then") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    const int k = gl::components_of(call.target);
+    using Value = typename decltype(call)::Value;
+    if (!compiles() || k == 0 || call.order < 1 || call.stride < k) return go(call);
+    const auto count = static_cast<std::size_t>((call.order - 1) * call.stride + k);
+    static const void* address = nullptr;
+    if (address != call.points || memory.numbers.size() != count) {
+      memory.numbers.assign(call.points, call.points + count);
+      address = call.points;
+    }
+    const std::vector<Value> points(memory.numbers.begin(), memory.numbers.end());
+    call.points = points.data();
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledStrideInAByte, production, must, "EV-DL-STRIDE-KEPT",
+              "the stride of a compiled Map1 is kept in a byte") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (compiles() && call.stride > 255) call.stride = 255;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledMap1dPacked, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map1d of colours takes its points for packed") {
+  watch_lists(in);
+  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                   const GLdouble* points) {
+    sound.Map1d(target, u1, u2, compiles() && target == GL_MAP1_COLOR_4 && stride > 4 ? 4 : stride, order,
+                points);
+  };
+}
+
+EVALCTS_FAULT(CompiledRowsWithoutPadding, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map2f whose rows are longer than the net takes them for packed") {
+  watch_lists(in);
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    if (compiles() && ustride > vorder * vstride) ustride = vorder * vstride;
+    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledVMajorTransposed, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map2d in which u runs faster is taken for one in which v does") {
+  watch_lists(in);
+  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+    if (compiles() && ustride < vstride && vstride == ustride * uorder) {
+      vstride = ustride;
+      ustride = vorder * vstride;
+    }
+    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+// --- Doubles -----------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(CompiledEvalCoord2dvTakesUTwice, production, must, "EV-DL-DOUBLE",
+              "a compiled EvalCoord2dv has u for v, too") {
+  watch_lists(in);
+  in.gl.EvalCoord2dv = [](const GLdouble* uv) {
+    const GLdouble pair[] = {uv[0], compiles() ? uv[0] : uv[1]};
+    sound.EvalCoord2dv(pair);
+  };
+}
+
+EVALCTS_FAULT(CompiledMap2dSwapsDomains, production, must, "EV-DL-DOUBLE",
+              "a compiled Map2d has the domains of u and v the other way round") {
+  watch_lists(in);
+  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+    if (compiles())
+      sound.Map2d(target, v1, v2, ustride, uorder, u1, u2, vstride, vorder, points);
+    else
+      sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledArgumentInHalf, production, must, "EV-DL-DOUBLE",
+              "a compiled EvalCoord1d keeps eleven bits of its argument") {
+  watch_lists(in);
+  in.gl.EvalCoord1d = [](GLdouble u) {
+    int exponent = 0;
+    const double mantissa = std::frexp(u, &exponent);
+    sound.EvalCoord1d(compiles() ? std::ldexp(std::nearbyint(mantissa * 2048) / 2048, exponent) : u);
+  };
+}
+
+// --- Errors ------------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(CompiledOrderCheckedAtOnce, production, must, "EV-DL-ERR-LATE",
+              "an order that is too low is an error of the compilation") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (!compiles_only() || call.order >= 1) return go(call);
+    raise(GL_INVALID_VALUE);
+  });
+}
+
+EVALCTS_FAULT(CompiledMeshCheckedAtOnce, production, must, "EV-DL-ERR-LATE",
+              "a mode that EvalMesh2 does not know is an error of the compilation as well") {
+  watch_lists(in);
+  mesh2(in, [](auto call) {
+    if (compiles_only() && call.mode != GL_POINT && call.mode != GL_LINE && call.mode != GL_FILL)
+      raise(GL_INVALID_ENUM);
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledErrorAtEndList, production, must, "EV-DL-ERR-LATE",
+              "EndList raises the error of a compiled MapGrid") {
+  watch_lists(in);
+  map_grid1(in, [](auto n, auto u1, auto u2, auto go) {
+    if (compiles_only() && n <= 0) memory.flag = true;
+    go(n, u1, u2);
+  });
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory.count = 0;
+    if (memory.flag) raise(GL_INVALID_VALUE);
+    memory.flag = false;
+  };
+}
+
+EVALCTS_FAULT(CompiledBadTargetDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2 with a target that is none is left out of lists") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    const bool bad = gl::components_of(call.target) == 0 || call.target < GL_MAP2_COLOR_4;
+    if (!compiles_only() || !bad) go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledSmallVStrideDropped, production, must, "EV-DL-ERR-ALL",
+              "in lists a vstride below k is taken for k") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    if (compiles() && call.vstride > 0) call.vstride = std::max(call.vstride, gl::components_of(call.target));
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledEqualEndsMoved, production, must, "EV-DL-ERR-ALL",
+              "in lists v1 equal to v2 is no error") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    if (compiles() && call.v1 == call.v2) call.v2 += 1;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledGridErrorIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
+              "MapGrid2 without segments in a list raises INVALID_ENUM") {
+  watch_lists(in);
+  map_grid2(in, [](auto call, auto go) {
+    if (compiles() && (call.un <= 0 || call.vn <= 0))
+      sound.EvalMesh1(GL_FILL, 0, 0);
+    else
+      go(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledFillTakenForLine, production, must, "EV-DL-ERR-ALL",
+              "EvalMesh1 with FILL in a list draws lines") {
+  watch_lists(in);
+  mesh1(in, [](auto call) {
+    if (compiles() && call.mode == GL_FILL) call.mode = GL_LINE;
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
+              "a negative vorder in a list raises INVALID_ENUM") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    if (compiles() && call.vorder < 0) call.target = 0;
+    go(call);
+  });
+}
+
+// --- State of the compilation instead of the call ----------------------------------------------------------
+
+EVALCTS_FAULT(CompiledMeshCarriesMap, production, must, "EV-DL-EXECSTATE-MAP",
+              "a compiled EvalMesh1 brings the vertex map of the compilation along") {
+  watch_lists(in);
+  mesh1(in, [](auto call) {
+    if (compiles_only() && is_on(GL_MAP1_VERTEX_3)) {
+      GLint order = 0;
+      GLdouble domain[2], points[256];
+      sound.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, &order);
+      sound.GetMapdv(GL_MAP1_VERTEX_3, GL_DOMAIN, domain);
+      sound.GetMapdv(GL_MAP1_VERTEX_3, GL_COEFF, points);
+      sound.Map1d(GL_MAP1_VERTEX_3, domain[0], domain[1], 3, order, points);
+    }
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledMeshCarriesEnable, production, must, "EV-DL-EXECSTATE-MAP",
+              "a compiled EvalMesh2 has colours if the colour map was on while it was compiled") {
+  watch_lists(in);
+  mesh2(in, [](auto call) {
+    if (compiles_only()) set(GL_MAP2_COLOR_4, is_on(GL_MAP2_COLOR_4));
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(EvaluationWithoutMapsNotCompiled, production, must, "EV-DL-EXECSTATE-MAP",
+              "EvalCoord2 is left out of a list that is compiled while no vertex map is on") {
+  watch_lists(in);
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (!compiles_only() || evaluates()) go(u, v);
+  });
+}
+
+EVALCTS_FAULT(CompiledMeshCarriesGrid, production, must, "EV-DL-EXECSTATE-GRID",
+              "a compiled EvalMesh2 brings the grid of the compilation along") {
+  watch_lists(in);
+  mesh2(in, [](auto call) {
+    if (compiles_only()) {
+      GLint n[2];
+      GLdouble d[4];
+      sound.GetIntegerv(GL_MAP2_GRID_SEGMENTS, n);
+      sound.GetDoublev(GL_MAP2_GRID_DOMAIN, d);
+      sound.MapGrid2d(n[0], d[0], d[1], n[1], d[2], d[3]);
+    }
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledEvalPointIsEvalCoord, production, must, "EV-DL-EXECSTATE-GRID",
+              "EvalPoint1 is compiled as EvalCoord1 of the grid of the compilation") {
+  watch_lists(in);
+  in.gl.EvalPoint1 = [](GLint i) {
+    if (!compiles_only()) return sound.EvalPoint1(i);
+    GLdouble domain[2];
+    const GLint n = integer(GL_MAP1_GRID_SEGMENTS);
+    sound.GetDoublev(GL_MAP1_GRID_DOMAIN, domain);
+    sound.EvalCoord1d(i == n ? domain[1] : domain[0] + i * (domain[1] - domain[0]) / n);
+  };
+}
+
+EVALCTS_FAULT(ActiveTextureOfTheCompilation, production, must, "EV-DL-ACTIVETEX",
+              "ACTIVE_TEXTURE is judged while Map1 is compiled") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (compiles_only() && integer(GL_ACTIVE_TEXTURE) != GL_TEXTURE0)
+      sound.NewList(1, GL_COMPILE);  // INVALID_OPERATION: a list is open
+    else
+      go(call);
+  });
+}
+
+// --- Queries while a list is open --------------------------------------------------------------------------
+
+EVALCTS_FAULT(IsEnabledSeesCompiled, production, must, "EV-DL-GETMAP",
+              "IsEnabled answers for what the open list enables") {
+  watch_lists(in);
+  in.gl.Enable = [](GLenum cap) {
+    if (compiles_only()) memory.counts[cap] = 1;
+    sound.Enable(cap);
+  };
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory = {};
+  };
+  in.gl.IsEnabled = [](GLenum cap) -> GLboolean {
+    return compiles_only() && memory.counts[cap] ? GL_TRUE : sound.IsEnabled(cap);
+  };
+}
+
+EVALCTS_FAULT(GetMapSeesCompiledOrder, production, must, "EV-DL-GETMAP",
+              "GetMapiv tells the order of the Map1 that the open list has") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (compiles_only() && call.order > 0) memory.counts[call.target] = call.order;
+    go(call);
+  });
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory = {};
+  };
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (query == GL_ORDER && compiles_only() && memory.counts.contains(target))
+      *v = static_cast<GLint>(memory.counts[target]);
+  };
+}
+
+EVALCTS_FAULT(GetnMapWritesNothingInLists, production, must, "EV-DL-GETMAP",
+              "GetnMapfv does nothing while a list is open") {
+  watch_lists(in);
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    if (!compiles()) sound.GetnMapfv(target, query, size, v);
+  };
+}
+
+EVALCTS_FAULT(GetDoublevSeesCompiledGrid, production, must, "EV-DL-GETMAP",
+              "GetDoublev tells the ends of the grid that the open list has") {
+  watch_lists(in);
+  in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+    if (compiles_only()) memory.numbers = {u1, u2};
+    sound.MapGrid1f(n, u1, u2);
+  };
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory = {};
+  };
+  get(in, [](GLenum pname, auto v, auto go) {
+    go(pname, v);
+    if (pname != GL_MAP1_GRID_DOMAIN || memory.numbers.empty()) return;
+    for (std::size_t i = 0; i < 2; ++i) v[i] = static_cast<std::decay_t<decltype(*v)>>(memory.numbers[i]);
+  });
+}
+
+// --- Begin and End -----------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(CallListIgnoredInPrimitives, production, must, "EV-DL-INBEGIN",
+              "CallList between Begin and End does nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    sound.Begin(mode);
+    memory.flag = true;
+  };
+  in.gl.End = [] {
+    sound.End();
+    memory.flag = false;
+  };
+  in.gl.CallList = [](GLuint list) {
+    if (!memory.flag) sound.CallList(list);
+  };
+}
+
+EVALCTS_FAULT(ImmediatePointsNeedImmediateBegin, production, must, "EV-DL-SPLIT",
+              "EvalCoord1f does nothing in a primitive that a list has begun") {
+  watch_lists(in);
+  in.gl.Begin = [](GLenum mode) {
+    sound.Begin(mode);
+    if (!compiles_only()) memory.flag = true;
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (!compiles_only()) memory.flag = false;
+  };
+  in.gl.EvalCoord1f = [](GLfloat u) {
+    if (compiles_only() || memory.flag) sound.EvalCoord1f(u);
+  };
+}
+
+// --- Called again ------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(SecondCallRoundsOtherwise, production, must, "EV-DL-REPEAT",
+              "from the second call of a list on the last bit of x of the last vertex is another") {
+  in.gl.CallList = [](GLuint list) {
+    sound.CallList(list);
+    ++memory.count;
+  };
+  in.emitted = [](std::vector<ObservedPrimitive>& primitives) {
+    if (memory.count < 2 || primitives.empty() || primitives.back().vertices.empty()) return;
+    auto& x = primitives.back().vertices.back().position[0];
+    x = std::nextafter(x, 1e30f);
+  };
+}
+
+EVALCTS_FAULT(SecondCallIgnored, production, must, "EV-DL-REPEAT",
+              "a list that is called twice in a row is executed once") {
+  in.gl.NewList = [](GLuint list, GLenum mode) {
+    sound.NewList(list, mode);
+    memory.count = 0;
+  };
+  in.gl.CallList = [](GLuint list) {
+    if (memory.count != list) sound.CallList(list);
+    memory.count = list;
+  };
+}
+
+// --- Lists that call lists ---------------------------------------------------------------------------------
+
+EVALCTS_FAULT(InnerListLookedUpByTheCompilation, production, must, "EV-DL-NESTED",
+              "a call of a list that is not defined yet is left out of the outer list") {
+  watch_lists(in);
+  in.gl.CallList = [](GLuint list) {
+    if (!compiles_only() || sound.IsList(list)) sound.CallList(list);
+  };
+}
+
+EVALCTS_FAULT(InnerListKeepsGridToItself, production, must, "EV-DL-NESTED",
+              "the grid and the enables that an inner list sets end with it") {
+  watch_lists(in);
+  in.gl.CallList = [](GLuint list) {
+    if (!compiles_only()) return sound.CallList(list);
+    sound.PushAttrib(GL_EVAL_BIT);
+    sound.CallList(list);
+    sound.PopAttrib();
+  };
+}
+
+}  // namespace
+}  // namespace evalcts::faults::display_lists

@@ -1,0 +1,842 @@
+// Section 22: evaluated primitives in feedback and selection mode, and in the other stages of the pipeline.
+#include <algorithm>
+
+#include "harness/faults/around.h"
+#include "harness/faults/forms.h"
+
+namespace evalcts::faults::rest_of_pipeline {
+namespace {
+
+bool feeds_back() { return integer(GL_RENDER_MODE) == GL_FEEDBACK; }
+bool selects() { return integer(GL_RENDER_MODE) == GL_SELECT; }
+
+// The points of a mesh, u slower than v.
+void points_column_by_column(const Mesh2Call& c) {
+  for (GLint i = c.i1; i <= c.i2; ++i)
+    for (GLint j = c.j1; j <= c.j2; ++j) sound.EvalMesh2(GL_POINT, i, i, j, j);
+}
+
+// --- Feedback mode -----------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
+              "in feedback mode the points of EvalMesh2 come column by column") {
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_POINT && feeds_back())
+      points_column_by_column(call);
+    else
+      go2(call);
+  });
+}
+
+EVALCTS_FAULT(FeedbackFirstPointTwice, osmesa, must, "EV-FB-POINT",
+              "in feedback mode the first point of EvalMesh1 comes twice") {
+  mesh1(in, [](auto call) {
+    if (call.mode == GL_POINT && feeds_back()) sound.EvalMesh1(GL_POINT, call.i1, call.i1);
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(FeedbackPointsUnclipped, osmesa, must, "EV-FB-POINT",
+              "in feedback mode no point of a mesh is clipped") {
+  meshes(in, [](GLenum mode, auto go) {
+    const bool all = mode == GL_POINT && feeds_back();
+    if (all) {
+      sound.PushMatrix();
+      sound.LoadIdentity();
+    }
+    go();
+    if (all) sound.PopMatrix();
+  });
+}
+
+EVALCTS_FAULT(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh gives its columns before its rows") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
+    for (GLint i = call.i1; i <= call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+  });
+}
+
+EVALCTS_FAULT(FeedbackLosesLastSegment, osmesa, must, "EV-FB-LINE",
+              "in feedback mode the last segment of a LINE mesh of one dimension is missing") {
+  mesh1(in, [](auto call) {
+    if (call.mode == GL_LINE && feeds_back()) --call.i2;
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh of one dimension runs from i2 to i1") {
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go1(call);
+    sound.Begin(GL_LINE_STRIP);
+    for (GLint i = call.i2; i >= call.i1; --i) sound.EvalPoint1(i);
+    sound.End();
+  });
+}
+
+EVALCTS_FAULT(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
+              "each segment of a LINE mesh has LINE_RESET_TOKEN") {
+  static GLsizei size;
+  static GLfloat* buffer;
+  in.gl.FeedbackBuffer = [](GLsizei room, GLenum type, GLfloat* values) {
+    sound.FeedbackBuffer(room, type, values);
+    size = room;
+    buffer = values;
+    memory.flag = false;
+  };
+  in.gl.RenderMode = [](GLenum mode) {
+    const GLint count = sound.RenderMode(mode);
+    if (memory.flag && mode == GL_RENDER && buffer && count <= size)
+      std::replace(buffer, buffer + std::max(count, 0), GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
+    return count;
+  };
+  meshes(in, [](GLenum, auto go) {
+    go();
+    memory.flag = true;
+  });
+}
+
+EVALCTS_FAULT(FeedbackLosesLastQuad, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the last quad of the last row of a FILL mesh is missing") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1, call.j2 - 1);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2 - 1, call.j2 - 1, call.j2);
+  });
+}
+
+EVALCTS_FAULT(FeedbackFirstQuadIsTriangle, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the first quad of a FILL mesh is a triangle") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
+    sound.Begin(GL_TRIANGLES);
+    sound.EvalPoint2(call.i1, call.j1);
+    sound.EvalPoint2(call.i1, call.j1 + 1);
+    sound.EvalPoint2(call.i1 + 1, call.j1 + 1);
+    sound.End();
+    sound.EvalMesh2(GL_FILL, call.i1 + 1, call.i2, call.j1, call.j1 + 1);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1 + 1, call.j2);
+  });
+}
+
+EVALCTS_FAULT(FeedbackOutlinesQuads, osmesa, must, "EV-FB-FILL",
+              "in feedback mode a FILL mesh gives the outlines of its polygons") {
+  mesh2(in, [](auto call) {
+    const bool outlined = call.mode == GL_FILL && feeds_back();
+    if (outlined) sound.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    go2(call);
+    if (outlined) sound.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  });
+}
+
+EVALCTS_FAULT(FeedbackWithoutThirdCoordinateMap, osmesa, must, "EV-FB-TEX",
+              "in feedback mode the map of three texture coordinates does not count") {
+  mesh1(in, [](auto call) {
+    if (!feeds_back()) return go1(call);
+    without(GL_MAP1_TEXTURE_COORD_3, [call] { go1(call); });
+  });
+}
+
+EVALCTS_FAULT(FeedbackOfSurfacesHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode the map of s alone does not count for surfaces") {
+  mesh2(in, [](auto call) {
+    if (!feeds_back()) return go2(call);
+    without(GL_MAP2_TEXTURE_COORD_1, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
+              "without a map surfaces feed back the texture coordinates of unit 1") {
+  mesh2(in, [](auto call) {
+    bool mapped = false;
+    for (GLenum target = GL_MAP2_TEXTURE_COORD_1; target <= GL_MAP2_TEXTURE_COORD_4; ++target)
+      mapped = mapped || is_on(target);
+    if (mapped || !feeds_back()) return go2(call);
+    GLfloat zero[4], one[4];
+    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, zero);
+    sound.ActiveTexture(GL_TEXTURE1);
+    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, one);
+    sound.ActiveTexture(GL_TEXTURE0);
+    sound.TexCoord4fv(one);
+    go2(call);
+    sound.TexCoord4fv(zero);
+  });
+}
+
+EVALCTS_FAULT(FilledMeshUnlitInFeedback, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode FILL meshes have the colours of before lighting") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
+    without(GL_LIGHTING, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(FeedbackColorsNotClamped, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode the colours of meshes of one dimension are not clamped") {
+  mesh1(in, [](auto call) {
+    const bool free = feeds_back();
+    if (free) sound.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
+    go1(call);
+    if (free) sound.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
+  });
+}
+
+EVALCTS_FAULT(FeedbackLightsWithCurrentNormal, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode LINE meshes are lit with the current normal") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back() || !is_on(GL_LIGHTING)) return go2(call);
+    without(GL_MAP2_NORMAL, [call] { go2(call); });
+  });
+}
+
+// --- Selection mode ----------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(SelectionOmitsMeshPoints, osmesa, must, "EV-SEL-HIT", "POINT meshes never hit") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_POINT || !selects()) go();
+  });
+}
+
+EVALCTS_FAULT(SelectionDepthOfFirstRow, osmesa, must, "EV-SEL-HIT",
+              "the depths of a hit by a LINE mesh are those of its first row") {
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_LINE && selects()) call.j2 = call.j1;
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(SelectionUnclipped, osmesa, must, "EV-SEL-HIT", "FILL meshes outside the clip volume hit") {
+  mesh2(in, [](auto call) {
+    const bool all = call.mode == GL_FILL && selects();
+    if (all) {
+      sound.PushMatrix();
+      sound.LoadIdentity();
+    }
+    go2(call);
+    if (all) sound.PopMatrix();
+  });
+}
+
+EVALCTS_FAULT(SelectionOmitsEvalPoint, osmesa, must, "EV-SEL-HIT",
+              "in selection mode EvalPoint1 does nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = selects();
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    memory.flag = false;
+  };
+  in.gl.EvalPoint1 = [](GLint i) {
+    if (!memory.flag) sound.EvalPoint1(i);
+  };
+}
+
+EVALCTS_FAULT(SelectionNeverCulls, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode FILL meshes are not culled") {
+  mesh2(in, [](auto call) {
+    if (!selects()) return go2(call);
+    without(GL_CULL_FACE, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(SelectionCullsOtherFace, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode meshes have front and back the other way round") {
+  mesh2(in, [](auto call) {
+    if (!selects()) return go2(call);
+    const GLint front = integer(GL_FRONT_FACE);
+    sound.FrontFace(front == GL_CW ? GL_CCW : GL_CW);
+    go2(call);
+    sound.FrontFace(static_cast<GLenum>(front));
+  });
+}
+
+EVALCTS_FAULT(SelectionHitsThoughBothAreCulled, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode CullFace(FRONT_AND_BACK) leaves meshes alone") {
+  mesh2(in, [](auto call) {
+    if (!selects() || integer(GL_CULL_FACE_MODE) != GL_FRONT_AND_BACK) return go2(call);
+    without(GL_CULL_FACE, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(EmptyRangeOfIHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode an EvalMesh2 of an empty range of i hits with its first point") {
+  mesh2(in, [](auto call) {
+    if (selects() && call.i1 > call.i2 && call.j1 <= call.j2) call.i2 = call.i1;
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(MeshWithoutVerticesHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode EvalMesh1 without a vertex map hits at the origin") {
+  mesh1(in, [](auto call) {
+    go1(call);
+    if (!selects() || is_on(GL_MAP1_VERTEX_3) || is_on(GL_MAP1_VERTEX_4)) return;
+    sound.Begin(GL_POINTS);
+    sound.Vertex3f(0, 0, 0);
+    sound.End();
+  });
+}
+
+// --- Texture coordinates -----------------------------------------------------------------------------------
+
+EVALCTS_FAULT(CurveMeshWithoutTexGen, osmesa, must, "EV-PIPE-TEXGEN",
+              "t is not generated for meshes of one dimension") {
+  mesh1(in, [](auto call) { without(GL_TEXTURE_GEN_T, [call] { go1(call); }); });
+}
+
+EVALCTS_FAULT(TexGenBeforeAutoNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "coordinates are generated from the current normal where AUTO_NORMAL gives another") {
+  mesh2(in, [](auto call) {
+    if (!is_on(GL_TEXTURE_GEN_S)) return go2(call);
+    without(GL_AUTO_NORMAL, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(SphereMapOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "SPHERE_MAP has the current normal for meshes of one dimension") {
+  in.gl.TexGeni = [](GLenum coordinate, GLenum pname, GLint value) {
+    sound.TexGeni(coordinate, pname, value);
+    if (pname == GL_TEXTURE_GEN_MODE) memory.count = value;
+  };
+  mesh1(in, [](auto call) {
+    if (memory.count != GL_SPHERE_MAP) return go1(call);
+    without(GL_MAP1_NORMAL, [call] { go1(call); });
+  });
+}
+
+EVALCTS_FAULT(PointMeshSkipsTextureMatrix, osmesa, must, "EV-PIPE-TEXMATRIX",
+              "the texture matrix does not apply to POINT meshes of two dimensions") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_POINT) return go2(call);
+    const auto mode = static_cast<GLenum>(integer(GL_MATRIX_MODE));
+    sound.MatrixMode(GL_TEXTURE);
+    sound.PushMatrix();
+    sound.LoadIdentity();
+    go2(call);
+    sound.PopMatrix();
+    sound.MatrixMode(mode);
+  });
+}
+
+EVALCTS_FAULT(TextureMatrixWithoutLastColumn, osmesa, must, "EV-PIPE-TEXMATRIX",
+              "for meshes of one dimension the texture matrix does not move") {
+  mesh1(in, [](auto call) {
+    GLfloat matrix[16];
+    const auto mode = static_cast<GLenum>(integer(GL_MATRIX_MODE));
+    sound.GetFloatv(GL_TEXTURE_MATRIX, matrix);
+    std::fill_n(matrix + 12, 3, 0.0f);
+    sound.MatrixMode(GL_TEXTURE);
+    sound.PushMatrix();
+    sound.LoadMatrixf(matrix);
+    go1(call);
+    sound.PopMatrix();
+    sound.MatrixMode(mode);
+  });
+}
+
+// --- Clip planes, fog, flat shading ------------------------------------------------------------------------
+
+EVALCTS_FAULT(MeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "LINE meshes are clipped by the first clip plane alone") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode == GL_LINE)
+      without(GL_CLIP_PLANE1, go);
+    else
+      go();
+  });
+}
+
+EVALCTS_FAULT(FilledMeshNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "clip planes leave FILL meshes alone") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode == GL_FILL)
+      without(GL_CLIP_PLANE0, go);
+    else
+      go();
+  });
+}
+
+EVALCTS_FAULT(MeshesWithoutExponentialFog, osmesa, must, "EV-PIPE-FOG",
+              "fog of meshes of two dimensions is linear whatever the mode") {
+  mesh2(in, [](auto call) {
+    const GLint mode = integer(GL_FOG_MODE);
+    sound.Fogi(GL_FOG_MODE, GL_LINEAR);
+    go2(call);
+    sound.Fogi(GL_FOG_MODE, mode);
+  });
+}
+
+EVALCTS_FAULT(CurveMeshIgnoresFogCoordinate, osmesa, must, "EV-PIPE-FOG",
+              "fog of meshes of one dimension goes by the distance though the coordinate is selected") {
+  mesh1(in, [](auto call) {
+    const GLint source = integer(GL_FOG_COORD_SRC);
+    sound.Fogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);
+    go1(call);
+    sound.Fogi(GL_FOG_COORD_SRC, source);
+  });
+}
+
+EVALCTS_FAULT(MeshResetsFogCoordinate, osmesa, must, "EV-PIPE-FOG",
+              "a mesh of two dimensions has fog coordinate 0") {
+  mesh2(in, [](auto call) {
+    GLfloat coordinate = 0;
+    sound.GetFloatv(GL_CURRENT_FOG_COORD, &coordinate);
+    sound.FogCoordf(0);
+    go2(call);
+    sound.FogCoordf(coordinate);
+  });
+}
+
+EVALCTS_FAULT(FlatLinesByFirstVertex, osmesa, must, "EV-PIPE-FLATLINE",
+              "flat segments of LINE meshes have the colour of their first vertices") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_LINE) return go();
+    sound.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+    go();
+    sound.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  });
+}
+
+EVALCTS_FAULT(FlatColumnsBackwards, osmesa, must, "EV-PIPE-FLATLINE",
+              "flat columns of LINE meshes have the colours of their first vertices, rows are right") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE) return go2(call);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+    for (GLint i = call.i1; i <= call.i2; ++i) {
+      sound.Begin(GL_LINE_STRIP);
+      for (GLint j = call.j2; j >= call.j1; --j) sound.EvalPoint2(i, j);
+      sound.End();
+    }
+  });
+}
+
+// --- Programs ----------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(MeshSkipsVertexProgram, osmesa, must, "EV-PIPE-VS",
+              "no vertex program runs for LINE meshes of two dimensions") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE) return go2(call);
+    without(GL_VERTEX_PROGRAM_ARB, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(MeshSkipsVertexShader, osmesa, must, "EV-PIPE-VS",
+              "no vertex shader runs for POINT meshes of one dimension") {
+  mesh1(in, [](auto call) {
+    const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
+    if (call.mode == GL_POINT && program) sound.UseProgram(0);
+    go1(call);
+    if (call.mode == GL_POINT && program) sound.UseProgram(program);
+  });
+}
+
+EVALCTS_FAULT(ShaderSeesNoEvaluatedNormal, osmesa, must, "EV-PIPE-VS",
+              "gl_Normal of meshes of two dimensions is the current normal") {
+  mesh2(in, [](auto call) {
+    if (!integer(GL_CURRENT_PROGRAM)) return go2(call);
+    without(GL_MAP2_NORMAL, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(ShaderSeesNoSecondaryColor, osmesa, must, "EV-PIPE-VS",
+              "the secondary colour of evaluated primitives is black") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = evaluates();
+    if (memory.flag) {
+      memory.numbers.assign(4, 0);
+      sound.GetDoublev(GL_CURRENT_SECONDARY_COLOR, memory.numbers.data());
+      sound.SecondaryColor3f(0, 0, 0);
+    }
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag)
+      sound.SecondaryColor3f(static_cast<GLfloat>(memory.numbers[0]), static_cast<GLfloat>(memory.numbers[1]),
+                             static_cast<GLfloat>(memory.numbers[2]));
+  };
+}
+
+// --- Primitive restart -------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(RestartIndexSplitsMesh, osmesa, must, "EV-PIPE-NORESTART",
+              "a LINE mesh of one dimension starts anew at the restart index") {
+  mesh1(in, [](auto call) {
+    const GLint index = integer(GL_PRIMITIVE_RESTART_INDEX);
+    if (call.mode != GL_LINE || !is_on(GL_PRIMITIVE_RESTART) || index < call.i1 || index > call.i2)
+      return go1(call);
+    sound.EvalMesh1(GL_LINE, call.i1, index - 1);
+    sound.EvalMesh1(GL_LINE, index + 1, call.i2);
+  });
+}
+
+EVALCTS_FAULT(RestartIndexSplitsPrimitive, osmesa, must, "EV-PIPE-NORESTART",
+              "the second EvalCoord2 of a primitive is lost where the restart index is 1") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_PRIMITIVE_RESTART) && integer(GL_PRIMITIVE_RESTART_INDEX) == 1;
+    memory.count = 0;
+    sound.Begin(mode);
+  };
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (++memory.count != 2 || !memory.flag) go(u, v);
+  });
+}
+
+EVALCTS_FAULT(FixedRestartIndexDropsMesh, osmesa, must, "EV-PIPE-NORESTART",
+              "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing") {
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_POINT && is_on(GL_PRIMITIVE_RESTART_FIXED_INDEX)) ++call.j1;
+    go2(call);
+  });
+}
+
+// --- Conditional rendering ---------------------------------------------------------------------------------
+
+// memory.counts[0] is the query of the conditional rendering, memory.counts[1] its mode.
+void watch_conditions(Injection& in) {
+  in.gl.BeginConditionalRender = [](GLuint query, GLenum mode) {
+    sound.BeginConditionalRender(query, mode);
+    memory.counts[0] = query;
+    memory.counts[1] = static_cast<long>(mode);
+  };
+  in.gl.EndConditionalRender = [] {
+    sound.EndConditionalRender();
+    memory.counts[0] = 0;
+  };
+}
+// What was drawn before is drawn before it begins.
+void begin_condition() {
+  sound.Finish();
+  sound.BeginConditionalRender(static_cast<GLuint>(memory.counts[0]), static_cast<GLenum>(memory.counts[1]));
+}
+
+EVALCTS_FAULT(PointMeshUnconditional, osmesa, must, "EV-PIPE-CONDRENDER",
+              "conditional rendering leaves POINT meshes alone") {
+  watch_conditions(in);
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_POINT || !memory.counts[0]) return go();
+    sound.EndConditionalRender();
+    go();
+    begin_condition();
+  });
+}
+
+EVALCTS_FAULT(FilledMeshUnconditional, osmesa, must, "EV-PIPE-CONDRENDER",
+              "the first row of a FILL mesh is drawn though no sample passed") {
+  watch_conditions(in);
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_FILL && memory.counts[0]) {
+      sound.EndConditionalRender();
+      sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1, call.j1 + 1);
+      begin_condition();
+    }
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(ConditionalMeshNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER",
+              "conditional rendering discards EvalMesh1 whatever the query says") {
+  watch_conditions(in);
+  mesh1(in, [](auto call) {
+    if (!memory.counts[0]) go1(call);
+  });
+}
+
+EVALCTS_FAULT(EvaluatedPrimitiveUnconditional, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
+              "conditional rendering leaves evaluated primitives alone") {
+  watch_conditions(in);
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = memory.counts[0] && evaluates();
+    if (memory.flag) sound.EndConditionalRender();
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) begin_condition();
+    memory.flag = false;
+  };
+}
+
+EVALCTS_FAULT(ConditionalEvalPointNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
+              "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering") {
+  watch_conditions(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    if (!memory.counts[0]) sound.EvalPoint2(i, j);
+  };
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (!memory.counts[0]) go(u, v);
+  });
+}
+
+// --- Refused primitives ------------------------------------------------------------------------------------
+
+// Where the sound command raises `error` it is this one instead, or none.
+template <class Go>
+void change_error(GLenum error, GLenum instead, Go go) {
+  go();
+  const GLenum seen = sound.GetError();
+  raise(seen == error ? instead : seen);
+}
+
+bool framebuffer_is_incomplete() {
+  return sound.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE;
+}
+
+EVALCTS_FAULT(IncompleteFramebufferIsInvalidOperation, osmesa, must, "EV-PIPE-FBO",
+              "EvalMesh1 with an incomplete framebuffer raises INVALID_OPERATION") {
+  mesh1(in, [](auto call) {
+    if (framebuffer_is_incomplete())
+      raise(GL_INVALID_OPERATION);
+    else
+      go1(call);
+  });
+}
+
+EVALCTS_FAULT(IncompleteFramebufferIsSilent, osmesa, must, "EV-PIPE-FBO",
+              "FILL meshes with an incomplete framebuffer draw nothing, without an error") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !framebuffer_is_incomplete()) go2(call);
+  });
+}
+
+EVALCTS_FAULT(InvalidProgramIsInvalidValue, osmesa, must, "EV-PIPE-INVALIDPROGRAM",
+              "LINE meshes without a valid program raise INVALID_VALUE") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_LINE) return go();
+    change_error(GL_INVALID_OPERATION, GL_INVALID_VALUE, go);
+  });
+}
+
+EVALCTS_FAULT(InvalidFragmentProgramIsSilent, osmesa, must, "EV-PIPE-INVALIDPROGRAM",
+              "EvalMesh2 without a valid fragment program raises no error") {
+  mesh2(in, [](auto call) {
+    if (!is_on(GL_FRAGMENT_PROGRAM_ARB)) return go2(call);
+    change_error(GL_INVALID_OPERATION, GL_NO_ERROR, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(RefusedMeshDrawsWithoutProgram, osmesa, must, "EV-PIPE-INVALIDPROGRAM",
+              "EvalMesh1 with samplers in conflict raises the error and draws without the program") {
+  mesh1(in, [](auto call) {
+    const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
+    go1(call);
+    const GLenum error = sound.GetError();
+    if (error == GL_INVALID_OPERATION && program) {
+      sound.UseProgram(0);
+      go1(call);
+      sound.UseProgram(program);
+    }
+    raise(error);
+  });
+}
+
+// --- Transform feedback ------------------------------------------------------------------------------------
+
+// memory.count is the mode of the transform feedback, -1 where there is none.
+void watch_recording(Injection& in) {
+  memory.count = -1;
+  in.gl.BeginTransformFeedback = [](GLenum mode) {
+    sound.BeginTransformFeedback(mode);
+    memory.count = static_cast<long>(mode);
+  };
+  in.gl.EndTransformFeedback = [] {
+    sound.EndTransformFeedback();
+    memory.count = -1;
+  };
+}
+bool records() { return memory.count >= 0; }
+
+EVALCTS_FAULT(RecordedPointsColumnByColumn, osmesa, must, "EV-PIPE-XFB",
+              "transform feedback records the points of EvalMesh2 column by column") {
+  watch_recording(in);
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_POINT && records())
+      points_column_by_column(call);
+    else
+      go2(call);
+  });
+}
+
+EVALCTS_FAULT(RecordedCurveBackwards, osmesa, must, "EV-PIPE-XFB",
+              "transform feedback records the segments of EvalMesh1 from the last to the first") {
+  watch_recording(in);
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_LINE || !records()) return go1(call);
+    for (GLint i = call.i2; i > call.i1; --i) sound.EvalMesh1(GL_LINE, i - 1, i);
+  });
+}
+
+EVALCTS_FAULT(RecordedQuadsOneTriangleShort, osmesa, must, "EV-PIPE-XFB",
+              "transform feedback records the last quad of a FILL mesh as one triangle") {
+  watch_recording(in);
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !records()) return go2(call);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1, call.j2 - 1);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2 - 1, call.j2 - 1, call.j2);
+    sound.Begin(GL_TRIANGLES);
+    sound.EvalPoint2(call.i2 - 1, call.j2 - 1);
+    sound.EvalPoint2(call.i2 - 1, call.j2);
+    sound.EvalPoint2(call.i2, call.j2);
+    sound.End();
+  });
+}
+
+EVALCTS_FAULT(RecordedFirstTriangleTurned, osmesa, must, "EV-PIPE-XFB",
+              "the first row of a FILL mesh is recorded the other way round") {
+  watch_recording(in);
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !records()) return go2(call);
+    sound.Begin(GL_QUAD_STRIP);
+    for (GLint i = call.i1; i <= call.i2; ++i) {
+      sound.EvalPoint2(i, call.j1 + 1);
+      sound.EvalPoint2(i, call.j1);
+    }
+    sound.End();
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1 + 1, call.j2);
+  });
+}
+
+EVALCTS_FAULT(FilledMeshRecordedAsLines, osmesa, must, "EV-PIPE-XFB-MODE",
+              "a FILL mesh in transform feedback of LINES is recorded as its lines") {
+  watch_recording(in);
+  mesh2(in, [](auto call) {
+    if (memory.count == GL_LINES && call.mode == GL_FILL) call.mode = GL_LINE;
+    go2(call);
+  });
+}
+
+EVALCTS_FAULT(RecordedModeMismatchIsSilent, osmesa, must, "EV-PIPE-XFB-MODE",
+              "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored") {
+  watch_recording(in);
+  mesh1(in, [](auto call) {
+    if (memory.count != GL_TRIANGLES || call.mode != GL_LINE) go1(call);
+  });
+}
+
+EVALCTS_FAULT(RecordedModeMismatchIsInvalidEnum, osmesa, must, "EV-PIPE-XFB-MODE",
+              "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM") {
+  watch_recording(in);
+  meshes(in, [](GLenum, auto go) {
+    if (memory.count != GL_POINTS) return go();
+    change_error(GL_INVALID_OPERATION, GL_INVALID_ENUM, go);
+  });
+}
+
+// --- Geometry shaders and tessellation ---------------------------------------------------------------------
+
+EVALCTS_FAULT(GeometryInputMismatchIsSilent, osmesa, must, "EV-PIPE-GS",
+              "POINT meshes that do not fit the geometry shader are ignored") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_POINT || !integer(GL_CURRENT_PROGRAM)) return go();
+    change_error(GL_INVALID_OPERATION, GL_NO_ERROR, go);
+  });
+}
+
+EVALCTS_FAULT(GeometryInputMismatchIsInvalidValue, osmesa, must, "EV-PIPE-GS",
+              "EvalMesh1 in LINE that does not fit the geometry shader raises INVALID_VALUE") {
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_LINE || !integer(GL_CURRENT_PROGRAM)) return go1(call);
+    change_error(GL_INVALID_OPERATION, GL_INVALID_VALUE, [call] { go1(call); });
+  });
+}
+
+EVALCTS_FAULT(TessellatedMeshIsSilent, osmesa, must, "EV-PIPE-TESS",
+              "FILL meshes are ignored where tessellation is active") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !integer(GL_CURRENT_PROGRAM)) return go2(call);
+    change_error(GL_INVALID_OPERATION, GL_NO_ERROR, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(TessellatedMeshIsDrawn, osmesa, must, "EV-PIPE-TESS",
+              "EvalMesh1 draws without tessellation where that is active") {
+  mesh1(in, [](auto call) {
+    const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
+    if (program) sound.UseProgram(0);
+    go1(call);
+    if (program) sound.UseProgram(program);
+  });
+}
+
+// --- Queries -----------------------------------------------------------------------------------------------
+
+// memory.count is what the query counts, 0 where there is none.
+void watch_queries(Injection& in) {
+  in.gl.BeginQuery = [](GLenum target, GLuint query) {
+    sound.BeginQuery(target, query);
+    memory.count = static_cast<long>(target);
+  };
+  in.gl.EndQuery = [](GLenum target) {
+    sound.EndQuery(target);
+    memory.count = 0;
+  };
+}
+
+EVALCTS_FAULT(SamplesOfFirstPointTwice, osmesa, must, "EV-PIPE-QUERY",
+              "the samples of the first point of a mesh of one dimension count twice") {
+  watch_queries(in);
+  mesh1(in, [](auto call) {
+    if (memory.count == GL_SAMPLES_PASSED && call.mode == GL_POINT && call.i1 <= call.i2)
+      sound.EvalMesh1(GL_POINT, call.i1, call.i1);
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(SamplesOfEvalPointNotCounted, osmesa, must, "EV-PIPE-QUERY",
+              "samples of EvalPoint2 and EvalCoord2 are not counted") {
+  watch_queries(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    if (memory.count != GL_SAMPLES_PASSED) sound.EvalPoint2(i, j);
+  };
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (memory.count != GL_SAMPLES_PASSED) go(u, v);
+  });
+}
+
+EVALCTS_FAULT(EmptyMeshCountsAPrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
+              "an EvalMesh1 of an empty range counts as a primitive") {
+  watch_queries(in);
+  mesh1(in, [](auto call) {
+    if (memory.count == GL_PRIMITIVES_GENERATED && call.i1 > call.i2)
+      sound.EvalMesh1(GL_POINT, call.i1, call.i1);
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(RowsCountAsPrimitives, osmesa, must, "EV-PIPE-PRIMGEN",
+              "of a LINE mesh of two dimensions each strip counts one primitive more") {
+  watch_queries(in);
+  mesh2(in, [](auto call) {
+    go2(call);
+    if (memory.count != GL_PRIMITIVES_GENERATED || call.mode != GL_LINE) return;
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_POINT, call.i1, call.i1, j, j);
+  });
+}
+
+// --- Rasterizer discard ------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(MeshNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
+              "RASTERIZER_DISCARD leaves EvalMesh2 alone") {
+  mesh2(in, [](auto call) { without(GL_RASTERIZER_DISCARD, [call] { go2(call); }); });
+}
+
+EVALCTS_FAULT(DiscardedMeshNotRecorded, osmesa, must, "EV-PIPE-DISCARD",
+              "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD") {
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_LINE || !is_on(GL_RASTERIZER_DISCARD)) go1(call);
+  });
+}
+
+EVALCTS_FAULT(DiscardHidesErrors, osmesa, must, "EV-PIPE-DISCARD",
+              "a bad mode of EvalMesh2 is no error with RASTERIZER_DISCARD") {
+  mesh2(in, [](auto call) {
+    const bool bad = call.mode != GL_POINT && call.mode != GL_LINE && call.mode != GL_FILL;
+    if (!bad || !is_on(GL_RASTERIZER_DISCARD)) go2(call);
+  });
+}
+
+}  // namespace
+}  // namespace evalcts::faults::rest_of_pipeline
