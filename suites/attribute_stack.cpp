@@ -289,6 +289,49 @@ EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredGrid
   t.expect_emission(c, kPosition);
 }
 
+// Where no grid changes, the enables come back all the same: which vertex map wins, and what gives the
+// normals.
+EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredEnables, must,
+                "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT") {
+  struct Change {
+    const char* name;
+    GLenum cap;
+  };
+  for (const auto& [name, cap] : {Change{"a curve", GL_MAP1_VERTEX_4},
+                                  {"a surface", GL_MAP2_VERTEX_4},
+                                  {"automatic normals", GL_AUTO_NORMAL}})
+    for (const GLbitfield mask : {GL_EVAL_BIT, GL_ENABLE_BIT}) {
+      if (cap == GL_AUTO_NORMAL && mask == GL_ENABLE_BIT && !enable_bit_has_auto_normal(t)) continue;
+      gl::Case c(fmt::format("{}, {}", name, mask == GL_EVAL_BIT ? "EVAL_BIT" : "ENABLE_BIT"));
+      for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP1_NORMAL}) {
+        define(c, random_map(t, target, 3));
+        if (target != GL_MAP1_VERTEX_4) c.Enable(target);
+      }
+      for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_NORMAL}) {
+        define(c, random_map2(t, target, 3, 2));
+        if (target != GL_MAP2_VERTEX_4) c.Enable(target);
+      }
+      c.MapGrid1f(3, 0.0f, 0.75f);
+      c.MapGrid2f(2, 0.25f, 1.0f, 1, 0.5f, 0.0f);
+      const auto draw = [&] {
+        c.EvalMesh1(GL_POINT, 0, 1);
+        c.EvalMesh2(GL_POINT, 0, 1, 0, 1);
+      };
+      draw();
+      c.PushAttrib(mask);
+      c.Enable(cap);
+      draw();
+      c.PushAttrib(mask);
+      c.Disable(cap);
+      draw();
+      c.PopAttrib();
+      draw();
+      c.PopAttrib();
+      draw();
+      t.expect_emission(c, kPosition | kNormal);
+    }
+}
+
 EVALCTS_TEST_BY(in_lists(), AttributeStack, Nested, must, "EV-ATTRIB-NEST") {
   gl::Case c("two levels, popped one after the other");
   set(c, kBefore);

@@ -482,6 +482,35 @@ EVALCTS_TESTS(DisplayLists, ErrorDoesNotEndTheList, kKindsOfBad, const KindOfBad
   }
 }
 
+// A list in which an error occurs may be called by others, which go on.
+EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE") {
+  const Bad bad[] = {
+      {"MapGrid1f of no segments", GL_INVALID_VALUE, [](gl::Case& c) { c.MapGrid1f(0, 3.0f, 4.0f); }},
+      {"EvalMesh1 with FILL", GL_INVALID_ENUM, [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }}};
+  for (const Bad& of_inner : bad) {
+    gl::Case c(of_inner.name + " in an inner list");
+    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    compile(c, kOther, [&](gl::Case& list) {
+      of_inner.issue(list);
+      list.Enable(GL_AUTO_NORMAL);
+    });
+    compile(c, kList, [&](gl::Case& list) {
+      list.CallList(kOther);
+      define(list, map);
+      list.Enable(GL_MAP1_NORMAL);
+    });
+    c.CallList(kList);
+    const gl::Ref error = c.GetError();
+    const gl::Ref inner = c.IsEnabled(GL_AUTO_NORMAL), outer = c.IsEnabled(GL_MAP1_NORMAL);
+    const MapQuery query = query_map1(c, GL_MAP1_NORMAL, t.max_order());
+    Played played = t.play(c);
+    played.expect_error(error, {of_inner.error});
+    played.expect_result(inner, GL_TRUE);
+    played.expect_result(outer, GL_TRUE);
+    expect_map1(played, query, map);
+  }
+}
+
 // --- The state that counts -------------------------------------------------------------------------------
 
 // Points, enables and what wins are those of the call.
@@ -902,6 +931,30 @@ EVALCTS_TESTS(DisplayLists, CurrentValuesUntouched, kDimensions, const Dimension
 
     c.CallList(kList);
     t.expect_emission(c, kUnit0);
+  }
+}
+
+// Whatever evaluates: a mesh, or points between Begin and End.
+EVALCTS_TESTS(DisplayLists, CurrentValuesAfterTheCall, kDimensions, const Dimension& dimension, must,
+              "EV-DL-CURRENT") {
+  for (const bool mesh : {true, false}) {
+    gl::Case c(mesh ? "a mesh" : "a primitive");
+    enable_maps(t, c, dimension.two);
+    set_grid(c, dimension.two);
+    compile(c, kList, [&](gl::Case& list) {
+      list.Color4f(0.125f, 0.25f, 0.5f, 0.75f);
+      list.Normal3f(0.6f, 0.8f, 0);
+      list.TexCoord4f(5, 6, 7, 8);
+      mesh ? mesh_of_points(list, dimension.two) : evaluate_some(list, dimension.two);
+    });
+    c.CallList(kList);
+    const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+    const gl::Ref normal = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+    const gl::Ref texture = c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
+    Played played = t.play(c);
+    played.expect_values_near(color, std::vector<GLfloat>{0.125f, 0.25f, 0.5f, 0.75f}, 1e-5);
+    played.expect_values_near(normal, std::vector<GLfloat>{0.6f, 0.8f, 0}, 1e-5);
+    played.expect_values(texture, std::vector<GLfloat>{5, 6, 7, 8});
   }
 }
 

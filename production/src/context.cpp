@@ -99,6 +99,7 @@ void glev_context::DefineMap(int dimension, glev_enum name,
   if (!maps_[dimension - 1][slot].Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
     return RecordError(GLEV_OUT_OF_MEMORY);
   }
+  if (GLEV_FAULTY(ListedMapKeepsPlan) && list_depth_ > 0) return;
   if (eval_.enabled[dimension - 1][slot]) DropPlan(dimension);
 }
 
@@ -241,6 +242,8 @@ void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
   if (plan.automatic_normals()) glev::RoundTo(vertex.normal, row.NormalAt(position, u));
   if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0) current_.texcoord[0][1] = vertex.texcoord[0][1];
   if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.color[3] = vertex.color[3];
+  if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.normal[0] = vertex.normal[0];
+  if (GLEV_FAULTY(ListedMeshLeaksColor) && list_depth_ > 0 && in_mesh_) current_.color[0] = vertex.color[0];
   Emit(vertex);
 }
 
@@ -260,7 +263,7 @@ void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   if (GLEV_FAULTY(ListRefusesGridSilently) && list_depth_ > 0 && in_primitive_) return;
   if (RefusedInPrimitive()) return;
   eval_.grid[dimension - 1] = grid;
-  DropPlan(dimension);
+  if (!(GLEV_FAULTY(ListedGridKeepsPlan) && list_depth_ > 0)) DropPlan(dimension);
 }
 
 void glev_context::EvalPoint(int dimension, glev_int i, glev_int j) {
@@ -411,10 +414,13 @@ void glev_context::PopAttrib() {
     // What is as before keeps its plan.
     const auto changed = [&](int d) {
       const bool grid_counts = !(GLEV_FAULTY(PopKeepsPlanOfGrid) && d == 1);
-      return eval_.enabled[d] != before.enabled[d] || (grid_counts && eval_.grid[d] != before.grid[d]);
+      const bool enables_count = !(GLEV_FAULTY(PopKeepsPlanOfCurve) && d == 0);
+      return (enables_count && eval_.enabled[d] != before.enabled[d]) ||
+             (grid_counts && eval_.grid[d] != before.grid[d]);
     };
     if (changed(0)) DropPlan(1);
-    if (changed(1) || eval_.auto_normal != before.auto_normal) DropPlan(2);
+    if (changed(1) || (eval_.auto_normal != before.auto_normal && !GLEV_FAULTY(PopKeepsPlanOfNormals)))
+      DropPlan(2);
   }
   if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_ = saved.current;
   if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;

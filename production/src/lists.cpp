@@ -138,6 +138,7 @@ void glev_context::CallList(glev_uint name) {
     const auto& record = *std::launder(reinterpret_cast<const Record*>(place));
     const std::byte* payload = place + sizeof(Record);
     Run(*this, record.opcode, payload);
+    if (GLEV_FAULTY(InnerErrorEndsOuterList) && record.opcode == Opcode::kCallList && error_ != 0) break;
     if (GLEV_FAULTY(BadMapEndsTheList) && record.opcode == Opcode::kError) break;
     if (GLEV_FAULTY(BadMeshEndsTheList) && record.opcode == Opcode::kEvalMesh2 && error_ != 0) break;
     place = payload + record.units * glev::kListUnit;

@@ -134,6 +134,15 @@ EVALCTS_FAULT(EvalBitForgetsSecondEndOfU, production, must, "EV-ATTRIB-EVALBIT",
       });
 }
 
+EVALCTS_FAULT(EnableBitHidesEvalBit, production, must, "EV-ATTRIB-EVALBIT",
+              "of EVAL_BIT and ENABLE_BIT together the latter counts: the grid of two dimensions stays") {
+  at_each_level(
+      in, [] { return keep_grid2(); },
+      [](GLbitfield mask, const Kept&, const Kept& changed) {
+        if (mask == (GL_EVAL_BIT | GL_ENABLE_BIT)) set_grid2(changed);
+      });
+}
+
 EVALCTS_FAULT(PopOnlyEnables, production, must, "EV-ATTRIB-EVALBIT EV-ATTRIB-ENABLEBIT",
               "PopAttrib enables MAP1_INDEX again where it was on, but does not disable it") {
   at_each_level(
@@ -366,6 +375,31 @@ EVALCTS_FAULT(ContextsShareControlPoints, production, must, "EV-CTX-PRIVATE",
     sound.GetMapdv(GL_MAP1_NORMAL, GL_COEFF, own.data());
     std::copy_n(points.begin(), 3 * std::min(order, here), own.begin());
     sound.Map1d(GL_MAP1_NORMAL, domain[0], domain[1], 3, here, own.data());
+  });
+}
+
+EVALCTS_FAULT(SharedListDefinesInItsMaker, osmesa, must, "EV-CTX-PRIVATE",
+              "a shared list defines maps in the context that made it") {
+  in.gl.SharingContextEVALCTS = [](GLuint number) {
+    sound.SharingContextEVALCTS(number);
+    memory.count = number;
+  };
+  in.gl.OtherContextEVALCTS = [](GLuint number) {
+    sound.OtherContextEVALCTS(number);
+    memory.flag = number == 0 && memory.count != 0;
+  };
+  in.gl.CallList = [](GLuint list) {
+    if (memory.flag) sound.OtherContextEVALCTS(static_cast<GLuint>(memory.count));
+    sound.CallList(list);
+    if (memory.flag) sound.OtherContextEVALCTS(0);
+  };
+}
+
+EVALCTS_FAULT(ThirdSwitchLosesEnable, production, must, "EV-CTX-SWITCH",
+              "MAP2_TEXTURE_COORD_1 is off when a context is current for the fourth time") {
+  at_other_context(in, [](GLuint number, bool, auto make_current) {
+    make_current();
+    if (number == 0 && ++memory.count == 3) sound.Disable(GL_MAP2_TEXTURE_COORD_1);
   });
 }
 

@@ -102,6 +102,25 @@ EVALCTS_FAULT(CallRestoresGrid, production, must, "EV-DL-EXECUTE",
   };
 }
 
+EVALCTS_FAULT(CompiledLargeNetCut, production, must, "EV-DL-EXECUTE",
+              "of a compiled net of more than 256 points the last row repeats the one before") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    const int k = gl::components_of(call.target);
+    using Value = typename decltype(call)::Value;
+    if (!compiles() || k == 0 || call.uorder * call.vorder <= 256 ||
+        call.ustride < call.vorder * call.vstride)
+      return go(call);
+    std::vector<Value> points(
+        call.points, call.points + (call.uorder - 1) * call.ustride + (call.vorder - 1) * call.vstride + k);
+    for (int j = 0; j < call.vorder; ++j)
+      std::copy_n(points.begin() + (call.uorder - 2) * call.ustride + j * call.vstride, k,
+                  points.begin() + (call.uorder - 1) * call.ustride + j * call.vstride);
+    call.points = points.data();
+    go(call);
+  });
+}
+
 // --- Compiled and executed ---------------------------------------------------------------------------------
 
 EVALCTS_FAULT(EvalPointCompiledTwice, production, must, "EV-DL-COMPEXEC",
@@ -111,6 +130,18 @@ EVALCTS_FAULT(EvalPointCompiledTwice, production, must, "EV-DL-COMPEXEC",
     sound.EvalPoint2(i, j);
     if (memory.count == GL_COMPILE_AND_EXECUTE) sound.EvalPoint2(i, j);
   };
+}
+
+EVALCTS_FAULT(
+    ExecutedErrorNotCompiled, production, must, "EV-DL-COMPEXEC",
+    "a Map1 whose domain is empty raises its error while it is compiled and executed, and never again") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (memory.count == GL_COMPILE_AND_EXECUTE && call.u1 == call.u2)
+      raise(GL_INVALID_VALUE);
+    else
+      go(call);
+  });
 }
 
 // --- Control points ----------------------------------------------------------------------------------------
@@ -321,6 +352,54 @@ EVALCTS_FAULT(CompiledFillTakenForLine, production, must, "EV-DL-ERR-ALL",
   });
 }
 
+EVALCTS_FAULT(CompiledStrideZeroMeansPacked, production, must, "EV-DL-ERR-ALL",
+              "stride 0 of a compiled Map1f means packed points") {
+  watch_lists(in);
+  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+    sound.Map1f(target, u1, u2, compiles() && stride == 0 ? gl::components_of(target) : stride, order,
+                points);
+  };
+}
+
+EVALCTS_FAULT(CompiledHighOrderClamped, production, must, "EV-DL-ERR-ALL",
+              "an order of a compiled Map1d above MAX_EVAL_ORDER is clamped") {
+  watch_lists(in);
+  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                   const GLdouble* points) {
+    if (compiles()) order = std::min(order, integer(GL_MAX_EVAL_ORDER));
+    sound.Map1d(target, u1, u2, stride, order, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledHighUOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2f of a uorder above MAX_EVAL_ORDER is left out of lists") {
+  watch_lists(in);
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    if (compiles_only() && uorder > integer(GL_MAX_EVAL_ORDER)) return;
+    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledEmptyGridDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid1d of no segments is left out of lists") {
+  watch_lists(in);
+  in.gl.MapGrid1d = [](GLint n, GLdouble u1, GLdouble u2) {
+    if (!compiles_only() || n != 0) sound.MapGrid1d(n, u1, u2);
+  };
+}
+
+EVALCTS_FAULT(CompiledMesh2ModeIsInvalidValue, production, must, "EV-DL-ERR-ALL",
+              "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE") {
+  watch_lists(in);
+  mesh2(in, [](auto call) {
+    if (compiles() && (call.mode == GL_TRIANGLES || call.mode == GL_QUAD_STRIP))
+      sound.MapGrid1f(0, 0, 1);
+    else
+      go2(call);
+  });
+}
+
 EVALCTS_FAULT(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
               "a negative vorder in a list raises INVALID_ENUM") {
   watch_lists(in);
@@ -389,6 +468,19 @@ EVALCTS_FAULT(CompiledEvalPointIsEvalCoord, production, must, "EV-DL-EXECSTATE-G
     const GLint n = integer(GL_MAP1_GRID_SEGMENTS);
     sound.GetDoublev(GL_MAP1_GRID_DOMAIN, domain);
     sound.EvalCoord1d(i == n ? domain[1] : domain[0] + i * (domain[1] - domain[0]) / n);
+  };
+}
+
+EVALCTS_FAULT(CompiledEvalPoint2IsEvalCoord, production, must, "EV-DL-EXECSTATE-GRID",
+              "EvalPoint2 is compiled as EvalCoord2 of the grid of the compilation") {
+  watch_lists(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    if (!compiles_only()) return sound.EvalPoint2(i, j);
+    GLint n[2];
+    GLdouble d[4];
+    sound.GetIntegerv(GL_MAP2_GRID_SEGMENTS, n);
+    sound.GetDoublev(GL_MAP2_GRID_DOMAIN, d);
+    sound.EvalCoord2d(d[0] + i * (d[1] - d[0]) / n[0], d[2] + j * (d[3] - d[2]) / n[1]);
   };
 }
 
@@ -510,6 +602,18 @@ EVALCTS_FAULT(SecondCallRoundsOtherwise, production, must, "EV-DL-REPEAT",
     if (memory.count < 2 || primitives.empty() || primitives.back().vertices.empty()) return;
     auto& x = primitives.back().vertices.back().position[0];
     x = std::nextafter(x, 1e30f);
+  };
+}
+
+EVALCTS_FAULT(SecondCallForgetsErrors, production, must, "EV-DL-REPEAT",
+              "a list raises its errors at its first call only") {
+  in.gl.NewList = [](GLuint list, GLenum mode) {
+    sound.NewList(list, mode);
+    memory.counts[list] = 0;
+  };
+  in.gl.CallList = [](GLuint list) {
+    sound.CallList(list);
+    if (memory.counts[list]++ > 0) sound.GetError();
   };
 }
 

@@ -54,6 +54,39 @@ EVALCTS_FAULT(SpecularNotTracked, osmesa, must, "EV-CMAT-EFFECT",
   };
 }
 
+EVALCTS_FAULT(SurfaceTracksCurrentColor, osmesa, must, "EV-CMAT-EFFECT/2-D",
+              "EvalCoord2 gives no colour while DIFFUSE is tracked") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_COLOR_MATERIAL) && is_on(GL_MAP2_COLOR_4) &&
+                  integer(GL_COLOR_MATERIAL_PARAMETER) == GL_DIFFUSE;
+    if (memory.flag) sound.Disable(GL_MAP2_COLOR_4);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Enable(GL_MAP2_COLOR_4);
+  };
+}
+
+EVALCTS_FAULT(FirstVertexTracksCurrentColor, osmesa, must, "EV-CMAT-EFFECT",
+              "the first EvalCoord1 of a lit primitive is lit with the current colour") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_COLOR_MATERIAL) && is_on(GL_LIGHTING) && is_on(GL_MAP1_COLOR_4);
+    memory.numbers.assign(4, 0);
+    sound.GetDoublev(GL_CURRENT_COLOR, memory.numbers.data());
+    memory.count = 0;
+    sound.Begin(mode);
+  };
+  eval_coord1(in, [](auto u, auto go) {
+    if (memory.flag && memory.count++ == 0) {
+      sound.Color4dv(memory.numbers.data());
+      sound.Vertex3f(static_cast<GLfloat>(u), 0, 0);
+    } else {
+      go(u);
+    }
+  });
+}
+
 // --- Faces -------------------------------------------------------------------------------------------------
 
 // Evaluated primitives under another face of ColorMaterial.
@@ -138,6 +171,24 @@ EVALCTS_FAULT(UnlitPrimitiveColorGoesToMaterial, osmesa, must, "EV-CMAT-UNLIT",
   };
 }
 
+EVALCTS_FAULT(SurfaceMeshAlwaysTracksColors, osmesa, must, "EV-CMAT-OFF/2-D",
+              "EvalMesh2 is lit with evaluated colours though COLOR_MATERIAL is off") {
+  mesh2(in, [](auto call) {
+    const bool turn_on = is_on(GL_LIGHTING) && !is_on(GL_COLOR_MATERIAL);
+    if (turn_on) sound.Enable(GL_COLOR_MATERIAL);
+    go2(call);
+    if (turn_on) sound.Disable(GL_COLOR_MATERIAL);
+  });
+}
+
+EVALCTS_FAULT(UnlitSurfaceMeshHasCurrentColor, osmesa, must, "EV-CMAT-UNLIT/2-D",
+              "an unlit EvalMesh2 with COLOR_MATERIAL on has the current colour") {
+  mesh2(in, [](auto call) {
+    if (!is_on(GL_COLOR_MATERIAL) || is_on(GL_LIGHTING)) return go2(call);
+    without(GL_MAP2_COLOR_4, [call] { go2(call); });
+  });
+}
+
 // --- No vertex map -----------------------------------------------------------------------------------------
 
 void track_first_color() {
@@ -153,6 +204,18 @@ EVALCTS_FAULT(MeshWithoutVerticesTracks, osmesa, must, "EV-CMAT-NOVERTEX",
   mesh1(in, [](auto call) {
     if (only_colors()) track_first_color();
     go1(call);
+  });
+}
+
+EVALCTS_FAULT(SurfaceMeshWithoutVerticesTracks, osmesa, must, "EV-CMAT-NOVERTEX/2-D",
+              "EvalMesh2 without a vertex map leaves its first colour in the tracked material") {
+  mesh2(in, [](auto call) {
+    if (is_on(GL_MAP2_COLOR_4) && is_on(GL_COLOR_MATERIAL) && !evaluates()) {
+      std::vector<GLfloat> points(64 * 64 * 4);
+      sound.GetMapfv(GL_MAP2_COLOR_4, GL_COEFF, points.data());
+      sound.Color4fv(points.data());
+    }
+    go2(call);
   });
 }
 

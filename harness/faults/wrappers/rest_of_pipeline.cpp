@@ -280,6 +280,41 @@ EVALCTS_FAULT(MeshWithoutVerticesHits, osmesa, must, "EV-SEL-EMPTY",
   });
 }
 
+EVALCTS_FAULT(SelectionOmitsEvalCoord2, osmesa, must, "EV-SEL-HIT",
+              "in selection mode EvalCoord2 does nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = selects();
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    memory.flag = false;
+  };
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (!memory.flag) go(u, v);
+  });
+}
+
+EVALCTS_FAULT(SelectionMeshDepthFromOrigin, osmesa, must, "EV-SEL-HIT",
+              "the depths of a hit by EvalMesh1 include that of the origin") {
+  mesh1(in, [](auto call) {
+    go1(call);
+    if (!selects() || !is_on(GL_MAP1_VERTEX_3)) return;
+    sound.Begin(GL_POINTS);
+    sound.Vertex3f(0, 0, -1);
+    sound.End();
+  });
+}
+
+EVALCTS_FAULT(EmptyRangeOfJHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode a FILL mesh of an empty range of j hits with its first row") {
+  mesh2(in, [](auto call) {
+    if (selects() && call.mode == GL_FILL && call.j1 > call.j2)
+      sound.EvalMesh2(GL_LINE, call.i1, call.i2, call.j2, call.j2);
+    go2(call);
+  });
+}
+
 // --- Texture coordinates -----------------------------------------------------------------------------------
 
 EVALCTS_FAULT(CurveMeshWithoutTexGen, osmesa, must, "EV-PIPE-TEXGEN",
@@ -304,6 +339,43 @@ EVALCTS_FAULT(SphereMapOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
   mesh1(in, [](auto call) {
     if (memory.count != GL_SPHERE_MAP) return go1(call);
     without(GL_MAP1_NORMAL, [call] { go1(call); });
+  });
+}
+
+EVALCTS_FAULT(SurfaceWithoutGeneratedR, osmesa, must, "EV-PIPE-TEXGEN",
+              "r is not generated for FILL meshes") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL) return go2(call);
+    without(GL_TEXTURE_GEN_R, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(ReflectionOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "REFLECTION_MAP has the current normal for LINE meshes of two dimensions") {
+  in.gl.TexGeni = [](GLenum coordinate, GLenum pname, GLint value) {
+    sound.TexGeni(coordinate, pname, value);
+    if (pname == GL_TEXTURE_GEN_MODE) memory.count = value;
+  };
+  mesh2(in, [](auto call) {
+    if (memory.count != GL_REFLECTION_MAP || call.mode != GL_LINE) return go2(call);
+    without(GL_MAP2_NORMAL, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(FilledMeshTextureMatrixWithoutQ, osmesa, must, "EV-PIPE-TEXMATRIX",
+              "for FILL meshes the texture matrix does not scale q") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL) return go2(call);
+    GLfloat matrix[16];
+    const auto mode = static_cast<GLenum>(integer(GL_MATRIX_MODE));
+    sound.GetFloatv(GL_TEXTURE_MATRIX, matrix);
+    matrix[15] = 1;
+    sound.MatrixMode(GL_TEXTURE);
+    sound.PushMatrix();
+    sound.LoadMatrixf(matrix);
+    go2(call);
+    sound.PopMatrix();
+    sound.MatrixMode(mode);
   });
 }
 
@@ -356,6 +428,35 @@ EVALCTS_FAULT(FilledMeshNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
       without(GL_CLIP_PLANE0, go);
     else
       go();
+  });
+}
+
+EVALCTS_FAULT(CurvePointsNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "clip planes leave POINT meshes of one dimension alone") {
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_POINT) return go1(call);
+    without(GL_CLIP_PLANE0, [call] { go1(call); });
+  });
+}
+
+EVALCTS_FAULT(SquaredFogIsPlain, osmesa, must, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP") {
+  mesh1(in, [](auto call) {
+    const GLint mode = integer(GL_FOG_MODE);
+    if (mode == GL_EXP2) sound.Fogi(GL_FOG_MODE, GL_EXP);
+    go1(call);
+    sound.Fogi(GL_FOG_MODE, mode);
+  });
+}
+
+EVALCTS_FAULT(FogOfFirstVertex, osmesa, must, "EV-PIPE-FOG",
+              "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_POINT || integer(GL_FOG_COORD_SRC) != GL_FOG_COORD) return go();
+    GLfloat coordinate = 0;
+    sound.GetFloatv(GL_CURRENT_FOG_COORD, &coordinate);
+    sound.FogCoordf(1);
+    go();
+    sound.FogCoordf(coordinate);
   });
 }
 
@@ -460,6 +561,32 @@ EVALCTS_FAULT(ShaderSeesNoSecondaryColor, osmesa, must, "EV-PIPE-VS",
   };
 }
 
+EVALCTS_FAULT(ShaderSeesUnitOneOfMeshReset, osmesa, must, "EV-PIPE-VS",
+              "gl_MultiTexCoord1 of meshes of one dimension is (0, 0, 0, 1)") {
+  mesh1(in, [](auto call) {
+    GLfloat one[4];
+    sound.ActiveTexture(GL_TEXTURE1);
+    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, one);
+    sound.ActiveTexture(GL_TEXTURE0);
+    sound.MultiTexCoord4f(GL_TEXTURE1, 0, 0, 0, 1);
+    go1(call);
+    sound.MultiTexCoord4f(GL_TEXTURE1, one[0], one[1], one[2], one[3]);
+  });
+}
+
+EVALCTS_FAULT(ProgramOfPrimitivesSeesNoColorMap, osmesa, must, "EV-PIPE-VS",
+              "between Begin and End vertex programs see the current colour for that of surfaces") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_MAP2_COLOR_4) && is_on(GL_VERTEX_PROGRAM_ARB);
+    if (memory.flag) sound.Disable(GL_MAP2_COLOR_4);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Enable(GL_MAP2_COLOR_4);
+  };
+}
+
 // --- Primitive restart -------------------------------------------------------------------------------------
 
 EVALCTS_FAULT(RestartIndexSplitsMesh, osmesa, must, "EV-PIPE-NORESTART",
@@ -537,6 +664,18 @@ EVALCTS_FAULT(FilledMeshUnconditional, osmesa, must, "EV-PIPE-CONDRENDER",
   });
 }
 
+EVALCTS_FAULT(ColumnsUnconditional, osmesa, must, "EV-PIPE-CONDRENDER",
+              "the columns of a LINE mesh are drawn though no sample passed") {
+  watch_conditions(in);
+  mesh2(in, [](auto call) {
+    go2(call);
+    if (call.mode != GL_LINE || !memory.counts[0]) return;
+    sound.EndConditionalRender();
+    for (GLint i = call.i1; i <= call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
+    begin_condition();
+  });
+}
+
 EVALCTS_FAULT(ConditionalMeshNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER",
               "conditional rendering discards EvalMesh1 whatever the query says") {
   watch_conditions(in);
@@ -600,6 +739,21 @@ EVALCTS_FAULT(IncompleteFramebufferIsSilent, osmesa, must, "EV-PIPE-FBO",
   mesh2(in, [](auto call) {
     if (call.mode != GL_FILL || !framebuffer_is_incomplete()) go2(call);
   });
+}
+
+EVALCTS_FAULT(
+    IncompleteFramebufferErrorTwice, osmesa, must, "EV-PIPE-FBO",
+    "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    memory.flag = mode == GL_LINE && framebuffer_is_incomplete();
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+  };
+  in.gl.GetError = []() -> GLenum {
+    const GLenum error = sound.GetError();
+    if (error != GL_NO_ERROR || !memory.flag) return error;
+    memory.flag = false;
+    return GL_INVALID_FRAMEBUFFER_OPERATION;
+  };
 }
 
 EVALCTS_FAULT(InvalidProgramIsInvalidValue, osmesa, must, "EV-PIPE-INVALIDPROGRAM",
@@ -796,6 +950,25 @@ EVALCTS_FAULT(SamplesOfEvalPointNotCounted, osmesa, must, "EV-PIPE-QUERY",
   });
 }
 
+EVALCTS_FAULT(SamplesOfColumnsNotCounted, osmesa, must, "EV-PIPE-QUERY",
+              "of a LINE mesh the samples of the rows alone are counted") {
+  watch_queries(in);
+  mesh2(in, [](auto call) {
+    if (memory.count != GL_SAMPLES_PASSED || call.mode != GL_LINE) return go2(call);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+  });
+}
+
+EVALCTS_FAULT(PointMeshIsOnePrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
+              "a POINT mesh of two dimensions counts as one primitive") {
+  watch_queries(in);
+  mesh2(in, [](auto call) {
+    if (memory.count != GL_PRIMITIVES_GENERATED || call.mode != GL_POINT || call.i1 > call.i2)
+      return go2(call);
+    sound.EvalMesh2(GL_POINT, call.i1, call.i1, call.j1, call.j1);
+  });
+}
+
 EVALCTS_FAULT(EmptyMeshCountsAPrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
               "an EvalMesh1 of an empty range counts as a primitive") {
   watch_queries(in);
@@ -827,6 +1000,34 @@ EVALCTS_FAULT(DiscardedMeshNotRecorded, osmesa, must, "EV-PIPE-DISCARD",
               "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD") {
   mesh1(in, [](auto call) {
     if (call.mode != GL_LINE || !is_on(GL_RASTERIZER_DISCARD)) go1(call);
+  });
+}
+
+EVALCTS_FAULT(EvaluatedPrimitiveNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
+              "RASTERIZER_DISCARD leaves evaluated primitives alone") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = evaluates() && is_on(GL_RASTERIZER_DISCARD);
+    if (memory.flag) sound.Disable(GL_RASTERIZER_DISCARD);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Enable(GL_RASTERIZER_DISCARD);
+  };
+}
+
+EVALCTS_FAULT(DiscardedMeshInBeginIsSilent, osmesa, must, "EV-PIPE-DISCARD",
+              "EvalMesh2 between Begin and End is no error with RASTERIZER_DISCARD") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_RASTERIZER_DISCARD);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    memory.flag = false;
+  };
+  mesh2(in, [](auto call) {
+    if (!memory.flag) go2(call);
   });
 }
 
