@@ -25,7 +25,7 @@ struct Injection {
 
 struct Fault {
   std::string_view name;
-  std::string_view implementation;  // that it is put into, see implementation_kinds()
+  std::string_view implementation;  // that it is put into: see implementation_kinds(), or a stand-in
   Level level;                      // at which a test has to catch it
   std::string_view requirements;    // IDs (or halves, "ID/2-D") with blanks between: each betrayed by a test
   std::string_view what;            // the mistake, in words
@@ -48,6 +48,10 @@ inline Memory memory;
 // Wrappers and switches, by name.
 const std::vector<Fault>& all_faults();
 
+// An implementation that has what none at hand has, made by a provider of this build: a fault names it as its
+// implementation, the suite program is told the provider as --context.
+inline constexpr std::string_view kNvVertexProgram = "nv-vertex-program";
+
 // The implementation with the fault; `inner` has to be of the kind that the fault is for. Throws CannotStart
 // where there is no such fault.
 std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner, std::string_view fault);
@@ -60,10 +64,13 @@ struct FaultRegistration {
 // point") {
 //   in.gl.EvalPoint1 = [](GLint i) { sound.EvalPoint1(i + 1); };
 // }
-#define EVALCTS_FAULT(name, implementation, level, requirements, what)              \
-  static void name(::evalcts::faults::Injection& in);                               \
-  static const ::evalcts::faults::FaultRegistration name##_registration{            \
-      {#name, #implementation, ::evalcts::Level::level, requirements, what, name}}; \
+#define EVALCTS_FAULT(name, implementation, level, requirements, what) \
+  EVALCTS_FAULT_IN(#implementation, name, level, requirements, what)
+// The same for an implementation that is no word ("glx-indirect").
+#define EVALCTS_FAULT_IN(implementation, name, level, requirements, what)          \
+  static void name(::evalcts::faults::Injection& in);                              \
+  static const ::evalcts::faults::FaultRegistration name##_registration{           \
+      {#name, implementation, ::evalcts::Level::level, requirements, what, name}}; \
   static void name(::evalcts::faults::Injection& in)
 
 }  // namespace evalcts::faults

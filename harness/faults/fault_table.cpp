@@ -35,6 +35,13 @@ bool decides(const std::string& named, const std::string& wanted) {
   return named == wanted || named.starts_with(wanted + "/");
 }
 
+// What tells the suite program which implementation the fault is for.
+std::vector<std::string> opening_of(const json& fault) {
+  const std::string context = fault.value("context", "");
+  if (!context.empty()) return {"--context", context};
+  return {"--implementation", fault["implementation"]};
+}
+
 int rank(const std::string& level) { return level == "must" ? 2 : level == "interpretation" ? 1 : 0; }
 
 struct CannotTry {
@@ -50,6 +57,7 @@ class Trial {
   // What became of the fault.
   json try_fault(const json& fault) {
     json result = fault;
+    result.erase("context");
     result["outcome"] = "caught";
     result["reason"] = "";
     result["requirements"] = json::array();
@@ -72,7 +80,7 @@ class Trial {
     json cell = {{"id", requirement}, {"caught", false}};
     for (const Depth depth : {Depth::quick, Depth::full}) {
       const std::vector<std::string> tests =
-          sound_tests(fault["implementation"], depth, tests_of(requirement, depth, fault["level"]));
+          sound_tests(fault, depth, tests_of(requirement, depth, fault["level"]));
       if (tests.empty() || interrupted) continue;
       const json caught = catching(fault, depth, tests);
       if (!caught.is_null()) {
@@ -99,15 +107,16 @@ class Trial {
   }
 
   // Those of the tests that pass without a fault.
-  std::vector<std::string> sound_tests(const std::string& implementation, Depth depth,
+  std::vector<std::string> sound_tests(const json& fault, Depth depth,
                                        const std::vector<std::string>& tests) {
+    const std::string implementation = fault["implementation"];
     const std::lock_guard lock(mutex_);
     std::map<std::string, bool>& sound = sound_[{implementation, depth}];
     std::vector<std::string> missing;
     for (const std::string& test : tests)
       if (!sound.contains(test)) missing.push_back(test);
     for (int deaths = 0; !missing.empty() && deaths < kMostDeaths && !interrupted; ++deaths) {
-      const ChildRun run = play(implementation, "", depth, missing);
+      const ChildRun run = play(fault, "sound-" + implementation, depth, missing);
       if (run.records.empty() && run.in_flight.empty())
         throw CannotTry{fmt::format("{} does not start: {}", implementation, describe(run.ending))};
       for (const auto& [name, record] : run.records) sound[name] = record["verdict"] == "pass";
@@ -122,7 +131,7 @@ class Trial {
 
   // The first of the tests that catches the fault; null if none does.
   json catching(const json& fault, Depth depth, const std::vector<std::string>& tests) {
-    const ChildRun run = play(fault["implementation"], fault["name"], depth, tests);
+    const ChildRun run = play(fault, fault["name"], depth, tests);
     const bool quality = fault["level"] == "quality";
     for (const std::string& name : run.finished) {
       const json& record = run.records.at(name);
@@ -144,18 +153,15 @@ class Trial {
             {"verdict", verdict},      {"message", message}};
   }
 
-  // One child, which stops at the first failure where there is a fault.
-  ChildRun play(const std::string& implementation, const std::string& fault, Depth depth,
+  // One child; it has the fault, and stops at the first failure, where the label is the name of the fault.
+  ChildRun play(const json& fault, const std::string& label, Depth depth,
                 const std::vector<std::string>& tests) const {
-    const std::string label = fault.empty() ? "sound-" + implementation : fault;
     const fs::path list = request_.scratch / (label + ".txt"), events = request_.scratch / (label + ".jsonl");
     std::ofstream stream(list);
     for (const std::string& test : tests) stream << test << '\n';
     if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", list.string()));
     fs::remove(events);
     std::vector<std::string> command = {request_.suite_program.string(),
-                                        "--implementation",
-                                        implementation,
                                         "--depth",
                                         name_of(depth),
                                         "--tests",
@@ -164,7 +170,8 @@ class Trial {
                                         events.string(),
                                         "--die-with-parent",
                                         "--gtest_brief=1"};
-    if (!fault.empty()) command.insert(command.end(), {"--fault", fault, "--gtest_fail_fast"});
+    for (const std::string& argument : opening_of(fault)) command.push_back(argument);
+    if (label == fault["name"]) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
     SuiteChild child(command, events, request_.scratch / (label + ".log"), request_.seconds_per_test);
     while (!child.look(kLook)) continue;
     return child.run();

@@ -9,11 +9,17 @@
 
 namespace {
 
+// The provider of a stand-in; empty for any other implementation.
+std::string_view context_of(std::string_view implementation) {
+  return implementation == evalcts::faults::kNvVertexProgram ? NV_VERTEX_PROGRAM_PROVIDER : "";
+}
+
 void list_faults(const char* file) {
   nlohmann::json all = nlohmann::json::array();
   for (const evalcts::faults::Fault& fault : evalcts::faults::all_faults())
     all.push_back({{"name", fault.name},
                    {"implementation", fault.implementation},
+                   {"context", context_of(fault.implementation)},
                    {"level", evalcts::name_of(fault.level)},
                    {"requirements", fault.requirements},
                    {"what", fault.what},

@@ -7,12 +7,7 @@
 #include "harness/faults/forms.h"
 #include "harness/gl/tokens.h"
 
-// All of them are for glx-indirect, which is no word that a macro could take.
-#define GLX_FAULT(name, requirements, what)                            \
-  static void name(Injection& in);                                     \
-  static const FaultRegistration name##_registration{                  \
-      {#name, "glx-indirect", Level::must, requirements, what, name}}; \
-  static void name(Injection& in)
+#define GLX_FAULT(name, requirements, what) EVALCTS_FAULT_IN("glx-indirect", name, must, requirements, what)
 
 namespace evalcts::faults::glx_protocol {
 namespace {
