@@ -697,6 +697,71 @@ EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP") {
   played.expect_values(called, std::vector<GLfloat>{3, 4, 5});
 }
 
+namespace {
+
+struct Mode {
+  const char* name;
+  GLenum mode;
+};
+constexpr Mode kModes[] = {{"COMPILE", GL_COMPILE}, {"COMPILE_AND_EXECUTE", GL_COMPILE_AND_EXECUTE}};
+
+// Each query that there is, in each of its forms.
+std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
+  std::vector<gl::Ref> answers;
+  constexpr std::size_t kRoom = 64;
+  constexpr GLsizei kBytes = kRoom * sizeof(GLint);
+  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL})
+    for (const GLenum query : {GL_ORDER, GL_DOMAIN, GL_COEFF}) {
+      for (const Getter& form : kGetters) answers.push_back(form.get(c, target, query, kRoom));
+      if (!getn) continue;
+      answers.push_back(c.GetnMapfv(target, query, kBytes, gl::out<GLfloat>(kRoom)));
+      answers.push_back(c.GetnMapdv(target, query, 2 * kBytes, gl::out<GLdouble>(kRoom)));
+      answers.push_back(c.GetnMapiv(target, query, kBytes, gl::out<GLint>(kRoom)));
+    }
+  for (const GLenum state :
+       {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL, GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN,
+        GL_MAP1_GRID_SEGMENTS, GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS}) {
+    answers.push_back(c.GetBooleanv(state, gl::out<GLboolean>(4)));
+    answers.push_back(c.GetIntegerv(state, gl::out<GLint>(4)));
+    answers.push_back(c.GetFloatv(state, gl::out<GLfloat>(4)));
+    answers.push_back(c.GetDoublev(state, gl::out<GLdouble>(4)));
+  }
+  for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL})
+    answers.push_back(c.IsEnabled(cap));
+  return answers;
+}
+
+}  // namespace
+
+// What is asked while the list is open is answered as outside of it: before it, or after it where its
+// commands are executed.
+EVALCTS_TESTS(DisplayLists, EveryQueryInAnOpenList, kModes, const Mode& mode, must, "EV-DL-GETMAP") {
+  const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");
+  const auto set = [&](gl::Case& c, int order, bool on) {
+    define(c, random_map(t, GL_MAP1_COLOR_4, order));
+    Map2 net = random_map2(t, GL_MAP2_NORMAL, order, 2);
+    net.u2 = order, net.v1 = -order;
+    define(c, net);
+    c.MapGrid1f(order, 0.5f * static_cast<float>(order), -2);
+    c.MapGrid2f(order, 3, static_cast<float>(order), order + 1, 7, -static_cast<float>(order));
+    for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP2_NORMAL, GL_AUTO_NORMAL})
+      on ? c.Enable(cap) : c.Disable(cap);
+  };
+  gl::Case c("asked before the list, in it and after it");
+  set(c, 2, false);
+  const std::vector<gl::Ref> before = ask_in_every_form(c, getn);
+  c.NewList(kList, mode.mode);
+  set(c, 4, true);
+  const std::vector<gl::Ref> inside = ask_in_every_form(c, getn);
+  c.EndList();
+  const std::vector<gl::Ref> after = ask_in_every_form(c, getn);
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  expect_unchanged(played, mode.mode == GL_COMPILE ? before : after, inside);
+  expect_unchanged(played, inside, after);
+  played.expect_no_error(error);
+}
+
 // --- Begin and End ---------------------------------------------------------------------------------------
 
 EVALCTS_TESTS(DisplayLists, CalledBetweenBeginAndEnd, kDimensions, const Dimension& dimension, must,

@@ -254,6 +254,17 @@ const std::vector<Erroneous>& erroneous_maps() {
       {"Map2f/UORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 0, 0.f, 1.f, 6, 2, f); },
        GL_INVALID_VALUE},
       {"Map2d/VORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, 2, 0., 1., 6, -4, d); },
+       GL_INVALID_VALUE},
+      {"Map1f/NEGATIVE_ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, -2, f); },
+       GL_INVALID_VALUE},
+      {"Map1d/ORDER_0", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, 0, d); }, GL_INVALID_VALUE},
+      {"Map2f/VORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 0, f); },
+       GL_INVALID_VALUE},
+      {"Map2f/NEGATIVE_UORDER",
+       [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, -1, 0.f, 1.f, 6, 2, f); }, GL_INVALID_VALUE},
+      {"Map2d/UORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -3, 0., 1., 6, 2, d); },
+       GL_INVALID_VALUE},
+      {"Map2d/BOTH_ORDERS", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -2, 0., 1., 6, -2, d); },
        GL_INVALID_VALUE}};
   return all;
 }
@@ -267,7 +278,16 @@ const std::vector<Erroneous>& small_strides() {
       {"Map2f/USTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 2, 2, 0.f, 1.f, 6, 2, f); },
        GL_INVALID_VALUE},
       {"Map2d/VSTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 6, 2, 0., 1., 2, 2, d); },
-       GL_INVALID_VALUE}};
+       GL_INVALID_VALUE},
+      {"Map2f/VSTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 6, 2, 0.f, 1.f, 2, 2, f); },
+       GL_INVALID_VALUE},
+      {"Map2d/USTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 2, 2, 0., 1., 6, 2, d); },
+       GL_INVALID_VALUE},
+      {"Map1f/STRIDE_0", [](gl::Case& c) { c.Map1f(GL_MAP1_COLOR_4, 0.f, 1.f, 0, 2, f); }, GL_INVALID_VALUE},
+      {"Map1d/ORDER_1", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_4, 0., 1., 3, 1, d); }, GL_INVALID_VALUE},
+      {"Map2f/ORDER_1", [](gl::Case& c) { c.Map2f(GL_MAP2_NORMAL, 0.f, 1.f, 2, 1, 0.f, 1.f, 0, 1, f); },
+       GL_INVALID_VALUE},
+      {"Map1d/NEGATIVE", [](gl::Case& c) { c.Map1d(GL_MAP1_INDEX, 0., 1., -1, 2, d); }, GL_INVALID_VALUE}};
   return all;
 }
 

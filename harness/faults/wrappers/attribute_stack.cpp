@@ -361,6 +361,34 @@ EVALCTS_FAULT(ContextsShareEnable, production, must, "EV-CTX-PRIVATE",
   });
 }
 
+EVALCTS_FAULT(SharingContextsShareAutoNormal, osmesa, must, "EV-CTX-PRIVATE",
+              "contexts that share objects have AUTO_NORMAL together") {
+  in.gl.SharingContextEVALCTS = [](GLuint number) {
+    sound.SharingContextEVALCTS(number);
+    memory.flag = true;
+  };
+  in.gl.OtherContextEVALCTS = [](GLuint number) {
+    const bool on = is_on(GL_AUTO_NORMAL);
+    sound.OtherContextEVALCTS(number);
+    if (memory.flag && number < 2) set(GL_AUTO_NORMAL, on);
+  };
+}
+
+EVALCTS_FAULT(ContextsShareDomain, production, must, "EV-CTX-PRIVATE",
+              "a second context has the domain of MAP2_COLOR_4 of the first") {
+  at_other_context(in, [](GLuint, bool, auto make_current) {
+    GLdouble domain[4];
+    sound.GetMapdv(GL_MAP2_COLOR_4, GL_DOMAIN, domain);
+    make_current();
+    GLint order[2];
+    std::vector<double> points(64 * 64 * 4);
+    sound.GetMapiv(GL_MAP2_COLOR_4, GL_ORDER, order);
+    sound.GetMapdv(GL_MAP2_COLOR_4, GL_COEFF, points.data());
+    sound.Map2d(GL_MAP2_COLOR_4, domain[0], domain[1], 4 * order[1], order[0], domain[2], domain[3], 4,
+                order[1], points.data());
+  });
+}
+
 EVALCTS_FAULT(ContextsShareControlPoints, production, must, "EV-CTX-PRIVATE",
               "the control points of MAP1_NORMAL are one array for all contexts") {
   at_other_context(in, [](GLuint, bool, auto make_current) {

@@ -557,6 +557,57 @@ EVALCTS_FAULT(GetDoublevSeesCompiledGrid, production, must, "EV-DL-GETMAP",
   });
 }
 
+EVALCTS_FAULT(GetBooleanvIgnoredInLists, production, must, "EV-DL-GETMAP",
+              "GetBooleanv of a map does nothing while a list is open") {
+  watch_lists(in);
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    if (!compiles() || !gl::components_of(pname)) sound.GetBooleanv(pname, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapdvIgnoredInLists, production, must, "EV-DL-GETMAP",
+              "GetnMapdv does nothing while a list is open") {
+  watch_lists(in);
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    if (!compiles()) sound.GetnMapdv(target, query, size, v);
+  };
+}
+
+EVALCTS_FAULT(GetMapIgnoredWhileExecuted, production, must, "EV-DL-GETMAP",
+              "GetMapfv does nothing while a list is compiled and executed") {
+  watch_lists(in);
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (memory.count != GL_COMPILE_AND_EXECUTE) sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(GetMapOfCompiledDomain, production, must, "EV-DL-GETMAP",
+              "GetMapdv tells the domain of the Map2 that the open list has") {
+  watch_lists(in);
+  map2(in, [](auto call, auto go) {
+    if (compiles_only()) memory.numbers = {call.u1, call.u2, call.v1, call.v2};
+    go(call);
+  });
+  in.gl.EndList = [] {
+    sound.EndList();
+    memory = {};
+  };
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_DOMAIN && target >= GL_MAP2_COLOR_4 && !memory.numbers.empty())
+      std::copy(memory.numbers.begin(), memory.numbers.end(), v);
+  };
+}
+
+EVALCTS_FAULT(MaxOrderUnknownInLists, production, must, "EV-DL-GETMAP",
+              "MAX_EVAL_ORDER is 0 while a list is open") {
+  watch_lists(in);
+  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
+    sound.GetIntegerv(pname, v);
+    if (compiles() && pname == GL_MAX_EVAL_ORDER) *v = 0;
+  };
+}
+
 // --- Begin and End -----------------------------------------------------------------------------------------
 
 EVALCTS_FAULT(CallListIgnoredInPrimitives, production, must, "EV-DL-INBEGIN",

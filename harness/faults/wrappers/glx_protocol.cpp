@@ -216,6 +216,50 @@ GLX_FAULT(NegativeOrderSentAsOne, "EV-GLX-ERRONEOUS",
   };
 }
 
+GLX_FAULT(ZeroVOrderNotSent, "EV-GLX-ERRONEOUS", "a Map2f of vorder 0 does nothing") {
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    if (vorder != 0) sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+GLX_FAULT(NegativeOrderOfMap1fIsInvalidEnum, "EV-GLX-ERRONEOUS",
+          "a Map1f of a negative order raises INVALID_ENUM") {
+  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+    sound.Map1f(order < 0 ? 0 : target, u1, u2, stride, order, points);
+  };
+}
+
+GLX_FAULT(NegativeUOrderOfMap2dNotSent, "EV-GLX-ERRONEOUS", "a Map2d of a negative uorder does nothing") {
+  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+    if (uorder >= 0) sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+GLX_FAULT(SmallVStrideOfMap2fNotChecked, "EV-GLX-STRIDE-CLIENT", "vstride of Map2f is not checked") {
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, std::max(vstride, gl::components_of(target)), vorder,
+                points);
+  };
+}
+
+GLX_FAULT(ZeroStrideMeansPacked, "EV-GLX-STRIDE-CLIENT", "stride 0 of Map1f means packed points") {
+  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+    sound.Map1f(target, u1, u2, stride == 0 ? gl::components_of(target) : stride, order, points);
+  };
+}
+
+GLX_FAULT(StrideOfOnePointNotChecked, "EV-GLX-STRIDE-CLIENT",
+          "the stride of a Map1d of order 1 is not checked") {
+  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                   const GLdouble* points) {
+    sound.Map1d(target, u1, u2, order == 1 ? std::max(stride, gl::components_of(target)) : stride, order,
+                points);
+  };
+}
+
 GLX_FAULT(SmallStrideSentPacked, "EV-GLX-STRIDE-CLIENT", "Map1f sends a stride below k as packed points") {
   in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
     sound.Map1f(target, u1, u2, std::max(stride, gl::components_of(target)), order, points);

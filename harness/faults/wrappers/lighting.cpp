@@ -120,6 +120,22 @@ EVALCTS_FAULT(EvaluatedColorOnOtherFace, osmesa, must, "EV-CMAT-FACES",
   change_face<GL_BACK, GL_FRONT>(in);
 }
 
+EVALCTS_FAULT(SurfaceColorOnBothFaces, osmesa, must, "EV-CMAT-FACES/2-D",
+              "evaluated colours of surfaces are tracked on both faces though ColorMaterial names one") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.count = is_on(GL_MAP2_VERTEX_3) && is_on(GL_COLOR_MATERIAL) ? integer(GL_COLOR_MATERIAL_FACE) : 0;
+    if (memory.count)
+      sound.ColorMaterial(GL_FRONT_AND_BACK, static_cast<GLenum>(integer(GL_COLOR_MATERIAL_PARAMETER)));
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.count)
+      sound.ColorMaterial(static_cast<GLenum>(memory.count),
+                          static_cast<GLenum>(integer(GL_COLOR_MATERIAL_PARAMETER)));
+  };
+}
+
 // --- No tracking -------------------------------------------------------------------------------------------
 
 EVALCTS_FAULT(MeshAlwaysTracksColors, osmesa, must, "EV-CMAT-OFF",

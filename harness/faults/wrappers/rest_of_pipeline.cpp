@@ -76,6 +76,24 @@ EVALCTS_FAULT(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
   });
 }
 
+EVALCTS_FAULT(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh lacks its last column") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+    for (GLint i = call.i1; i < call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
+  });
+}
+
+EVALCTS_FAULT(FeedbackQuadTwice, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the first quad of a FILL mesh comes twice") {
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_FILL && feeds_back())
+      sound.EvalMesh2(GL_FILL, call.i1, call.i1 + 1, call.j1, call.j1 + 1);
+    go2(call);
+  });
+}
+
 EVALCTS_FAULT(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
               "each segment of a LINE mesh has LINE_RESET_TOKEN") {
   static GLsizei size;
