@@ -350,6 +350,28 @@ EVALCTS_TEST_BY(in_lists(), AttributeStack, Nested, must, "EV-ATTRIB-NEST") {
   expect_all(played, first, kBefore);
 }
 
+// The same with other groups that have enables.
+EVALCTS_TESTS_BY(in_lists(), AttributeStack, NestedEnables,
+                 (std::vector<Mask>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]}), const Mask& mask, must,
+                 "EV-ATTRIB-NEST") {
+  gl::Case c("three levels, popped one after the other");
+  const State states[] = {kBefore, kAfter, kLast, kAfter};
+  for (const State& state : states) {
+    set(c, state);
+    if (&state != &states[3]) c.PushAttrib(mask.bits);
+  }
+  std::vector<Queries> popped;
+  for (int level = 0; level < 3; ++level) {
+    c.PopAttrib();
+    popped.push_back(query(c));
+  }
+  Played played = t.play(c);
+  for (std::size_t level = 0; level < popped.size(); ++level) {
+    expect_enables(played, popped[level], states[2 - level]);
+    if (enable_bit_has_auto_normal(t)) expect_auto_normal(played, popped[level], states[2 - level]);
+  }
+}
+
 // Each level restores its own groups only.
 EVALCTS_TEST_BY(in_lists(), AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST",
                 "EV-ATTRIB-ENABLEBIT-NOGRID") {

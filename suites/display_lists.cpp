@@ -343,6 +343,7 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, int max_order) {
   add1("order -1", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, -1);
   add1("order MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, max_order + 1);
   add1("a stride below 3", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 2, 4);
+  add1("a stride below 4 and one point", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 0, 1, 3, 1);
   add1("stride 0", GL_INVALID_VALUE, GL_MAP1_INDEX, 0, 1, 0, 4);
   add1("stride -4", GL_INVALID_VALUE, GL_MAP1_COLOR_4, 0, 1, -4, 4);
   add1("u1 equal to u2", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 2, 2, 4, 4);
@@ -366,7 +367,10 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, int max_order) {
   add2("vorder -2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, -2);
   add2("a ustride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 2, 2, 1, 6, 2);
   add2("a vstride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 6, 2, 1, 2, 2);
+  add2("a ustride below 4 and one point", GL_INVALID_VALUE, GL_MAP2_VERTEX_4, 1, 3, 1, 1, 4, 1);
   add2("ustride -8", GL_INVALID_VALUE, GL_MAP2_COLOR_4, 1, -8, 2, 1, 4, 2);
+  add2("uorder -1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, -1, 1, 4, 2);
+  add2("vorder MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, max_order + 1);
   add2("u1 equal to u2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 0, 8, 2, 1, 4, 2);
   add2("v1 equal to v2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 0, 4, 2);
   return all;
@@ -381,6 +385,10 @@ std::vector<Bad> bad_grids_and_meshes() {
                    [=](gl::Case& c) { c.MapGrid1d(n, 3.0, 4.0); }});
     all.push_back({fmt::format("MapGrid2f of {} segments in u", n), GL_INVALID_VALUE,
                    [=](gl::Case& c) { c.MapGrid2f(n, 3.0f, 4.0f, 2, 5.0f, 6.0f); }});
+    all.push_back({fmt::format("MapGrid2f of {} segments in v", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2f(2, 3.0f, 4.0f, n, 5.0f, 6.0f); }});
+    all.push_back({fmt::format("MapGrid2d of {} segments in u", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2d(n, 3.0, 4.0, 2, 5.0, 6.0); }});
     all.push_back({fmt::format("MapGrid2d of {} segments in v", n), GL_INVALID_VALUE,
                    [=](gl::Case& c) { c.MapGrid2d(2, 3.0, 4.0, n, 5.0, 6.0); }});
   }

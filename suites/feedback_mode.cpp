@@ -215,10 +215,13 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX") {
                                             : fmt::format("no map of {} dimensions", two ? 2 : 1),
                                  two, GL_POINTS, std::move(c)));
     }
+  constexpr std::size_t kEach = 1 + std::size(kTextures);
+  const std::size_t points = drawings.size();
+  for (Drawing& drawing : all_drawings(t))
+    if (drawing.primitive != GL_POINTS) drawings.push_back(std::move(drawing));
   const Picture control =
       feedback(t, "control: explicit texture coordinates", scenes_of(drawings, false, "", state));
-  constexpr std::size_t kEach = 1 + std::size(kTextures);
-  for (std::size_t i = 0; i < control.parts.size(); ++i)
+  for (std::size_t i = 0; i < points; ++i)
     if (i % kEach) require_an_effect(control.parts[i].values, control.parts[i - i % kEach].values);
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
   expect_drawn_like_explicit(picture, drawings, control);

@@ -393,6 +393,11 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT") {
     c.Begin(GL_POINTS);
     for (const float u : {0.0f, 0.25f, 1.0f}) two ? c.EvalCoord2f(u, 0.375f) : c.EvalCoord1f(u);
     c.End();
+    two ? c.MapGrid2f(4, 0.0f, 1.0f, 2, 1.0f, 0.5f) : c.MapGrid1f(4, 1.0f, 0.25f);
+    two ? c.EvalMesh2(GL_POINT, 1, 2, 0, 1) : c.EvalMesh1(GL_POINT, 1, 3);
+    c.Begin(GL_POINTS);
+    for (const GLint i : {0, 3}) two ? c.EvalPoint2(i, 1) : c.EvalPoint1(i);
+    c.End();
     t.expect_emission(c, kPosition | kColor | kTextureCoordinate0);
   }
 }

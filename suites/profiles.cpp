@@ -164,6 +164,24 @@ void expect_everything(Test& t) {
   for (const float u : {0.0f, 0.375f, 1.0f}) drawn.EvalCoord2f(u, 1 - u);
   drawn.End();
   t.expect_emission(drawn, kPosition | kTextureCoordinate0);
+
+  gl::Case meshes("points of meshes and of grids, with automatic normals");
+  define(meshes, random_map(t, GL_MAP1_VERTEX_3, 3));
+  meshes.Enable(GL_MAP1_VERTEX_3);
+  define(meshes, random_map(t, GL_MAP1_NORMAL, 2));
+  meshes.Enable(GL_MAP1_NORMAL);
+  define(meshes, random_map2(t, GL_MAP2_VERTEX_4, 3, 2));
+  meshes.Enable(GL_MAP2_VERTEX_4);
+  meshes.Enable(GL_AUTO_NORMAL);
+  meshes.MapGrid1f(4, 0.0f, 1.0f);
+  meshes.MapGrid2f(2, 0.0f, 1.0f, 3, 1.0f, 0.0f);
+  meshes.EvalMesh1(GL_POINT, 1, 3);
+  meshes.EvalMesh2(GL_POINT, 0, 2, 1, 2);
+  meshes.Begin(GL_POINTS);
+  meshes.EvalPoint1(2);
+  meshes.EvalPoint2(1, 2);
+  meshes.End();
+  t.expect_emission(meshes, kPosition | kNormal);
 }
 
 }  // namespace

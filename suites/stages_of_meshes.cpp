@@ -135,6 +135,22 @@ std::vector<Stage> clip_stages() {
   return {{"no clip plane", none}, {"the right half clipped", left}, {"the upper part clipped", lower}};
 }
 
+// Of quads: the right half by one of the planes, each of which leaves the others' enables off.
+constexpr GLenum kPlanes[] = {GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE5};
+std::vector<Stage> right_halves_clipped() {
+  std::vector<Stage> stages(1);
+  stages[0].name = "no clip plane";
+  for (const GLenum plane : kPlanes) stages[0].state.Disable(plane);
+  for (const GLenum plane : kPlanes) {
+    Stage stage = {fmt::format("the right half clipped by plane {}", plane - GL_CLIP_PLANE0),
+                   stages[0].state};
+    stage.state.ClipPlane(plane, std::vector<double>{-1, 0, 0, at_pixel(kPlaneAt)});
+    stage.state.Enable(plane);
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
 }  // namespace
 
 EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE") {
@@ -153,8 +169,7 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE") {
 // Clipped quads have other vertices whichever way they are decomposed: pixels on both sides of the plane.
 EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE") {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
-  std::vector<Stage> stages = clip_stages();
-  stages.pop_back();
+  const std::vector<Stage> stages = right_halves_clipped();
   std::vector<Area> areas;
   for (int y = kBottom + 4; y < kBottom + kHeight * kRows; y += 4)
     for (const int x : {kLeft + 4, kPlaneAt - 3, kPlaneAt + 2, kLeft + kWidth * kColumns - 4})
@@ -209,9 +224,11 @@ std::vector<Area> vertex_pixels(bool two) {
   return areas;
 }
 
-// POINT meshes in fog, one dimension after the other. The first stage is without fog.
+// POINT and LINE meshes in fog, one after the other. The first stage is without fog.
 void expect_fog(Test& t, const std::vector<Stage>& stages) {
-  for (const Drawing& drawing : meshes(t, GL_POINTS)) {
+  std::vector<Drawing> drawings = meshes(t, GL_POINTS);
+  for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
+  for (const Drawing& drawing : drawings) {
     const std::vector<Area> areas = vertex_pixels(drawing.two);
     const Picture control =
         pixels(t, "control: explicit vertices, " + drawing.name, staged(stages, {drawing}, false), areas);

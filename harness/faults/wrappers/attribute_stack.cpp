@@ -273,6 +273,21 @@ EVALCTS_FAULT(OneSlotForTheGrid, production, must, "EV-ATTRIB-NEST",
   };
 }
 
+EVALCTS_FAULT(OneSlotForEnables, production, must, "EV-ATTRIB-NEST",
+              "ENABLE_BIT saves MAP2_NORMAL in one place for all levels") {
+  in.gl.PushAttrib = [](GLbitfield mask) {
+    if (has_enable_only(mask)) memory.flag = is_on(GL_MAP2_NORMAL);
+    sound.PushAttrib(mask);
+    memory.numbers.push_back(mask);
+  };
+  in.gl.PopAttrib = [] {
+    sound.PopAttrib();
+    if (memory.numbers.empty()) return;
+    if (has_enable_only(static_cast<GLbitfield>(memory.numbers.back()))) set(GL_MAP2_NORMAL, memory.flag);
+    memory.numbers.pop_back();
+  };
+}
+
 EVALCTS_FAULT(NinthLevelOverwritesEighth, production, must, "EV-ATTRIB-NEST",
               "the ninth level of the stack takes the place of the eighth") {
   at_each_level(

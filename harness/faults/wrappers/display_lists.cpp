@@ -400,6 +400,51 @@ EVALCTS_FAULT(CompiledMesh2ModeIsInvalidValue, production, must, "EV-DL-ERR-ALL"
   });
 }
 
+EVALCTS_FAULT(CompiledHighVOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2d of a vorder above MAX_EVAL_ORDER is left out of lists") {
+  watch_lists(in);
+  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+    if (compiles_only() && vorder > integer(GL_MAX_EVAL_ORDER)) return;
+    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledNegativeUOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2f of a negative uorder is left out of lists") {
+  watch_lists(in);
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    if (compiles_only() && uorder < 0) return;
+    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+}
+
+EVALCTS_FAULT(CompiledEmptyGrid2fInVDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid2f of no segments in v is left out of lists") {
+  watch_lists(in);
+  in.gl.MapGrid2f = [](GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
+    if (!compiles_only() || vn > 0) sound.MapGrid2f(un, u1, u2, vn, v1, v2);
+  };
+}
+
+EVALCTS_FAULT(CompiledEmptyGrid2dInUDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid2d of no segments in u is left out of lists") {
+  watch_lists(in);
+  in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
+    if (!compiles_only() || un > 0) sound.MapGrid2d(un, u1, u2, vn, v1, v2);
+  };
+}
+
+EVALCTS_FAULT(CompiledStrideOfOnePointNotChecked, production, must, "EV-DL-ERR-ALL",
+              "the stride of a compiled Map1 of order 1 is not checked") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (compiles() && call.order == 1) call.stride = std::max(call.stride, gl::components_of(call.target));
+    go(call);
+  });
+}
+
 EVALCTS_FAULT(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
               "a negative vorder in a list raises INVALID_ENUM") {
   watch_lists(in);

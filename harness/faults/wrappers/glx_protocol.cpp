@@ -353,6 +353,15 @@ GLX_FAULT(IndirectArgumentsRounded, "EV-GLX-SAMERESULT",
   in.gl.EvalCoord1f = [](GLfloat u) { sound.EvalCoord1f(std::nearbyint(u * 2) / 2); };
 }
 
+GLX_FAULT(IndirectMeshDrawsFirstRow, "EV-GLX-SAMERESULT",
+          "of EvalMesh2 the first row alone is drawn indirectly") {
+  mesh2(in, [](auto call) { sound.EvalMesh2(call.mode, call.i1, call.i2, call.j1, call.j1); });
+}
+
+GLX_FAULT(IndirectGridIsInitial, "EV-GLX-SAMERESULT", "EvalPoint1 has the initial grid indirectly") {
+  in.gl.EvalPoint1 = [](GLint i) { sound.EvalCoord1f(static_cast<GLfloat>(i)); };
+}
+
 GLX_FAULT(IndirectVIsZero, "EV-GLX-SAMERESULT", "v of EvalCoord2f is not drawn indirectly") {
   in.gl.EvalCoord2f = [](GLfloat u, GLfloat) { sound.EvalCoord2f(u, 0); };
 }

@@ -100,6 +100,24 @@ EVALCTS_FAULT(CompatibilityOrderOfOldHardware, production, must, "EV-PROF-COMPAT
   });
 }
 
+EVALCTS_FAULT(CompatibilityMeshesDrawNothing, production, must, "EV-PROF-COMPAT",
+              "EvalMesh1 is there in contexts of 3.1 and later, and does nothing") {
+  mesh1(in, [](auto) {});
+}
+
+EVALCTS_FAULT(CompatibilityWithoutAutoNormal, production, must, "EV-PROF-COMPAT",
+              "AUTO_NORMAL can be enabled in contexts of 3.1 and later, and does nothing") {
+  in.gl.Enable = [](GLenum cap) {
+    if (cap == GL_AUTO_NORMAL)
+      memory.flag = true;
+    else
+      sound.Enable(cap);
+  };
+  in.gl.IsEnabled = [](GLenum cap) -> GLboolean {
+    return cap == GL_AUTO_NORMAL ? memory.flag : sound.IsEnabled(cap);
+  };
+}
+
 // --- ARB_multitexture --------------------------------------------------------------------------------------
 
 template <class Call, class Go>

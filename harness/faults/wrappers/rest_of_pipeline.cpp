@@ -183,6 +183,27 @@ EVALCTS_FAULT(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
   });
 }
 
+EVALCTS_FAULT(FeedbackOfQuadsHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode FILL meshes have the current texture coordinates") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
+    without(GL_MAP2_TEXTURE_COORD_4, [call] { go2(call); });
+  });
+}
+
+EVALCTS_FAULT(FeedbackOfEvalCoordHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode EvalCoord1 gives no texture coordinates") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = feeds_back() && is_on(GL_MAP1_TEXTURE_COORD_4);
+    if (memory.flag) sound.Disable(GL_MAP1_TEXTURE_COORD_4);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Enable(GL_MAP1_TEXTURE_COORD_4);
+  };
+}
+
 EVALCTS_FAULT(FilledMeshUnlitInFeedback, osmesa, must, "EV-FB-COLOR",
               "in feedback mode FILL meshes have the colours of before lighting") {
   mesh2(in, [](auto call) {
@@ -446,6 +467,26 @@ EVALCTS_FAULT(FilledMeshNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
       without(GL_CLIP_PLANE0, go);
     else
       go();
+  });
+}
+
+EVALCTS_FAULT(FilledMeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "FILL meshes are clipped by the first clip plane alone") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_FILL) return go();
+    without(GL_CLIP_PLANE1, go);
+  });
+}
+
+EVALCTS_FAULT(MeshesHaveFiveClipPlanes, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "the sixth clip plane leaves meshes alone") {
+  meshes(in, [](GLenum, auto go) { without(GL_CLIP_PLANE5, go); });
+}
+
+EVALCTS_FAULT(LineMeshesWithoutFog, osmesa, must, "EV-PIPE-FOG", "LINE meshes are drawn without fog") {
+  meshes(in, [](GLenum mode, auto go) {
+    if (mode != GL_LINE) return go();
+    without(GL_FOG, go);
   });
 }
 
