@@ -79,10 +79,11 @@ void expect_all(Played& played, const Queries& queries, const State& state) {
   expect_grids(played, queries, state);
 }
 
-// Sets, pushes, sets something else, pops.
-Queries push_and_pop(gl::Case& c, GLbitfield mask) {
+// Sets, pushes, sets something else, pops. `pushed` is what was asked between push and setting.
+Queries push_and_pop(gl::Case& c, GLbitfield mask, Queries* pushed = nullptr) {
   set(c, kBefore);
   c.PushAttrib(mask);
+  if (pushed) *pushed = query(c);
   set(c, kAfter);
   c.PopAttrib();
   return query(c);
@@ -129,28 +130,34 @@ std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::l
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, EvalBit, kWithEval, const Mask& mask, must, "EV-ATTRIB-EVALBIT",
                  "EV-API-ENUM-OTHER") {
   gl::Case c("set, push, set otherwise, pop");
-  const Queries queries = push_and_pop(c, mask.bits);
+  Queries pushed;
+  const Queries queries = push_and_pop(c, mask.bits, &pushed);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   played.expect_no_error(error);
+  expect_all(played, pushed, kBefore);
   expect_all(played, queries, kBefore);
 }
 
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, AllBits, kWithAll, const Mask& mask, must, "EV-ATTRIB-ALL") {
   gl::Case c("set, push, set otherwise, pop");
-  const Queries queries = push_and_pop(c, mask.bits);
+  Queries pushed;
+  const Queries queries = push_and_pop(c, mask.bits, &pushed);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   played.expect_no_error(error);
+  expect_all(played, pushed, kBefore);
   expect_all(played, queries, kBefore);
 }
 
 EVALCTS_TEST_BY(in_lists(), AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBIT") {
   gl::Case c("set, push, set otherwise, pop");
-  const Queries queries = push_and_pop(c, GL_ENABLE_BIT);
+  Queries pushed;
+  const Queries queries = push_and_pop(c, GL_ENABLE_BIT, &pushed);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   played.expect_no_error(error);
+  expect_all(played, pushed, kBefore);
   expect_enables(played, queries, kBefore);
   if (enable_bit_has_auto_normal(t)) expect_auto_normal(played, queries, kBefore);
 }
@@ -193,8 +200,10 @@ EVALCTS_TEST_BY(in_lists(), AttributeStack, EnableBitHasNoGrids, must, "EV-ATTRI
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, OtherBits, kOthers, const Mask& mask, must,
                  "EV-ATTRIB-OTHERBITS") {
   gl::Case c("set, push, set otherwise, pop");
-  const Queries queries = push_and_pop(c, mask.bits);
+  Queries pushed;
+  const Queries queries = push_and_pop(c, mask.bits, &pushed);
   Played played = t.play(c);
+  expect_all(played, pushed, kBefore);
   expect_all(played, queries, kAfter);
 }
 
@@ -202,32 +211,34 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, OtherBits, kOthers, const Mask& mas
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, MapsStay,
                  (std::vector<Mask>{kWithEval[0], kWithAll[0], kWithAll[1]}), const Mask& mask, must,
                  "EV-ATTRIB-NOMAPS") {
-  gl::Case c("maps defined, pushed, defined anew, popped");
-  std::vector<Map1> maps1;
-  std::vector<Map2> maps2;
-  const auto define_all = [&](int order) {
-    maps1.clear(), maps2.clear();
-    for (const GLenum target : gl::kMap1Targets) {
-      maps1.push_back(random_map(t, target, order));
-      maps1.back().u1 = -order;
-      define(c, maps1.back());
-    }
-    for (const GLenum target : gl::kMap2Targets) {
-      maps2.push_back(random_map2(t, target, order, order + 1));
-      maps2.back().v2 = 2.0 + order;
-      define(c, maps2.back());
-    }
-  };
-  define_all(3);
-  c.PushAttrib(mask.bits);
-  define_all(4);
-  c.PopAttrib();
-  std::vector<MapQuery> queries1, queries2;
-  for (const GLenum target : gl::kMap1Targets) queries1.push_back(query_map1(c, target, t.max_order()));
-  for (const GLenum target : gl::kMap2Targets) queries2.push_back(query_map2(c, target, t.max_order()));
-  Played played = t.play(c);
-  for (std::size_t i = 0; i < maps1.size(); ++i) expect_map1(played, queries1[i], maps1[i]);
-  for (std::size_t i = 0; i < maps2.size(); ++i) expect_map2(played, queries2[i], maps2[i]);
+  for (const bool anew : {true, false}) {
+    gl::Case c(anew ? "maps defined, pushed, defined anew, popped" : "maps defined, pushed, popped");
+    std::vector<Map1> maps1;
+    std::vector<Map2> maps2;
+    const auto define_all = [&](int order) {
+      maps1.clear(), maps2.clear();
+      for (const GLenum target : gl::kMap1Targets) {
+        maps1.push_back(random_map(t, target, order));
+        maps1.back().u1 = -order;
+        define(c, maps1.back());
+      }
+      for (const GLenum target : gl::kMap2Targets) {
+        maps2.push_back(random_map2(t, target, order, order + 1));
+        maps2.back().v2 = 2.0 + order;
+        define(c, maps2.back());
+      }
+    };
+    define_all(3);
+    c.PushAttrib(mask.bits);
+    if (anew) define_all(4);
+    c.PopAttrib();
+    std::vector<MapQuery> queries1, queries2;
+    for (const GLenum target : gl::kMap1Targets) queries1.push_back(query_map1(c, target, t.max_order()));
+    for (const GLenum target : gl::kMap2Targets) queries2.push_back(query_map2(c, target, t.max_order()));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps1.size(); ++i) expect_map1(played, queries1[i], maps1[i]);
+    for (std::size_t i = 0; i < maps2.size(); ++i) expect_map2(played, queries2[i], maps2[i]);
+  }
 }
 
 // What is evaluated afterwards goes by the enables and grids that came back, and by the new points.

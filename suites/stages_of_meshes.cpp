@@ -46,15 +46,15 @@ void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
 struct Generation {
   const char* name;
   GLint mode;
-  int coordinates;  // of S, T, R
+  int coordinates;  // of S, T, R, Q
 };
-constexpr Generation kGenerations[] = {{"OBJECT_LINEAR", GL_OBJECT_LINEAR, 3},
-                                       {"EYE_LINEAR", GL_EYE_LINEAR, 3},
+constexpr Generation kGenerations[] = {{"OBJECT_LINEAR", GL_OBJECT_LINEAR, 4},
+                                       {"EYE_LINEAR", GL_EYE_LINEAR, 4},
                                        {"SPHERE_MAP", GL_SPHERE_MAP, 2},
                                        {"NORMAL_MAP", GL_NORMAL_MAP, 3},
                                        {"REFLECTION_MAP", GL_REFLECTION_MAP, 3}};
 constexpr std::pair<GLenum, GLenum> kGenerated[] = {
-    {GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}, {GL_R, GL_TEXTURE_GEN_R}};
+    {GL_S, GL_TEXTURE_GEN_S}, {GL_T, GL_TEXTURE_GEN_T}, {GL_R, GL_TEXTURE_GEN_R}, {GL_Q, GL_TEXTURE_GEN_Q}};
 
 // The eye is two units away, so that the directions to it are well-conditioned.
 gl::Case seen_from_a_distance() {
@@ -87,7 +87,9 @@ EVALCTS_TESTS(Pipeline, TextureGeneration, kNormals, const Normals& normals, mus
       state.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, generation.mode);
       const float way = static_cast<float>(k) / 2;
       for (const GLenum plane : {GL_OBJECT_PLANE, GL_EYE_PLANE})
-        state.TexGenfv(coordinate, plane, Values{2, 1 - way, way - 1, 0.5f});
+        state.TexGenfv(
+            coordinate, plane,
+            coordinate == GL_Q ? Values{0.25f, -0.5f, 0.125f, 2} : Values{2, 1 - way, way - 1, 0.5f});
       state.Enable(enable);
     }
     stages.push_back({generation.name, std::move(state)});

@@ -134,6 +134,22 @@ EVALCTS_FAULT(EvalBitForgetsSecondEndOfU, production, must, "EV-ATTRIB-EVALBIT",
       });
 }
 
+EVALCTS_FAULT(PushResetsGrid, production, must, "EV-ATTRIB-EVALBIT",
+              "after PushAttrib(EVAL_BIT) the grid of one dimension is the initial one until PopAttrib") {
+  in.gl.PushAttrib = [](GLbitfield mask) {
+    sound.PushAttrib(mask);
+    if (mask & GL_EVAL_BIT) sound.MapGrid1d(1, 0, 1);
+  };
+}
+
+EVALCTS_FAULT(PushTurnsAutoNormalOff, production, must, "EV-ATTRIB-ENABLEBIT",
+              "after PushAttrib(ENABLE_BIT) AUTO_NORMAL is off until PopAttrib") {
+  in.gl.PushAttrib = [](GLbitfield mask) {
+    sound.PushAttrib(mask);
+    if (has_enable_only(mask)) sound.Disable(GL_AUTO_NORMAL);
+  };
+}
+
 EVALCTS_FAULT(EnableBitHidesEvalBit, production, must, "EV-ATTRIB-EVALBIT",
               "of EVAL_BIT and ENABLE_BIT together the latter counts: the grid of two dimensions stays") {
   at_each_level(
@@ -195,6 +211,15 @@ EVALCTS_FAULT(EvalBitRestoresDomain, production, must, "EV-ATTRIB-NOMAPS",
         sound.GetMapdv(GL_MAP1_VERTEX_3, GL_COEFF, points.data());
         sound.Map1d(GL_MAP1_VERTEX_3, kept[0], kept[1], 3, order, points.data());
       });
+}
+
+EVALCTS_FAULT(PushTakesIndexMapAway, production, must, "EV-ATTRIB-NOMAPS",
+              "PushAttrib(EVAL_BIT) leaves MAP1_INDEX as it is initially") {
+  in.gl.PushAttrib = [](GLbitfield mask) {
+    const double one = 1;
+    sound.PushAttrib(mask);
+    if (mask == GL_EVAL_BIT) sound.Map1d(GL_MAP1_INDEX, 0, 1, 1, 1, &one);
+  };
 }
 
 EVALCTS_FAULT(AllBitsResetSmallMaps, production, must, "EV-ATTRIB-NOMAPS",

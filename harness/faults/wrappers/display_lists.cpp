@@ -81,6 +81,38 @@ EVALCTS_FAULT(CompiledGridSwapsDirections, production, must, "EV-DL-EXECUTE",
   };
 }
 
+EVALCTS_FAULT(CompiledIndicesAreShorts, production, must, "EV-DL-EXECUTE",
+              "the index of a compiled EvalPoint1 is kept in sixteen bits") {
+  watch_lists(in);
+  in.gl.EvalPoint1 = [](GLint i) { sound.EvalPoint1(compiles() ? static_cast<GLshort>(i) : i); };
+}
+
+EVALCTS_FAULT(CompiledNegativeIndexIsZero, production, must, "EV-DL-EXECUTE",
+              "a compiled EvalMesh1 begins at index 0 or above") {
+  watch_lists(in);
+  mesh1(in, [](auto call) {
+    if (compiles()) call.i1 = std::max(call.i1, 0);
+    go1(call);
+  });
+}
+
+EVALCTS_FAULT(CompiledSegmentsAreShorts, production, must, "EV-DL-EXECUTE",
+              "the segments of a compiled MapGrid1f are kept in sixteen bits") {
+  watch_lists(in);
+  in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+    sound.MapGrid1f(compiles() && n > 0 ? (n & 0xFFFF) : n, u1, u2);
+  };
+}
+
+EVALCTS_FAULT(CompiledOrderInFourBits, production, must, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT",
+              "orders from 16 on are compiled as 15") {
+  watch_lists(in);
+  map1(in, [](auto call, auto go) {
+    if (compiles() && call.order > 15 && call.order <= integer(GL_MAX_EVAL_ORDER)) call.order = 15;
+    go(call);
+  });
+}
+
 EVALCTS_FAULT(CallRestoresGrid, production, must, "EV-DL-EXECUTE",
               "CallList leaves the grid of one dimension as it was") {
   watch_lists(in);

@@ -381,6 +381,10 @@ EVALCTS_FAULT(SphereMapOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
   });
 }
 
+EVALCTS_FAULT(MeshesWithoutGeneratedQ, osmesa, must, "EV-PIPE-TEXGEN", "q is not generated for meshes") {
+  meshes(in, [](GLenum, auto go) { without(GL_TEXTURE_GEN_Q, go); });
+}
+
 EVALCTS_FAULT(SurfaceWithoutGeneratedR, osmesa, must, "EV-PIPE-TEXGEN",
               "r is not generated for FILL meshes") {
   mesh2(in, [](auto call) {
