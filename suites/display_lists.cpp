@@ -169,6 +169,36 @@ EVALCTS_TESTS(DisplayLists, CallHasLastingEffect, settings(), const Setting& set
                 "the list has no effect: all queries answer as before", "other answers", "the same answers");
 }
 
+// Indices are signed and of 32 bits in lists, too.
+EVALCTS_TESTS(DisplayLists, IndicesKept, kDimensions, const Dimension& dimension, must, "EV-DL-EXECUTE") {
+  gl::Case c("points outside the grid, and far in a fine one");
+  dimension.two ? define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2))
+                : define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  c.Enable(dimension.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+  const auto points = [&](gl::Case& list, std::initializer_list<GLint> indices) {
+    list.Begin(GL_POINTS);
+    for (const GLint i : indices) dimension.two ? list.EvalPoint2(i, 1 - i) : list.EvalPoint1(i);
+    list.End();
+  };
+  compile(c, kList, [&](gl::Case& list) {
+    dimension.two ? list.MapGrid2f(4, 0.0f, 1.0f, 4, 1.0f, 0.0f) : list.MapGrid1f(4, 0.0f, 1.0f);
+    points(list, {-2, 6});
+    if (dimension.two) {
+      list.EvalMesh2(GL_POINT, -2, -1, 3, 5);
+      list.EvalMesh2(GL_POINT, 4, 5, -1, 0);
+    } else {
+      list.EvalMesh1(GL_POINT, -2, 5);
+    }
+    dimension.two ? list.MapGrid2f(100000, 0.0f, 1.0f, 100000, 1.0f, 0.0f)
+                  : list.MapGrid1f(100000, 0.0f, 1.0f);
+    points(list, {300, 40000, 70000, -40000});
+    dimension.two ? list.EvalMesh2(GL_POINT, 70000, 70000, 40000, 40001)
+                  : list.EvalMesh1(GL_POINT, 70000, 70001);
+  });
+  c.CallList(kList);
+  t.expect_emission(c, kPosition);
+}
+
 EVALCTS_TESTS(DisplayLists, CompileAndExecuteDrawsOnce, kDimensions, const Dimension& dimension, must,
               "EV-DL-COMPEXEC") {
   gl::Case c("compiled and executed, a point, then called");

@@ -96,6 +96,15 @@ EVALCTS_FAULT(CompiledNegativeIndexIsZero, production, must, "EV-DL-EXECUTE",
   });
 }
 
+EVALCTS_FAULT(CompiledMesh2RangeIsShort, production, must, "EV-DL-EXECUTE",
+              "the range of j of a compiled EvalMesh2 is kept in sixteen bits without a sign") {
+  watch_lists(in);
+  mesh2(in, [](auto call) {
+    if (compiles()) call.j1 &= 0xFFFF, call.j2 &= 0xFFFF;
+    go2(call);
+  });
+}
+
 EVALCTS_FAULT(CompiledSegmentsAreShorts, production, must, "EV-DL-EXECUTE",
               "the segments of a compiled MapGrid1f are kept in sixteen bits") {
   watch_lists(in);
