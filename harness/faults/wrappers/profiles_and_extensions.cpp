@@ -1,4 +1,5 @@
 // Sections 23 and 24: contexts without evaluators, and extensions that touch them.
+#include <algorithm>
 #include <utility>
 
 #include "harness/faults/around.h"
@@ -73,6 +74,71 @@ EVALCTS_FAULT(CoreProfileDisableIsInvalidOperation, osmesa, must, "EV-PROF-CORE-
       sound.EvalPoint1(0);
     else
       sound.Disable(cap);
+  };
+}
+
+bool is_forward_compatible() { return memory.count == EVALCTS_FORWARD_COMPATIBLE; }
+
+EVALCTS_FAULT(ForwardCompatibleTakesMap1f, egl, must, "EV-PROF-CORE-FUNC",
+              "Map1f does nothing in a forward-compatible context, without an error") {
+  watch_kind(in);
+  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+    if (!is_forward_compatible()) sound.Map1f(target, u1, u2, stride, order, points);
+  };
+}
+
+EVALCTS_FAULT(ForwardCompatibleDisablesMaps, egl, must, "EV-PROF-CORE-ENABLE",
+              "Disable(MAP1_COLOR_4) is no error in a forward-compatible context") {
+  watch_kind(in);
+  in.gl.Disable = [](GLenum cap) {
+    if (!is_forward_compatible() || cap != GL_MAP1_COLOR_4) sound.Disable(cap);
+  };
+}
+
+bool reports_no_errors() { return memory.count == EVALCTS_NO_ERROR; }
+
+EVALCTS_FAULT(NoErrorContextReportsMesh, egl, must, "EV-PROF-NOERROR",
+              "a legal EvalMesh1 is reported as an error in a no-error context") {
+  watch_kind(in);
+  mesh1(in, [](auto call) {
+    go1(call);
+    memory.flag = reports_no_errors();
+  });
+  in.gl.GetError = []() -> GLenum {
+    return std::exchange(memory.flag, false) ? GL_INVALID_VALUE : sound.GetError();
+  };
+}
+
+EVALCTS_FAULT(NoErrorContextIgnoresGrid, egl, must, "EV-PROF-NOERROR",
+              "a no-error context skips MapGrid1f together with the checks of its arguments") {
+  watch_kind(in);
+  in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+    if (!reports_no_errors()) sound.MapGrid1f(n, u1, u2);
+  };
+}
+
+EVALCTS_FAULT(MeshErrorsNotLogged, egl, quality, "EV-PIPE-DEBUG",
+              "a debug context has no message for errors of EvalMesh1") {
+  mesh1(in, [](auto call) {
+    go1(call);
+    const bool bad = call.mode != GL_POINT && call.mode != GL_LINE;
+    if (bad) sound.GetDebugMessageLog(64, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+  });
+}
+
+EVALCTS_FAULT(GridErrorsLoggedAsOthers, egl, quality, "EV-PIPE-DEBUG",
+              "the message for an error of MapGrid is of type DEBUG_TYPE_OTHER") {
+  map_grid1(in, [](auto n, auto u1, auto u2, auto go) {
+    go(n, u1, u2);
+    memory.flag = n <= 0;
+  });
+  in.gl.GetDebugMessageLog = [](GLuint count, GLsizei size, GLenum* sources, GLenum* types, GLuint* ids,
+                                GLenum* severities, GLsizei* lengths, GLchar* text) -> GLuint {
+    const GLuint found =
+        sound.GetDebugMessageLog(count, size, sources, types, ids, severities, lengths, text);
+    if (types && memory.flag) std::fill_n(types, found, GLenum{GL_DEBUG_TYPE_OTHER});
+    memory.flag = false;
+    return found;
   };
 }
 
