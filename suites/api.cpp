@@ -173,8 +173,18 @@ EVALCTS_TESTS(Api, Map1TokenByEffect, visible_targets(), GLenum target, must, "E
   t.expect_emission(c, attribute_of(target));
 }
 
+EVALCTS_TESTS(Api, Map2TokenByEffect, visible_targets2(), GLenum target, must, "EV-API-ENUM-MAP2") {
+  gl::Case c("enabled and defined by number");
+  define(c, random_map2(t, target, 2, 3));
+  enable_visibly(c, target);
+  c.Begin(GL_POINTS);
+  evaluate2(c, 0.25, 0.625);
+  c.End();
+  t.expect_emission(c, attribute_of(target));
+}
+
 EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
-  gl::Case c("0x0D80, 0x0DD0 to 0x0DD3, 0x0D30");
+  gl::Case c("0x0D80, 0x0DD0 to 0x0DD3, 0x0D30, 0x0A00 to 0x0A02");
   c.Enable(0x0D80);
   const gl::Ref enabled = c.IsEnabled(GL_AUTO_NORMAL);
   const gl::Ref domain1 = c.GetFloatv(0x0DD0, gl::out<GLfloat>(4));
@@ -182,7 +192,15 @@ EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
   const gl::Ref domain2 = c.GetFloatv(0x0DD2, gl::out<GLfloat>(4));
   const gl::Ref segments2 = c.GetIntegerv(0x0DD3, gl::out<GLint>(2));
   const gl::Ref order = c.GetIntegerv(0x0D30, gl::out<GLint>(1));
+  const std::vector<GLfloat> points = {1, 2, 3, 4, 5, 6};
+  c.Map1f(GL_MAP1_TEXTURE_COORD_2, 7, 8, 2, 3, points);
+  const gl::Ref map_points = c.GetMapfv(GL_MAP1_TEXTURE_COORD_2, 0x0A00, gl::out<GLfloat>(8));
+  const gl::Ref map_order = c.GetMapfv(GL_MAP1_TEXTURE_COORD_2, 0x0A01, gl::out<GLfloat>(8));
+  const gl::Ref map_domain = c.GetMapfv(GL_MAP1_TEXTURE_COORD_2, 0x0A02, gl::out<GLfloat>(8));
   Played played = t.play(c);
+  played.expect_values(map_points, points);
+  played.expect_values(map_order, std::vector<GLfloat>{3});
+  played.expect_values(map_domain, std::vector<GLfloat>{7, 8});
   played.expect_result(enabled, GL_TRUE);
   played.expect_values(domain1, std::vector<GLfloat>{0, 1});
   played.expect_values(segments1, std::vector<GLint>{1});
@@ -215,6 +233,37 @@ EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D") {
   for (const gl::Ref error : bad) played.expect_error(error, {GL_INVALID_ENUM});
 }
 
+// What each mode draws.
+namespace {
+
+struct ModeByValue {
+  const char* name;
+  GLenum value;
+};
+constexpr ModeByValue kModesByValue1[] = {{"POINT", 0x1B00}, {"LINE", 0x1B01}};
+constexpr ModeByValue kModesByValue2[] = {{"POINT", 0x1B00}, {"LINE", 0x1B01}, {"FILL", 0x1B02}};
+
+}  // namespace
+
+EVALCTS_TESTS(Api, MeshModeByEffect, kModesByValue1, const ModeByValue& mode, must, "EV-API-ENUM-OTHER/1-D") {
+  gl::Case c("a mesh of three segments");
+  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.MapGrid1f(3, 0, 1);
+  c.EvalMesh1(mode.value, 0, 3);
+  t.expect_emission(c, kPosition);
+}
+
+EVALCTS_TESTS(Api, MeshModeByEffect2, kModesByValue2, const ModeByValue& mode, must,
+              "EV-API-ENUM-OTHER/2-D") {
+  gl::Case c("a mesh of 3x2 segments");
+  define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(3, 0, 1, 2, 0, 1);
+  c.EvalMesh2(mode.value, 0, 3, 0, 2);
+  t.expect_emission(c, kPosition);
+}
+
 // Data given in one form is seen by the other: state ...
 EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must, "EV-API-FD/1-D") {
   const Map1 map =
@@ -232,6 +281,7 @@ EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, mu
   map.u1 = -1, map.u2 = 3, map.v1 = 8, map.v2 = 4.5;
   gl::Case c("given in one form and queried in the other");
   define(c, random_map2(t, form.target, 4, 2), !form.doubles);
+  define(c, random_map2(t, form.target, 3, 4), !form.doubles);
   define(c, map, form.doubles);
   const MapQuery query = query_map2(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
@@ -265,19 +315,20 @@ EVALCTS_TESTS(Api, FormsShareValues2, visible_target_forms(), const TargetForm& 
   forms_share_values(t, form, true);
 }
 
-// Each form replaces what the other defined.
+// Each form replaces what the other defined, also where the order stays.
 EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must, "EV-API-FD/1-D") {
-  gl::Case c("defined by f, d, f, d, evaluated after each");
+  gl::Case c("defined by f, d, f, ..., evaluated after each");
   enable_visibly(c, target);
   Map1 last;
-  for (int round = 0; round < 4; ++round) {
-    last = make_map1(
-        target, round, round + 2, 4,
-        random_values(t.random(), static_cast<std::size_t>((2 + round) * gl::components_of(target))));
+  int round = 0;
+  for (const int order : {2, 3, 3, 5, 4, 4}) {
+    last = make_map1(target, round, round + 2, 4,
+                     random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
     define(c, last, round % 2 == 1);
     c.Begin(GL_POINTS);
     for (const double u : {0.25, 1.75}) evaluate(c, round + u, round % 2 == 0);
     c.End();
+    ++round;
   }
   t.expect_emission(c, attribute_of(target));
   const MapQuery query = query_map1(c, target, t.max_order());
@@ -312,15 +363,26 @@ EVALCTS_TESTS(Api, VectorForm2, visible_target_forms(), const TargetForm& form, 
   vector_form(t, form, true);
 }
 
-EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-API-V/1-D") {
+namespace {
+
+void vector_form_same_bits(Test& t, const Form& form, bool two) {
   gl::Case c("vertices 2i and 2i+1: scalar and vector form");
-  define(c, make_map1(GL_MAP1_VERTEX_4, random_values(t.random(), 16)));
-  c.Enable(GL_MAP1_VERTEX_4);
-  const std::vector<double> us = random_values(t.random(), 64);
+  if (two) {
+    define(c, random_map2(t, GL_MAP2_VERTEX_4, 4, 3));
+  } else {
+    define(c, random_map(t, GL_MAP1_VERTEX_4, 4));
+  }
+  c.Enable(two ? GL_MAP2_VERTEX_4 : GL_MAP1_VERTEX_4);
+  const std::vector<double> us = random_values(t.random(), 64), vs = random_values(t.random(), us.size());
   c.Begin(GL_POINTS);
-  for (const double u : us) {
-    evaluate(c, u, form.doubles);
-    evaluate_vector(c, u, form.doubles);
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    if (two) {
+      evaluate2(c, us[i], vs[i], form.doubles);
+      evaluate2_vector(c, us[i], vs[i], form.doubles);
+    } else {
+      evaluate(c, us[i], form.doubles);
+      evaluate_vector(c, us[i], form.doubles);
+    }
   }
   c.End();
   const Observation seen = t.observe(c, kPosition, 2 * us.size());
@@ -331,11 +393,21 @@ EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-AP
       failure.case_identity = c.identity();
       failure.what = fmt::format("position of vertex {}", i + 1);
       failure.message =
-          fmt::format("EvalCoord1{0}v and EvalCoord1{0} differ at u = {1:a}", form.name, us[i / 2]);
+          fmt::format("EvalCoord{0}{1}v and EvalCoord{0}{1} differ at u = {2:a}{3}", two ? 2 : 1, form.name,
+                      us[i / 2], two ? fmt::format(", v = {:a}", vs[i / 2]) : "");
       failure.expected = fmt::format("{:a}", vertices[i].position[0]);
       failure.captured = fmt::format("{:a}", vertices[i + 1].position[0]);
       t.fail(failure);
     }
+}
+
+}  // namespace
+
+EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-API-V/1-D") {
+  vector_form_same_bits(t, form, false);
+}
+EVALCTS_TESTS(Api, VectorFormSameBits2, kForms, const Form& form, quality, "EV-API-V/2-D") {
+  vector_form_same_bits(t, form, true);
 }
 
 }  // namespace evalcts::suite_api

@@ -130,6 +130,21 @@ EVALCTS_DELIVERED_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain,
   expect_over_domain(t, domain);
 }
 
+// Each of the maps that make one vertex has a domain of its own.
+EVALCTS_DELIVERED_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN") {
+  constexpr Domain kOwn[] = {{0, 1}, {-1, 2}, {1.5, -0.5}, {0.25, 4.25}};
+  gl::Case c("vertex, colour, normal and texture maps over four domains, exchanged four times");
+  for (const Kinds& kinds : kKinds1) {
+    for (const GLenum target : kinds.targets) c.Enable(target);
+    for (std::size_t round = 0; round < 4; ++round) {
+      for (std::size_t i = 0; i < 4; ++i)
+        define(c, random_map(t, kinds.targets[i], 4, kOwn[(i + round) % 4]));
+      evaluate_all(c, arguments(t, {0, 1}, t.by_depth(6, 8, 60)));
+    }
+  }
+  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
 EVALCTS_DELIVERED_TESTS(Map1Values, ReversedDomain, kReversedDomains, const NamedDomain& domain, must,
                         "EV-MAP1-REVERSED") {
   expect_over_domain(t, domain);

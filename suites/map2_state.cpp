@@ -137,6 +137,9 @@ EVALCTS_LISTED_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm&
        {std::pair{1000, 17}, {17, 1000}, {257, 64}, {64, 257}, {300, 5}, {5, 300}})
     for (const auto& [u, v] : {Orders{3, 4}, {4, 3}, {1, 6}, {6, 1}})
       definitions.add(random_map2(t, form.target, u, v, ustride, vstride), form.doubles);
+  // More than 16 bits hold.
+  definitions.add(random_map2(t, form.target, 2, 3, 0x10000 + 20, 5), form.doubles);
+  definitions.add(random_map2(t, form.target, 3, 2, 5, 0x10000 + 20), form.doubles);
   definitions.check();
 }
 

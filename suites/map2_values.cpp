@@ -169,6 +169,25 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
                       });
 }
 
+// Each of the maps that make one vertex has intervals of its own, some of them as wide in u as in v.
+EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OwnIntervals, must,
+                "EV-MAP2-DOMAIN") {
+  constexpr std::pair<Interval, Interval> kOwn[] = {
+      {{0, 1}, {1, 2}}, {{-1, 2}, {0.5, 1.5}}, {{0, 1}, {0.25, 2.25}}, {{1.5, -0.5}, {2, 0}}};
+  gl::Case c("vertex, colour, normal and texture maps over four domains, exchanged four times");
+  for (const Kinds& kinds : kKinds2) {
+    for (const GLenum target : kinds.targets) c.Enable(target);
+    for (std::size_t round = 0; round < 4; ++round) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto& [u, v] = kOwn[(i + round) % 4];
+        define(c, over(random_map2(t, kinds.targets[i], 3, 4), u, v));
+      }
+      evaluate_all(c, arguments(t, {0, 1}, {0.5, 1.5}, t.by_depth(4, 6, 60)));
+    }
+  }
+  t.expect_emission(c, kUnit0);
+}
+
 EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, ReversedIntervals, must,
                 "EV-MAP2-REVERSED") {
   expect_of_all_kinds(
@@ -301,8 +320,10 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, Redefinition, must, "EV-MAP2-REPLACE",
     for (const GLenum target : kKinds2[1].targets) {
       define_in_slot(c, random_map2(t, target, 4, 3), false, static_cast<int>(target));
       evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
-      define_in_slot(c, random_map2(t, target, 3, 4), false, static_cast<int>(target));
-      evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
+      for (int same_orders = 0; same_orders < 2; ++same_orders) {
+        define_in_slot(c, random_map2(t, target, 3, 4), false, static_cast<int>(target));
+        evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
+      }
       define(c, over(random_map2(t, target, 1 + round % 5, 5 - round % 4), {round + 0.5, -1}, {-1, 3}));
       evaluate_all(c, {{0.25, 0.75}, {-1, 3}});
     }
