@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "production/src/fault.h"
 #include "production/src/target.h"
 
 namespace glev {
@@ -57,6 +58,7 @@ Step StepOf(const Parameter& at, int degree) {
   const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
   const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
   Step step = {at.end, from_last, smaller / larger, 1, 0};
+  if (GLEV_FAULTY(LinesInSteps) && degree == 1) step.ratio = std::round(256 * step.ratio) / 256;
   if (std::fabs(larger) < kPowerIsFinite || !std::isfinite(larger)) {
     step.power = Power(larger, degree);
   } else {
@@ -79,11 +81,13 @@ void EvaluateSteps(const double* first, int count, int degree, const Step& step,
   for (int i = 0; i < count; ++i) {
     const double* point = step.from_last ? first + to_last : first;
     std::array<double, sizeof...(kComponent)> sum = {point[kComponent]...};
+    if (GLEV_FAULTY(ZeroPowerZeroIsZero) && step.end == Parameter::End::kFirst && degree == 0) sum = {};
     if (step.end == Parameter::End::kNeither) {
       for (int k = 0; k < degree; ++k) {
         point += next;
         ((sum[kComponent] = sum[kComponent] * step.ratio + point[kComponent]), ...);
       }
+      if (GLEV_FAULTY(WeightsOfVBelowOne) && count > 1) ((sum[kComponent] *= 1 - 0.01 * step.ratio), ...);
       ((sum[kComponent] *= step.power), ...);
       if (step.exponent != 0) ((sum[kComponent] = std::ldexp(sum[kComponent], step.exponent)), ...);
     }
@@ -112,23 +116,28 @@ void EvaluateCurves(const double* first, int components, int count, int degree, 
 
 void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
   const std::uint64_t* const row_u = kBinomials.data() + RowOf(order[0] - 1);
-  const std::uint64_t* const row_v = kBinomials.data() + RowOf(order[1] - 1);
+  const std::uint64_t* const row_v =
+      kBinomials.data() + RowOf(order[GLEV_FAULTY(BinomialsOfUForV) && order[0] > order[1] ? 0 : 1] - 1);
+  const auto weight = [](std::uint64_t binomial) {
+    return static_cast<double>(GLEV_FAULTY(BinomialsIn32Bits) ? binomial & 0xFFFFFFFF : binomial);
+  };
   for (int i = 0; i < order[0]; ++i) {
     for (int j = 0; j < order[1]; ++j) {
       for (int k = 0; k < components; ++k) {
-        *scaled++ = static_cast<double>(row_u[i]) * (static_cast<double>(row_v[j]) * *points++);
+        *scaled++ = weight(row_u[i]) * (weight(row_v[j]) * *points++);
       }
     }
   }
 }
 
 void Evaluate(const Curve& curve, const Parameter& at, double* result) {
+  if (GLEV_FAULTY(ConstantOutsideKeepsDefault) && curve.degree == 0 && at.t * at.s < 0) return;
   EvaluateCurves(curve.scaled, curve.components, 1, curve.degree, at, result);
 }
 
 Curve CurveAt(const Surface& surface, const Parameter& v, double* room) {
   const auto [degree_u, degree_v] = surface.degree;
-  const bool constant = degree_v == 0;
+  const bool constant = degree_v == 0 || (GLEV_FAULTY(ConstantInUIgnoresV) && degree_u == 0);
   if (!constant) EvaluateCurves(surface.scaled, surface.components, degree_u + 1, degree_v, v, room);
   return {degree_u, surface.components, surface.domain[0], constant ? surface.scaled : room};
 }

@@ -96,11 +96,13 @@ void glev_context::DefineMap(int dimension, glev_enum name,
   if (active_unit_ != 0 && unit_counts) return RecordError(GLEV_INVALID_OPERATION);
   const int slot = FindTarget(name).slot;
   const auto& [u, v] = directions;
-  if (!maps_[dimension - 1][slot].Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
+  glev::Map& map = maps_[dimension - 1][slot];
+  const bool kept = GLEV_FAULTY(PlanKeptAtEqualOrder) && map.order(0) == u.order && map.order(1) == v.order;
+  if (!map.Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
     return RecordError(GLEV_OUT_OF_MEMORY);
   }
   if (GLEV_FAULTY(ListedMapKeepsPlan) && list_depth_ > 0) return;
-  if (eval_.enabled[dimension - 1][slot]) DropPlan(dimension);
+  if (eval_.enabled[dimension - 1][slot] && !kept) DropPlan(dimension);
 }
 
 template <class Real>

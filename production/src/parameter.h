@@ -1,6 +1,7 @@
 // Where in its domain a map is evaluated, one direction.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include <glevaluator.h>
@@ -40,7 +41,8 @@ struct Parameter {
 inline Parameter Locate(const Domain& domain, double u) {
   if (u == domain.u1) return {1, 0, Parameter::End::kFirst};
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
-  const double width = domain.u2 - domain.u1;
+  const double width =
+      GLEV_FAULTY(WidthWithoutSign) ? std::fabs(domain.u2 - domain.u1) : domain.u2 - domain.u1;
   if (GLEV_FAULTY(SFromRoundedT)) {
     const float t = static_cast<float>((u - domain.u1) / width);
     return {1 - t, t, Parameter::End::kNeither};

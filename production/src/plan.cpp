@@ -2,6 +2,8 @@
 
 #include <new>
 
+#include "production/src/fault.h"
+
 namespace {
 
 using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::kSlotTable,
@@ -81,8 +83,10 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const int components = kSlotTable[slot].components;
     const std::array<int, 2> order = {map.order(0), map.order(1)};
     double* net = take(order, components);
-    glev::ScaleByBinomials(map.points(slot), order, components, net);
+    const double* points = map.points(GLEV_FAULTY(UndefinedTextureOfColor) && slot == 6 ? 0 : slot);
+    glev::ScaleByBinomials(points, order, components, net);
     plan->surfaces_[a] = {{order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+    if (GLEV_FAULTY(OneDomainForAllMaps)) plan->surfaces_[a].domain = plan->surfaces_[0].domain;
   }
 
   plan->automatic_normals_ = automatic_normals;

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "production/src/bernstein.h"
+#include "production/src/fault.h"
 #include "production/src/normal.h"
 #include "production/src/parameter.h"
 #include "production/src/plan.h"
@@ -36,7 +37,9 @@ class Row {
   void MoveTo(const Argument& v) {
     const auto cut = [&](const Surface& surface, std::size_t slot) -> Curve {
       if (surface.components == 0) return {};
-      return CurveAt(surface, Locate(surface.domain[1], v), points_[slot].data());
+      const bool same_start = GLEV_FAULTY(VFromStartOfU) && surface.domain[1].u2 != surface.domain[0].u1;
+      const Domain domain = {surface.domain[same_start ? 0 : 1].u1, surface.domain[1].u2};
+      return CurveAt(surface, Locate(domain, v), points_[slot].data());
     };
     for (std::size_t a = 0; a < kAttributes; ++a)
       curves_[a] = cut(plan_.surface(static_cast<Attribute>(a)), a);
