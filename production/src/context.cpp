@@ -265,6 +265,7 @@ void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   if (GLEV_FAULTY(ListRefusesGridSilently) && list_depth_ > 0 && in_primitive_) return;
   if (RefusedInPrimitive()) return;
   eval_.grid[dimension - 1] = grid;
+  if (GLEV_FAULTY(MeshOnGridOfPlan)) return;
   if (!(GLEV_FAULTY(ListedGridKeepsPlan) && list_depth_ > 0)) DropPlan(dimension);
 }
 

@@ -59,6 +59,8 @@ inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
   if (i == grid.segments) return Locate(domain, grid.u2);
   // Affine in i between the coordinates of the grid's ends. If the grid spans the domain these are 0 and 1,
   // and t is i/n correctly rounded.
+  if (GLEV_FAULTY(GridSpansDomain))
+    return {1 - double(i) / grid.segments, double(i) / grid.segments, Parameter::End::kNeither};
   const Parameter first = Locate(domain, grid.u1), last = Locate(domain, grid.u2);
   const double a = static_cast<double>(grid.segments - i), b = static_cast<double>(i);
   const auto between = [&](double from, double to) { return (a * from + b * to) / grid.segments; };

@@ -1,0 +1,705 @@
+// Section 18: GetMap, GetnMap and Get.
+#include <cmath>
+#include <type_traits>
+
+#include "harness/faults/map_calls.h"
+
+namespace evalcts::faults {
+namespace {
+
+template <class Pointer>
+using Pointee = std::remove_pointer_t<Pointer>;
+
+// ---- What GetMap answers
+
+EVALCTS_FAULT(OrderAnsweredTwice, production, must, "EV-GETMAP-ORDER1 EV-GETMAP-COUNT/1-D",
+              "GetMapdv answers the order of a one-dimensional map as (order, 1)") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_ORDER && is_map1(target)) v[1] = 1;
+  };
+}
+
+EVALCTS_FAULT(DegreeAnswered, production, must, "EV-GETMAP-ORDER1",
+              "GetMapfv answers the degree of a NORMAL map of order 3 or more") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_ORDER && target == GL_MAP1_NORMAL && *v >= 3) *v -= 1;
+  };
+}
+
+EVALCTS_FAULT(OrdersExchangedInFloats, production, must, "EV-GETMAP-ORDER2",
+              "GetMapfv answers vorder first") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_ORDER && is_map2(target)) std::swap(v[0], v[1]);
+  };
+}
+
+EVALCTS_FAULT(OrderOfVOneNotWritten, production, must, "EV-GETMAP-ORDER2", "GetMapiv writes no vorder of 1") {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    if (query != GL_ORDER || !is_map2(target)) return sound.GetMapiv(target, query, v);
+    GLint order[2] = {0, 0};
+    sound.GetMapiv(target, query, order);
+    v[0] = order[0];
+    if (order[1] > 1) v[1] = order[1];
+  };
+}
+
+EVALCTS_FAULT(DomainAnsweredSorted, production, must, "EV-GETMAP-DOMAIN1",
+              "GetMapdv answers the lower end of a domain first") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_DOMAIN && is_map1(target) && v[0] > v[1]) std::swap(v[0], v[1]);
+  };
+}
+
+EVALCTS_FAULT(DomainAnsweredAsWidth, production, must, "EV-GETMAP-DOMAIN1",
+              "GetMapfv of INDEX answers u1 and u2 - u1") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_DOMAIN && target == GL_MAP1_INDEX) v[1] -= v[0];
+  };
+}
+
+EVALCTS_FAULT(DomainAnsweredInterleaved, production, must, "EV-GETMAP-DOMAIN2",
+              "GetMapfv answers u1, v1, u2, v2") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_DOMAIN && is_map2(target)) std::swap(v[1], v[2]);
+  };
+}
+
+EVALCTS_FAULT(DomainOfVFirst, production, must, "EV-GETMAP-DOMAIN2",
+              "GetMapdv of TEXTURE_COORD_3 answers the interval of v first") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_DOMAIN && target == GL_MAP2_TEXTURE_COORD_3) std::swap_ranges(v, v + 2, v + 2);
+  };
+}
+
+EVALCTS_FAULT(LastPointOfLongestMapLost, production, must, "EV-GETMAP-COEFF1",
+              "COEFF of the largest order leaves the last point out") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (query != GL_COEFF || !is_map1(target)) return sound.GetMapfv(target, query, v);
+    const std::vector<GLdouble> points = coefficients(target);
+    const std::size_t k = static_cast<std::size_t>(gl::components_of(target));
+    const std::size_t count = points.size() == kMaxOrder * k ? points.size() - k : points.size();
+    for (std::size_t i = 0; i < count; ++i) v[i] = static_cast<GLfloat>(points[i]);
+  };
+}
+
+EVALCTS_FAULT(PointsAnsweredBackwards, production, must, "EV-GETMAP-COEFF1",
+              "of a map with a reversed domain COEFF answers the last point first") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query != GL_COEFF || !is_map1(target)) return;
+    GLdouble domain[2];
+    sound.GetMapdv(target, GL_DOMAIN, domain);
+    if (domain[0] < domain[1]) return;
+    const auto k = static_cast<std::size_t>(gl::components_of(target));
+    const std::size_t order = coefficients(target).size() / k;
+    for (std::size_t i = 0; i < order / 2; ++i)
+      std::swap_ranges(v + i * k, v + (i + 1) * k, v + (order - 1 - i) * k);
+  };
+}
+
+// COEFF of a two-dimensional map with u fastest, where `Condition` holds of uorder and vorder.
+template <class Condition>
+void answer_transposed(Injection& in, Condition) {
+  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
+    go(target, query, v);
+    if (query != GL_COEFF || !is_map2(target)) return;
+    GLint order[2];
+    sound.GetMapiv(target, GL_ORDER, order);
+    if (!Condition{}(order[0], order[1])) return;
+    const GLint k = gl::components_of(target);
+    const std::vector<Pointee<decltype(v)>> net(v, v + order[0] * order[1] * k);
+    for (GLint j = 0; j < order[1]; ++j)
+      for (GLint i = 0; i < order[0]; ++i) v = std::copy_n(net.data() + (i * order[1] + j) * k, k, v);
+  });
+}
+
+EVALCTS_FAULT(TallNetAnsweredUFastest, production, must, "EV-GETMAP-COEFF2",
+              "COEFF of a net with uorder above vorder has u fastest") {
+  answer_transposed(in, [](GLint u, GLint v) { return u > v; });
+}
+
+EVALCTS_FAULT(SquareNetAnsweredUFastest, production, must, "EV-GETMAP-COEFF2-SQUARE",
+              "COEFF of a square net has u fastest") {
+  answer_transposed(in, [](GLint u, GLint v) { return u == v; });
+}
+
+EVALCTS_FAULT(NetAnsweredAsItLay, production, must, "EV-GETMAP-COEFF2",
+              "COEFF answers a net in the order of its memory: u fastest if ustride was the smaller") {
+  map2(in, [](auto call, auto go) {
+    if (legal(call)) memory.counts[call.target] = call.ustride < call.vstride;
+    go(call);
+  });
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query != GL_COEFF || !is_map2(target) || !memory.counts[target]) return;
+    GLint order[2];
+    sound.GetMapiv(target, GL_ORDER, order);
+    const std::vector<GLdouble> net = coefficients(target);
+    const GLint k = gl::components_of(target);
+    for (GLint j = 0; j < order[1]; ++j)
+      for (GLint i = 0; i < order[0]; ++i) v = std::copy_n(net.data() + (i * order[1] + j) * k, k, v);
+  };
+}
+
+EVALCTS_FAULT(PointsOfThreePadded, production, must, "EV-GETMAP-COUNT",
+              "COEFF of maps of three values writes a zero behind the last point") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_COEFF && gl::components_of(target) == 3) v[coefficients(target).size()] = 0;
+  };
+}
+
+EVALCTS_FAULT(DomainOfFourValues, production, must, "EV-GETMAP-COUNT/1-D",
+              "GetMapfv answers the domain of a one-dimensional map as four values") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_DOMAIN && is_map1(target)) {
+      v[2] = 0;
+      v[3] = 1;
+    }
+  };
+}
+
+// GetMapiv of domains and points by another conversion.
+template <class Convert>
+void convert_integers(Injection& in, Convert) {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (!is_map(target) || query == GL_ORDER) return;
+    if (query == GL_DOMAIN) {
+      GLdouble domain[4];
+      sound.GetMapdv(target, GL_DOMAIN, domain);
+      for (int i = 0; i < (is_map1(target) ? 2 : 4); ++i) v[i] = Convert{}(domain[i], v[i], query);
+    } else if (query == GL_COEFF) {
+      for (const GLdouble value : coefficients(target)) {
+        *v = Convert{}(value, *v, query);
+        ++v;
+      }
+    }
+  };
+}
+
+EVALCTS_FAULT(NegativeIntegersTruncated, production, must, "EV-GETMAP-ROUND",
+              "GetMapiv adds 0.5 to positive values only: negative ones are truncated") {
+  convert_integers(in, [](double value, GLint right, GLenum) {
+    return value < 0 && value > -1e9 ? static_cast<GLint>(value) : right;
+  });
+}
+
+EVALCTS_FAULT(IntegerDomainTruncated, production, must, "EV-GETMAP-ROUND",
+              "GetMapiv truncates the ends of domains") {
+  convert_integers(in, [](double value, GLint right, GLenum query) {
+    return query == GL_DOMAIN && std::abs(value) < 1e9 ? static_cast<GLint>(value) : right;
+  });
+}
+
+EVALCTS_FAULT(SmallIntegersRoundedUp, production, must, "EV-GETMAP-ROUND",
+              "GetMapiv answers points with ceil") {
+  convert_integers(in, [](double value, GLint right, GLenum query) {
+    return query == GL_COEFF && std::abs(value) < 1e9 ? static_cast<GLint>(std::ceil(value)) : right;
+  });
+}
+
+EVALCTS_FAULT(LargeIntegersWrap, production, must, "EV-GETMAP-SATURATE",
+              "GetMapiv answers the lowest int for all that no int holds, as the processor does") {
+  convert_integers(in, [](double value, GLint right, GLenum) {
+    return value > 2147483647.0 ? std::numeric_limits<GLint>::min() : right;
+  });
+}
+
+EVALCTS_FAULT(LowIntegersSaturateAtMinusMax, production, must, "EV-GETMAP-SATURATE",
+              "GetMapiv answers -2147483647 for values below all ints") {
+  convert_integers(
+      in, [](double value, GLint right, GLenum) { return value < -2147483648.0 ? -2147483647 : right; });
+}
+
+EVALCTS_FAULT(LargestIntegerThroughFloat, production, must, "EV-GETMAP-SATURATE",
+              "GetMapiv clamps to the largest float below 2^31: 2147483520") {
+  convert_integers(
+      in, [](double value, GLint right, GLenum) { return value > 2147483647.0 ? 2147483520 : right; });
+}
+
+EVALCTS_FAULT(FloatsAnsweredInHalfPrecision, production, must, "EV-GETMAP-FLOAT",
+              "GetMapfv answers points with 11 bits") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query != GL_COEFF || !is_map(target)) return;
+    const std::size_t count = coefficients(target).size();
+    for (std::size_t i = 0; i < count; ++i) {
+      int two = 0;
+      const GLfloat part = std::frexp(v[i], &two);
+      v[i] = std::ldexp(std::round(part * 2048) / 2048, two);
+    }
+  };
+}
+
+EVALCTS_FAULT(FloatsAnsweredOneUlpOff, production, quality, "EV-GETMAP-FLOAT",
+              "GetMapfv answers the first value of the points one ULP too high") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_COEFF && is_map(target)) *v = std::nextafter(*v, 1e30f);
+  };
+}
+
+EVALCTS_FAULT(OrderAnsweredAsBits, production, must, "EV-GETMAP-FLOAT",
+              "GetMapfv answers the order of two-dimensional maps as the bits of an integer") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (query == GL_ORDER && is_map(target))
+      sound.GetMapiv(target, query, reinterpret_cast<GLint*>(v));
+    else
+      sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(DoublesKeptInHalfPrecision, production, must, "EV-GETMAP-DOUBLE",
+              "Map1d and Map2d keep points below 1 with 10 bits behind the point") {
+  map1(in, [](auto call, auto go) {
+    if (!legal(call) || sizeof *call.points == 4) return go(call);
+    auto points = packed(call);
+    for (auto& value : points)
+      if (std::abs(value) < 1) value = std::round(value * 1024) / 1024;
+    go(with_points(call, points));
+  });
+  map2(in, [](auto call, auto go) {
+    if (!legal(call) || sizeof *call.points == 4) return go(call);
+    auto points = packed(call);
+    for (auto& value : points)
+      if (std::abs(value) < 1) value = std::round(value * 1024) / 1024;
+    go(with_points(call, points));
+  });
+}
+
+EVALCTS_FAULT(DoubleDomainThroughFixedPoint, production, must, "EV-GETMAP-DOUBLE",
+              "GetMapdv answers domains with 12 bits behind the point") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_DOMAIN && is_map(target))
+      for (int i = 0; i < (is_map1(target) ? 2 : 4); ++i) v[i] = std::round(v[i] * 4096) / 4096;
+  };
+}
+
+EVALCTS_FAULT(UndefinedMapNotAnswered, production, must, "EV-GETMAP-DISABLED",
+              "GetMapfv of a map that was never defined raises INVALID_OPERATION") {
+  map1(in, [](auto call, auto go) {
+    memory.counts[call.target] = 1;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    memory.counts[call.target] = 1;
+    go(call);
+  });
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (is_map(target) && !memory.counts[target]) return raise(GL_INVALID_OPERATION);
+    sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(DisabledMapAnswersOrderOne, production, must, "EV-GETMAP-DISABLED",
+              "a map that was disabled has forgotten its order in queries") {
+  in.gl.Disable = [](GLenum cap) {
+    memory.counts[cap] = 1;
+    sound.Disable(cap);
+  };
+  in.gl.Enable = [](GLenum cap) {
+    memory.counts[cap] = 0;
+    sound.Enable(cap);
+  };
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (query == GL_ORDER && is_map(target) && memory.counts[target]) *v = 1;
+  };
+}
+
+// ---- Errors of GetMap
+
+EVALCTS_FAULT(GridDomainTakenForMap, production, must, "EV-GETMAP-ERR-TARGET",
+              "GetMap of MAP1_GRID_DOMAIN writes nothing and raises nothing") {
+  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
+    if (target != GL_MAP1_GRID_DOMAIN) go(target, query, v);
+  });
+}
+
+EVALCTS_FAULT(GapBetweenMapsAnswered, production, must, "EV-GETMAP-ERR-TARGET",
+              "GetMapiv of 0x0D99 raises INVALID_VALUE") {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    if (target == GL_MAP1_VERTEX_4 + 1) return raise(GL_INVALID_VALUE);
+    sound.GetMapiv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(QueryAfterDomainIsDomain, production, must, "EV-GETMAP-ERR-QUERY",
+              "GetMapdv takes all that is neither COEFF nor ORDER for DOMAIN") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, is_map(target) && query == GL_DOMAIN + 1 ? GL_DOMAIN : query, v);
+  };
+}
+
+EVALCTS_FAULT(BadQueryOfNetsIsInvalidValue, production, must, "EV-GETMAP-ERR-QUERY",
+              "a bad query of a two-dimensional map raises INVALID_VALUE") {
+  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
+    if (is_map2(target) && (query < GL_COEFF || query > GL_DOMAIN)) return raise(GL_INVALID_VALUE);
+    go(target, query, v);
+  });
+}
+
+EVALCTS_FAULT(GetMapIgnoredInPrimitives, production, must, "EV-GETMAP-ERR-BEGINEND",
+              "GetMapiv of ORDER in a primitive does nothing and raises nothing") {
+  follow_primitives(in);
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    if (!memory.flag || query != GL_ORDER) sound.GetMapiv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(GetMapInPrimitiveIsInvalidEnum, production, must, "EV-GETMAP-ERR-BEGINEND",
+              "GetMapdv in a primitive raises INVALID_ENUM") {
+  follow_primitives(in);
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(memory.flag ? 0 : target, query, v);
+  };
+}
+
+EVALCTS_FAULT(BadQueryClearsFirstValue, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapfv with a bad query writes a zero") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) *v = 0;
+  };
+}
+
+EVALCTS_FAULT(GetMapWritesInPrimitives, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapiv in a primitive raises its error, but the domain is written") {
+  follow_primitives(in);
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (memory.flag && query == GL_DOMAIN) {
+      v[0] = 0;
+      v[1] = 1;
+    }
+  };
+}
+
+EVALCTS_FAULT(GetMapOfTexturesNeedsUnit0, production, must, "EV-GETMAP-NOUNIT",
+              "GetMapfv of a texture map with unit 1 active raises INVALID_OPERATION") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture != GL_TEXTURE0;
+    sound.ActiveTexture(texture);
+  };
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (memory.flag && (is_texture_map1(target) || is_texture_map2(target)))
+      return raise(GL_INVALID_OPERATION);
+    sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(Unit1AnswersInitialMaps, production, must, "EV-GETMAP-NOUNIT",
+              "with unit 1 active GetMapiv answers the order of a map that was never defined") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture != GL_TEXTURE0;
+    sound.ActiveTexture(texture);
+  };
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (memory.flag && query == GL_ORDER && is_map(target)) *v = 1;
+  };
+}
+
+EVALCTS_FAULT(PackBufferTakesAnswer, osmesa, must, "EV-GETMAP-NOPBO",
+              "with a PIXEL_PACK_BUFFER bound GetMapfv writes COEFF into it") {
+  in.gl.BindBuffer = [](GLenum target, GLuint buffer) {
+    if (target == GL_PIXEL_PACK_BUFFER) memory.flag = buffer != 0;
+    sound.BindBuffer(target, buffer);
+  };
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (!memory.flag || query != GL_COEFF) sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(PackBufferRefusesDoubles, osmesa, must, "EV-GETMAP-NOPBO",
+              "with a PIXEL_PACK_BUFFER bound GetMapdv raises INVALID_OPERATION as well") {
+  in.gl.BindBuffer = [](GLenum target, GLuint buffer) {
+    if (target == GL_PIXEL_PACK_BUFFER) memory.flag = buffer != 0;
+    sound.BindBuffer(target, buffer);
+  };
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (memory.flag) sound.Enable(0);
+  };
+}
+
+EVALCTS_FAULT(IntegerQueryRoundsTheMap, production, must, "EV-GETMAP-NOSIDE/1-D",
+              "GetMapiv of COEFF leaves the points rounded") {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (query != GL_COEFF || !is_map1(target)) return;
+    std::vector<GLdouble> points = coefficients(target);
+    GLdouble domain[2];
+    sound.GetMapdv(target, GL_DOMAIN, domain);
+    for (GLdouble& value : points) value = std::round(value);
+    const GLint k = gl::components_of(target);
+    sound.Map1d(target, domain[0], domain[1], k, static_cast<GLint>(points.size()) / k, points.data());
+  };
+}
+
+EVALCTS_FAULT(QueryOfOrderEnables, production, must, "EV-GETMAP-NOSIDE/2-D",
+              "GetMapdv of ORDER enables the two-dimensional map") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (query == GL_ORDER && is_map2(target)) sound.Enable(target);
+  };
+}
+
+// ---- Get
+
+EVALCTS_FAULT(IntegerGridTruncated, production, must, "EV-GET-GRIDDOMAIN",
+              "GetIntegerv truncates the ends of grids") {
+  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
+    sound.GetIntegerv(pname, v);
+    if (pname != GL_MAP1_GRID_DOMAIN && pname != GL_MAP2_GRID_DOMAIN) return;
+    GLdouble ends[4];
+    sound.GetDoublev(pname, ends);
+    for (int i = 0; i < (pname == GL_MAP1_GRID_DOMAIN ? 2 : 4); ++i)
+      if (std::abs(ends[i]) < 1e9) v[i] = static_cast<GLint>(ends[i]);
+  };
+}
+
+EVALCTS_FAULT(BooleanGridRoundedFirst, production, must, "EV-GET-GRIDDOMAIN",
+              "GetBooleanv of an end between -0.5 and 0.5 gives FALSE") {
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname != GL_MAP1_GRID_DOMAIN && pname != GL_MAP2_GRID_DOMAIN) return;
+    GLdouble ends[4];
+    sound.GetDoublev(pname, ends);
+    for (int i = 0; i < (pname == GL_MAP1_GRID_DOMAIN ? 2 : 4); ++i)
+      if (std::abs(ends[i]) < 0.5) v[i] = GL_FALSE;
+  };
+}
+
+EVALCTS_FAULT(NegativeGridEndsAreFalse, production, must, "EV-GET-GRIDDOMAIN",
+              "GetBooleanv of a negative end gives FALSE") {
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname != GL_MAP1_GRID_DOMAIN && pname != GL_MAP2_GRID_DOMAIN) return;
+    GLdouble ends[4];
+    sound.GetDoublev(pname, ends);
+    for (int i = 0; i < (pname == GL_MAP1_GRID_DOMAIN ? 2 : 4); ++i)
+      if (ends[i] < 0) v[i] = GL_FALSE;
+  };
+}
+
+EVALCTS_FAULT(SegmentsOfVNotInFloats, production, must, "EV-GET-GRIDSEG",
+              "GetFloatv of MAP2_GRID_SEGMENTS writes un only") {
+  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
+    if (pname != GL_MAP2_GRID_SEGMENTS) return sound.GetFloatv(pname, v);
+    GLfloat both[2];
+    sound.GetFloatv(pname, both);
+    v[0] = both[0];
+  };
+}
+
+EVALCTS_FAULT(SegmentsTruncatedInBoolean, production, must, "EV-GET-GRIDSEG",
+              "GetBooleanv gives the lowest byte of the number of segments") {
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname != GL_MAP1_GRID_SEGMENTS) return;
+    GLint n = 0;
+    sound.GetIntegerv(pname, &n);
+    *v = static_cast<GLboolean>(n);
+  };
+}
+
+EVALCTS_FAULT(SegmentsOf256AreFalse, production, must, "EV-GET-GRIDSEG",
+              "GetBooleanv of a number of segments whose lowest byte is 0 gives FALSE") {
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname != GL_MAP1_GRID_SEGMENTS && pname != GL_MAP2_GRID_SEGMENTS) return;
+    GLint n[2] = {1, 1};
+    sound.GetIntegerv(pname, n);
+    for (int i = 0; i < (pname == GL_MAP1_GRID_SEGMENTS ? 1 : 2); ++i)
+      if ((n[i] & 255) == 0) v[i] = GL_FALSE;
+  };
+}
+
+EVALCTS_FAULT(SegmentsOfSurfaceExchanged, production, must, "EV-GET-GRIDSEG", "GetDoublev answers vn, un") {
+  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
+    sound.GetDoublev(pname, v);
+    if (pname == GL_MAP2_GRID_SEGMENTS) std::swap(v[0], v[1]);
+  };
+}
+
+EVALCTS_FAULT(MaxOrderInFloatsIsMinimum, production, must, "EV-GET-MAXORDER",
+              "GetFloatv of MAX_EVAL_ORDER gives 8, which the specification demands") {
+  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
+    sound.GetFloatv(pname, v);
+    if (pname == GL_MAX_EVAL_ORDER) *v = 8;
+  };
+}
+
+EVALCTS_FAULT(MaxOrderShrinksWithUse, production, must, "EV-GET-MAXORDER",
+              "MAX_EVAL_ORDER is one less once a map of the largest order was defined") {
+  map1(in, [](auto call, auto go) {
+    if (call.order == kMaxOrder) memory.flag = true;
+    go(call);
+  });
+  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
+    sound.GetDoublev(pname, v);
+    if (pname == GL_MAX_EVAL_ORDER && memory.flag) *v -= 1;
+  };
+}
+
+EVALCTS_FAULT(MaxOrderAsBoolean, production, must, "EV-GET-MAXORDER",
+              "GetBooleanv of MAX_EVAL_ORDER gives 64") {
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname == GL_MAX_EVAL_ORDER) *v = 64;
+  };
+}
+
+EVALCTS_FAULT(GetOfLimitAllowedInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetIntegerv of MAX_EVAL_ORDER, a constant, answers in primitives") {
+  follow_primitives(in);
+  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
+    if (memory.flag && pname == GL_MAX_EVAL_ORDER)
+      *v = kMaxOrder;
+    else
+      sound.GetIntegerv(pname, v);
+  };
+}
+
+EVALCTS_FAULT(GetOfGridWritesInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetDoublev of MAP2_GRID_DOMAIN in a primitive raises its error and writes") {
+  follow_primitives(in);
+  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
+    sound.GetDoublev(pname, v);
+    if (memory.flag && pname == GL_MAP2_GRID_DOMAIN) v[0] = 0;
+  };
+}
+
+EVALCTS_FAULT(GetOfFlagSilentInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetFloatv of AUTO_NORMAL in a primitive does nothing and raises nothing") {
+  follow_primitives(in);
+  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
+    if (!memory.flag || pname != GL_AUTO_NORMAL) sound.GetFloatv(pname, v);
+  };
+}
+
+// ---- GetnMap
+
+EVALCTS_FAULT(GetnMapExchangesOrders, production, must, "EV-GETN-SAME",
+              "GetnMapiv answers vorder before uorder") {
+  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
+    GLint before[] = {v[0], 0};
+    sound.GetnMapiv(target, query, size, v);
+    if (query == GL_ORDER && is_map2(target) && v[0] != before[0] && size >= 8) std::swap(v[0], v[1]);
+  };
+}
+
+EVALCTS_FAULT(GetnMapInFixedPoint, production, must, "EV-GETN-SAME",
+              "GetnMapdv answers points rounded to 10 bits behind the point") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    sound.GetnMapdv(target, query, size, v);
+    if (query != GL_COEFF || !is_map2(target)) return;
+    const std::size_t count = coefficients(target).size();
+    if (static_cast<std::size_t>(size) < 8 * count) return;
+    for (std::size_t i = 0; i < count; ++i) v[i] = std::round(v[i] * 1024) / 1024;
+  };
+}
+
+EVALCTS_FAULT(GetnMapNeedsOneByteMore, production, must, "EV-GETN-BYTES",
+              "GetnMapfv refuses the exact size: < instead of <=") {
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    sound.GetnMapfv(target, query, size > 0 ? size - 1 : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapCountsValues, production, must, "EV-GETN-SMALL",
+              "GetnMapiv takes the size for a number of values") {
+  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
+    sound.GetnMapiv(target, query, size > 0 && size < 10000 ? 4 * size : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapCountsFloats, production, must, "EV-GETN-SMALL",
+              "GetnMapdv holds the size against four bytes a value") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    sound.GetnMapdv(target, query, size > 0 && size < 10000 ? 2 * size : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapOrderNeedsDomain, production, must, "EV-GETN-BYTES",
+              "GetnMapdv wants room for four values for the order of a two-dimensional map") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    sound.GetnMapdv(target, query, query == GL_ORDER && is_map2(target) && size < 32 ? 0 : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapWritesWhatFits, production, must, "EV-GETN-SMALL",
+              "GetnMapfv that is refused for its size has written what there is room for") {
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    sound.GetnMapfv(target, query, size, v);
+    if (query != GL_COEFF || !is_map(target)) return;
+    const std::vector<GLdouble> points = coefficients(target);
+    for (std::size_t i = 0; i < points.size() && static_cast<GLsizei>(4 * i + 4) <= size; ++i)
+      v[i] = static_cast<GLfloat>(points[i]);
+  };
+}
+
+EVALCTS_FAULT(GetnMapRoundsSizeUp, production, must, "EV-GETN-SMALL",
+              "GetnMapiv rounds the size up to whole values") {
+  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
+    sound.GetnMapiv(target, query, size > 0 ? (size + 3) / 4 * 4 : size, v);
+  };
+}
+
+EVALCTS_FAULT(NegativeSizeIsUnlimited, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapfv takes a negative size for a very large one") {
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    sound.GetnMapfv(target, query, size < 0 ? 1 << 20 : size, v);
+  };
+}
+
+EVALCTS_FAULT(NegativeSizeIgnored, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapdv of a negative size writes nothing and raises nothing") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    if (size >= 0) sound.GetnMapdv(target, query, size, v);
+  };
+}
+
+EVALCTS_FAULT(NegativeSizeIsInvalidEnum, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapiv of a negative size raises INVALID_ENUM") {
+  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
+    sound.GetnMapiv(size < 0 ? 0 : target, query, std::max(size, 0), v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapInPrimitiveIsInvalidValue, production, must, "EV-GETN-ERRORS",
+              "GetnMapfv in a primitive raises INVALID_VALUE") {
+  follow_primitives(in);
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    sound.GetnMapfv(target, query, memory.flag ? -1 : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapIgnoresBadTarget, production, must, "EV-GETN-ERRORS",
+              "GetnMapdv of AUTO_NORMAL does nothing and raises nothing") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    if (target != GL_AUTO_NORMAL) sound.GetnMapdv(target, query, size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapBadQueryIsSizeError, production, must, "EV-GETN-ERRORS",
+              "GetnMapiv of a bad query raises INVALID_OPERATION, as no size is enough") {
+  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
+    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) return raise(GL_INVALID_OPERATION);
+    sound.GetnMapiv(target, query, size, v);
+  };
+}
+
+}  // namespace
+}  // namespace evalcts::faults
