@@ -119,6 +119,7 @@ void ScaleByBinomials(const double* points, std::array<int, 2> order, int compon
   const std::uint64_t* const row_v =
       kBinomials.data() + RowOf(order[GLEV_FAULTY(BinomialsOfUForV) && order[0] > order[1] ? 0 : 1] - 1);
   const auto weight = [](std::uint64_t binomial) {
+    if (GLEV_FAULTY(BinomialMisprinted) && binomial == 462) return 426.0;  // 11 over 5
     return static_cast<double>(GLEV_FAULTY(BinomialsIn32Bits) ? binomial & 0xFFFFFFFF : binomial);
   };
   for (int i = 0; i < order[0]; ++i) {

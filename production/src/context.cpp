@@ -193,6 +193,7 @@ void glev_context::SetEnabled(glev_enum cap, bool enabled) {
   if (RefusedInPrimitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
+  if (GLEV_FAULTY(DisabledMapStaysInPlan) && cap == GLEV_MAP1_COLOR_4 && !enabled) return;
   DropPlan(FindTarget(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
 }
 
@@ -264,9 +265,10 @@ void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   }
   if (GLEV_FAULTY(ListRefusesGridSilently) && list_depth_ > 0 && in_primitive_) return;
   if (RefusedInPrimitive()) return;
+  const bool kept = GLEV_FAULTY(MeshOnGridOfPlan) || (GLEV_FAULTY(ListedGridKeepsPlan) && list_depth_ > 0) ||
+                    (GLEV_FAULTY(MeshMissesNewV) && eval_.grid[dimension - 1][0] == grid[0]);
   eval_.grid[dimension - 1] = grid;
-  if (GLEV_FAULTY(MeshOnGridOfPlan)) return;
-  if (!(GLEV_FAULTY(ListedGridKeepsPlan) && list_depth_ > 0)) DropPlan(dimension);
+  if (!kept) DropPlan(dimension);
 }
 
 void glev_context::EvalPoint(int dimension, glev_int i, glev_int j) {

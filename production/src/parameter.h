@@ -43,6 +43,10 @@ inline Parameter Locate(const Domain& domain, double u) {
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
   const double width =
       GLEV_FAULTY(WidthWithoutSign) ? std::fabs(domain.u2 - domain.u1) : domain.u2 - domain.u1;
+  if (GLEV_FAULTY(QuotientsSubtracted)) {
+    const float t = static_cast<float>(u / width) - static_cast<float>(domain.u1 / width);
+    return {1 - t, t, Parameter::End::kNeither};
+  }
   if (GLEV_FAULTY(SFromRoundedT)) {
     const float t = static_cast<float>((u - domain.u1) / width);
     return {1 - t, t, Parameter::End::kNeither};

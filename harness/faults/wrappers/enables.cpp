@@ -230,5 +230,74 @@ EVALCTS_FAULT(NormalsOfCurvesOnSurfaces, production, must, "EV-EN-DIM/2-D",
   leak_into_other_dimension<GL_MAP1_NORMAL, GL_MAP2_NORMAL>(in);
 }
 
+EVALCTS_FAULT(EnableInPointsSilent, production, must, "EV-EN-BEGINEND",
+              "Enable in POINTS and LINES does nothing and raises nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = mode < GL_LINE_LOOP;
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  in.gl.Enable = [](GLenum cap) {
+    if (!memory.flag || !is_map(cap)) sound.Enable(cap);
+  };
+}
+
+EVALCTS_FAULT(IsEnabledSilentAfterVertex, production, must, "EV-EN-BEGINEND",
+              "IsEnabled after the first vertex of a primitive gives FALSE without an error") {
+  in.gl.Vertex3f = [](GLfloat x, GLfloat y, GLfloat z) {
+    memory.flag = true;
+    sound.Vertex3f(x, y, z);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  in.gl.IsEnabled = [](GLenum cap) -> GLboolean {
+    return memory.flag && is_map(cap) ? GL_FALSE : sound.IsEnabled(cap);
+  };
+}
+
+EVALCTS_FAULT(EnableLostOnLastUnit, production, must, "EV-EN-NOTUNIT",
+              "Enable of a texture map is lost on units above 1, which have no evaluators") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture > GL_TEXTURE1;
+    sound.ActiveTexture(texture);
+  };
+  in.gl.Enable = [](GLenum cap) {
+    if (!memory.flag || !(is_texture_map1(cap) || is_texture_map2(cap))) sound.Enable(cap);
+  };
+}
+
+EVALCTS_FAULT(EnableLostAtFirstDefinition, production, must, "EV-EN-INDEP",
+              "Enable of a one-dimensional map without a definition is forgotten by its first definition") {
+  map1(in, [](auto call, auto go) {
+    go(call);
+    if (legal(call) && memory.counts[call.target]++ == 0) sound.Disable(call.target);
+  });
+}
+
+EVALCTS_FAULT(DisableOfCurveStopsSurface, production, must, "EV-EN-DIM/2-D",
+              "Disable of MAP1_TEXTURE_COORD_4 stops EvalCoord2 from evaluating MAP2_TEXTURE_COORD_4") {
+  in.gl.Disable = [](GLenum cap) {
+    if (cap == GL_MAP1_TEXTURE_COORD_4) memory.flag = true;
+    sound.Disable(cap);
+  };
+  in.gl.Begin = [](GLenum mode) {
+    if (memory.flag && sound.IsEnabled(GL_MAP2_TEXTURE_COORD_4)) {
+      memory.count = 1;
+      sound.Disable(GL_MAP2_TEXTURE_COORD_4);
+    }
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.count) sound.Enable(GL_MAP2_TEXTURE_COORD_4);
+    memory.count = 0;
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -161,7 +161,7 @@ EVALCTS_FAULT(RefusedGridKeepsEnds, production, must, "EV-GRID-ERR-NOEFFECT",
   };
 }
 
-EVALCTS_FAULT(GridOfPrimitiveSetAtEnd, production, must, "EV-GRID-ERR-NOEFFECT EV-BE-IGNORED/2-D",
+EVALCTS_FAULT(GridOfPrimitiveSetAtEnd, production, must, "EV-GRID-ERR-NOEFFECT EV-BE-IGNORED",
               "MapGrid2 in a primitive raises its error and is carried out when the primitive ends") {
   follow_primitives(in);
   in.gl.End = [] {
@@ -363,6 +363,47 @@ EVALCTS_FAULT(DoubleGridInHalfPrecision, production, must, "EV-GRID-FD",
     };
     sound.MapGrid2d(un, half(u1), half(u2), vn, half(v1), half(v2));
   };
+}
+
+// ---- What only certain grids show
+
+EVALCTS_FAULT(Grid2OfOneRowIsGrid1, production, must, "EV-GRID-INDEP",
+              "MapGrid2 of one segment in v sets the one-dimensional grid as well") {
+  map_grid2(in, [](auto call, auto go) {
+    go(call);
+    if (call.vn == 1 && call.un > 0)
+      sound.MapGrid1d(call.un, static_cast<double>(call.u1), static_cast<double>(call.u2));
+  });
+}
+
+EVALCTS_FAULT(SameCountsSameGrid, production, must, "EV-GRID-SET2",
+              "MapGrid2 of the counts and the interval of u that are set leaves that of v") {
+  map_grid2(in, [](auto call, auto go) {
+    using Real = typename decltype(call)::Value;
+    const std::vector<double> key = {static_cast<double>(call.un), static_cast<double>(call.u1),
+                                     static_cast<double>(call.u2), static_cast<double>(call.vn)};
+    if (memory.numbers.size() == 6 && std::equal(key.begin(), key.end(), memory.numbers.begin())) {
+      call.v1 = static_cast<Real>(memory.numbers[4]);
+      call.v2 = static_cast<Real>(memory.numbers[5]);
+    }
+    memory.numbers = key;
+    memory.numbers.push_back(static_cast<double>(call.v1));
+    memory.numbers.push_back(static_cast<double>(call.v2));
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(SameEndsSameGrid, production, must, "EV-GRID-SET1",
+              "MapGrid1 with the ends that are set leaves the count") {
+  map_grid1(in, [](GLint n, auto u1, auto u2, auto go) {
+    const std::vector<double> ends = {static_cast<double>(u1), static_cast<double>(u2)};
+    if (n > 0 && ends == memory.numbers) n = static_cast<GLint>(memory.count);
+    if (n > 0) {
+      memory.numbers = ends;
+      memory.count = n;
+    }
+    go(n, u1, u2);
+  });
 }
 
 }  // namespace

@@ -226,5 +226,21 @@ EVALCTS_FAULT(MaxOrderOfSeven, production, must, "EV-INIT-MAXORDER/1-D",
   });
 }
 
+EVALCTS_FAULT(UntouchedAutoNormalIsTrueInGet, production, must, "EV-INIT-AUTON-OFF",
+              "GetBooleanv of AUTO_NORMAL gives TRUE until Enable or Disable names it") {
+  in.gl.Enable = [](GLenum cap) {
+    memory.flag |= cap == GL_AUTO_NORMAL;
+    sound.Enable(cap);
+  };
+  in.gl.Disable = [](GLenum cap) {
+    memory.flag |= cap == GL_AUTO_NORMAL;
+    sound.Disable(cap);
+  };
+  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
+    sound.GetBooleanv(pname, v);
+    if (pname == GL_AUTO_NORMAL && !memory.flag) *v = GL_TRUE;
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -685,5 +685,158 @@ EVALCTS_FAULT(TouchingIntervalsRefused, production, must, "EV-MAP-NOERR-OTHER/2-
   });
 }
 
+// ---- What only certain arguments or a certain past show
+
+EVALCTS_FAULT(TargetInSixteenBits, production, must, "EV-MAP1-ERR-TARGET EV-MAP2-ERR-TARGET",
+              "only the low 16 bits of a target are looked at") {
+  map1(in, [](auto call, auto go) {
+    if (is_map1(call.target & 0xFFFF)) call.target &= 0xFFFF;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    if (is_map2(call.target & 0xFFFF)) call.target &= 0xFFFF;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(GapBetweenNamesIgnored, production, must, "EV-MAP1-ERR-TARGET",
+              "Map1 of 0x0DA0, between the names of both dimensions, is ignored without an error") {
+  map1(in, [](auto call, auto go) {
+    if (call.target != 0x0DA0) go(call);
+  });
+}
+
+EVALCTS_FAULT(StrideOfLongMapsUnchecked, production, must, "EV-MAP1-ERR-STRIDE",
+              "the stride is not checked from order 4 on") {
+  map1(in, [](auto call, auto go) {
+    if (call.order > 3 && call.stride > 0)
+      call.stride = std::max(call.stride, gl::components_of(call.target));
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(EqualEndsOfLineTaken, production, must, "EV-MAP1-ERR-DOMAIN",
+              "equal ends of a map of order 2 are taken: the line is vertical") {
+  map1(in, [](auto call, auto go) {
+    if (call.order == 2 && call.u1 == call.u2) call.u2 = call.u1 + 1024;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(EqualEndsOfSquareNetTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
+              "u1 = u2 is taken for nets of 2x2 points") {
+  map2(in, [](auto call, auto go) {
+    if (call.uorder == 2 && call.vorder == 2 && call.u1 == call.u2) call.u2 = call.u1 + 1024;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(VStrideOfLongRowsUnchecked, production, must, "EV-MAP2-ERR-VSTRIDE",
+              "vstride is not checked from vorder 4 on") {
+  map2(in, [](auto call, auto go) {
+    if (call.vorder > 3 && call.vstride > 0)
+      call.vstride = std::max(call.vstride, gl::components_of(call.target));
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(ChecksSkippedWhileErrorWaits, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "while an error waits Map1d of order 0 is carried out as one of order 1") {
+  map1(in, [](auto call, auto go) {
+    if (memory.flag && call.order == 0 && sizeof *call.points == 8) call.order = 1;
+    if (!legal(call)) memory.flag = true;
+    go(call);
+  });
+  in.gl.GetError = [] {
+    memory.flag = false;
+    return sound.GetError();
+  };
+}
+
+EVALCTS_FAULT(ErrorForgottenByLegalMap2, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "a legal Map2 clears the error that waits") {
+  map2(in, [](auto call, auto go) {
+    if (legal(call)) sound.GetError();
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(CallAfterErrorIgnored, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "the Map1 that follows a refused one is ignored") {
+  map1(in, [](auto call, auto go) {
+    const bool ignored = memory.flag && legal(call);
+    memory.flag = !legal(call);
+    if (!ignored) go(call);
+  });
+}
+
+EVALCTS_FAULT(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture != GL_TEXTURE0;
+    sound.ActiveTexture(texture);
+  };
+  map1(in, [](auto call, auto go) {
+    if (memory.flag && legal(call)) return raise(GL_INVALID_OPERATION);
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(UnitBroughtBackByPopAttribMissed2, production, must, "EV-MAP2-ERR-ACTIVETEX",
+              "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.count = static_cast<long>(texture);
+    sound.ActiveTexture(texture);
+  };
+  map2(in, [](auto call, auto go) {
+    GLint unit = GL_TEXTURE0;
+    if (legal(call) && memory.count == GL_TEXTURE0) sound.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+    if (unit == GL_TEXTURE0) return go(call);
+    sound.ActiveTexture(GL_TEXTURE0);
+    go(call);
+    sound.ActiveTexture(static_cast<GLenum>(unit));
+  });
+}
+
+EVALCTS_FAULT(RepeatedPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a map whose points are all the same raises INVALID_VALUE, as it has no direction") {
+  map1(in, [](auto call, auto go) {
+    if (legal(call) && call.order > 2 &&
+        std::equal(call.points, call.points + gl::components_of(call.target), call.points + call.stride) &&
+        std::equal(call.points, call.points + gl::components_of(call.target), call.points + 2 * call.stride))
+      call.order = 0;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    if (legal(call) && call.vorder > 2 && call.target >= GL_MAP2_VERTEX_3 &&
+        std::equal(call.points, call.points + gl::components_of(call.target), call.points + call.vstride) &&
+        std::equal(call.points, call.points + gl::components_of(call.target), call.points + 2 * call.vstride))
+      call.vorder = 0;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(LargeDomainsRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a domain that reaches to 2^31 raises INVALID_VALUE, as no int holds it") {
+  map1(in, [](auto call, auto go) {
+    if (std::abs(static_cast<double>(call.u1)) >= 0x1p31) call.order = 0;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    if (std::abs(static_cast<double>(call.v2)) >= 0x1p31) call.vorder = 0;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP2-ERR-VORDER",
+              "of two Map2 with bad orders in a row the second raises no error") {
+  map2(in, [](auto call, auto go) {
+    const bool bad_orders = !legal_order(call.uorder) || !legal_order(call.vorder);
+    const bool silent = memory.flag && bad_orders;
+    memory.flag = bad_orders;
+    if (!silent) go(call);
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

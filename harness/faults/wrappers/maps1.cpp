@@ -501,5 +501,76 @@ EVALCTS_FAULT(UnpackBufferRefusesMap1d, osmesa, must, "EV-MAP1-NOBUFFER",
   };
 }
 
+// ---- What only a certain past shows
+
+EVALCTS_FAULT(SamePointsOtherDomainIgnored, production, must, "EV-MAP1-REPLACE EV-MAP1-LIVE",
+              "Map1 with the points that the map has is taken for the same definition, whatever its domain") {
+  map1(in, [](auto call, auto go) {
+    if (!legal(call)) return go(call);
+    const auto points = packed(call);
+    const std::vector<double> real(points.begin(), points.end());
+    if (memory.number == call.target && real == memory.numbers) return;
+    memory.number = call.target;
+    memory.numbers = real;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(LongMapsShareOverflow, production, must, "EV-MAP1-INDEP",
+              "maps of more than 32 points share the place of what is beyond") {
+  map1(in, [](auto call, auto go) {
+    go(call);
+    if (!legal(call) || call.order <= 32) return;
+    const auto other = static_cast<GLenum>(memory.number);
+    memory.number = call.target;
+    if (other == 0 || other == call.target) return;
+    std::vector<GLdouble> points = coefficients(other);
+    GLdouble domain[2];
+    sound.GetMapdv(other, GL_DOMAIN, domain);
+    const GLint k = gl::components_of(other), order = static_cast<GLint>(points.size()) / k;
+    if (order <= 32) return;
+    points.back() = static_cast<GLdouble>(call.points[(call.order - 1) * call.stride]);
+    sound.Map1d(other, domain[0], domain[1], k, order, points.data());
+  });
+}
+
+EVALCTS_FAULT(FirstDefinitionDisables, production, must, "EV-MAP1-NOENABLE",
+              "the first Map1 of NORMAL disables it, as it begins a new object") {
+  map1(in, [](auto call, auto go) {
+    go(call);
+    if (legal(call) && call.target == GL_MAP1_NORMAL && memory.count++ == 0) sound.Disable(GL_MAP1_NORMAL);
+  });
+}
+
+EVALCTS_FAULT(DomainQueryCached, production, must, "EV-MAP1-REPLACE",
+              "GetMapfv answers the domain that it answered first") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query != GL_DOMAIN || !is_map1(target)) return;
+    const auto place = static_cast<std::size_t>(2 * (target - GL_MAP1_COLOR_4));
+    memory.numbers.resize(18);
+    if (memory.counts[target]++ == 0) {
+      memory.numbers[place] = v[0];
+      memory.numbers[place + 1] = v[1];
+    }
+    v[0] = static_cast<GLfloat>(memory.numbers[place]);
+    v[1] = static_cast<GLfloat>(memory.numbers[place + 1]);
+  };
+}
+
+EVALCTS_FAULT(ShorterMapKeepsOldValue, production, must, "EV-MAP1-REPLACE",
+              "the last value of a map of order 2 that comes after a longer one is left from before") {
+  map1(in, [](auto call, auto go) {
+    using Real = typename decltype(call)::Value;
+    if (!legal(call)) return go(call);
+    auto points = packed(call);
+    const long before = memory.counts[call.target];
+    memory.counts[call.target] = call.order;
+    if (call.order == 2 && before > 2) points.back() = static_cast<Real>(memory.number);
+    memory.number = static_cast<double>(points[static_cast<std::size_t>(gl::components_of(call.target)) - 1]);
+    go(with_points(call, points));
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

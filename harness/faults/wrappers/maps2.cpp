@@ -353,5 +353,60 @@ EVALCTS_FAULT(FlatVertexNetSwitchesAutoNormalOff, production, must, "EV-MAP2-NOE
   });
 }
 
+// ---- What only a certain past shows
+
+EVALCTS_FAULT(SameArrayOtherShapeIgnored, production, must, "EV-MAP2-REPLACE",
+              "Map2 with the values that the map has is taken for the same definition, whatever its orders") {
+  map2(in, [](auto call, auto go) {
+    if (!legal(call)) return go(call);
+    const auto points = packed(call);
+    const std::vector<double> real(points.begin(), points.end());
+    if (memory.number == call.target && real == memory.numbers) return;
+    memory.number = call.target;
+    memory.numbers = real;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(LargeNetsShareOverflow, production, must, "EV-MAP2-REPLACE",
+              "nets of more than 100 points share the place of their last value") {
+  map2(in, [](auto call, auto go) {
+    go(call);
+    if (!legal(call) || call.uorder * call.vorder <= 100) return;
+    const auto other = static_cast<GLenum>(memory.number);
+    memory.number = call.target;
+    if (other == 0 || other == call.target) return;
+    std::vector<GLdouble> points = coefficients(other);
+    GLdouble d[4];
+    GLint order[2];
+    sound.GetMapdv(other, GL_DOMAIN, d);
+    sound.GetMapiv(other, GL_ORDER, order);
+    if (order[0] * order[1] <= 100) return;
+    points.back() = static_cast<GLdouble>(call.points[0]);
+    const GLint k = gl::components_of(other);
+    sound.Map2d(other, d[0], d[1], k * order[1], order[0], d[2], d[3], k, order[1], points.data());
+  });
+}
+
+EVALCTS_FAULT(FirstNetDisables, production, must, "EV-MAP2-NOENABLE",
+              "the first Map2 of a texture map disables it") {
+  map2(in, [](auto call, auto go) {
+    go(call);
+    if (legal(call) && is_texture_map2(call.target) && memory.counts[call.target]++ == 0)
+      sound.Disable(call.target);
+  });
+}
+
+EVALCTS_FAULT(OrderQueryCached, production, must, "EV-MAP2-REPLACE",
+              "GetMapiv answers the vorder that it answered last for the uorder") {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (query != GL_ORDER || !is_map2(target)) return;
+    long& cached = memory.counts[target * 100 + static_cast<GLenum>(v[0])];
+    if (cached == 0) cached = v[1];
+    v[1] = static_cast<GLint>(cached);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -701,5 +701,120 @@ EVALCTS_FAULT(GetnMapBadQueryIsSizeError, production, must, "EV-GETN-ERRORS",
   };
 }
 
+// ---- What only certain values or a certain past show
+
+EVALCTS_FAULT(ErrorForgottenByQuery, production, must, "EV-GETMAP-NOSIDE",
+              "GetMapdv clears the error that waits") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetError();
+    sound.GetMapdv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(IntegerPointsOneTooMany, production, must, "EV-GETMAP-COUNT",
+              "GetMapiv of COEFF writes one value too many") {
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (query == GL_COEFF && is_map(target)) v[coefficients(target).size()] = 0;
+  };
+}
+
+EVALCTS_FAULT(JustBeyondIntWraps, production, must, "EV-GETMAP-SATURATE",
+              "GetMapiv goes through 64 bits: what 2^32 holds wraps, only what is beyond saturates") {
+  convert_integers(in, [](double value, GLint right, GLenum) {
+    return std::abs(value) < 0x1p32 ? static_cast<GLint>(static_cast<long long>(std::round(value))) : right;
+  });
+}
+
+EVALCTS_FAULT(IntegerDomainWraps, production, must, "EV-GETMAP-SATURATE",
+              "GetMapiv saturates points but not the ends of domains") {
+  convert_integers(in, [](double value, GLint right, GLenum query) {
+    return query == GL_DOMAIN && std::abs(value) > 0x1p31 ? std::numeric_limits<GLint>::min() : right;
+  });
+}
+
+EVALCTS_FAULT(DomainAnsweredThroughWidth, production, quality, "EV-GETMAP-FLOAT",
+              "GetMapfv answers u2 as u1 + (u2 - u1), in floats") {
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    sound.GetMapfv(target, query, v);
+    if (query == GL_DOMAIN && is_map(target)) v[1] = v[0] + (v[1] - v[0]);
+  };
+}
+
+EVALCTS_FAULT(UndefinedPointNotAnswered, production, must, "EV-GETMAP-DISABLED",
+              "GetMapfv writes no points of a map that was never defined, and raises nothing") {
+  map1(in, [](auto call, auto go) {
+    memory.counts[call.target] = 1;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    memory.counts[call.target] = 1;
+    go(call);
+  });
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (query != GL_COEFF || !is_map(target) || memory.counts[target]) sound.GetMapfv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(GetMapSilentInPolygons, production, must, "EV-GETMAP-ERR-BEGINEND EV-GETN-ERRORS",
+              "GetMapfv and GetnMapfv in a POLYGON do nothing and raise nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = mode == GL_POLYGON;
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
+    if (!memory.flag) sound.GetMapfv(target, query, v);
+  };
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    if (!memory.flag) sound.GetnMapfv(target, query, size, v);
+  };
+}
+
+EVALCTS_FAULT(GetSilentInTriangles, production, must, "EV-GET-ERR-BEGINEND",
+              "GetIntegerv of the number of segments in TRIANGLES does nothing and raises nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = mode == GL_TRIANGLES;
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
+    if (!memory.flag) sound.GetIntegerv(pname, v);
+  };
+}
+
+EVALCTS_FAULT(GetMapRefusedOnLastUnit, production, must, "EV-GETMAP-NOUNIT",
+              "GetMapdv raises INVALID_OPERATION on units above 1, which have no evaluators") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture > GL_TEXTURE1;
+    sound.ActiveTexture(texture);
+  };
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    if (memory.flag && is_map(target)) return raise(GL_INVALID_OPERATION);
+    sound.GetMapdv(target, query, v);
+  };
+}
+
+EVALCTS_FAULT(HugeSizeOverflows, production, must, "EV-GETN-SAME",
+              "GetnMapdv with the largest size, rounded up, counts as negative") {
+  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
+    sound.GetnMapdv(target, query, size > std::numeric_limits<GLsizei>::max() - 8 ? -1 : size, v);
+  };
+}
+
+EVALCTS_FAULT(GetnMapOfNetSilentInPrimitives, production, must, "EV-GETN-ERRORS",
+              "GetnMapfv of a two-dimensional map in a primitive does nothing and raises nothing") {
+  follow_primitives(in);
+  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
+    if (!memory.flag || !is_map2(target)) sound.GetnMapfv(target, query, size, v);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults
