@@ -219,7 +219,11 @@ EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D") {
     float u1, u2;
     GLint rounded[2];
   };
-  const Grid grids[] = {{1, 0, 1, {0, 1}}, {5, 2.25f, -1.75f, {2, -2}}, {1000, -7.125f, 0, {-7, 0}}};
+  const Grid grids[] = {{1, 0, 1, {0, 1}},
+                        {5, 2.25f, -1.75f, {2, -2}},
+                        {1000, -7.125f, 0, {-7, 0}},
+                        {256, 0.25f, -0.375f, {0, 0}},
+                        {65536, -0x1p-30f, 300, {0, 300}}};
   for (const Grid& grid : grids)
     for (const bool defined : {true, false}) {
       if (!defined && grid.segments != 1) continue;  // the initial grid is the first of them

@@ -30,6 +30,8 @@ const std::vector<Grid1>& some_grids1() {
                                            {1000, 0x1p-20, 0x1.8p30},
                                            {65536, -1, -0.5},
                                            {kHighest, 0.25, 0.5},
+                                           {49, 0.1f, 1.7f},  // all 24 bits
+                                           {10, -0x1.fffffep0, 0x1.555556p-2},
                                            {2, -0x1p100, 0x1p100}};
   return grids;
 }
@@ -39,7 +41,7 @@ const std::vector<Grid2>& some_grids2() {
       {1, -3, -2, 6, 12, 11},                                  // v reversed
       {4, 2, 1, 3, 0.5, -0.5},                                 // both
       {1, 0, 1, kHighest, 0.125, 8},  {kHighest, -16, 0.375, 1, -0x1p100, 0x1p100},
-      {70000, 1, 2, 40000, 3, 4}};
+      {70000, 1, 2, 40000, 3, 4},     {7, 0.1f, 0x1.fffffep0, 3, -1.7f, 0x1.555556p-2}};
   return grids;
 }
 
@@ -281,7 +283,7 @@ EVALCTS_LISTED_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "
              form.doubles);
 }
 
-// Any count; the first and the last grid point of the largest can be evaluated.
+// Any count; the first and the last grid point of the largest are the ends of the grid.
 EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GRID-LARGE") {
   expect_set(t, "MapGrid1", std::vector<Grid1>{{kHighest, 0, 1}, {kHighest - 1, 3, -3}, {0x1000001, 0, 1}},
              form.doubles);
@@ -300,6 +302,7 @@ EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GR
   const gl::Ref error1 = one.GetError();
   Played played1 = t.play(one);
   played1.expect_no_error(error1);
+  t.expect_emission(one, kPosition);
 
   gl::Case two("EvalPoint2 of the corners");
   define(two, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
@@ -312,6 +315,7 @@ EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GR
   const gl::Ref error2 = two.GetError();
   Played played2 = t.play(two);
   played2.expect_no_error(error2);
+  t.expect_emission(two, kPosition);
 }
 
 EVALCTS_LISTED_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-GRID-NOUNIT") {
@@ -368,7 +372,8 @@ EVALCTS_LISTED_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2
   };
   for (const Rounded& expected : {Rounded{{1, 0, 1, 1, 0, 1}, {0, 1, 0, 1}},
                                   {{5, 2.25, -1.75, 9, 3.125, -4.25}, {2, -2, 3, -4}},
-                                  {{1000, -7.125, 0, 2, 0, 6.75}, {-7, 0, 0, 7}}})
+                                  {{1000, -7.125, 0, 2, 0, 6.75}, {-7, 0, 0, 7}},
+                                  {{256, 0.25, -0.375, 65536, -0x1p-30, 300}, {0, 0, 0, 300}}})
     for (const bool defined : {true, false}) {
       const Grid2& grid = expected.grid;
       if (!defined && grid.un != 1) continue;  // the initial grid is the first of them

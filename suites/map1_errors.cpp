@@ -154,7 +154,7 @@ EVALCTS_LISTED_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const Tar
   gl::Case c("EvalCoord, Map1, EvalCoord, Vertex");
   define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6, -7, 8, -9}));
   c.Enable(GL_MAP1_VERTEX_3);
-  c.Begin(GL_POINTS);
+  c.Begin(GL_LINE_STRIP);  // of points nobody could tell whether they are of one primitive
   c.EvalCoord1f(0.25f);
   define(c, legal_map(form.target), form.doubles);
   c.EvalCoord1f(0.75f);

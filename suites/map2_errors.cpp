@@ -159,7 +159,7 @@ EVALCTS_LISTED_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const Ta
   gl::Case c("EvalCoord2, Map2, EvalCoord2, Vertex");
   define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {1, 2, 3, 4, 5, 6, -7, 8, -9, 2.5, 0.25, -1}));
   c.Enable(GL_MAP2_VERTEX_3);
-  c.Begin(GL_POINTS);
+  c.Begin(GL_LINE_STRIP);  // of points nobody could tell whether they are of one primitive
   evaluate2(c, 0.25, 0.75);
   define(c, legal_map(form.target), form.doubles);
   evaluate2(c, 0.75, 0.5);

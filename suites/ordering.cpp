@@ -150,8 +150,7 @@ std::vector<Step> steps(bool two) {
            }},
           {"lighting",
            [](gl::Case& c) {
-             c.Enable(GL_LIGHTING);
-             c.Enable(GL_LIGHT0);
+             c.Enable(GL_LIGHTING);  // no lamp: a normal that the matrix lengthens would saturate all colours
              c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0.75f, 0, 0, 1});
            }},
           {"another material",
