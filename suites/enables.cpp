@@ -1,4 +1,6 @@
 // Section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
+#include <fmt/format.h>
+
 #include "harness/gl/lift.h"
 #include "suites/maps2.h"
 
@@ -127,22 +129,52 @@ EVALCTS_LISTED_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, 
   }
 }
 
+// In every primitive, before and after a vertex.
+EVALCTS_TESTS(Enables, InEveryPrimitive, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
+  gl::Case c("Enable, Disable and IsEnabled");
+  std::vector<std::pair<gl::Ref, GLboolean>> answers;
+  std::vector<gl::Ref> errors;
+  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
+    for (const bool after_vertex : {false, true})
+      for (const bool on : {false, true}) {
+        on ? c.Enable(cap) : c.Disable(cap);
+        c.Begin(mode);
+        if (after_vertex) c.Vertex3f(1, 2, 3);
+        on ? c.Disable(cap) : c.Enable(cap);
+        c.End();
+        errors.push_back(c.GetError());
+        c.Begin(mode);
+        if (after_vertex) c.Vertex3f(1, 2, 3);
+        answers.emplace_back(c.IsEnabled(cap), GL_FALSE);
+        c.End();
+        errors.push_back(c.GetError());
+        answers.emplace_back(c.IsEnabled(cap), on ? GL_TRUE : GL_FALSE);
+      }
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_OPERATION});
+  for (const auto& [query, expected] : answers) played.expect_result(query, expected);
+}
+
 EVALCTS_LISTED_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-NOTUNIT") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
-  gl::Case c("enabled on TEXTURE1, seen on TEXTURE0, disabled on TEXTURE0, seen on TEXTURE1");
-  c.ActiveTexture(GL_TEXTURE1);
-  c.Enable(cap);
-  const gl::Ref error = c.GetError();
-  c.ActiveTexture(GL_TEXTURE0);
-  const gl::Ref seen = c.IsEnabled(cap);
-  c.Disable(cap);
-  c.ActiveTexture(GL_TEXTURE1);
-  const gl::Ref gone = c.IsEnabled(cap);
-  Played played = t.play(c);
-  played.expect_no_error(error);
-  played.expect_result(seen, GL_TRUE);
-  played.expect_result(gone, GL_FALSE);
+  for (const int unit : {1, t.gl().texture_units - 1}) {
+    const GLenum other = GL_TEXTURE0 + static_cast<GLenum>(unit);
+    gl::Case c(fmt::format("enabled on {}, seen on TEXTURE0, disabled on TEXTURE0, seen on the other",
+                           unit == 1 ? "TEXTURE1" : "the last unit"));
+    c.ActiveTexture(other);
+    c.Enable(cap);
+    const gl::Ref error = c.GetError();
+    c.ActiveTexture(GL_TEXTURE0);
+    const gl::Ref seen = c.IsEnabled(cap);
+    c.Disable(cap);
+    c.ActiveTexture(other);
+    const gl::Ref gone = c.IsEnabled(cap);
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    played.expect_result(seen, GL_TRUE);
+    played.expect_result(gone, GL_FALSE);
+  }
 }
 
 // MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
@@ -156,6 +188,15 @@ void other_dimension(Test& t, bool two) {
   for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
   define(c, make_map1(GL_MAP1_VERTEX_3, random_values(t.random(), 12)));
   c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
+  c.End();
+  // Nor do those that are disabled.
+  for (const GLenum cap : gl::kMap2Targets) c.Disable(cap);
+  for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}) {
+    define(c, random_map(t, cap, 3));
+    c.Enable(cap);
+  }
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
   c.End();

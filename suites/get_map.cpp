@@ -16,6 +16,16 @@ const std::vector<GLenum>& plain_targets() {
 
 }  // namespace
 
+namespace {
+
+void expect_count(Played& played, gl::Ref query, std::size_t count) {
+  const std::size_t written = played.trace().written(query);
+  played.expect(written == count, query, "another number of values is answered",
+                fmt::format("{} values", count), fmt::format("{} values", written));
+}
+
+}  // namespace
+
 // The array ends with the answer: one value more would land in the guard behind it and be seen.
 EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-ORDER1",
               "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1", "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D") {
@@ -34,7 +44,11 @@ EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, mus
                                  c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2))};
       const gl::Ref points[] = {c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count)),
                                 c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count))};
+      const gl::Ref integer_domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2));
+      const gl::Ref integer_points = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(count));
       Played played = t.play(c);
+      expect_count(played, integer_domain, 2);
+      expect_count(played, integer_points, count);
       for (const gl::Ref query : orders)
         played.expect_values(query, std::vector<double>{static_cast<double>(order)});
       for (const gl::Ref query : domains)
@@ -45,13 +59,18 @@ EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, mus
 
 // Float data come back as they were: more than the sources promise of a conversion.
 EVALCTS_TESTS(GetMap, FloatDataUnchanged, gl::kMap1Targets, GLenum target, quality, "EV-GETMAP-FLOAT/1-D") {
-  const Map1 map = random_map(t, target, 6, gl::components_of(target));
+  Map1 map = random_map(t, target, 6, gl::components_of(target));
+  map.u1 = -1000.1f, map.u2 = 0.3f;
   gl::Case c("random data of 24 bits");
   define(c, map);
+  const gl::Ref domain = c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2));
+  const gl::Ref real_domain = c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2));
   const std::size_t count = map.coefficients().size();
   const gl::Ref single = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count));
   const gl::Ref real = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count));
   Played played = t.play(c);
+  for (const gl::Ref query : {domain, real_domain})
+    played.expect_values(query, std::vector<double>{map.u1, map.u2});
   played.expect_values(single, map.coefficients());
   played.expect_values(real, map.coefficients());
 }
@@ -91,28 +110,35 @@ EVALCTS_TESTS(GetMap, IntegersAreRounded, plain_targets(), GLenum target, must, 
   }
 }
 
+// Far beyond the ints, and where 32 bits without a sign or a float still hold the values.
 EVALCTS_TESTS(GetMap, IntegersSaturate, plain_targets(), GLenum target, must, "EV-GETMAP-SATURATE/1-D") {
+  constexpr GLint kLeast = std::numeric_limits<GLint>::min(), kMost = std::numeric_limits<GLint>::max();
+  const double values[] = {1e20, -1e20, 3e9, -3e9};
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   std::vector<double> points;
   std::vector<GLint> expected;
-  for (std::size_t i = 0; i < 2 * k; ++i) {
-    points.push_back(i % 2 ? -1e20 : 1e20);
-    expected.push_back(i % 2 ? std::numeric_limits<GLint>::min() : std::numeric_limits<GLint>::max());
+  for (std::size_t i = 0; i < 4 * k; ++i) {
+    points.push_back(values[i % 4]);
+    expected.push_back(i % 2 ? kLeast : kMost);
   }
-  gl::Case c("1e20 and -1e20");
-  define(c, make_map1(target, points));
+  gl::Case c("1e20, -1e20, 3e9 and -3e9");
+  define(c, make_map1(target, -3e9, 4e9, static_cast<int>(k), points));
   const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
+  const gl::Ref domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2));
   Played played = t.play(c);
   played.expect_values(coefficients, expected);
+  played.expect_values(domain, std::vector<GLint>{kLeast, kMost});
 }
 
 EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DISABLED/1-D") {
   gl::Case c("never defined; defined and never enabled; enabled and disabled again");
-  std::vector<gl::Ref> errors, orders;
+  std::vector<gl::Ref> errors, orders, domains, points;
   const auto ask = [&] {
     orders.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(1)));
     errors.push_back(c.GetError());
-    c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(16));
+    points.push_back(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(16)));
+    errors.push_back(c.GetError());
+    domains.push_back(c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2)));
     errors.push_back(c.GetError());
   };
   ask();
@@ -123,16 +149,25 @@ EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, mus
   ask();
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_no_error(error);
-  for (std::size_t i = 0; i < orders.size(); ++i)
-    played.expect_values(orders[i], std::vector<GLint>{i == 0 ? 1 : 2});
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const int order = i == 0 ? 1 : 2;
+    played.expect_values(orders[i], std::vector<GLint>{order});
+    expect_count(played, points[i], static_cast<std::size_t>(order * gl::components_of(target)));
+    expect_count(played, domains[i], 2);
+  }
 }
 
 namespace {
 
+constexpr GLenum kOutside = GL_POLYGON + 1;
+
 void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, GLenum error,
-                    bool inside = false) {
-  gl::Case c(gl::token_name(target) + " " + gl::token_name(query));
-  if (inside) c.Begin(GL_POINTS);
+                    GLenum primitive = kOutside) {
+  const bool inside = primitive != kOutside;
+  gl::Case c(gl::token_name(target) + " " + gl::token_name(query) +
+             (inside ? " in " + gl::primitive_name(primitive) : ""));
+  if (inside) c.Begin(primitive);
+  if (inside && primitive != GL_POINTS) c.Vertex3f(1, 2, 3);
   const gl::Ref get = getter.get(c, target, query, 256);
   if (inside) c.End();
   const gl::Ref first = c.GetError();
@@ -165,21 +200,26 @@ EVALCTS_TESTS(GetMap, BetweenBeginAndEnd, kGetters, const Getter& getter, must, 
               "EV-GETMAP-ERR-NOWRITE") {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_INDEX})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
-      expect_refused(t, getter, target, query, GL_INVALID_OPERATION, true);
+      for (const GLenum primitive : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
+        expect_refused(t, getter, target, query, GL_INVALID_OPERATION, primitive);
 }
 
 EVALCTS_TESTS(GetMap, AnyTextureUnit, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOUNIT/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   const Map1 map = random_map(t, target, 3, 4);
-  gl::Case c("TEXTURE1 active");
-  define(c, map);
-  c.ActiveTexture(GL_TEXTURE1);
-  const MapQuery query = query_map1(c, target, t.max_order());
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  played.expect_no_error(error);
-  expect_map1(played, query, map);
+  for (const int unit : {1, t.gl().texture_units - 1}) {
+    gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
+    define(c, map);
+    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    const MapQuery query = query_map1(c, target, t.max_order());
+    const MapQuery real = query_map1(c, target, t.max_order(), true);
+    const gl::Ref error = c.GetError();
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    expect_map1(played, query, map);
+    expect_map1(played, real, map, true);
+  }
 }
 
 EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE/1-D") {
@@ -191,6 +231,21 @@ EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-
   const std::vector<gl::Ref> after = query_everything(c, t.max_order());
   Played played = t.play(c);
   expect_unchanged(played, before, after);
+}
+
+// An error that waits goes on waiting.
+EVALCTS_TESTS(GetMap, KeepsTheErrorThatWaits, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE") {
+  gl::Case c("MapGrid1 of no segments, then all queries of all maps");
+  c.MapGrid1f(0, 0, 1);
+  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i)
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) {
+      getter.get(c, gl::kMap1Targets[i], query, 8);
+      getter.get(c, gl::kMap2Targets[i], query, 8);
+    }
+  const gl::Ref error = c.GetError(), none = c.GetError();
+  Played played = t.play(c);
+  played.expect_error(error, {GL_INVALID_VALUE});
+  played.expect_no_error(none);
 }
 
 EVALCTS_TESTS(GetMap, PackBufferIgnored, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOPBO/1-D") {
@@ -270,13 +325,16 @@ EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER") {
 EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND") {
   for (const GLenum name : {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
                             GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_MAP1_VERTEX_3, GL_AUTO_NORMAL})
-    for (int form = 0; form < 4; ++form) {
-      gl::Case c(fmt::format("{} form {}", gl::token_name(name), "bifd"[form]));
-      c.Begin(GL_LINES);
-      const gl::Ref get = form == 0   ? c.GetBooleanv(name, gl::out<GLboolean>(8))
-                          : form == 1 ? c.GetIntegerv(name, gl::out<GLint>(8))
-                          : form == 2 ? c.GetFloatv(name, gl::out<GLfloat>(8))
-                                      : c.GetDoublev(name, gl::out<GLdouble>(8));
+    for (int form = 0; form < 8; ++form) {
+      const GLenum primitive = form < 4 ? GL_LINES : GL_TRIANGLES;
+      gl::Case c(fmt::format("{} form {} in {}", gl::token_name(name), "bifd"[form % 4],
+                             gl::primitive_name(primitive)));
+      c.Begin(primitive);
+      if (form >= 4) c.Vertex3f(1, 2, 3);
+      const gl::Ref get = form % 4 == 0   ? c.GetBooleanv(name, gl::out<GLboolean>(8))
+                          : form % 4 == 1 ? c.GetIntegerv(name, gl::out<GLint>(8))
+                          : form % 4 == 2 ? c.GetFloatv(name, gl::out<GLfloat>(8))
+                                          : c.GetDoublev(name, gl::out<GLdouble>(8));
       c.End();
       const gl::Ref error = c.GetError();
       Played played = t.play(c);

@@ -73,13 +73,18 @@ EVALCTS_TESTS(GetMap2, SquareNet, gl::kMap2Targets, GLenum target, must, "EV-GET
 
 // Float data come back as they were: more than the sources promise of a conversion.
 EVALCTS_TESTS(GetMap2, FloatDataUnchanged, gl::kMap2Targets, GLenum target, quality, "EV-GETMAP-FLOAT/2-D") {
-  const Map2 map = random_map2(t, target, 6, 4);
+  Map2 map = random_map2(t, target, 6, 4);
+  map.u1 = -1000.1f, map.u2 = 0.3f, map.v1 = 1.1f, map.v2 = 0x1.555556p-2;
   gl::Case c("random data of 24 bits");
   define(c, map);
+  const gl::Ref domain = c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4));
+  const gl::Ref real_domain = c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4));
   const std::size_t count = map.coefficients().size();
   const gl::Ref single = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count));
   const gl::Ref real = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count));
   Played played = t.play(c);
+  for (const gl::Ref query : {domain, real_domain})
+    played.expect_values(query, std::vector<double>{map.u1, map.u2, map.v1, map.v2});
   played.expect_values(single, map.coefficients());
   played.expect_values(real, map.coefficients());
 }
@@ -118,18 +123,25 @@ EVALCTS_TESTS(GetMap2, IntegersAreRounded, plain_targets(), GLenum target, must,
   }
 }
 
+// Far beyond the ints, and where 32 bits without a sign or a float still hold the values.
 EVALCTS_TESTS(GetMap2, IntegersSaturate, plain_targets(), GLenum target, must, "EV-GETMAP-SATURATE/2-D") {
+  constexpr GLint kLeast = std::numeric_limits<GLint>::min(), kMost = std::numeric_limits<GLint>::max();
+  const double values[] = {1e20, -1e20, 3e9, -3e9};
   std::vector<double> points;
   std::vector<GLint> expected;
-  for (int i = 0; i < 2 * 2 * gl::components_of(target); ++i) {
-    points.push_back(i % 2 ? -1e20 : 1e20);
-    expected.push_back(i % 2 ? std::numeric_limits<GLint>::min() : std::numeric_limits<GLint>::max());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(2 * 2 * gl::components_of(target)); ++i) {
+    points.push_back(values[i % 4]);
+    expected.push_back(i % 2 ? kLeast : kMost);
   }
-  gl::Case c("1e20 and -1e20");
-  define(c, make_map2(target, 2, 2, points));
+  gl::Case c("1e20, -1e20, 3e9 and -3e9");
+  Map2 map = make_map2(target, 2, 2, points);
+  map.u1 = -3e9, map.u2 = 4e9, map.v1 = 2.5e9, map.v2 = -2.5e9;
+  define(c, map);
   const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
+  const gl::Ref domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(4));
   Played played = t.play(c);
   played.expect_values(coefficients, expected);
+  played.expect_values(domain, std::vector<GLint>{kLeast, kMost, kMost, kLeast});
 }
 
 EVALCTS_TESTS(GetMap2, DisabledAndUndefined, gl::kMap2Targets, GLenum target, must,
@@ -160,14 +172,18 @@ EVALCTS_TESTS(GetMap2, AnyTextureUnit, gl::kMap2Targets, GLenum target, must, "E
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   const Map2 map = random_map2(t, target, 3, 4);
-  gl::Case c("TEXTURE1 active");
-  define(c, map);
-  c.ActiveTexture(GL_TEXTURE1);
-  const MapQuery query = query_map2(c, target, t.max_order());
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  played.expect_no_error(error);
-  expect_map2(played, query, map);
+  for (const int unit : {1, t.gl().texture_units - 1}) {
+    gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
+    define(c, map);
+    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    const MapQuery query = query_map2(c, target, t.max_order());
+    const MapQuery real = query_map2(c, target, t.max_order(), true);
+    const gl::Ref error = c.GetError();
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    expect_map2(played, query, map);
+    expect_map2(played, real, map, true);
+  }
 }
 
 EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D") {

@@ -99,7 +99,7 @@ GLsizei bytes_of(const Getter& getter, const Answer& answer) {
 void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
                     GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
   gl::Case c = with_maps(t, k1D, identity);
-  if (inside) c.Begin(GL_POINTS);
+  if (inside) c.Begin(GL_POLYGON);
   const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
   if (inside) c.End();
   const gl::Ref first = c.GetError();
@@ -119,9 +119,10 @@ void expect_same_as_get_map(Test& t, const Dimension& dimension, const Getter& g
       with_maps(t, dimension, fmt::format("every target and query, room to spare{}", dimension.shown));
   std::vector<std::pair<gl::Ref, gl::Ref>> pairs;
   for (const Answer& answer : dimension.answers())
-    pairs.emplace_back(
-        getter.get(c, answer.target, answer.query, kRoom),
-        getter.getn(c, answer.target, answer.query, static_cast<GLsizei>(kRoom * getter.element), kRoom));
+    for (const GLsizei bytes :
+         {static_cast<GLsizei>(kRoom * getter.element), std::numeric_limits<GLsizei>::max()})
+      pairs.emplace_back(getter.get(c, answer.target, answer.query, kRoom),
+                         getter.getn(c, answer.target, answer.query, bytes, kRoom));
   Played played = t.play(c);
   for (const auto& [get, getn] : pairs) {
     // The answer of GetMap shows that something was written at all.
@@ -230,9 +231,10 @@ EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV
   for (const GLenum query : {0u, 0x0A03u, static_cast<GLenum>(GL_MAX_EVAL_ORDER)})
     expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query), GL_MAP1_VERTEX_3, query, bytes,
                    {GL_INVALID_ENUM});
-  for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
-    expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query) + " between Begin and End", GL_MAP1_VERTEX_3,
-                   query, bytes, {GL_INVALID_OPERATION}, true);
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4})
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
+      expect_refused(t, getter, named(target, query) + " between Begin and End", target, query, bytes,
+                     {GL_INVALID_OPERATION}, true);
 }
 
 }  // namespace evalcts::suite_getn_map

@@ -26,7 +26,9 @@ struct Grid2 {
 const std::vector<Grid1>& some_grids1() {
   static const std::vector<Grid1> grids = {{1, 0, 1},
                                            {7, -2.5, 3.25},
-                                           {3, 9, -4},  // reversed
+                                           {9, -2.5, 3.25},  // only the count is another
+                                           {9, -2.5, 4},     // only one end is
+                                           {3, 9, -4},       // reversed
                                            {1000, 0x1p-20, 0x1.8p30},
                                            {65536, -1, -0.5},
                                            {kHighest, 0.25, 0.5},
@@ -37,7 +39,9 @@ const std::vector<Grid1>& some_grids1() {
 }
 const std::vector<Grid2>& some_grids2() {
   static const std::vector<Grid2> grids = {
-      {2, 3.5, 4.25, 5, 6.75, 7.125}, {5, 7, -8, 2, 9.5, 10},  // u reversed
+      {2, 3.5, 4.25, 5, 6.75, 7.125}, {2, 3.5, 4.25, 5, -1, 7.125},
+      {2, 3.5, 4.25, 6, -1, 7.125},   {2, 3, 4.25, 6, -1, 7.125},
+      {3, 3, 4.25, 6, -1, 7.125},     {5, 7, -8, 2, 9.5, 10},  // u reversed
       {1, -3, -2, 6, 12, 11},                                  // v reversed
       {4, 2, 1, 3, 0.5, -0.5},                                 // both
       {1, 0, 1, kHighest, 0.125, 8},  {kHighest, -16, 0.375, 1, -0x1p100, 0x1p100},
@@ -148,6 +152,13 @@ EVALCTS_LISTED_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRI
   });
   expect_nothing_else(t, "MapGrid2", kPlaceOfGrid2, [&](gl::Case& c) {
     set(c, Grid2{3, 20, 30, 4, 50, 60}, form.doubles);
+  });
+
+  expect_nothing_else(t, "MapGrid2 of one row", kPlaceOfGrid2, [&](gl::Case& c) {
+    set(c, Grid2{3, 20, 30, 1, 50, 60}, form.doubles);
+  });
+  expect_nothing_else(t, "MapGrid2 of one column", kPlaceOfGrid2, [&](gl::Case& c) {
+    set(c, Grid2{1, 20, 30, 4, 50, 60}, form.doubles);
   });
 
   gl::Case c("one after the other, both queried after each");

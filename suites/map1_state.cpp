@@ -157,6 +157,40 @@ EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, 
   }
 }
 
+// Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
+EVALCTS_LISTED_TESTS(Map1State, ReplaceAfterQuery, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
+  gl::Case c("another domain, other points, another order, the first once more");
+  std::vector<Map1> maps = {random_map(t, target, 4, 5)};
+  maps.push_back(maps[0]);
+  maps[1].u1 = -1, maps[1].u2 = 3;
+  maps.push_back(random_map(t, target, 4, 5));
+  maps[2].u1 = -1, maps[2].u2 = 3;
+  maps.push_back(random_map(t, target, 2, 4));
+  maps.push_back(maps[0]);
+  std::vector<MapQuery> queries;
+  for (const Map1& map : maps) {
+    define(c, map);
+    queries.push_back(query_map1(c, target, t.max_order()));
+  }
+  Played played = t.play(c);
+  for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+}
+
+EVALCTS_LISTED_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP") {
+  for (const int fewer : {0, 1}) {
+    gl::Case c(fewer == 0 ? "all of the largest order" : "all of one less");
+    std::vector<Map1> maps;
+    for (const GLenum target : gl::kMap1Targets) {
+      maps.push_back(random_map(t, target, t.max_order() - fewer, 4));
+      define(c, maps.back());
+    }
+    std::vector<MapQuery> queries;
+    for (const Map1& map : maps) queries.push_back(query_map1(c, map.target, t.max_order()));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+  }
+}
+
 EVALCTS_LISTED_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
   const std::vector<Map1> maps = nine_maps(t);
   for (const bool reversed : {false, true}) {
@@ -199,18 +233,33 @@ EVALCTS_LISTED_TESTS(Map1State, EnableUntouched, target_forms(), const TargetFor
   }
   Played played = t.play(c);
   for (const auto& [query, enabled] : expected) played.expect_result(query, enabled);
+
+  gl::Case first("enabled before anything was defined");
+  for (const GLenum other : gl::kMap1Targets) first.Enable(other);
+  define(first, random_map(t, form.target, 3, 4), form.doubles);
+  std::vector<gl::Ref> enabled;
+  for (const GLenum other : gl::kMap1Targets) enabled.push_back(first.IsEnabled(other));
+  Played played_first = t.play(first);
+  for (const gl::Ref query : enabled) played_first.expect_result(query, GL_TRUE);
 }
 
 // Also at the argument that was evaluated last, and with the order that the map had.
 EVALCTS_LISTED_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-LIVE") {
   gl::Case c("evaluate, define anew, evaluate");
   enable_visibly(c, form.target);
-  for (const int order : {4, 2, 6, 6, 1, 1, 6}) {
-    define(c, random_map(t, form.target, order, 4), form.doubles);
+  Map1 map;
+  const auto define_and_evaluate = [&] {
+    define(c, map, form.doubles);
     c.Begin(GL_POINTS);
     for (const double u : {0.375, 0.0, 1.0, 0.375}) evaluate(c, u, form.doubles);
     c.End();
+  };
+  for (const int order : {4, 2, 6, 6, 1, 1, 6}) {
+    map = random_map(t, form.target, order, 4);
+    define_and_evaluate();
   }
+  map.u2 = 2;  // and nothing else
+  define_and_evaluate();
   t.expect_emission(c, attribute_of(form.target));
 }
 

@@ -130,6 +130,27 @@ EVALCTS_DELIVERED_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain,
   expect_over_domain(t, domain);
 }
 
+// Where all points but the first few are far from zero what is next to the first end tells how exactly the
+// argument is taken apart.
+EVALCTS_DELIVERED_TESTS(Map1Values, NextToTheFirstEnd, visible_targets(), GLenum target, must,
+                        "EV-MAP1-DOMAIN") {
+  gl::Case c("ramps that begin with zero");
+  enable_visibly(c, target);
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  for (const Domain domain : {Domain{1e3, 1e3 + 8}, {1, 1 + 0x1p-16}, {-77, -76.5}, {5, 4.75}, {0.1f, 0.7f}})
+    for (const int order : {2, 3}) {
+      std::vector<double> points(static_cast<std::size_t>(order) * k);
+      for (std::size_t i = k; i < points.size(); ++i) points[i] = static_cast<double>(i / k);
+      define(c, make_map1(target, domain.u1, domain.u2, static_cast<int>(k), points));
+      std::vector<double> us;
+      auto u = static_cast<float>(domain.u1);
+      const auto towards = static_cast<float>(domain.u2);
+      for (int i = 0; i < 4; ++i) us.push_back(u = std::nextafter(u, towards));
+      evaluate_all(c, us);
+    }
+  t.expect_emission(c, attribute_of(target));
+}
+
 // Each of the maps that make one vertex has a domain of its own.
 EVALCTS_DELIVERED_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN") {
   constexpr Domain kOwn[] = {{0, 1}, {-1, 2}, {1.5, -0.5}, {0.25, 4.25}};

@@ -76,14 +76,14 @@ void expect_refused_strides(Test& t, const TargetForm& form, const Direction& di
 
 void expect_refused_domains(Test& t, const TargetForm& form, const Direction& direction) {
   std::vector<Calls> bad;
-  for (const int order : {1, 3})
+  for (const int order : {1, 2, 3})
     for (const double end : {0.0, 1.0, -2.5, 1e6}) {
       Map2 map = legal_map(form.target);
       map.uorder = map.vorder = order;
       map.*direction.first = map.*direction.last = end;
       bad.push_back(defining(map, form.doubles));
     }
-  expect_refused(t, "both ends 0, 1, -2.5, 1e6; orders 1x1 and 3x3", bad, {GL_INVALID_VALUE});
+  expect_refused(t, "both ends 0, 1, -2.5, 1e6; orders 1x1, 2x2 and 3x3", bad, {GL_INVALID_VALUE});
 }
 
 }  // namespace
@@ -93,6 +93,13 @@ EVALCTS_LISTED_TESTS(Map2Errors, BadTarget, kForms, const Form& form, must, "EV-
   std::vector<GLenum> bad = {0, 0x0DAF, 0x0DB9, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   for (const GLenum target : bad)
+    expect_refused(t, gl::token_name(target), {defining(legal_map(target), form.doubles)}, {GL_INVALID_ENUM});
+}
+
+// Whatever part of the number is looked at.
+EVALCTS_TESTS(Map2Errors, BadTargetOfSimilarNumber, kForms, const Form& form, must, "EV-MAP2-ERR-TARGET",
+              "EV-MAP2-ERR-NOEFFECT") {
+  for (const GLenum target : {0x0DA0u, 0x0DBFu, 0x0DC0u, 0x10DB0u, 0x10DB8u, 0x80000DB7u})
     expect_refused(t, gl::token_name(target), {defining(legal_map(target), form.doubles)}, {GL_INVALID_ENUM});
 }
 
@@ -114,6 +121,22 @@ EVALCTS_LISTED_TESTS(Map2Errors, UStride, target_forms2(), const TargetForm& for
 EVALCTS_LISTED_TESTS(Map2Errors, VStride, target_forms2(), const TargetForm& form, must,
                      "EV-MAP2-ERR-VSTRIDE", "EV-MAP2-ERR-NOEFFECT") {
   expect_refused_strides(t, form, kV);
+}
+
+// k - 1 is too little whatever the orders are.
+EVALCTS_TESTS(Map2Errors, StridesAtManyOrders, target_forms2(), const TargetForm& form, must,
+              "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE") {
+  std::vector<Calls> bad;
+  for (const Direction& direction : {kU, kV})
+    for (const auto& [uorder, vorder] :
+         {std::pair{2, 2}, {1, 8}, {8, 1}, {4, 5}, {8, 8}, {t.max_order(), 2}}) {
+      Map2 map = legal_map(form.target);
+      map.uorder = uorder;
+      map.vorder = vorder;
+      map.*direction.stride = gl::components_of(form.target) - 1;
+      bad.push_back(defining(map, form.doubles));
+    }
+  expect_refused(t, "orders 2x2, 1x8, 8x1, 4x5, 8x8, MAXx2", bad, {GL_INVALID_VALUE});
 }
 
 EVALCTS_LISTED_TESTS(Map2Errors, UDomain, target_forms2(), const TargetForm& form, must,
@@ -239,6 +262,35 @@ EVALCTS_LISTED_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetFor
   Played played = t.play(c);
   played.expect_no_error(error);
   played.expect_values(order, std::vector<GLint>{2, 3});
+}
+
+// ... whatever command made it active.
+EVALCTS_LISTED_TESTS(Map2Errors, ActiveTextureOfPopAttrib, kForms, const Form& form, must,
+                     "EV-MAP2-ERR-ACTIVETEX") {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_INDEX}) {
+    gl::Case c(label(target));
+    c.PushAttrib(GL_TEXTURE_BIT);
+    c.ActiveTexture(GL_TEXTURE1);
+    c.PopAttrib();
+    define(c, legal_map(target), form.doubles);
+    const gl::Ref none = c.GetError();
+    const gl::Ref defined = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2));
+    c.ActiveTexture(GL_TEXTURE1);
+    c.PushAttrib(GL_TEXTURE_BIT);
+    c.ActiveTexture(GL_TEXTURE0);
+    c.PopAttrib();
+    Map2 refused = legal_map(target);
+    refused.uorder = 5;
+    define(c, refused, form.doubles);
+    const gl::Ref error = c.GetError();
+    const gl::Ref kept = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2));
+    Played played = t.play(c);
+    played.expect_no_error(none);
+    played.expect_error(error, {GL_INVALID_OPERATION});
+    for (const gl::Ref order : {defined, kept}) played.expect_values(order, std::vector<GLint>{2, 3});
+  }
 }
 
 // Several conditions at once: one of the matching errors, whichever.

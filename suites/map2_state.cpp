@@ -243,6 +243,40 @@ EVALCTS_LISTED_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, 
   }
 }
 
+// Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
+EVALCTS_LISTED_TESTS(Map2State, ReplaceAfterQuery, gl::kMap2Targets, GLenum target, must, "EV-MAP2-REPLACE") {
+  Definitions definitions(t, "the same values in other shapes, over other domains; another vorder");
+  const std::vector<double> values =
+      random_values(t.random(), static_cast<std::size_t>(12 * gl::components_of(target)));
+  for (const auto& [u, v] : {Orders{2, 6}, {3, 4}, {4, 3}, {6, 2}, {12, 1}, {1, 12}}) {
+    if (std::max(u, v) > t.max_order()) continue;
+    Map2 map = make_map2(target, u, v, values);
+    definitions.add(map, false);
+    map.u2 = 3;
+    definitions.add(map, false);
+    map.v1 = -1;
+    definitions.add(map, false);
+  }
+  for (const int vorder : {3, 5, 2, 3}) definitions.add(random_map2(t, target, 3, vorder), false);
+  definitions.check();
+}
+
+EVALCTS_LISTED_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE") {
+  const int max = t.max_order();
+  for (const auto& [u, v] : {Orders{max, 3}, {4, max}}) {
+    gl::Case c(u == max ? "all MAXx3" : "all 4xMAX");
+    std::vector<Map2> maps;
+    for (const GLenum target : gl::kMap2Targets) {
+      maps.push_back(random_map2(t, target, u, v));
+      define(c, maps.back());
+    }
+    std::vector<MapQuery> queries;
+    for (const Map2& map : maps) queries.push_back(query_map2(c, map.target, max));
+    Played played = t.play(c);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map2(played, queries[i], maps[i]);
+  }
+}
+
 EVALCTS_LISTED_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") {
   const std::vector<Map2> maps = nine_maps(t);
   for (const bool reversed : {false, true}) {
@@ -309,6 +343,14 @@ EVALCTS_LISTED_TESTS(Map2State, EnableUntouched, target_forms2(), const TargetFo
   }
   Played played = t.play(c);
   for (const auto& [query, enabled] : expected) played.expect_result(query, enabled);
+
+  gl::Case first("enabled before anything was defined");
+  for (const GLenum other : caps) first.Enable(other);
+  define(first, random_map2(t, form.target, 3, 2, 15, 4), form.doubles);
+  std::vector<gl::Ref> enabled;
+  for (const GLenum other : caps) enabled.push_back(first.IsEnabled(other));
+  Played played_first = t.play(first);
+  for (const gl::Ref query : enabled) played_first.expect_result(query, GL_TRUE);
 }
 
 // The points are plain client memory: pixel store modes and bound buffers move nothing.

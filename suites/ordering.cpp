@@ -100,10 +100,13 @@ EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const NamedCa
 
 namespace {
 
+constexpr std::string_view kAnotherGrid = "another grid";
+
 // State, then what is drawn under it.
 struct Step {
-  const char* name;
+  std::string_view name;
   Calls change;
+  bool of_pipeline = false;
 };
 
 const std::vector<float> kSmall = {0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0, 0.125f, 0, 0, 1};
@@ -136,12 +139,17 @@ std::vector<Step> steps(bool two) {
              else
                c.MapGrid1f(3, 0, 1);
            }},
-          {"another matrix", [](gl::Case& c) { c.LoadMatrixf(kSmall); }},
+          {"another matrix", [](gl::Case& c) { c.LoadMatrixf(kSmall); }, true},
           {"another vertex map", [=](gl::Case& c) { define_vertices(c, two, -0.75); }},
           {"another colour map", [=](gl::Case& c) { define_colors(c, two, 0); }},
-          {"no colour map", [=](gl::Case& c) { c.Disable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4); }},
+          // The current colour is given anew: whether evaluated ones replace it is for section 11.
+          {"no colour map",
+           [=](gl::Case& c) {
+             c.Disable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4);
+             c.Color4f(1, 1, 0, 1);
+           }},
           {"another current colour", [](gl::Case& c) { c.Color4f(0.25f, 1, 0.75f, 1); }},
-          {"another grid",
+          {kAnotherGrid,
            [=](gl::Case& c) {
              if (two)
                c.MapGrid2f(2, 1, 0.25f, 1, 0.5f, 0.75f);
@@ -152,26 +160,29 @@ std::vector<Step> steps(bool two) {
            [](gl::Case& c) {
              c.Enable(GL_LIGHTING);  // no lamp: a normal that the matrix lengthens would saturate all colours
              c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0.75f, 0, 0, 1});
-           }},
+           },
+           true},
           {"another material",
            [](gl::Case& c) {
              c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, std::vector<float>{0, 0.75f, 0.5f, 1});
-           }},
-          {"another matrix once more", [](gl::Case& c) { c.LoadMatrixf(kMoved); }}};
+           },
+           true},
+          {"another matrix once more", [](gl::Case& c) { c.LoadMatrixf(kMoved); }, true}};
 }
 
 struct Drawn {
   const char* name;
+  bool on_grid;
   void (*draw)(gl::Case&, bool two);
 };
-constexpr Drawn kDrawn[] = {{"EVALMESH",
+constexpr Drawn kDrawn[] = {{"EVALMESH", true,
                              [](gl::Case& c, bool two) {
                                if (two)
                                  c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
                                else
                                  c.EvalMesh1(GL_POINT, 0, 3);
                              }},
-                            {"EVALCOORD",
+                            {"EVALCOORD", false,
                              [](gl::Case& c, bool two) {
                                c.Begin(GL_POINTS);
                                for (const float u : {0.0f, 0.25f, 1.0f}) {
@@ -182,7 +193,7 @@ constexpr Drawn kDrawn[] = {{"EVALMESH",
                                }
                                c.End();
                              }},
-                            {"EVALPOINT", [](gl::Case& c, bool two) {
+                            {"EVALPOINT", true, [](gl::Case& c, bool two) {
                                c.Begin(GL_POINTS);
                                for (const GLint i : {2, 0, 1}) {
                                  if (two)
@@ -197,7 +208,8 @@ constexpr Drawn kDrawn[] = {{"EVALMESH",
 void expect_in_order(Test& t, const Drawn& drawn, bool two) {
   gl::Case evaluated, vertices;
   std::size_t drawn_before = 0;
-  const std::vector<Step> all = steps(two);
+  std::vector<Step> all = steps(two);
+  if (!drawn.on_grid) std::erase_if(all, [](const Step& step) { return step.name == kAnotherGrid; });
   for (const Step& step : all) {
     step.change(evaluated);
     step.change(vertices);
@@ -220,6 +232,28 @@ void expect_in_order(Test& t, const Drawn& drawn, bool two) {
 }
 
 }  // namespace
+
+// The changes that concern the evaluator show in what comes out of it, too.
+namespace {
+
+void expect_evaluated_in_order(Test& t, const Drawn& drawn, bool two) {
+  gl::Case c("drawn after each change");
+  for (const Step& step : steps(two)) {
+    if (step.of_pipeline) continue;
+    step.change(c);
+    drawn.draw(c, two);
+  }
+  t.expect_emission(c, kPosition | kColor);
+}
+
+}  // namespace
+
+EVALCTS_LISTED_TESTS(Ordering, EvaluatesInOrder1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
+  expect_evaluated_in_order(t, drawn, false);
+}
+EVALCTS_LISTED_TESTS(Ordering, EvaluatesInOrder2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
+  expect_evaluated_in_order(t, drawn, true);
+}
 
 EVALCTS_TESTS(Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
   expect_in_order(t, drawn, false);

@@ -106,6 +106,12 @@ EVALCTS_LISTED_TESTS(Points, GridOfTheMoment, kDimensions, const Dimension& d, m
       c.EvalMesh1(GL_POINT, 0, 3);
     }
   }
+  if (d.two)  // only what v has is another
+    for (const Grid& v : {Grid{5, 1, 1.75f}, Grid{3, 1, 1.75f}}) {
+      map_grid(c, {2, -1, 1}, v);
+      c.EvalMesh2(GL_POINT, 0, 2, 0, 2);
+      eval_points(c, true, 0, 3);
+    }
   t.expect_emission(c, kUnit0);
 }
 
