@@ -299,5 +299,25 @@ EVALCTS_FAULT(DisableOfCurveStopsSurface, production, must, "EV-EN-DIM/2-D",
   };
 }
 
+EVALCTS_FAULT(DisabledFlagStaysInGet, production, must, "EV-EN-GETS",
+              "GetDoublev of a map that was enabled once goes on giving 1") {
+  in.gl.Enable = [](GLenum cap) {
+    memory.counts[cap] = 1;
+    sound.Enable(cap);
+  };
+  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
+    sound.GetDoublev(pname, v);
+    if (is_map(pname) && memory.counts[pname]) *v = 1;
+  };
+}
+
+EVALCTS_FAULT(
+    OnePerKindAtEnable, production, must, "EV-EN-MULTI",
+    "Enable of MAP1_TEXTURE_COORD_1 is lost while MAP1_TEXTURE_COORD_3 is enabled, which outranks it") {
+  in.gl.Enable = [](GLenum cap) {
+    if (cap != GL_MAP1_TEXTURE_COORD_1 || !sound.IsEnabled(GL_MAP1_TEXTURE_COORD_3)) sound.Enable(cap);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -179,5 +179,16 @@ EVALCTS_FAULT(EvalCoord2dvThroughFloats, production, quality, "EV-API-V/2-D",
   };
 }
 
+EVALCTS_FAULT(Color4AndTexture4TokensSwapped, production, must, "EV-API-ENUM-MAP1",
+              "MAP1_COLOR_4 and MAP1_TEXTURE_COORD_4 have each other's number") {
+  rename_targets(in, [](GLenum t) { return swapped(t, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_4); });
+}
+
+EVALCTS_FAULT(
+    Texture3AndVertex3TokensSwapped2, production, must, "EV-API-ENUM-MAP2",
+    "MAP2_TEXTURE_COORD_3 and MAP2_VERTEX_3, alike but for their effect, have each other's number") {
+  rename_targets(in, [](GLenum t) { return swapped(t, GL_MAP2_TEXTURE_COORD_3, GL_MAP2_VERTEX_3); });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

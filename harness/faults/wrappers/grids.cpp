@@ -406,5 +406,35 @@ EVALCTS_FAULT(SameEndsSameGrid, production, must, "EV-GRID-SET1",
   });
 }
 
+EVALCTS_FAULT(GridIgnoredInQuads, production, must, "EV-GRID-ERR-BEGINEND",
+              "MapGrid1 and MapGrid2 in QUADS do nothing and raise nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = mode == GL_QUADS;
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  map_grid1(in, [](GLint n, auto u1, auto u2, auto go) {
+    if (!memory.flag) go(n, u1, u2);
+  });
+  map_grid2(in, [](auto call, auto go) {
+    if (!memory.flag) go(call);
+  });
+}
+
+EVALCTS_FAULT(GridRefusedOnLastUnit, production, must, "EV-GRID-NOUNIT",
+              "MapGrid1f raises INVALID_OPERATION on units above 1, which have no evaluators") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.flag = texture > GL_TEXTURE1;
+    sound.ActiveTexture(texture);
+  };
+  in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
+    if (memory.flag) return raise(GL_INVALID_OPERATION);
+    sound.MapGrid1f(n, u1, u2);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

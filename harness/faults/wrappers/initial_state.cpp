@@ -242,5 +242,57 @@ EVALCTS_FAULT(UntouchedAutoNormalIsTrueInGet, production, must, "EV-INIT-AUTON-O
   };
 }
 
+EVALCTS_FAULT(InitialIndexZeroInIntegers, production, must, "EV-INIT-COEFF-INDEX",
+              "GetMapiv answers 0 for the initial point of MAP1_INDEX") {
+  map1(in, [](auto call, auto go) {
+    memory.flag |= call.target == GL_MAP1_INDEX;
+    go(call);
+  });
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (target == GL_MAP1_INDEX && query == GL_COEFF && !memory.flag) *v = 0;
+  };
+}
+
+EVALCTS_FAULT(InitialQZeroInIntegers, production, must, "EV-INIT-COEFF-TEX",
+              "GetMapiv answers a q of 0 for the initial point of MAP2_TEXTURE_COORD_4") {
+  map2(in, [](auto call, auto go) {
+    memory.flag |= call.target == GL_MAP2_TEXTURE_COORD_4;
+    go(call);
+  });
+  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
+    sound.GetMapiv(target, query, v);
+    if (target == GL_MAP2_TEXTURE_COORD_4 && query == GL_COEFF && !memory.flag) v[3] = 0;
+  };
+}
+
+EVALCTS_FAULT(InitialGridsZeroInDoubles, production, must, "EV-INIT-GRID1 EV-INIT-GRID2",
+              "GetDoublev answers zeros for the ends of grids that were never set") {
+  map_grid1(in, [](GLint n, auto u1, auto u2, auto go) {
+    memory.counts[GL_MAP1_GRID_DOMAIN] = 1;
+    go(n, u1, u2);
+  });
+  map_grid2(in, [](auto call, auto go) {
+    memory.counts[GL_MAP2_GRID_DOMAIN] = 1;
+    go(call);
+  });
+  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
+    sound.GetDoublev(pname, v);
+    if (pname != GL_MAP1_GRID_DOMAIN && pname != GL_MAP2_GRID_DOMAIN) return;
+    if (!memory.counts[pname]) std::fill_n(v, pname == GL_MAP1_GRID_DOMAIN ? 2 : 4, 0.0);
+  };
+}
+
+EVALCTS_FAULT(UndefinedVertexNetDrawsNothing, production, must, "EV-INIT-EVALUABLE",
+              "EvalCoord2 before any vertex map was defined draws nothing") {
+  map2(in, [](auto call, auto go) {
+    if (call.target >= GL_MAP2_VERTEX_3) memory.flag = true;
+    go(call);
+  });
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    if (memory.flag) go(u, v);
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -838,5 +838,37 @@ EVALCTS_FAULT(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP
   });
 }
 
+EVALCTS_FAULT(Map1TakenOnLastUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1 refuses unit 1, but none of those above") {
+  in.gl.ActiveTexture = [](GLenum texture) {
+    memory.number = texture;
+    sound.ActiveTexture(texture);
+  };
+  map1(in, [](auto call, auto go) {
+    if (memory.number <= GL_TEXTURE1) return go(call);
+    sound.ActiveTexture(GL_TEXTURE0);
+    go(call);
+    sound.ActiveTexture(static_cast<GLenum>(memory.number));
+  });
+}
+
+EVALCTS_FAULT(MapsIgnoredInLineLoops, production, must, "EV-MAP1-ERR-BEGINEND EV-MAP2-ERR-BEGINEND",
+              "Map1 and Map2 in a LINE_LOOP do nothing and raise nothing") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = mode == GL_LINE_LOOP;
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    memory.flag = false;
+    sound.End();
+  };
+  map1(in, [](auto call, auto go) {
+    if (!memory.flag) go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    if (!memory.flag) go(call);
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

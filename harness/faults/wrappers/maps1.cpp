@@ -572,5 +572,43 @@ EVALCTS_FAULT(ShorterMapKeepsOldValue, production, must, "EV-MAP1-REPLACE",
   });
 }
 
+EVALCTS_FAULT(DefinitionWhileDisabledMissed, production, must, "EV-MAP1-LIVE",
+              "Map1 of a map that was enabled once and is not now is taken up by queries only") {
+  in.gl.Enable = [](GLenum cap) {
+    memory.counts[cap] = 1;
+    sound.Enable(cap);
+  };
+  map1(in, [](auto call, auto go) {
+    if (legal(call) && memory.counts[call.target] && !sound.IsEnabled(call.target)) return;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(EnabledMapReadLate, production, must, "EV-MAP1-COPY",
+              "Map1d of an enabled map keeps the pointer until the next primitive begins") {
+  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+                   const GLdouble* points) {
+    sound.Map1d(target, u1, u2, stride, order, points);
+    memory.flag = legal(Map1Call<GLdouble>{target, u1, u2, stride, order, points}) && sound.IsEnabled(target);
+    if (memory.flag) deferred = {target, u1, u2, stride, order, points, {}};
+  };
+  in.gl.Begin = [](GLenum mode) {
+    define_deferred();
+    sound.Begin(mode);
+  };
+}
+
+EVALCTS_FAULT(ReversedClampedAbove, production, must, "EV-MAP1-EXTRAPOLATE",
+              "u is clamped to the upper end of a reversed domain") {
+  map1(in, [](auto call, auto go) {
+    memory.flag = call.u1 > call.u2;
+    memory.number = static_cast<double>(call.u1);
+    go(call);
+  });
+  in.gl.EvalCoord1f = [](GLfloat u) {
+    sound.EvalCoord1f(memory.flag ? std::min(u, static_cast<GLfloat>(memory.number)) : u);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -816,5 +816,38 @@ EVALCTS_FAULT(GetnMapOfNetSilentInPrimitives, production, must, "EV-GETN-ERRORS"
   };
 }
 
+EVALCTS_FAULT(LargestSquareNetUFastest, production, must, "EV-GETMAP-COEFF2-SQUARE",
+              "COEFF of the largest net has u fastest") {
+  answer_transposed(in, [](GLint u, GLint v) { return u == kMaxOrder && v == kMaxOrder; });
+}
+
+EVALCTS_FAULT(GetMapTargetInSixteenBits, production, must, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
+              "only the low 16 bits of a target are looked at") {
+  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
+    go(is_map(target & 0xFFFF) ? target & 0xFFFF : target, query, v);
+  });
+  getn_map(in, [](GLenum target, GLenum query, GLsizei size, auto* v, auto go) {
+    go(is_map(target & 0xFFFF) ? target & 0xFFFF : target, query, size, v);
+  });
+}
+
+EVALCTS_FAULT(QueryInOneByte, production, must, "EV-GETMAP-ERR-QUERY EV-GETN-ERRORS",
+              "only the low byte of a query is looked at") {
+  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
+    go(target, query > 0xFF && (query & 0xFF) < 3 ? GL_COEFF + (query & 0xFF) : query, v);
+  });
+  getn_map(in, [](GLenum target, GLenum query, GLsizei size, auto* v, auto go) {
+    go(target, query > 0xFF && (query & 0xFF) < 3 ? GL_COEFF + (query & 0xFF) : query, size, v);
+  });
+}
+
+EVALCTS_FAULT(GapBeyondVertex4Answered2, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapdv of 0x0DB9 to 0x0DBF raises its error and writes a zero") {
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
+    sound.GetMapdv(target, query, v);
+    if (target > GL_MAP2_VERTEX_4 && target < GL_MAP2_VERTEX_4 + 8) *v = 0;
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults
