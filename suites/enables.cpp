@@ -81,13 +81,19 @@ EVALCTS_LISTED_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, 
 }
 
 EVALCTS_LISTED_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
-  for (const bool on : {false, true}) {
-    gl::Case c(on ? "on" : "off");
-    if (on) c.Enable(cap);
+  struct Stage {
+    const char* name;
+    bool enabled, disabled;
+  };
+  for (const Stage& stage : {Stage{"off", false, false}, {"on", true, false}, {"off again", true, true}}) {
+    gl::Case c(stage.name);
+    if (stage.enabled) c.Enable(cap);
+    if (stage.disabled) c.Disable(cap);
     const gl::Ref boolean = c.GetBooleanv(cap, gl::out<GLboolean>(1));
     const gl::Ref integer = c.GetIntegerv(cap, gl::out<GLint>(1));
     const gl::Ref single = c.GetFloatv(cap, gl::out<GLfloat>(1));
     const gl::Ref real = c.GetDoublev(cap, gl::out<GLdouble>(1));
+    const bool on = stage.enabled && !stage.disabled;
     Played played = t.play(c);
     for (const gl::Ref query : {boolean, integer, single, real})
       played.expect_values(query, std::vector<double>{on ? 1.0 : 0.0});

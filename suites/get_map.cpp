@@ -182,8 +182,9 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
 
 EVALCTS_TESTS(GetMap, BadTarget, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-TARGET",
               "EV-GETMAP-ERR-NOWRITE") {
-  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DAFu, 0x0DB9u, static_cast<GLenum>(GL_TEXTURE_2D),
-                              static_cast<GLenum>(GL_AUTO_NORMAL), static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
+  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DA0u, 0x0DAFu, 0x0DB9u, 0x10D90u, 0x80000DB7u,
+                              static_cast<GLenum>(GL_TEXTURE_2D), static_cast<GLenum>(GL_AUTO_NORMAL),
+                              static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
 }
@@ -191,8 +192,8 @@ EVALCTS_TESTS(GetMap, BadTarget, kGetters, const Getter& getter, must, "EV-GETMA
 EVALCTS_TESTS(GetMap, BadQuery, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-QUERY",
               "EV-GETMAP-ERR-NOWRITE") {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_INDEX, GL_MAP2_COLOR_4})
-    for (const GLenum query : {0u, 0x09FFu, 0x0A03u, static_cast<GLenum>(GL_MAX_EVAL_ORDER),
-                               static_cast<GLenum>(GL_MAP1_VERTEX_3)})
+    for (const GLenum query : {0u, 0x09FFu, 0x0A03u, 0x0B01u, 0x10A00u,
+                               static_cast<GLenum>(GL_MAX_EVAL_ORDER), static_cast<GLenum>(GL_MAP1_VERTEX_3)})
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
 }
 

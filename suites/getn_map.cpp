@@ -225,10 +225,10 @@ EVALCTS_TESTS(GetnMap, NegativeSize2, kGetters, const Getter& getter, must, "EV-
 
 EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV-GETN-ERRORS") {
   const auto bytes = static_cast<GLsizei>(kRoom * getter.element);
-  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, static_cast<GLenum>(GL_AUTO_NORMAL)})
+  for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x10D97u, 0x10DB0u, static_cast<GLenum>(GL_AUTO_NORMAL)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       expect_refused(t, getter, named(target, query), target, query, bytes, {GL_INVALID_ENUM});
-  for (const GLenum query : {0u, 0x0A03u, static_cast<GLenum>(GL_MAX_EVAL_ORDER)})
+  for (const GLenum query : {0u, 0x0A03u, 0x0B01u, static_cast<GLenum>(GL_MAX_EVAL_ORDER)})
     expect_refused(t, getter, named(GL_MAP1_VERTEX_3, query), GL_MAP1_VERTEX_3, query, bytes,
                    {GL_INVALID_ENUM});
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4})

@@ -218,7 +218,7 @@ EVALCTS_LISTED_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, 
                      "EV-GRID-ERR-NOEFFECT") {
   for (const bool two : {false, true}) {
     std::vector<Calls> bad;
-    for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP, GL_POLYGON})
+    for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
       for (const bool after_vertex : {false, true})
         bad.push_back([&form, two, mode, after_vertex](gl::Case& c) {
           c.Begin(mode);
@@ -335,6 +335,12 @@ EVALCTS_LISTED_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-
   const Calls other_unit = [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE1); };
   expect_set(t, "MapGrid1, TEXTURE1 active", some_grids1(), form.doubles, other_unit);
   expect_set(t, "MapGrid2, TEXTURE1 active", some_grids2(), form.doubles, other_unit);
+
+  const Calls last_unit = [&t](gl::Case& c) {
+    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(t.gl().texture_units) - 1);
+  };
+  expect_set(t, "MapGrid1, the last unit active", some_grids1(), form.doubles, last_unit);
+  expect_set(t, "MapGrid2, the last unit active", some_grids2(), form.doubles, last_unit);
 
   gl::Case c("set on TEXTURE1, queried on TEXTURE0 and replaced there");
   const Grid1 one{4, 6, 8}, new_one{2, 3, 5};

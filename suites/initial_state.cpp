@@ -34,12 +34,24 @@ std::vector<double> initial_point(GLenum target) {
   }
 }
 
+bool is_texture_map(GLenum target) {
+  return target >= GL_MAP2_TEXTURE_COORD_1 && target <= GL_MAP2_TEXTURE_COORD_4;
+}
+
+bool is_plain(GLenum target) {
+  return target != GL_MAP1_COLOR_4 && target != GL_MAP2_COLOR_4 && target != GL_MAP1_NORMAL &&
+         target != GL_MAP2_NORMAL;
+}
+
 void expect_initial_points(Test& t, std::initializer_list<GLenum> targets) {
   for (const GLenum target : targets) {
     gl::Case c(label(target));
     const gl::Ref single = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8));
     const gl::Ref real = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(8));
+    const gl::Ref integer = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(8));
     Played played = t.play(c);
+    // Colours and normals may come scaled (C-GETMAPIV-NORM).
+    if (is_plain(target)) played.expect_values(integer, initial_point(target));
     played.expect_values(single, initial_point(target));
     played.expect_values(real, initial_point(target));
   }
@@ -124,8 +136,11 @@ EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN") {
 EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1") {
   gl::Case c("MAP1_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+  const gl::Ref real = c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
+  const gl::Ref integer = c.GetIntegerv(GL_MAP1_GRID_DOMAIN, gl::out<GLint>(2));
   const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   Played played = t.play(c);
+  for (const gl::Ref other : {real, integer}) played.expect_values(other, std::vector<double>{0, 1});
   played.expect_values(domain, std::vector<GLfloat>{0, 1});
   played.expect_values(segments, std::vector<GLint>{1});
 }
@@ -133,8 +148,11 @@ EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1") {
 EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2") {
   gl::Case c("MAP2_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
+  const gl::Ref real = c.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4));
+  const gl::Ref integer = c.GetIntegerv(GL_MAP2_GRID_DOMAIN, gl::out<GLint>(4));
   const gl::Ref segments = c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
   Played played = t.play(c);
+  for (const gl::Ref other : {real, integer}) played.expect_values(other, std::vector<double>{0, 1, 0, 1});
   played.expect_values(domain, std::vector<GLfloat>{0, 1, 0, 1});
   played.expect_values(segments, std::vector<GLint>{1, 1});
 }
@@ -148,6 +166,20 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE") {
     c.End();
     t.expect_emission(c, kPosition);
   }
+}
+
+EVALCTS_TESTS(InitialState, Evaluable2, visible_targets2(), GLenum target, must, "EV-INIT-EVALUABLE") {
+  if (is_texture_map(target)) t.require(1, 1);
+  gl::Case c(label(target));
+  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
+  c.Normal3f(0.5f, 0.6f, 0.7f);
+  c.TexCoord4f(5, 6, 7, 8);
+  if (target != GL_MAP2_VERTEX_4) c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(target);
+  c.Begin(GL_POINTS);
+  for (const float u : {-3.0f, 0.0f, 0.5f, 7.0f}) c.EvalCoord2f(u, 0.25f - u);
+  c.End();
+  t.expect_emission(c, attribute_of(target));
 }
 
 // Every other map as well: its initial constant, on a vertex map that was never defined either.

@@ -166,8 +166,9 @@ EVALCTS_LISTED_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, qua
 
 EVALCTS_LISTED_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must,
                      "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT") {
-  for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
+  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
     for (const char* after : {"nothing", "Vertex"}) {
+      if ((mode % 2 == 0) == (after[0] == 'V') && mode != GL_TRIANGLES) continue;
       expect_refused(t, fmt::format("{} after {}", gl::primitive_name(mode), after),
                      [&](gl::Case& c) {
                        c.Begin(mode);
@@ -242,6 +243,15 @@ EVALCTS_LISTED_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm
                    c.ActiveTexture(GL_TEXTURE0);  // the queries that follow are of unit 0 again
                  },
                  {GL_INVALID_OPERATION});
+
+  if (t.gl().texture_units > 2)
+    expect_refused(t, "the last unit active",
+                   [&](gl::Case& c) {
+                     c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(t.gl().texture_units) - 1);
+                     define(c, legal_map(form.target), form.doubles);
+                     c.ActiveTexture(GL_TEXTURE0);
+                   },
+                   {GL_INVALID_OPERATION});
 
   gl::Case unit("TEXTURE1 stays active");
   unit.ActiveTexture(GL_TEXTURE1);

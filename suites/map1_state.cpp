@@ -260,6 +260,10 @@ EVALCTS_LISTED_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& 
   }
   map.u2 = 2;  // and nothing else
   define_and_evaluate();
+  c.Disable(form.target);
+  define(c, random_map(t, form.target, 6, 4), form.doubles);
+  enable_visibly(c, form.target);
+  evaluate_some(c);
   t.expect_emission(c, attribute_of(form.target));
 }
 

@@ -161,10 +161,12 @@ EVALCTS_LISTED_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, qua
   }
 }
 
-EVALCTS_LISTED_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+namespace {
+
+void expect_refused_in(Test& t, const TargetForm& form, const std::string& identity,
+                       const std::vector<GLenum>& modes) {
   std::vector<Calls> bad;
-  for (const GLenum mode : {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON})
+  for (const GLenum mode : modes)
     for (const bool after_vertex : {false, true})
       bad.push_back([&form, mode, after_vertex](gl::Case& c) {
         c.Begin(mode);
@@ -172,8 +174,20 @@ EVALCTS_LISTED_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const Targ
         define(c, legal_map(form.target), form.doubles);
         c.End();
       });
-  expect_refused(t, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex", bad,
-                 {GL_INVALID_OPERATION});
+  expect_refused(t, identity, bad, {GL_INVALID_OPERATION});
+}
+
+}  // namespace
+
+EVALCTS_LISTED_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm& form, must,
+                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+  expect_refused_in(t, form, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex",
+                    {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON});
+}
+EVALCTS_TESTS(Map2Errors, BetweenBeginAndEndElsewhere, target_forms2(), const TargetForm& form, must,
+              "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+  expect_refused_in(t, form, "in the other primitives; first and after Vertex",
+                    {GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS});
 }
 
 // The primitive goes on as if the refused command had not been there.

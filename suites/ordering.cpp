@@ -187,7 +187,7 @@ constexpr Drawn kDrawn[] = {{"EVALMESH", true,
                                c.Begin(GL_POINTS);
                                for (const float u : {0.0f, 0.25f, 1.0f}) {
                                  if (two)
-                                   c.EvalCoord2f(u, 0.5f);
+                                   c.EvalCoord2f(u, 0.25f);
                                  else
                                    c.EvalCoord1f(u);
                                }
