@@ -336,6 +336,22 @@ EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must
   expect_map1(played, query, last);
 }
 
+EVALCTS_TESTS(Api, FormsReplaceEachOther2, visible_targets2(), GLenum target, must, "EV-API-FD/2-D") {
+  gl::Case c("defined by f, d, f, ..., evaluated after each");
+  enable_visibly(c, target);
+  int round = 0;
+  for (const auto& [uorder, vorder] : {std::pair{2, 3}, {3, 2}, {3, 2}, {2, 4}, {4, 2}, {4, 2}}) {
+    Map2 map = random_map2(t, target, uorder, vorder);
+    map.u1 = round, map.u2 = round + 2, map.v1 = 3 - round, map.v2 = 7 - round;
+    define(c, map, round % 2 == 1);
+    c.Begin(GL_POINTS);
+    for (const double at : {0.25, 1.75}) evaluate2(c, round + at, 4 - round + at, round % 2 == 0);
+    c.End();
+    ++round;
+  }
+  t.expect_emission(c, attribute_of(target));
+}
+
 // The array ends before an inaccessible page: reading a second value crashes.
 namespace {
 

@@ -101,9 +101,9 @@ struct NamedDomain {
   double u1, u2;
 };
 constexpr NamedDomain kDomains[] = {
-    {"UNIT", 0, 1},         {"SHIFTED", 2, 5},   {"NEGATIVE", -3, -1},       {"FAR", 1e3, 1e3 + 8},
-    {"ACROSS_ZERO", -1, 2}, {"WIDE", -1e6, 3e6}, {"NARROW", 1, 1 + 0x1p-16}, {"TINY", 0, 0x1p-50},
-    {"AWKWARD", 0.1f, 0.7f}};
+    {"UNIT", 0, 1},          {"SHIFTED", 2, 5},   {"NEGATIVE", -3, -1},       {"FAR", 1e3, 1e3 + 8},
+    {"ACROSS_ZERO", -1, 2},  {"WIDE", -1e6, 3e6}, {"NARROW", 1, 1 + 0x1p-16}, {"TINY", 0, 0x1p-50},
+    {"AWKWARD", 0.1f, 0.7f}, {"SYMMETRIC", -2, 2}};
 constexpr NamedDomain kReversedDomains[] = {{"1_TO_0", 1, 0}, {"5_TO_-2", 5, -2}, {"-1_TO_-3", -1, -3}};
 
 void expect_over_domain(Test& t, const NamedDomain& named) {

@@ -242,6 +242,15 @@ EVALCTS_LISTED_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") 
                           },
                           GL_INVALID_OPERATION});
     }
+    for (const GLenum mode : good_modes(two))  // of one point
+      attempts.push_back({[=](gl::Case& c) {
+                            if (two) {
+                              c.EvalMesh2(mode, 1, 1, 0, 0);
+                            } else {
+                              c.EvalMesh1(mode, 1, 1);
+                            }
+                          },
+                          GL_NO_ERROR});
     attempts.push_back({[=](gl::Case& c) { mesh(c, two, GL_QUADS); }, GL_INVALID_ENUM});
   }
   for (const bool begin : {true, false}) {
