@@ -190,5 +190,23 @@ EVALCTS_FAULT(
   rename_targets(in, [](GLenum t) { return swapped(t, GL_MAP2_TEXTURE_COORD_3, GL_MAP2_VERTEX_3); });
 }
 
+EVALCTS_FAULT(EvalCoord2dAfterMap2fIsRelative, production, must, "EV-API-FD/2-D",
+              "EvalCoord2d takes u for a normalised coordinate while the last map came from Map2f") {
+  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+                   GLint vstride, GLint vorder, const GLfloat* points) {
+    memory.numbers = {u1, u2};
+    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
+    memory.numbers.clear();
+    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  };
+  in.gl.EvalCoord2d = [](GLdouble u, GLdouble v) {
+    if (memory.numbers.empty()) return sound.EvalCoord2d(u, v);
+    sound.EvalCoord2d(memory.numbers[0] + u * (memory.numbers[1] - memory.numbers[0]), v);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -610,5 +610,13 @@ EVALCTS_FAULT(ReversedClampedAbove, production, must, "EV-MAP1-EXTRAPOLATE",
   };
 }
 
+EVALCTS_FAULT(SymmetricDomainTakenForUnit, production, must, "EV-MAP1-DOMAIN",
+              "a domain from -a to a is taken for one from 0 to a") {
+  map1(in, [](auto call, auto go) {
+    if (call.u1 == -call.u2 && call.u2 > 0) call.u1 = 0;
+    go(call);
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -408,5 +408,50 @@ EVALCTS_FAULT(OrderQueryCached, production, must, "EV-MAP2-REPLACE",
   };
 }
 
+EVALCTS_FAULT(EqualFirstRowsTakenForAll, production, must, "EV-MAP2-BEZIER",
+              "a net whose first two rows are equal is taken for constant in u") {
+  map2(in, [](auto call, auto go) {
+    if (!legal(call) || call.uorder < 3) return go(call);
+    auto points = packed(call);
+    const auto row = static_cast<std::ptrdiff_t>(call.vorder * gl::components_of(call.target));
+    if (std::equal(points.begin(), points.begin() + row, points.begin() + row))
+      for (std::ptrdiff_t i = 2; i < call.uorder; ++i)
+        std::copy(points.begin(), points.begin() + row, points.begin() + i * row);
+    go(with_points(call, points));
+  });
+}
+
+EVALCTS_FAULT(EqualFirstColumnsTakenForAll, production, must, "EV-MAP2-BEZIER",
+              "a net whose first two columns are equal is taken for constant in v") {
+  map2(in, [](auto call, auto go) {
+    if (!legal(call) || call.vorder < 3) return go(call);
+    auto points = packed(call);
+    const auto k = static_cast<std::ptrdiff_t>(gl::components_of(call.target));
+    const std::ptrdiff_t row = call.vorder * k;
+    bool equal = true;
+    for (std::ptrdiff_t i = 0; i < call.uorder; ++i) {
+      const auto first = points.begin() + i * row;
+      equal = equal && std::equal(first, first + k, first + k);
+    }
+    for (std::ptrdiff_t i = 0; equal && i < call.uorder; ++i)
+      for (std::ptrdiff_t j = 2; j < call.vorder; ++j)
+        std::copy_n(points.begin() + i * row, k, points.begin() + i * row + j * k);
+    go(with_points(call, points));
+  });
+}
+
+EVALCTS_FAULT(SecondColumnWeighsLess, production, must, "EV-MAP2-SEPARABLE",
+              "the second weight of v is a hundredth too small, and so the weights do not add up to 1") {
+  map2(in, [](auto call, auto go) {
+    if (!legal(call) || call.vorder < 3) return go(call);
+    auto points = packed(call);
+    const auto k = static_cast<std::size_t>(gl::components_of(call.target));
+    const auto row = static_cast<std::size_t>(call.vorder) * k;
+    for (std::size_t i = 0; i < points.size(); i += row)
+      for (std::size_t c = 0; c < k; ++c) points[i + k + c] -= points[i + k + c] / 100;
+    go(with_points(call, points));
+  });
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -284,5 +284,13 @@ EVALCTS_FAULT(
   };
 }
 
+EVALCTS_FAULT(MeshOfOnePointLeavesStripOpen, production, must, "EV-BE-MESHNOTINSIDE",
+              "EvalMesh2 LINE of a single row and column begins a strip and returns") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    if (mode == GL_LINE && i1 == i2 && j1 == j2) sound.Begin(GL_LINE_STRIP);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults
