@@ -1,0 +1,109 @@
+// Sections 15 and 16, further down the pipeline: stippling, faces, polygon modes.
+#include "harness/faults/evaluating.h"
+
+namespace evalcts::faults {
+namespace {
+
+EVALCTS_FAULT(CurveMeshOfSeparateLines, osmesa, must, "EV-MESH1-STIPPLE",
+              "EvalMesh1 with LINE draws separate lines: the stipple starts anew at each") {
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    if (mode != GL_LINE) return sound.EvalMesh1(mode, i1, i2);
+    for (GLint i = i1; i < i2; ++i) sound.EvalMesh1(mode, i, i + 1);
+  };
+}
+
+EVALCTS_FAULT(SurfaceMeshOfSeparateLines, osmesa, must, "EV-MESH2-STIPPLE",
+              "strips along v of EvalMesh2 are separate lines") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_LINE) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j <= j2; ++j) sound.EvalMesh2(mode, i1, i2, j, j);
+    for (GLint i = i1; i <= i2; ++i)
+      for (GLint j = j1; j < j2; ++j) sound.EvalMesh2(mode, i, i, j, j + 1);
+  };
+}
+
+EVALCTS_FAULT(StripsOfMeshesClockwise, osmesa, must, "EV-MESH2-WINDING EV-MESH2-TWOSIDE",
+              "EvalMesh2 with FILL turns its quads the other way") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_FILL) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j < j2; ++j) {
+      sound.Begin(GL_QUAD_STRIP);
+      for (GLint i = i1; i <= i2; ++i) {
+        sound.EvalPoint2(i, j + 1);
+        sound.EvalPoint2(i, j);
+      }
+      sound.End();
+    }
+  };
+}
+
+EVALCTS_FAULT(MeshesHaveFrontsOnly, osmesa, must, "EV-MESH2-TWOSIDE",
+              "EvalMesh2 with AUTO_NORMAL lights the front alone") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    GLint two_sides = 0;
+    sound.GetIntegerv(GL_LIGHT_MODEL_TWO_SIDE, &two_sides);
+    const GLfloat off = 0, back = static_cast<GLfloat>(two_sides);
+    if (sound.IsEnabled(GL_AUTO_NORMAL)) sound.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, &off);
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    sound.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, &back);
+  };
+}
+
+EVALCTS_FAULT(LineMeshesAreCulled, osmesa, must, "EV-MESH2-NOPOLYMODE",
+              "EvalMesh2 with LINE draws nothing where front and back faces are culled") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    GLint face = GL_BACK;
+    sound.GetIntegerv(GL_CULL_FACE_MODE, &face);
+    if (mode == GL_LINE && sound.IsEnabled(GL_CULL_FACE) && face == GL_FRONT_AND_BACK) return;
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+  };
+}
+
+EVALCTS_FAULT(LineMeshesFollowPolygonMode, osmesa, must, "EV-MESH2-NOPOLYMODE",
+              "EvalMesh2 with LINE draws points in polygon mode POINT") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    GLint modes[2] = {GL_FILL, GL_FILL};
+    sound.GetIntegerv(GL_POLYGON_MODE, modes);
+    sound.EvalMesh2(mode == GL_LINE && modes[0] == GL_POINT ? GL_POINT : mode, i1, i2, j1, j2);
+  };
+}
+
+EVALCTS_FAULT(FilledMeshesAlwaysFilled, osmesa, must, "EV-MESH2-NOPOLYMODE",
+              "EvalMesh2 with FILL ignores the polygon mode") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    GLint modes[2] = {GL_FILL, GL_FILL};
+    sound.GetIntegerv(GL_POLYGON_MODE, modes);
+    sound.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    sound.PolygonMode(GL_FRONT, static_cast<GLenum>(modes[0]));
+    sound.PolygonMode(GL_BACK, static_cast<GLenum>(modes[1]));
+  };
+}
+
+EVALCTS_FAULT(FilledMeshesNeverCulled, osmesa, must, "EV-MESH2-NOPOLYMODE",
+              "EvalMesh2 with FILL is not culled") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const bool culled = sound.IsEnabled(GL_CULL_FACE);
+    sound.Disable(GL_CULL_FACE);
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    if (culled) sound.Enable(GL_CULL_FACE);
+  };
+}
+
+EVALCTS_FAULT(HalfOfEachQuad, osmesa, quality, "EV-MESH2-PLANAR",
+              "EvalMesh2 with FILL draws three corners of each quad") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_FILL) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    sound.Begin(GL_TRIANGLES);
+    for (GLint j = j1; j < j2; ++j)
+      for (GLint i = i1; i < i2; ++i) {
+        sound.EvalPoint2(i, j);
+        sound.EvalPoint2(i, j + 1);
+        sound.EvalPoint2(i + 1, j);
+      }
+    sound.End();
+  };
+}
+
+}  // namespace
+}  // namespace evalcts::faults
