@@ -55,7 +55,7 @@ struct Step {
 Step StepOf(const Parameter& at, int degree) {
   constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
   if (at.end != Parameter::End::kNeither) return {at.end, at.end == Parameter::End::kLast, 0, 1, 0};
-  const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
+  const bool from_last = GLEV_FAULTY(AlwaysFromTheLastPoint) || std::fabs(at.t) <= std::fabs(at.s);
   const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
   Step step = {at.end, from_last, smaller / larger, 1, 0};
   if (GLEV_FAULTY(LinesInSteps) && degree == 1) step.ratio = std::round(256 * step.ratio) / 256;
@@ -65,7 +65,7 @@ Step StepOf(const Parameter& at, int degree) {
     int two = 0;
     const double significand = 2 * std::frexp(larger, &two);  // 1 <= |significand| < 2
     step.power = Power(significand, degree);
-    step.exponent = (two - 1) * degree;
+    step.exponent = (GLEV_FAULTY(FarPowerTooLarge) ? two : two - 1) * degree;
   }
   return step;
 }
@@ -123,9 +123,13 @@ void ScaleByBinomials(const double* points, std::array<int, 2> order, int compon
     return static_cast<double>(GLEV_FAULTY(BinomialsIn32Bits) ? binomial & 0xFFFFFFFF : binomial);
   };
   for (int i = 0; i < order[0]; ++i) {
+    const bool mistyped = GLEV_FAULTY(BinomialMistyped) && order[0] == 8 && i == 3;
+    const double in_u = weight(mistyped ? row_u[i] + 1 : row_u[i]);
     for (int j = 0; j < order[1]; ++j) {
+      const bool narrow = GLEV_FAULTY(BinomialsOfVIn32Bits);
+      const double in_v = weight(narrow ? static_cast<std::uint32_t>(row_v[j]) : row_v[j]);
       for (int k = 0; k < components; ++k) {
-        *scaled++ = weight(row_u[i]) * (weight(row_v[j]) * *points++);
+        *scaled++ = in_u * (in_v * *points++);
       }
     }
   }

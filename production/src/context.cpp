@@ -194,6 +194,8 @@ void glev_context::SetEnabled(glev_enum cap, bool enabled) {
   if (*flag == enabled) return;
   *flag = enabled;
   if (GLEV_FAULTY(DisabledMapStaysInPlan) && cap == GLEV_MAP1_COLOR_4 && !enabled) return;
+  if (GLEV_FAULTY(DisableOfTextureMapKeepsPlan) && cap == GLEV_MAP1_TEXTURE_COORD_4 && !enabled) return;
+  if (GLEV_FAULTY(DisableOfAutoNormalKeepsPlan) && cap == GLEV_AUTO_NORMAL && !enabled) return;
   DropPlan(FindTarget(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
 }
 
@@ -211,8 +213,9 @@ bool glev_context::IsEnabled(glev_enum cap) {
 glev_plan* glev_context::CurrentPlan(int dimension) {
   glev_plan*& plan = plans_[dimension - 1];
   if (plan == nullptr) {
-    plan = glev_plan::Create(allocator_, {maps_[dimension - 1], eval_.enabled[dimension - 1],
-                                          eval_.grid[dimension - 1], dimension == 2 && eval_.auto_normal});
+    plan = glev_plan::Create(allocator_,
+                             {maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
+                              (dimension == 2 || GLEV_FAULTY(AutoNormalsOfCurves)) && eval_.auto_normal});
   }
   return plan;
 }
@@ -240,7 +243,9 @@ void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
   glev::RoundTo(vertex.position, position);
   if (plan.components(Attribute::kColor) != 0) glev::RoundTo(vertex.color, row.At(Attribute::kColor, u));
   if (plan.components(Attribute::kTexcoord) != 0)
-    glev::RoundTo(vertex.texcoord[0], row.At(Attribute::kTexcoord, u));
+    glev::RoundTo(vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0],
+                  row.At(Attribute::kTexcoord, u));
+  if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.texcoord[0][3] = vertex.texcoord[0][3];
   if (plan.components(Attribute::kNormal) != 0) glev::RoundTo(vertex.normal, row.At(Attribute::kNormal, u));
   if (plan.automatic_normals()) glev::RoundTo(vertex.normal, row.NormalAt(position, u));
   if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0) current_.texcoord[0][1] = vertex.texcoord[0][1];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "production/src/fault.h"
+
 namespace glev {
 namespace {
 
@@ -38,12 +40,15 @@ Vector UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u, std::array
   Scale(p_u);
   Scale(p_v);
   Vector a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
+  if (GLEV_FAULTY(WForgottenInV)) b = {p_v[0], p_v[1], p_v[2]};
+  if (GLEV_FAULTY(NormalTurnedByNegativeW) && p[3] < 0) a = {-a[0], -a[1], -a[2]};
   Scale(a);
   Scale(b);
   Vector m = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   Scale(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
+  if (GLEV_FAULTY(ShortNormalsStay) && length < 0x1p-34) return m;
   for (double& x : m) x /= length;
   return m;
 }

@@ -51,6 +51,10 @@ inline Parameter Locate(const Domain& domain, double u) {
     const float t = static_cast<float>((u - domain.u1) / width);
     return {1 - t, t, Parameter::End::kNeither};
   }
+  if (GLEV_FAULTY(DivisionBeforeSubtraction)) {
+    const double t = static_cast<float>(u / width) - static_cast<float>(domain.u1 / width);
+    return {1 - t, t, Parameter::End::kNeither};
+  }
   return {(domain.u2 - u) / width, (u - domain.u1) / width, Parameter::End::kNeither};
 }
 

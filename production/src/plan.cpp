@@ -51,6 +51,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   std::array<int, kAttributes> winners;
   for (int a = 0; a < kAttributes; ++a) winners[a] = WinningSlot(static_cast<Attribute>(a), source.enabled);
   const int vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
+  const int vertex_3 = glev::SlotsOf(Attribute::kVertex).first;
+  const int normal_slot = GLEV_FAULTY(NormalOfVertex3) && source.enabled[vertex_3] ? vertex_3 : vertex_slot;
   const bool automatic_normals = source.automatic_normals && vertex_slot >= 0;
   if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
 
@@ -62,7 +64,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   }
   if (automatic_normals) {
     for (const int direction : {0, 1}) {
-      bytes += BytesOf(TangentOrder(source.maps[vertex_slot], direction), kSlotTable[vertex_slot].components);
+      bytes += BytesOf(TangentOrder(source.maps[normal_slot], direction), kSlotTable[normal_slot].components);
     }
   }
 
@@ -85,20 +87,24 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     double* net = take(order, components);
     const double* points = map.points(GLEV_FAULTY(UndefinedTextureOfColor) && slot == 6 ? 0 : slot);
     glev::ScaleByBinomials(points, order, components, net);
-    plan->surfaces_[a] = {{order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+    const int first = glev::SlotsOf(static_cast<Attribute>(a)).first;
+    const bool loser = GLEV_FAULTY(LoserGivesTheDomain) && source.enabled[first];
+    const Map& placed = source.maps[loser ? first : slot];
+    plan->surfaces_[a] = {
+        {order[0] - 1, order[1] - 1}, components, {placed.domain(0), placed.domain(1)}, net};
     if (GLEV_FAULTY(OneDomainForAllMaps)) plan->surfaces_[a].domain = plan->surfaces_[0].domain;
   }
 
   plan->automatic_normals_ = automatic_normals;
   for (const int direction : {0, 1}) {
     if (!automatic_normals) break;
-    const Map& map = source.maps[vertex_slot];
+    const Map& map = source.maps[normal_slot];
     const std::array<int, 2> order = TangentOrder(map, direction);
     if (order[direction] == 0) continue;
-    const int components = kSlotTable[vertex_slot].components;
+    const int components = kSlotTable[normal_slot].components;
     double* net = take(order, components);
-    Differences(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
-    glev::ScaleByBinomials(net, order, components, net);
+    Differences(map.points(normal_slot), {map.order(0), map.order(1)}, components, direction, net);
+    if (!GLEV_FAULTY(TangentsWithoutBinomials)) glev::ScaleByBinomials(net, order, components, net);
     plan->tangents_[direction] = {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }

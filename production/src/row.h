@@ -43,6 +43,7 @@ class Row {
     };
     for (std::size_t a = 0; a < kAttributes; ++a)
       curves_[a] = cut(plan_.surface(static_cast<Attribute>(a)), a);
+    if (GLEV_FAULTY(TangentsOfTheFirstRow) && tangents_[0].components != 0) return;
     for (std::size_t direction : {0, 1}) {
       tangents_[direction] = cut(plan_.tangent(static_cast<int>(direction)), kAttributes + direction);
     }
