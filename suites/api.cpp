@@ -300,8 +300,10 @@ void forms_share_values(Test& t, const TargetForm& form, bool two) {
   enable_visibly(c, form.target);
   c.Begin(GL_POINTS);
   for (const double u : {0.0, 0.125, 0.3125, 0.9375, 1.0}) evaluate(c, u, !form.doubles);
+  for (const double u : random_values(t.random(), 3)) evaluate(c, u, !form.doubles);  // all bits of a float
   c.End();
-  t.expect_emission(two ? gl::lift(c, true) : c, attribute_of(form.target));
+  for (const bool along_v : {true, false})
+    if (two || !along_v) t.expect_emission(two ? gl::lift(c, along_v) : c, attribute_of(form.target));
 }
 
 }  // namespace

@@ -44,6 +44,12 @@ std::array<double, 4> weighted_plane(int i, int j) {
   const double w = 1 + i + 2 * j;
   return {i * w, j * w, 0.5 * w, w};
 }
+// The same plane: what x/w, y/w, z/w are does not change.
+std::array<double, 4> negated_plane(int i, int j) {
+  std::array<double, 4> point = weighted_plane(i, j);
+  for (double& value : point) value = -value;
+  return point;
+}
 // A quarter of a cylinder about the z axis, exactly.
 std::array<double, 4> cylinder(int i, int j) {
   const double w = i == 1 ? std::sqrt(0.5) : 1.0;
@@ -72,7 +78,8 @@ constexpr Patch kPolynomial[] = {{"BUMP_3X3", GL_MAP2_VERTEX_3, 3, 3, bump},
 constexpr Patch kRational[] = {{"PLANE_2X2", GL_MAP2_VERTEX_4, 2, 2, weighted_plane},
                                {"PLANE_3X4", GL_MAP2_VERTEX_4, 3, 4, weighted_plane},
                                {"CYLINDER", GL_MAP2_VERTEX_4, 3, 2, cylinder},
-                               {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere}};
+                               {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere},
+                               {"NEGATIVE_W", GL_MAP2_VERTEX_4, 2, 3, negated_plane}};
 
 void set_current_values(gl::Case& c) {
   c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
@@ -122,8 +129,10 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, Used, must, "EV-AUTO
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c(label(target));
     set_current_values(c);
+    // Before the map, or after it.
+    if (target == GL_MAP2_VERTEX_3) c.Enable(GL_AUTO_NORMAL);
     define_and_enable(c, surface(target, 3, 3, bump));
-    c.Enable(GL_AUTO_NORMAL);
+    if (target == GL_MAP2_VERTEX_4) c.Enable(GL_AUTO_NORMAL);
     c.Begin(GL_POINTS);
     for (const float u : {0.0f, 0.25f, 0.5f, 1.0f})
       for (const float v : {0.0f, 0.375f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
@@ -139,9 +148,12 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
   set_current_values(c);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   define(c, random_map2(t, GL_MAP2_NORMAL, 2, 3));
+  // Only what changes is switched: nothing repairs what the other switch may have done.
+  std::pair<bool, bool> now = {false, false};
   for (const auto& [automatic, map] : switches) {
-    automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
-    map ? c.Enable(GL_MAP2_NORMAL) : c.Disable(GL_MAP2_NORMAL);
+    if (automatic != now.first) automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
+    if (map != now.second) map ? c.Enable(GL_MAP2_NORMAL) : c.Disable(GL_MAP2_NORMAL);
+    now = {automatic, map};
     c.Begin(GL_POINTS);
     for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
     c.End();
@@ -303,7 +315,7 @@ EVALCTS_LISTED_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& 
 
 EVALCTS_LISTED_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
   std::vector<Map2> maps;
-  for (const double size : {0.01, 1.0, 37.0, 1000.0})
+  for (const double size : {5e-5, 0.01, 1.0, 37.0, 1000.0})
     for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
       Map2 map = patch.map();
       for (std::size_t i = 0; i < map.points.size(); ++i)
@@ -314,7 +326,7 @@ EVALCTS_LISTED_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
   wide.u2 = 100;
   wide.v2 = 0.125;
   maps.push_back(wide);
-  expect_normals(t, "patches of size 0.01 to 1000, and over [0,100] x [0,1/8]", maps,
+  expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps,
                  kPosition | kNormal | kUnitNormal);
 }
 
@@ -342,7 +354,7 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, mus
       define(c, random_map2(t, other, 3, 2));
       c.Enable(other);
     }
-    define_and_enable(c, surface(target, 4, 4, wave));
+    define_and_enable(c, surface(target, 4, 4, target == GL_MAP2_VERTEX_4 ? weighted_plane : wave));
     for (const bool automatic : {false, true}) {
       if (automatic) c.Enable(GL_AUTO_NORMAL);
       c.Begin(GL_POINTS);

@@ -273,15 +273,40 @@ EVALCTS_TEST_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues,
   }
 }
 
+// Meshes are primitives of their own, and have no edge flags.
+EVALCTS_LISTED_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG") {
+  for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
+    gl::Case c(flag ? "TRUE" : "FALSE");
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3}) c.Enable(target);
+    c.EdgeFlag(flag);
+    std::vector<gl::Ref> after;
+    const auto query = [&] { after.push_back(c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1))); };
+    for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
+      if (mode != GL_FILL) {
+        c.EvalMesh1(mode, 0, 2);
+        query();
+      }
+      c.EvalMesh2(mode, 0, 2, 0, 2);
+      query();
+    }
+    Played played = t.play(c);
+    for (const gl::Ref ref : after) played.expect_values(ref, std::vector<GLboolean>{flag});
+  }
+}
+
 // With all maps on, everything that can be queried of the evaluators stays as it was.
 namespace {
 
 void expect_state_untouched(Test& t, bool two) {
   gl::Case c("all nine maps enabled");
   for (const GLenum target : gl::kMap1Targets) {
-    define(c, random_map(t, target, 5));
+    Map1 map = random_map(t, target, 5);
+    map.u1 = -1;
+    map.u2 = 3;
+    define(c, map);
     c.Enable(target);
   }
+  two ? c.MapGrid2f(3, 0.1f, 0.7f, 4, 2, 1) : c.MapGrid1f(3, 0.1f, 0.7f);
   const auto query = [&] {
     std::vector<gl::Ref> refs = query_everything(c, t.max_order());
     refs.push_back(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)));
@@ -295,7 +320,17 @@ void expect_state_untouched(Test& t, bool two) {
   c.Begin(GL_LINE_STRIP);
   for (int i = 0; i < 40; ++i) c.EvalCoord1f(static_cast<float>(i) / 20 - 0.5f);
   c.EvalCoord1d(0.5);
+  for (const GLint i : {0, 2, -1, 7}) two ? c.EvalPoint2(i, 3 - i) : c.EvalPoint1(i);
   c.End();
+  // Inside the grid, beyond it, and nothing.
+  for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL})
+    for (const auto& [first, last] : {std::pair{0, 3}, {-2, 5}, {2, 1}}) {
+      if (two) {
+        c.EvalMesh2(mode, first, last, first, last);
+      } else if (mode != GL_FILL) {
+        c.EvalMesh1(mode, first, last);
+      }
+    }
   const std::vector<gl::Ref> after = query();
   Played played = t.play(two ? gl::lift(c, true) : c);
   expect_unchanged(played, before, after);

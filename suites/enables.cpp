@@ -192,11 +192,14 @@ void other_dimension(Test& t, bool two) {
   c.Normal3f(0.6f, 0.0f, 0.8f);
   c.TexCoord4f(5, 6, 7, 8);
   for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
-  define(c, make_map1(GL_MAP1_VERTEX_3, random_values(t.random(), 12)));
-  c.Enable(GL_MAP1_VERTEX_3);
-  c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
-  c.End();
+  // The vertex map alone, then beside a texture map that maps of the other dimension would outrank.
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2}) {
+    define(c, random_map(t, target, 4));
+    c.Enable(target);
+    c.Begin(GL_POINTS);
+    for (const float u : {0.0f, 0.4f, 1.0f}) c.EvalCoord1f(u);
+    c.End();
+  }
   // Nor do those that are disabled.
   for (const GLenum cap : gl::kMap2Targets) c.Disable(cap);
   for (const GLenum cap : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}) {

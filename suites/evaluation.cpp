@@ -190,6 +190,7 @@ void legal_in_every_primitive(Test& t, GLenum target, bool two) {
     c.EvalCoord1d(0.5);
     c.EvalCoord1fv(std::vector<float>{0.5f});
     c.EvalCoord1dv(std::vector<double>{0.5});
+    for (const GLint i : {0, 1, 2}) two ? c.EvalPoint2(i, 1) : c.EvalPoint1(i);
     c.End();
     const gl::Ref error = c.GetError();
     Played played = t.play(two ? gl::lift(c, true) : c);
@@ -323,7 +324,7 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
     c.Begin(mode);
     for (const float u : {0.0f, 0.375f, 1.0f}) {
       c.EvalCoord1f(u);
-      c.EvalCoord2f(u, 0.25f);
+      c.EvalCoord2f(0.875f - 0.75f * u, 0.25f);
     }
     for (const GLint i : {0, 1}) {
       c.EvalPoint2(i, 2);
@@ -358,8 +359,11 @@ void no_argument_is_an_error(Test& t, const Form& form, bool two) {
     for (const double u : {1e300, -1e300, 1e-300, -0.0}) evaluate(c, u, true);
   c.End();
   const gl::Ref error = c.GetError();
-  Played played = t.play(two ? gl::lift(c, true) : c);
-  played.expect_no_error(error);
+  for (const bool along_v : {true, false}) {
+    if (!two && along_v) continue;
+    Played played = t.play(two ? gl::lift(c, along_v) : c);
+    played.expect_no_error(error);
+  }
 }
 
 }  // namespace
@@ -423,7 +427,7 @@ EVALCTS_TESTS_BY(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries(
 // --- Section 8: attributes produced ----------------------------------------------------------------------
 
 EVALCTS_DELIVERED_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
-  gl::Case c("after vertices with other w");
+  gl::Case c("after vertices with other w, beside coordinates with other q");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
   c.Begin(GL_POINTS);
@@ -432,6 +436,9 @@ EVALCTS_DELIVERED_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
   c.Vertex4f(1, 2, 3, 0.5f);
   c.EvalCoord1f(0.75f);
   c.End();
+  define(c, random_map(t, GL_MAP1_TEXTURE_COORD_4, 3));
+  c.Enable(GL_MAP1_TEXTURE_COORD_4);
+  evaluate_some(c);
   t.expect_emission(c, kPosition);
 }
 
@@ -505,7 +512,7 @@ EVALCTS_DELIVERED_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-
 
 EVALCTS_DELIVERED_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D") {
   gl::Case c("lengths from 0.1 to 300");
-  define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, 0, 0.1f}));
+  define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, -200, -0.1f}));
   enable_visibly(c, GL_MAP1_NORMAL);
   evaluate_some(c);
   t.expect_emission(c, kNormal);
@@ -563,7 +570,9 @@ EVALCTS_DELIVERED_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1
                        "EV-PREC-ORDERFREE/1-D") {
   for (const bool four_first : {false, true}) {
     gl::Case c(four_first ? "VERTEX_4 defined and enabled first" : "VERTEX_3 defined and enabled first");
-    const Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3), four = random_map(t, GL_MAP1_VERTEX_4, 4);
+    Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3);
+    const Map1 four = random_map(t, GL_MAP1_VERTEX_4, 4);
+    three.u1 = 2;
     for (const Map1* map : {four_first ? &four : &three, four_first ? &three : &four}) {
       define(c, *map);
       c.Enable(map->target);
@@ -581,7 +590,14 @@ EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-
     c.TexCoord4f(5, 6, 7, 8);
     define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
     c.Enable(GL_MAP1_VERTEX_3);
-    for (const GLenum target : kTextureTargets) define(c, random_map(t, target, 3));
+    // No two of one order or over one domain.
+    int order = 2;
+    for (const GLenum target : kTextureTargets) {
+      Map1 map = random_map(t, target, order++);
+      map.u1 = -0.25 * order;
+      map.u2 = order;
+      define(c, map);
+    }
     for (unsigned subset = 1; subset < 16; ++subset) {
       for (unsigned i = 0; i < 4; ++i) c.Disable(kTextureTargets[i]);
       for (unsigned i = 0; i < 4; ++i) {

@@ -2,6 +2,7 @@
 // values; each is judged against the exact one by the acceptance interval.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -190,6 +191,24 @@ EVALCTS_DELIVERED_TESTS(Map1Values, OutsideDomain, visible_targets(), GLenum tar
   t.expect_emission(c, attribute_of(target));
 }
 
+// So far that powers of the argument leave the usual range of magnitudes; the results do not.
+EVALCTS_DELIVERED_TESTS(Map1Values, FarOutsideDomain, visible_targets(), GLenum target, must,
+                        "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D") {
+  gl::Case c("2^15 to 2^20 widths of the domain away");
+  enable_visibly(c, target);
+  for (const Domain domain : {Domain{0, 1}, {3, 1}})
+    for (const int order : {2, 3, 4}) {
+      Map1 map = random_map(t, target, order, domain);
+      for (double& value : map.points) value = std::ldexp(value, -20 * (order - 1) + 6);
+      define(c, map);
+      std::vector<double> us;
+      for (const double widths : {0x1p15, -0x1.5p16, 0x1.3p17, -0x1p18, 0x1.8p20})
+        us.push_back(static_cast<float>(domain.u1 + (domain.u2 - domain.u1) * widths));
+      evaluate_all(c, us);
+    }
+  t.expect_emission(c, attribute_of(target));
+}
+
 EVALCTS_DELIVERED_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, must,
                         "EV-MAP1-ORDER-ONE") {
   gl::Case c("one point, arguments in and outside the domain");
@@ -295,6 +314,29 @@ EVALCTS_TESTS(Map1Accuracy, Acceptable, visible_targets(), GLenum target, must, 
 EVALCTS_TESTS(Map1Accuracy, GoodSinglePrecision, visible_targets(), GLenum target, quality,
               "EV-NUM-ACCURACY/1-D") {
   measure(t, target, t.by_depth(4, 4, 1000));
+}
+
+// ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
+// one left of it: the point there is 0, so that nothing hides the error.
+EVALCTS_TESTS(Map1Accuracy, GoodNearTheEnds, visible_targets(), GLenum target, quality,
+              "EV-NUM-ACCURACY/1-D") {
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  gl::Case c("the numbers next to each end");
+  enable_visibly(c, target);
+  for (const Domain domain : {Domain{0.1f, 0.7f}, {2, 5}, {-3, -1}, {1e3, 1e3 + 7}, {5, -2}})
+    for (const int order : {2, 3, 4, 7})
+      for (const bool last : {false, true}) {
+        Map1 map = random_map(t, target, order, domain);
+        std::fill_n(last ? map.points.end() - static_cast<std::ptrdiff_t>(k) : map.points.begin(), k, 0.0);
+        define(c, map);
+        const auto end = static_cast<float>(last ? domain.u2 : domain.u1);
+        const auto other = static_cast<float>(last ? domain.u1 : domain.u2);
+        std::vector<double> us = {std::nextafter(end, other)};
+        for (const float part : {0x1p-20f, 0x1p-16f, 0x1p-12f, 0x1p-8f})
+          us.push_back(end + (other - end) * part);
+        evaluate_all(c, us);
+      }
+  t.expect_emission(c, attribute_of(target));
 }
 
 }  // namespace evalcts::suite_map1_values

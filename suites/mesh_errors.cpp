@@ -44,7 +44,12 @@ void disable_maps(gl::Case& c) {
 
 std::vector<Calls> bad_meshes(bool two, bool empty = false) {
   std::vector<Calls> calls;
-  for (const GLenum mode : bad_modes(two)) calls.push_back([=](gl::Case& c) { mesh(c, two, mode, empty); });
+  for (const GLenum mode : bad_modes(two)) {
+    calls.push_back([=](gl::Case& c) { mesh(c, two, mode, empty); });
+    if (!two || !empty) continue;
+    calls.push_back([=](gl::Case& c) { c.EvalMesh2(mode, 2, 1, 0, 2); });
+    calls.push_back([=](gl::Case& c) { c.EvalMesh2(mode, 0, 2, 1, 0); });
+  }
   return calls;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "harness/judge/prediction.h"
@@ -24,6 +25,9 @@ constexpr MeshMode kModes2[] = {
     {"POINT", GL_POINT, kPoints}, {"LINE", GL_LINE, kLines}, {"FILL", GL_FILL, kPolygons}};
 
 const Grid kV = {5, 1.9f, 1.2f};
+
+// Their difference is no int.
+constexpr int kHighest = std::numeric_limits<int>::max(), kLowest = std::numeric_limits<int>::min();
 
 // i1, i2, j1, j2.
 struct Range {
@@ -66,12 +70,14 @@ void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
 EVALCTS_LISTED_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS") {
   expect_meshes1(t, kModes1[0], "whole meshes of points",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
+  expect_meshes1(t, kModes1[0], "many points", {{300, -0.5f, 2.5f}}, {{0, 300}});
 }
 
 // N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
 EVALCTS_LISTED_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS") {
   expect_meshes1(t, kModes1[1], "whole meshes of lines",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
+  expect_meshes1(t, kModes1[1], "one long strip", {{300, -0.5f, 2.5f}}, {{0, 300}});
 }
 
 EVALCTS_LISTED_TESTS(Mesh1, SubRange, kModes1, const MeshMode& mode, must, "EV-MESH1-SUBRANGE",
@@ -88,7 +94,7 @@ EVALCTS_LISTED_TESTS(Mesh1, OutsideTheGrid, kModes1, const MeshMode& mode, must,
 
 EVALCTS_LISTED_TESTS(Mesh1, EmptyRange, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
-                 {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}});
+                 {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
 }
 EVALCTS_LISTED_TESTS(Mesh1, EmptyRangeBetween, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
   expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
@@ -155,6 +161,12 @@ std::pair<int, int> range_at(const Grid& grid, bool last, int whole) {
   return last ? std::pair{grid.segments - 3, grid.segments + 1} : std::pair{-3, 3};
 }
 
+// Some steps, of which that end is the first or the last.
+std::pair<int, int> range_ending_at(const Grid& grid, bool last) {
+  const int steps = std::min(grid.segments, 3);
+  return last ? std::pair{grid.segments - steps, grid.segments} : std::pair{0, steps};
+}
+
 void expect_exact1(Test& t, const MeshMode& mode, bool last) {
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t)) most += 2 * static_cast<std::size_t>(grid.segments + 8);
@@ -163,6 +175,8 @@ void expect_exact1(Test& t, const MeshMode& mode, bool last) {
       [&](gl::Case& c, const Grid& grid) {
         const auto [first, end] = range_at(grid, last, t.by_depth(60, 300, 300));
         c.EvalMesh1(mode.mode, first, end);
+        const auto [at_first, at_end] = range_ending_at(grid, last);
+        c.EvalMesh1(mode.mode, at_first, at_end);
       },
       2 * most);
 }
@@ -201,11 +215,13 @@ EVALCTS_LISTED_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which,
   expect_exact_end(
       t, which.along, which.last, which.mode.kind,
       [&](gl::Case& c, const Grid& grid) {
-        const auto [first, end] = range_at(grid, which.last, whole);
-        if (which.along.v) {
-          c.EvalMesh2(which.mode.mode, 0, 1, first, end);
-        } else {
-          c.EvalMesh2(which.mode.mode, first, end, 1, 2);
+        for (const auto& [first, end] :
+             {range_at(grid, which.last, whole), range_ending_at(grid, which.last)}) {
+          if (which.along.v) {
+            c.EvalMesh2(which.mode.mode, 0, 1, first, end);
+          } else {
+            c.EvalMesh2(which.mode.mode, first, end, 1, 2);
+          }
         }
       },
       most);
@@ -220,6 +236,8 @@ const std::vector<std::pair<Grid, Grid>> kGrids2 = {
 
 void expect_whole_meshes2(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "whole meshes", kGrids2, {{0, 1, 0, 1}, {0, 4, 0, 3}, {0, 3, 0, 6}});
+  // Long strips along u and along v, and their ends.
+  expect_meshes2(t, mode, "long strips", {{{90, -0.5f, 2.5f}, {90, 2, 1}}}, {{0, 90, 0, 1}, {0, 1, 0, 90}});
 }
 
 }  // namespace
@@ -241,6 +259,8 @@ EVALCTS_LISTED_TESTS(Mesh2, SubRange, kModes2, const MeshMode& mode, must, "EV-M
   for (const Grid& grid : awkward_grids()) grids.emplace_back(grid, kV);
   grids.emplace_back(kV, Grid{1000, 0.1f, 0.7f});
   expect_meshes2(t, mode, "parts of meshes", grids, {{1, 3, 2, 4}, {2, 3, 0, 1}, {5, 7, 3, 5}, {0, 2, 4, 5}});
+  expect_meshes2(t, mode, "far from the first row and column", {{{1000, 0.1f, 0.7f}, {1000, -0.3f, 1}}},
+                 {{1, 2, 996, 998}, {300, 302, 2, 3}, {999, 1000, 513, 514}});
 }
 
 EVALCTS_LISTED_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must, "EV-MESH2-RANGE") {
@@ -251,7 +271,14 @@ EVALCTS_LISTED_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must,
 
 EVALCTS_LISTED_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
-                 {{1, 0, 0, 3}, {0, 4, 1, 0}, {2, 1, 2, 1}, {4, 0, 0, 0}, {0, 0, 3, 2}, {0, -5, 0, 2}});
+                 {{1, 0, 0, 3},
+                  {0, 4, 1, 0},
+                  {2, 1, 2, 1},
+                  {4, 0, 0, 0},
+                  {0, 0, 3, 2},
+                  {0, -5, 0, 2},
+                  {kHighest, kLowest, 0, 2},
+                  {0, 2, kHighest, kLowest}});
   if (mode.mode == GL_FILL)
     expect_meshes2(t, mode, "FILL without width or height", {{{4, 0, 1}, {3, 1, 2}}},
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});

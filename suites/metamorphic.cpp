@@ -563,17 +563,19 @@ EVALCTS_TESTS_BY(in_lists(), Metamorphic, CurveInSurface, kAlong, const Along& a
 
 namespace {
 
-// Domain and argument scaled by a power of two and moved: both exact in single precision.
+// Domain and argument scaled by a power of two and moved: both exact in single precision, but not the
+// quotients by the widths, 3 and 5: in those a large offset drowns what matters.
 void expect_domain_shift(Test& t, bool two, bool bits) {
   struct Shift {
     double scale, offset;
   };
-  constexpr Shift kShifts[] = {{1, 1}, {1, -2048}, {2, 0}, {0x1p-20, 0}, {0x1p20, 0}, {0.25, 64}};
+  constexpr Shift kShifts[] = {{1, 1},       {1, -2048},  {1, 131072}, {2, 0},
+                               {0x1p-20, 0}, {0x1p20, 0}, {0.25, 64}};
   expect_relations(t, two, "domain moved and scaled", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
       const std::vector<Map2> maps =
-          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0.5, 2.5, 3, -1); });
-      const Side plain = {maps, over_domain(unit_arguments(t), maps[0])};
+          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0.5, 3.5, 3, -2); });
+      const Side plain = {maps, over_domain(unit_arguments(t), over(maps[0], 0.5, 2.5, 3, -1))};
       for (const auto& [scale, offset] : kShifts) {
         const auto moved = [&, scale = scale, offset = offset](double x) { return scale * x + offset; };
         relations.add(fmt::format("domain and arguments times {} plus {}", scale, offset), plain,

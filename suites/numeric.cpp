@@ -473,18 +473,21 @@ std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map1>& curves,
 // What is drawn after such values is what is drawn without them.
 void expect_results_later(Test& t, const Special& special, bool two) {
   const Kinds& kinds = kinds_of(two)[1];
-  std::vector<Map1> curves;
-  std::vector<Map2> surfaces;
+  // Those drawn before are others: what is drawn afterwards has to be defined afterwards.
+  std::vector<Map1> curves, curves_before;
+  std::vector<Map2> surfaces, surfaces_before;
   for (const GLenum target : kinds.targets) {
     if (two) {
       surfaces.push_back(random_map2(t, target, 4, 3));
+      surfaces_before.push_back(random_map2(t, target, 2, 5));
     } else {
       curves.push_back(random_map(t, target, 4));
+      curves_before.push_back(random_map(t, target, 6));
     }
   }
   const auto begin = [&](gl::Case& c) {
     for (const GLenum target : kinds.targets) c.Enable(target);
-    return draw_finite(c, two, curves, surfaces);
+    return draw_finite(c, two, curves_before, surfaces_before);
   };
   gl::Case clean("finite values only");
   const std::size_t before = begin(clean);
@@ -714,7 +717,55 @@ void change_rasterization(Test&, Repetition& r, bool) {
   r.after("Light, not enabled");
 }
 
+void change_texture_units(Test& t, Repetition& r, bool) {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  gl::Case& c = r.script();
+  c.MultiTexCoord4f(GL_TEXTURE1, 5, 6, 7, 8);
+  r.after("MultiTexCoord of TEXTURE1");
+  c.ActiveTexture(GL_TEXTURE1);
+  r.after("ActiveTexture of TEXTURE1");
+}
+
+void change_the_attribute_stack(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.PushAttrib(GL_ALL_ATTRIB_BITS);
+  r.after("PushAttrib");
+  c.PopAttrib();
+  r.after("PopAttrib");
+}
+
+void give_wrong_commands(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  const std::vector<float> points(4);
+  c.Map1f(GL_MAP1_VERTEX_4, 0, 1, 4, 0, points);
+  c.GetError();
+  c.Map2f(GL_MAP2_VERTEX_4, 0, 1, 4, 0, 0, 1, 4, 1, points);
+  c.GetError();
+  r.after("maps that are refused");
+  c.MapGrid1f(0, 0, 1);
+  c.GetError();
+  c.MapGrid2f(1, 0, 1, -1, 0, 1);
+  c.GetError();
+  r.after("grids that are refused");
+  c.EvalMesh1(GL_FILL, 0, 1);
+  c.GetError();
+  c.EvalMesh2(GL_QUADS, 0, 1, 0, 1);
+  c.GetError();
+  r.after("meshes that are refused");
+}
+
+void ask_for_everything(Test& t, Repetition& r, bool) {
+  for (const bool doubles : {false, true}) {
+    for (const GLenum target : gl::kMap1Targets) query_map1(r.script(), target, t.max_order(), doubles);
+    for (const GLenum target : gl::kMap2Targets) query_map2(r.script(), target, t.max_order(), doubles);
+    r.after(doubles ? "GetMapdv of all maps" : "GetMapfv of all maps");
+  }
+}
+
 constexpr Unrelated kUnrelated[] = {
+    {"TEXTURE_UNITS", change_texture_units},   {"ATTRIBUTE_STACK", change_the_attribute_stack},
+    {"REFUSED_COMMANDS", give_wrong_commands}, {"QUERIES", ask_for_everything},
     {"CURRENT_VALUES", change_current_values}, {"MATRICES", change_matrices},
     {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
     {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};

@@ -37,12 +37,21 @@ void eval_points(gl::Case& c, bool two, int first, int last) {
 void expect_points(Test& t, bool two, const std::string& identity, const std::vector<Grid>& grids,
                    int outside) {
   gl::Case c(identity);
+  // Maps and grid of the other dimension have no say.
+  enable_maps(t, c, !two);
+  define_grid(c, !two, {6, 0.3f, 1.9f});
   enable_maps(t, c, two);
   for (const Grid& grid : grids) {
     define_grid(c, two, grid);
     eval_points(c, two, -outside, std::min(grid.segments, 12) + outside);
     if (grid.segments > 12) eval_points(c, two, grid.segments / 2, grid.segments / 2 + 3);
     if (grid.segments > 12) eval_points(c, two, grid.segments - 3, grid.segments + outside);
+    if (!two) continue;
+    // The same along v.
+    map_grid(c, kOther, grid);
+    c.Begin(GL_POINTS);
+    for (const int j : {-outside, 1, grid.segments / 2, grid.segments + outside}) c.EvalPoint2(3, j);
+    c.End();
   }
   t.expect_emission(c, kUnit0);
 }
