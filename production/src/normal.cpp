@@ -48,7 +48,7 @@ Vector UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u, std::array
   Scale(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-  if (GLEV_FAULTY(ShortNormalsStay) && length < 0x1p-34) return m;
+  if (GLEV_FAULTY(ShortNormalsStay) && length < 0x1p-28) return m;
   for (double& x : m) x /= length;
   return m;
 }

@@ -1,11 +1,28 @@
 // Section 8: the attributes of evaluated vertices.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "harness/faults/evaluating.h"
 
 namespace evalcts::faults {
 namespace {
+
+// The call with its points of four components packed, these in the given order.
+template <class Call, class Go>
+void with_packed(Call call, const Go& go, const std::array<int, 4>& order) {
+  const bool wrong = call.uorder < 1 || call.uorder > 64 || call.vorder < 1 || call.vorder > 64;
+  if (wrong || call.ustride < 4 || call.vstride < 4) return go(call);
+  std::vector<typename Call::Value> packed;
+  for (std::ptrdiff_t i = 0; i < call.uorder; ++i)
+    for (std::ptrdiff_t j = 0; j < call.vorder; ++j)
+      for (const int component : order)
+        packed.push_back(call.points[i * call.ustride + j * call.vstride + component]);
+  call.ustride = 4 * call.vorder;
+  call.vstride = 4;
+  call.points = packed.data();
+  go(call);
+}
 
 EVALCTS_FAULT(WOfTheVertexBefore, production, must, "EV-ATTR-VERTEX3",
               "VERTEX_3 leaves the w of the vertex before it") {
@@ -16,6 +33,43 @@ EVALCTS_FAULT(WOfTheVertexBefore, production, must, "EV-ATTR-VERTEX3",
       for (std::size_t i = primitive.vertices.size(); i-- > 1;)
         if (primitive.vertices[i].position[3] == 1)
           primitive.vertices[i].position[3] = primitive.vertices[i - 1].position[3];
+  };
+}
+
+EVALCTS_FAULT(WOfVertex3IsQ, production, must, "EV-ATTR-VERTEX3",
+              "VERTEX_3 takes its w from where the q of the texture map was put") {
+  emitted_vertices(in, [](ObservedVertex& vertex) {
+    if (vertex.position[3] == 1) vertex.position[3] = vertex.texture_coordinate[0][3];
+  });
+}
+
+EVALCTS_FAULT(ColorsOfSurfacesInTheOrderBgra, production, must, "EV-ATTR-COLOR",
+              "points of colour maps of surfaces are taken as B, G, R, A") {
+  map2(in, [](auto call, auto go) {
+    if (call.target == GL_MAP2_COLOR_4) return with_packed(call, go, {2, 1, 0, 3});
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(NormalsFaceForward, production, must, "EV-ATTR-NORMAL",
+              "normals with negative z are turned round") {
+  emitted_vertices(in, [](ObservedVertex& vertex) {
+    if (vertex.normal[2] < 0)
+      for (float& x : vertex.normal) x = -x;
+  });
+}
+
+EVALCTS_FAULT(QOfTheVertexBefore, production, must, "EV-ATTR-TEX1 EV-ATTR-TEX2 EV-ATTR-TEX3 EV-CUR-MAXCOMP",
+              "texture maps without q leave that of the vertex before it") {
+  note_evaluations(in);
+  in.emitted = [](std::vector<ObservedPrimitive>& all) {
+    if (memory.count == 0) return;
+    for (ObservedPrimitive& primitive : all)
+      for (std::size_t i = primitive.vertices.size(); i-- > 1;) {
+        auto &now = primitive.vertices[i].texture_coordinate[0],
+             &before = primitive.vertices[i - 1].texture_coordinate[0];
+        if (now[3] == 1) now[3] = before[3];
+      }
   };
 }
 
@@ -145,19 +199,7 @@ EVALCTS_FAULT(TextureCoord4DividedByQ, production, must, "EV-ATTR-TEX4",
 EVALCTS_FAULT(TextureCoord4SwapsRAndQ, production, must, "EV-ATTR-TEX4",
               "TEXTURE_COORD_4 of surfaces gives r and q in the wrong order") {
   map2(in, [](auto call, auto go) {
-    using Real = typename decltype(call)::Value;
-    if (call.target != GL_MAP2_TEXTURE_COORD_4 || call.uorder < 1 || call.vorder < 1 || call.uorder > 64 ||
-        call.vorder > 64 || call.ustride < 4 || call.vstride < 4)
-      return go(call);
-    std::vector<Real> packed;
-    for (GLint i = 0; i < call.uorder; ++i)
-      for (GLint j = 0; j < call.vorder; ++j) {
-        const Real* point = call.points + i * call.ustride + j * call.vstride;
-        packed.insert(packed.end(), {point[0], point[1], point[3], point[2]});
-      }
-    call.ustride = 4 * call.vorder;
-    call.vstride = 4;
-    call.points = packed.data();
+    if (call.target == GL_MAP2_TEXTURE_COORD_4) return with_packed(call, go, {0, 1, 3, 2});
     go(call);
   });
 }

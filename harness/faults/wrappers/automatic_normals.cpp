@@ -14,6 +14,33 @@ EVALCTS_FAULT(NormalMapEnabledLastWins, production, must, "EV-AUTON-OVERRIDE",
   });
 }
 
+EVALCTS_FAULT(AutoNormalBeforeVertexMapLost, production, must, "EV-AUTON-USED",
+              "Enable of AUTO_NORMAL before that of a vertex map of surfaces has no effect") {
+  switches(in, [](GLenum cap, bool on, auto go) {
+    if (cap != GL_AUTO_NORMAL || !on || has_vertex_map(2)) go();
+  });
+}
+
+EVALCTS_FAULT(AutoNormalSuppressesNormalMapOfCurves, production, must, "EV-AUTON-1D",
+              "AUTO_NORMAL suppresses the normal map of curves") {
+  switches(in, [](GLenum cap, bool, auto go) {
+    go();
+    if (cap != GL_AUTO_NORMAL && cap != GL_MAP1_NORMAL) return;
+    is_on(GL_MAP1_NORMAL) && !is_on(GL_AUTO_NORMAL) ? sound.Enable(GL_MAP1_NORMAL)
+                                                    : sound.Disable(GL_MAP1_NORMAL);
+  });
+}
+
+EVALCTS_FAULT(NoAutoNormalOfTwoVertexMaps, production, must, "EV-AUTON-VERTEX4WINS",
+              "where both vertex maps are enabled no normal is generated") {
+  switches(in, [](GLenum cap, bool, auto go) {
+    go();
+    if (cap != GL_AUTO_NORMAL && cap != GL_MAP2_VERTEX_3 && cap != GL_MAP2_VERTEX_4) return;
+    const bool both = is_on(GL_MAP2_VERTEX_3) && is_on(GL_MAP2_VERTEX_4);
+    is_on(GL_AUTO_NORMAL) && !both ? sound.Enable(GL_AUTO_NORMAL) : sound.Disable(GL_AUTO_NORMAL);
+  });
+}
+
 EVALCTS_FAULT(NormalMapLostAfterAutoNormal, production, must, "EV-AUTON-OFF-MAP",
               "Disable of AUTO_NORMAL disables the normal map") {
   switches(in, [](GLenum cap, bool on, auto go) {
@@ -121,12 +148,55 @@ EVALCTS_FAULT(OneNormalForThePrimitive, production, must, "EV-AUTON-USED EV-AUTO
   });
 }
 
+EVALCTS_FAULT(NormalsOfWideDomainsShort, production, must, "EV-AUTON-UNIT",
+              "normals over a domain wider than 50 are divided by its width") {
+  with_auto_normal(in, [](ObservedPrimitive& primitive) {
+    if (memory.number > 50)
+      for (ObservedVertex& vertex : primitive.vertices)
+        for (float& x : vertex.normal) x /= static_cast<float>(memory.number);
+  });
+  map2(in, [](auto call, auto go) {
+    memory.number = std::abs(static_cast<double>(call.u2) - static_cast<double>(call.u1));
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(NormalMapReadAfterAutoNormal, production, must, "EV-AUTON-OVERRIDE",
+              "AUTO_NORMAL switched on a second time does not go before the normal map") {
+  switches(in, [](GLenum cap, bool on, auto go) {
+    if (cap == GL_AUTO_NORMAL && on && is_on(GL_MAP2_NORMAL) && ++memory.count > 1) return;
+    go();
+  });
+}
+
 EVALCTS_FAULT(NormalsTowardsTheViewer, production, must, "EV-AUTON-DIRECTION",
               "generated normals that point away from the viewer are turned round") {
   with_auto_normal(in, [](ObservedPrimitive& primitive) {
     for (ObservedVertex& vertex : primitive.vertices)
       if (vertex.normal[2] < 0)
         for (float& x : vertex.normal) x = -x;
+  });
+}
+
+EVALCTS_FAULT(NormalsOfTallPatchesTurned, production, must, "EV-AUTON-DIRECTION",
+              "where the order in v is above that in u, the normal is dp/dv x dp/du") {
+  with_auto_normal(in, [](ObservedPrimitive& primitive) {
+    if (memory.count != 0)
+      for (ObservedVertex& vertex : primitive.vertices)
+        for (float& x : vertex.normal) x = -x;
+  });
+  map2(in, [](auto call, auto go) {
+    if (call.target == GL_MAP2_VERTEX_3 && call.vorder > call.uorder) memory.count = 1;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(VertexAfterDegenerateOneLost, production, must, "EV-AUTON-DEGENERATE",
+              "the vertex after one whose normal has length 0 is lost") {
+  with_auto_normal(in, [](ObservedPrimitive& primitive) {
+    auto& all = primitive.vertices;
+    for (std::size_t i = 1; i < all.size(); ++i)
+      if (all[i - 1].normal == std::array<float, 3>{0, 0, 0}) return void(all.erase(all.begin() + 1));
   });
 }
 
@@ -180,10 +250,10 @@ EVALCTS_FAULT(NormalsPackedInBytes, production, must, "EV-AUTON-METHOD EV-AUTON-
   in.emitted = [](std::vector<ObservedPrimitive>& all) { pack_normals(all, 63); };
 }
 
-EVALCTS_FAULT(NormalsPackedInNineBits, production, quality, "EV-AUTON-METHOD",
-              "generated normals are packed in 9 bits a component") {
+EVALCTS_FAULT(NormalsInCoarseSteps, production, quality, "EV-AUTON-METHOD",
+              "components of generated normals are rounded to multiples of 1/150") {
   note_evaluations(in);
-  in.emitted = [](std::vector<ObservedPrimitive>& all) { pack_normals(all, 255); };
+  in.emitted = [](std::vector<ObservedPrimitive>& all) { pack_normals(all, 150); };
 }
 
 // As it comes through the pipeline; the explicit control has no AUTO_NORMAL.

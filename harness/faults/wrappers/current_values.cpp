@@ -39,6 +39,20 @@ EVALCTS_FAULT(NormalLostAfterStrips, production, must, "EV-CUR-NORMAL",
   });
 }
 
+EVALCTS_FAULT(VertexAfterEvaluationHasInitialNormal, production, must, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
+              "a Vertex right after an evaluation with a normal map has the normal (0,0,1)") {
+  note_switches(in);
+  points(in, [](auto go) {
+    memory.flag = is_on(GL_MAP1_NORMAL) || is_on(GL_MAP2_NORMAL);
+    go();
+  });
+  in.gl.Vertex3f = [](GLfloat x, GLfloat y, GLfloat z) {
+    if (memory.flag) sound.Normal3f(0, 0, 1);
+    memory.flag = false;
+    sound.Vertex3f(x, y, z);
+  };
+}
+
 EVALCTS_FAULT(NormalLostAfterMeshes, production, must, "EV-CUR-NORMAL",
               "EvalMesh2 with a normal map leaves the last normal as the current one") {
   note_switches(in);
@@ -177,7 +191,7 @@ EVALCTS_FAULT(MeshNormalisesItsMap, production, must, "EV-CUR-GRIDMAPS",
   };
 }
 
-EVALCTS_FAULT(RAndQOfTheVertexBefore, production, must, "EV-CUR-MAXCOMP",
+EVALCTS_FAULT(RAndQOfTheVertexBefore, production, must, "EV-CUR-MAXCOMP EV-ATTR-TEX1 EV-ATTR-TEX2",
               "where a texture map gives no r and q, those of the vertex before it stay") {
   note_evaluations(in);
   in.emitted = [](std::vector<ObservedPrimitive>& all) {

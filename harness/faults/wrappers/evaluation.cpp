@@ -24,6 +24,27 @@ EVALCTS_FAULT(NormalMapOfCurvesServesSurfaces, production, must, "EV-COORD-DIM2"
   });
 }
 
+EVALCTS_FAULT(TextureMapOfSurfacesOutranksThatOfCurves, production, must, "EV-COORD-DIM1",
+              "TEXTURE_COORD_4 of surfaces suppresses the smaller texture maps of curves") {
+  switches(in, [](GLenum cap, bool, auto go) {
+    go();
+    if (cap != GL_MAP1_TEXTURE_COORD_2 && cap != GL_MAP2_TEXTURE_COORD_4) return;
+    is_on(GL_MAP1_TEXTURE_COORD_2) && !is_on(GL_MAP2_TEXTURE_COORD_4)
+        ? sound.Enable(GL_MAP1_TEXTURE_COORD_2)
+        : sound.Disable(GL_MAP1_TEXTURE_COORD_2);
+  });
+}
+
+EVALCTS_FAULT(VertexMapOfCurvesOutranksThatOfSurfaces, production, must, "EV-COORD-DIM2",
+              "VERTEX_4 of curves suppresses VERTEX_3 of surfaces") {
+  switches(in, [](GLenum cap, bool, auto go) {
+    go();
+    if (cap != GL_MAP2_VERTEX_3 && cap != GL_MAP1_VERTEX_4) return;
+    is_on(GL_MAP2_VERTEX_3) && !is_on(GL_MAP1_VERTEX_4) ? sound.Enable(GL_MAP2_VERTEX_3)
+                                                        : sound.Disable(GL_MAP2_VERTEX_3);
+  });
+}
+
 EVALCTS_FAULT(DimensionFixedByFirstVertex, production, must, "EV-COORD-MIXDIM",
               "EvalPoint of the other dimension than the first vertex of a primitive does nothing") {
   primitives(
@@ -433,6 +454,18 @@ EVALCTS_FAULT(ColorArrayColorsEvaluatedVertices, osmesa, must, "EV-COORD-NOARRAY
   });
 }
 
+EVALCTS_FAULT(TextureCoordinateArrayFeedsEvaluatedVertices, osmesa, must, "EV-COORD-NOARRAYS",
+              "with an enabled array, evaluated vertices without a texture map have its first coordinates") {
+  in.gl.EnableClientState = [](GLenum array) {
+    if (array == GL_TEXTURE_COORD_ARRAY) memory.flag = true;
+    sound.EnableClientState(array);
+  };
+  points(in, [](auto go) {
+    if (memory.flag) sound.TexCoord4f(0.625f, 0.625f, 0.625f, 0.625f);
+    go();
+  });
+}
+
 EVALCTS_FAULT(NormalArrayTurnsNormalMapsOff, osmesa, must, "EV-COORD-NOARRAYS",
               "an enabled normal array goes before the normal map") {
   in.gl.EnableClientState = [](GLenum array) {
@@ -468,6 +501,32 @@ EVALCTS_FAULT(EvaluatedVerticesHaveNoFog, osmesa, must, "EV-COORD-TRANSFORM",
       },
       [] {
         if (is_on(GL_FOG)) sound.Enable(GL_FOG);
+      });
+}
+
+EVALCTS_FAULT(EvaluatedVerticesHaveNoTextureGeneration, osmesa, must, "EV-COORD-TRANSFORM",
+              "texture coordinates of evaluated vertices are not generated") {
+  note_switches(in);
+  primitives(
+      in,
+      [] {
+        if (has_vertex_map(1) || has_vertex_map(2)) sound.Disable(GL_TEXTURE_GEN_S);
+      },
+      [] {
+        if (is_on(GL_TEXTURE_GEN_S)) sound.Enable(GL_TEXTURE_GEN_S);
+      });
+}
+
+EVALCTS_FAULT(EvaluatedColorsAreNotLit, osmesa, must, "EV-COORD-TRANSFORM",
+              "evaluated vertices with a colour map are not lit") {
+  note_switches(in);
+  primitives(
+      in,
+      [] {
+        if (is_on(GL_MAP1_COLOR_4) || is_on(GL_MAP2_COLOR_4)) sound.Disable(GL_LIGHTING);
+      },
+      [] {
+        if (is_on(GL_LIGHTING)) sound.Enable(GL_LIGHTING);
       });
 }
 

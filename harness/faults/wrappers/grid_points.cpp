@@ -49,6 +49,18 @@ EVALCTS_FAULT(PointsFromTheLastEnd, production, must, "EV-POINT-EXACT-0",
   };
 }
 
+EVALCTS_FAULT(FirstRowFromTheLastEnd, production, must, "EV-POINT-EXACT-0",
+              "EvalPoint2 counts v from the last end of the grid: the first row is rounded") {
+  note_grids(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    const GridNow& grid = grids_at_begin[1];
+    const float step = (grid.domain[3] - grid.domain[2]) / static_cast<float>(grid.segments[1]);
+    if (j != 0) return sound.EvalPoint2(i, j);
+    sound.EvalCoord2f(i == grid.segments[0] ? grid.domain[1] : grid.at(0, i),
+                      grid.domain[3] - static_cast<float>(grid.segments[1]) * step);
+  };
+}
+
 EVALCTS_FAULT(LastRowByArithmetic, production, must, "EV-POINT-EXACT-N",
               "EvalPoint2 has no rule for the last index of v") {
   note_grids(in);
@@ -65,6 +77,18 @@ EVALCTS_FAULT(LastPointByArithmeticInLongGrids, production, must, "EV-POINT-EXAC
   in.gl.EvalPoint1 = [](GLint i) {
     const GridNow& grid = grids_at_begin[0];
     i == grid.segments[0] && i > 64 ? sound.EvalCoord1f(grid.at(0, i)) : sound.EvalPoint1(i);
+  };
+}
+
+EVALCTS_FAULT(IndexIn16Bits, production, must, "EV-POINT1-EQUIV", "EvalPoint1 keeps 16 bits of its index") {
+  in.gl.EvalPoint1 = [](GLint i) {
+    sound.EvalPoint1(std::abs(i) < 1 << 20 ? static_cast<GLint>(static_cast<GLshort>(i)) : i);
+  };
+}
+
+EVALCTS_FAULT(RowIn8Bits, production, must, "EV-POINT2-EQUIV", "EvalPoint2 keeps 8 bits of j") {
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    sound.EvalPoint2(i, std::abs(j) < 1 << 20 ? static_cast<GLint>(static_cast<GLbyte>(j)) : j);
   };
 }
 

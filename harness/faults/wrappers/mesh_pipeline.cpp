@@ -12,6 +12,29 @@ EVALCTS_FAULT(CurveMeshOfSeparateLines, osmesa, must, "EV-MESH1-STIPPLE",
   };
 }
 
+EVALCTS_FAULT(CurveMeshInTwoStrips, osmesa, must, "EV-MESH1-STIPPLE",
+              "EvalMesh1 with LINE draws a second strip from the middle on") {
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    if (mode != GL_LINE || i2 - i1 < 2) return sound.EvalMesh1(mode, i1, i2);
+    const GLint middle = i1 + (i2 - i1) / 2;
+    sound.EvalMesh1(mode, i1, middle);
+    sound.EvalMesh1(mode, middle, i2);
+  };
+}
+
+EVALCTS_FAULT(RowsInTwoStrips, osmesa, must, "EV-MESH2-STIPPLE",
+              "strips along u of EvalMesh2 are drawn in two halves") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_LINE || i2 - i1 < 2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    const GLint middle = i1 + (i2 - i1) / 2;
+    for (GLint j = j1; j <= j2; ++j) {
+      sound.EvalMesh2(mode, i1, middle, j, j);
+      sound.EvalMesh2(mode, middle, i2, j, j);
+    }
+    for (GLint i = i1; i <= i2; ++i) sound.EvalMesh2(mode, i, i, j1, j2);
+  };
+}
+
 EVALCTS_FAULT(SurfaceMeshOfSeparateLines, osmesa, must, "EV-MESH2-STIPPLE",
               "strips along v of EvalMesh2 are separate lines") {
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {

@@ -80,6 +80,19 @@ EVALCTS_FAULT(PartOfMeshFromTheBeginning, production, must, "EV-MESH1-COORDS EV-
   };
 }
 
+EVALCTS_FAULT(PartOfMeshHasStepOfOneMore, production, must, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
+              "EvalMesh1 of a part of the grid from index 1 on counts points instead of segments") {
+  note_primitives(in);
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    if (is_inside() || i1 < 1) return sound.EvalMesh1(mode, i1, i2);
+    const GridNow grid = grid_now(1);
+    if (i2 >= grid.segments[0]) return sound.EvalMesh1(mode, i1, i2);
+    sound.MapGrid1f(grid.segments[0] + 1, grid.domain[0], grid.domain[1]);
+    sound.EvalMesh1(mode, i1, i2);
+    sound.MapGrid1f(grid.segments[0], grid.domain[0], grid.domain[1]);
+  };
+}
+
 EVALCTS_FAULT(LinesFromTheirOwnStart, production, quality, "EV-MESH1-SUBRANGE",
               "EvalMesh1 with LINE counts its steps from i1, in single precision") {
   note_primitives(in);
@@ -108,7 +121,7 @@ EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
 }
 
 EVALCTS_FAULT(PointsAddTheirSteps, production, must, "EV-MESH1-NOACCUM",
-              "EvalMesh1 with POINT adds up its steps, exact ones every 4096 indices") {
+              "EvalMesh1 with POINT adds up its steps, exact ones every 8192 indices") {
   note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT) return sound.EvalMesh1(mode, i1, i2);
@@ -116,7 +129,7 @@ EVALCTS_FAULT(PointsAddTheirSteps, production, must, "EV-MESH1-NOACCUM",
     const float step = (grid.domain[1] - grid.domain[0]) / static_cast<float>(grid.segments[0]);
     float u = grid.at(0, i1) - step;
     loop1(mode, i1, i2, [&](GLint i) {
-      u = (i - i1) % 4096 == 0 ? grid.at(0, i) : u + step;
+      u = (i - i1) % 8192 == 0 ? grid.at(0, i) : u + step;
       return i == grid.segments[0] ? grid.domain[1] : u;
     });
   };
@@ -349,7 +362,101 @@ EVALCTS_FAULT(CurveMeshKeepsTheFirstTexCoord, production, must, "EV-MESH1-CURREN
   };
 }
 
+EVALCTS_FAULT(CountOfCurvePointsOverflows, production, must, "EV-MESH1-EMPTY",
+              "EvalMesh1 counts its vertices with an int, which overflows where i1 is far above i2") {
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    const auto steps = static_cast<GLint>(static_cast<GLuint>(i2) - static_cast<GLuint>(i1));
+    const bool overflown = i1 > i2 && steps >= 0 && steps < 1000;
+    overflown ? sound.EvalMesh1(mode, 0, steps) : sound.EvalMesh1(mode, i1, i2);
+  };
+}
+
+EVALCTS_FAULT(CurveMeshInsideIsInvalidEnum, production, must, "EV-MESH1-ERR-BEGINEND",
+              "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM") {
+  note_primitives(in);
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    is_inside() && mode == GL_LINE ? raise_invalid_enum() : sound.EvalMesh1(mode, i1, i2);
+  };
+}
+
+EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTEX",
+              "EvalMesh1 still draws the vertex map that was disabled last") {
+  switches(in, [](GLenum cap, bool on, auto go) {
+    go();
+    if (cap == GL_MAP1_VERTEX_3 || cap == GL_MAP1_VERTEX_4) memory.number = on ? 0 : cap;
+  });
+  note_primitives(in);
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    const auto map = static_cast<GLenum>(memory.number);
+    const bool stale = map != 0 && !is_inside() && !has_vertex_map(1);
+    if (stale) sound.Enable(map);
+    sound.EvalMesh1(mode, i1, i2);
+    if (stale) sound.Disable(map);
+  };
+}
+
 // --- EvalMesh2
+
+EVALCTS_FAULT(QuadStripsCutAfter32Columns, production, must, "EV-MESH2-FILL",
+              "EvalMesh2 with FILL begins another strip after 32 columns, and loses the quads between") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const bool wide = mode == GL_FILL && i2 > i1 && i2 - i1 < 1 << 16;
+    if (!wide) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j < j2; ++j)
+      for (GLint i = i1; i < i2; i += 32) sound.EvalMesh2(mode, i, std::min(i + 31, i2), j, j + 1);
+  };
+}
+
+EVALCTS_FAULT(ColumnsOfAtMost64Vertices, production, must, "EV-MESH2-LINE",
+              "strips along v of LINE end after 64 vertices") {
+  note_primitives(in);
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_LINE || is_inside() || i1 > i2 || j2 - j1 < 64)
+      return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j <= j2; ++j) sound.EvalMesh2(GL_LINE, i1, i2, j, j);
+    for (GLint i = i1; i <= i2; ++i) sound.EvalMesh2(GL_LINE, i, i, j1, j1 + 63);
+  };
+}
+
+EVALCTS_FAULT(RowsCountedInAByte, production, must, "EV-MESH2-COORDS",
+              "EvalMesh2 with POINT keeps the index of a row in 8 bits") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const bool far = mode == GL_POINT && j1 > 127 && j2 >= j1 && j2 / 256 == j1 / 256;
+    far ? sound.EvalMesh2(mode, i1, i2, j1 % 256, j2 % 256) : sound.EvalMesh2(mode, i1, i2, j1, j2);
+  };
+}
+
+EVALCTS_FAULT(ModeOfEmptyColumnsUnchecked, production, must, "EV-MESH2-ERR-FIRST",
+              "EvalMesh2 with an empty range of i alone does not look at the mode") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (i1 <= i2 || j1 > j2) sound.EvalMesh2(mode, i1, i2, j1, j2);
+  };
+}
+
+EVALCTS_FAULT(CountOfRowsOverflows, production, must, "EV-MESH2-EMPTY",
+              "EvalMesh2 counts its rows with an int, which overflows where j1 is far above j2") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const auto steps = static_cast<GLint>(static_cast<GLuint>(j2) - static_cast<GLuint>(j1));
+    const bool overflown = j1 > j2 && steps >= 0 && steps < 1000;
+    overflown ? sound.EvalMesh2(mode, i1, i2, 0, steps) : sound.EvalMesh2(mode, i1, i2, j1, j2);
+  };
+}
+
+EVALCTS_FAULT(SurfaceMeshAfterDisableOfItsMap, production, must, "EV-MESH2-NOVERTEX",
+              "EvalMesh2 with FILL still draws the vertex map that was disabled last") {
+  switches(in, [](GLenum cap, bool on, auto go) {
+    go();
+    if (cap == GL_MAP2_VERTEX_3 || cap == GL_MAP2_VERTEX_4) memory.number = on ? 0 : cap;
+  });
+  note_primitives(in);
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const auto map = static_cast<GLenum>(memory.number);
+    const bool stale = map != 0 && mode == GL_FILL && !is_inside() && !has_vertex_map(2);
+    if (stale) sound.Enable(map);
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    if (stale) sound.Disable(map);
+  };
+}
 
 EVALCTS_FAULT(SurfacePointsByColumns, production, must, "EV-MESH2-POINT",
               "EvalMesh2 with POINT has j in its inner loop") {

@@ -94,6 +94,41 @@ EVALCTS_FAULT(EndOfHighOrdersMissed, production, must, "EV-NUM-END",
   });
 }
 
+EVALCTS_FAULT(EndOfReversedSurfaceMissed, production, must, "EV-NUM-END EV-NUM-CORNERS",
+              "v2 of a map of surfaces is moved inside by a hundredth where v1 is not 0") {
+  map2(in, [](auto call, auto go) {
+    memory.numbers = {call.v1, call.v2};
+    go(call);
+  });
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    const bool at_end =
+        memory.numbers.size() == 2 && memory.numbers[0] != 0 && static_cast<double>(v) == memory.numbers[1];
+    if (at_end) v += static_cast<decltype(v)>((memory.numbers[0] - memory.numbers[1]) / 100);
+    go(u, v);
+  });
+}
+
+EVALCTS_FAULT(ReversedDomainsOnACoarseLattice, production, must, "EV-NUM-SYMMETRY",
+              "arguments of a map over a reversed domain are rounded to quarters") {
+  map1(in, [](auto call, auto go) {
+    memory.flag = call.u1 > call.u2;
+    go(call);
+  });
+  map2(in, [](auto call, auto go) {
+    memory.flag = call.u1 > call.u2;
+    go(call);
+  });
+  eval_coord1(in, [](auto u, auto go) { go(memory.flag ? std::round(u * 4) / 4 : u); });
+  eval_coord2(in, [](auto u, auto v, auto go) { go(memory.flag ? std::round(u * 4) / 4 : u, v); });
+}
+
+EVALCTS_FAULT(FarDomainsLoseBits, production, must, "EV-NUM-DOMAINSHIFT",
+              "arguments of EvalCoord2 above 2000 are kept in steps of 1/16") {
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    go(std::abs(u) > 2000 && std::abs(u) < 1e6f ? std::round(u * 16) / 16 : u, v);
+  });
+}
+
 EVALCTS_FAULT(CornersMixedUp, production, must, "EV-NUM-CORNERS",
               "at (u2, v1) the surface is evaluated at (u2, v2)") {
   map2(in, [](auto call, auto go) {
@@ -249,6 +284,50 @@ EVALCTS_FAULT(OtherPathWithoutEdgeFlag, production, must, "EV-NUM-INVARIANT-STAT
   eval_coord2(in, [](auto u, auto v, auto go) {
     go(u, memory.flag ? std::nextafter(static_cast<float>(v), 2.0f) : v);
   });
+}
+
+// By another path, a bit off, once memory.flag is set.
+void evaluate_otherwise(Injection& in) {
+  eval_coord1(in, [](auto u, auto go) { go(memory.flag ? std::nextafter(static_cast<float>(u), 2.0f) : u); });
+  eval_coord2(in, [](auto u, auto v, auto go) {
+    go(u, memory.flag ? std::nextafter(static_cast<float>(v), 2.0f) : v);
+  });
+}
+
+EVALCTS_FAULT(OtherPathOnUnit1, production, must, "EV-NUM-INVARIANT-STATE",
+              "with TEXTURE1 active, evaluation takes another path, a bit off") {
+  evaluate_otherwise(in);
+  in.gl.ActiveTexture = [](GLenum unit) {
+    memory.flag = unit != GL_TEXTURE0;
+    sound.ActiveTexture(unit);
+  };
+}
+
+EVALCTS_FAULT(OtherPathAfterPopAttrib, production, must, "EV-NUM-INVARIANT-STATE",
+              "after PopAttrib evaluation takes another path, a bit off") {
+  evaluate_otherwise(in);
+  in.gl.PopAttrib = [] {
+    memory.flag = true;
+    sound.PopAttrib();
+  };
+}
+
+EVALCTS_FAULT(OtherPathAfterRefusedMap, production, must, "EV-NUM-INVARIANT-STATE/1-D",
+              "after a Map1 that was refused, evaluation takes another path, a bit off") {
+  evaluate_otherwise(in);
+  map1(in, [](auto call, auto go) {
+    if (call.order < 1) memory.flag = true;
+    go(call);
+  });
+}
+
+EVALCTS_FAULT(OtherPathAfterQuery, production, must, "EV-NUM-INVARIANT-STATE/2-D",
+              "after GetMapdv of a map, evaluation takes another path, a bit off") {
+  evaluate_otherwise(in);
+  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* values) {
+    memory.flag = memory.flag || query == GL_COEFF;
+    sound.GetMapdv(target, query, values);
+  };
 }
 
 EVALCTS_FAULT(OtherPathBesideOtherDimension, production, must, "EV-NUM-INVARIANT-STATE/1-D",
