@@ -370,24 +370,27 @@ EVALCTS_DELIVERED_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-
 EVALCTS_DELIVERED_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D") {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
-  gl::Case c("every unit, TEXTURE_COORD_2 enabled");
-  define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
-  enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
-  const int units = std::min(t.gl().texture_units, 8);
-  for (int unit = 0; unit < units; ++unit)
-    c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 2, 3, 4);
-  c.Begin(GL_POINTS);
-  for (int i = 0; i < 5; ++i) c.EvalCoord1f(static_cast<float>(i) / 4);
-  c.End();
-  std::vector<gl::Ref> queries;
-  for (int unit = 0; unit < units; ++unit) {
-    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    queries.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
+  for (const GLenum active : {GL_TEXTURE0, GL_TEXTURE1}) {
+    gl::Case c("every unit, TEXTURE_COORD_2 enabled, " + gl::token_name(active) + " active");
+    define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
+    enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
+    const int units = std::min(t.gl().texture_units, 8);
+    for (int unit = 0; unit < units; ++unit)
+      c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 2, 3, 4);
+    c.ActiveTexture(active);
+    c.Begin(GL_POINTS);
+    for (int i = 0; i < 5; ++i) c.EvalCoord1f(static_cast<float>(i) / 4);
+    c.End();
+    std::vector<gl::Ref> queries;
+    for (int unit = 0; unit < units; ++unit) {
+      c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+      queries.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
+    }
+    Played played = t.play(c);
+    for (int unit = 0; unit < units; ++unit)
+      played.expect_values(queries[static_cast<std::size_t>(unit)],
+                           std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
   }
-  Played played = t.play(c);
-  for (int unit = 0; unit < units; ++unit)
-    played.expect_values(queries[static_cast<std::size_t>(unit)],
-                         std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
 }
 
 namespace {

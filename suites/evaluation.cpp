@@ -181,7 +181,8 @@ EVALCTS_DELIVERED_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must,
 namespace {
 
 void legal_in_every_primitive(Test& t, GLenum target, bool two) {
-  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode) {
+  const bool adjacency = t.gl().at_least(3, 2);
+  for (GLenum mode = GL_POINTS; mode <= (adjacency ? GL_TRIANGLE_STRIP_ADJACENCY : GL_POLYGON); ++mode) {
     gl::Case c(gl::primitive_name(mode));
     define(c, random_map(t, target, 3));
     c.Enable(target);

@@ -87,6 +87,13 @@ inline void note_primitives(Injection& in) {
       in, [] {}, [] {});
 }
 
+// Whether commands go into a display list only; to be asked for outside Begin and End.
+inline bool is_compiling() {
+  GLint mode = 0;
+  sound.GetIntegerv(GL_LIST_MODE, &mode);
+  return mode == GL_COMPILE;
+}
+
 // --- Grids -------------------------------------------------------------------------------------------------
 
 // The grid of a dimension, in single precision; to be asked for outside Begin and End.

@@ -200,6 +200,18 @@ EVALCTS_FAULT(VertexAfterDegenerateOneLost, production, must, "EV-AUTON-DEGENERA
   });
 }
 
+EVALCTS_FAULT(NoNormalsOverReversedDomains, production, must, "EV-AUTON-CURVED",
+              "over a domain that is reversed in v the normal is (0,0,1)") {
+  with_auto_normal(in, [](ObservedPrimitive& primitive) {
+    if (memory.count != 0)
+      for (ObservedVertex& vertex : primitive.vertices) vertex.normal = {0, 0, 1};
+  });
+  map2(in, [](auto call, auto go) {
+    if (call.v1 > call.v2) memory.count = 1;
+    go(call);
+  });
+}
+
 EVALCTS_FAULT(VertexWithoutNormalLost, production, must, "EV-AUTON-DEGENERATE",
               "a vertex whose normal has length 0 is not drawn") {
   with_auto_normal(in, [](ObservedPrimitive& primitive) {

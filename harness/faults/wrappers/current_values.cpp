@@ -91,6 +91,21 @@ EVALCTS_FAULT(TextureMapResetsUnit1, production, must, "EV-CUR-OTHERUNITS",
   });
 }
 
+EVALCTS_FAULT(
+    EvaluationResetsTheActiveUnit, production, must, "EV-CUR-OTHERUNITS",
+    "evaluation with a texture map resets the texture coordinates of the active unit, but for unit 0") {
+  note_switches(in);
+  in.gl.ActiveTexture = [](GLenum unit) {
+    memory.number = unit;
+    sound.ActiveTexture(unit);
+  };
+  points1(in, [](auto go) {
+    go();
+    const auto unit = static_cast<GLenum>(memory.number);
+    if (is_on(GL_MAP1_TEXTURE_COORD_2) && unit > GL_TEXTURE0) sound.MultiTexCoord4f(unit, 0, 0, 0, 1);
+  });
+}
+
 EVALCTS_FAULT(MeshCopiesUnit0ToLastUnit, production, must, "EV-CUR-OTHERUNITS",
               "EvalMesh2 leaves the texture coordinates of unit 7 as those of unit 0") {
   note_switches(in);

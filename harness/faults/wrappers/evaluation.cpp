@@ -176,6 +176,15 @@ EVALCTS_FAULT(EvalCoordRefusedInPolygons, production, must, "EV-COORD-INBEGIN",
   };
 }
 
+EVALCTS_FAULT(EvalCoordRefusedInAdjacency, production, must, "EV-COORD-INBEGIN",
+              "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than") {
+  note_primitives(in);
+  eval_coord1(in, [](auto u, auto go) {
+    if (is_inside() && open_mode() > GL_POLYGON) raise_inside();
+    go(u);
+  });
+}
+
 EVALCTS_FAULT(EvalPointRefusedInLoops, production, must, "EV-COORD-INBEGIN",
               "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws") {
   note_primitives(in);

@@ -92,6 +92,33 @@ EVALCTS_FAULT(RowIn8Bits, production, must, "EV-POINT2-EQUIV", "EvalPoint2 keeps
   };
 }
 
+EVALCTS_FAULT(NegativeIndexOfListIsFirst, production, must, "EV-POINT-RANGE",
+              "lists keep a negative index of EvalPoint1 as 0") {
+  primitives(
+      in, [] { memory.flag = is_compiling(); }, [] {});
+  in.gl.EvalPoint1 = [](GLint i) { sound.EvalPoint1(memory.flag ? std::max(i, 0) : i); };
+}
+
+EVALCTS_FAULT(LastPointExactInRisingGridsOnly, production, must, "EV-POINT-EXACT-N",
+              "EvalPoint1 has the rule for the last index where u1 is below u2") {
+  note_grids(in);
+  in.gl.EvalPoint1 = [](GLint i) {
+    const GridNow& grid = grids_at_begin[0];
+    const bool falling = i == grid.segments[0] && grid.domain[0] > grid.domain[1];
+    falling ? sound.EvalCoord1f(grid.at(0, i)) : sound.EvalPoint1(i);
+  };
+}
+
+EVALCTS_FAULT(LastPointOfOneSegmentByArithmetic, production, must, "EV-POINT-EXACT-N",
+              "EvalPoint2 has no rule for the last index of u where that is 1") {
+  note_grids(in);
+  in.gl.EvalPoint2 = [](GLint i, GLint j) {
+    const GridNow& grid = grids_at_begin[1];
+    if (i != 1 || grid.segments[0] != 1) return sound.EvalPoint2(i, j);
+    sound.EvalCoord2f(grid.at(0, i), j == grid.segments[1] ? grid.domain[3] : grid.at(1, j));
+  };
+}
+
 EVALCTS_FAULT(NegativeIndexIsFirst, production, must, "EV-POINT-RANGE",
               "EvalPoint2 takes a negative j as 0") {
   in.gl.EvalPoint2 = [](GLint i, GLint j) { sound.EvalPoint2(i, std::max(j, 0)); };

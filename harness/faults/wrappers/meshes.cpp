@@ -395,7 +395,59 @@ EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTE
   };
 }
 
+EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-LINE EV-MESH1-POINT",
+              "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled") {
+  note_primitives(in);
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    const bool lost = is_mode1(mode) && !is_inside() && is_compiling() &&
+                      !sound.IsEnabled(GL_MAP1_VERTEX_3) && !sound.IsEnabled(GL_MAP1_VERTEX_4);
+    if (!lost) sound.EvalMesh1(mode, i1, i2);
+  };
+}
+
+EVALCTS_FAULT(BadModeOfListLost, production, must, "EV-MESH1-ERR-MODE",
+              "EvalMesh1 with a wrong mode is not compiled: its error is lost") {
+  note_primitives(in);
+  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
+    if (is_mode1(mode) || is_inside() || !is_compiling()) sound.EvalMesh1(mode, i1, i2);
+  };
+}
+
 // --- EvalMesh2
+
+EVALCTS_FAULT(MeshOfListIn8Bits, production, must, "EV-MESH2-COORDS",
+              "lists keep 8 bits of the indices of rows of EvalMesh2") {
+  note_primitives(in);
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (is_inside() || !is_compiling()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    sound.EvalMesh2(mode, i1, i2, static_cast<GLbyte>(j1), static_cast<GLbyte>(j2));
+  };
+}
+
+EVALCTS_FAULT(LastCornerByArithmetic, production, must, "EV-MESH2-EXACT",
+              "EvalMesh2 with POINT has the rules for the last indices, but not where both are") {
+  note_primitives(in);
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    const GridNow grid = grid_now(2);
+    sound.Begin(GL_POINTS);
+    for (GLint j = j1; j <= j2; ++j)
+      for (GLint i = i1; i <= i2; ++i)
+        i == grid.segments[0] && j == grid.segments[1] ? sound.EvalCoord2f(grid.at(0, i), grid.at(1, j))
+                                                       : sound.EvalPoint2(i, j);
+    sound.End();
+  };
+}
+
+EVALCTS_FAULT(SurfaceMeshWithoutVertexMapSetsNormal, production, must, "EV-COORD-NOVERTEX",
+              "EvalMesh2 with a normal map and no vertex map sets the current normal") {
+  note_switches(in);
+  note_primitives(in);
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    if (is_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && !is_inside()) sound.Normal3f(0, 0, 1);
+  };
+}
 
 EVALCTS_FAULT(QuadStripsCutAfter32Columns, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL begins another strip after 32 columns, and loses the quads between") {
