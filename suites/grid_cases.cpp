@@ -66,6 +66,9 @@ std::vector<Grid> probed_grids(Test& t) {
     add({1 + static_cast<int>(t.random()() % 100), static_cast<float>(3 * ends[0]),
          static_cast<float>(7 * ends[1])});
   }
+  // One segment is as many as it takes for a sum that misses the end.
+  for (const auto& [first, last] : {std::pair{33.3f, 0.1f}, {977.7f, -0.3f}, {-811.3f, 2.1f}, {52.7f, 1e-3f}})
+    add({1, first, last});
   return grids;
 }
 
