@@ -63,13 +63,14 @@ EVALCTS_FAULT(NormalLostAfterMeshes, production, must, "EV-CUR-NORMAL",
 }
 
 EVALCTS_FAULT(MeshCompletesTexCoord, production, must, "EV-CUR-TEX",
-              "EvalMesh1 with TEXTURE_COORD_2 leaves r = 0 and q = 1 in the current texture coordinates") {
+              "EvalMesh1 with a texture map leaves r = 0 and q = 1 in the current texture coordinates") {
   note_switches(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {0, 0, 0, 1};
     sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, now);
-    if (is_on(GL_MAP1_TEXTURE_COORD_2)) sound.TexCoord4f(now[0], now[1], 0, 1);
+    for (GLenum map = GL_MAP1_TEXTURE_COORD_1; map <= GL_MAP1_TEXTURE_COORD_4; ++map)
+      if (is_on(map)) sound.TexCoord4f(now[0], now[1], 0, 1);
   };
 }
 

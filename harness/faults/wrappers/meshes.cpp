@@ -120,21 +120,6 @@ EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
   };
 }
 
-EVALCTS_FAULT(PointsAddTheirSteps, production, must, "EV-MESH1-NOACCUM",
-              "EvalMesh1 with POINT adds up its steps, exact ones every 8192 indices") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (mode != GL_POINT) return sound.EvalMesh1(mode, i1, i2);
-    const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
-    const float step = (grid.domain[1] - grid.domain[0]) / static_cast<float>(grid.segments[0]);
-    float u = grid.at(0, i1) - step;
-    loop1(mode, i1, i2, [&](GLint i) {
-      u = (i - i1) % 8192 == 0 ? grid.at(0, i) : u + step;
-      return i == grid.segments[0] ? grid.domain[1] : u;
-    });
-  };
-}
-
 EVALCTS_FAULT(CurveMeshByArithmeticAtItsLastIndex, production, must, "EV-MESH1-EXACT-N",
               "EvalMesh1 does its last vertex after the loop, and without the rule for the last index") {
   note_primitives(in);
@@ -395,7 +380,7 @@ EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTE
   };
 }
 
-EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-LINE EV-MESH1-POINT",
+EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-POINT",
               "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled") {
   note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {

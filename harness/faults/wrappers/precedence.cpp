@@ -56,19 +56,19 @@ EVALCTS_FAULT(TextureCoord3BeforeTextureCoord4, production, must, "EV-PREC-TEX",
 }
 
 EVALCTS_FAULT(TextureCoord1GivesS, production, must, "EV-PREC-LOSER-IGNORED",
-              "TEXTURE_COORD_3 of the order of TEXTURE_COORD_1 takes its s from there") {
+              "TEXTURE_COORD_3 takes its s from the points of TEXTURE_COORD_1, as far as there are") {
   map1(in, [](auto call, auto go) {
     using Real = typename decltype(call)::Value;
     GLint order = 0;
     GLfloat narrow[64] = {};
     sound.GetMapiv(GL_MAP1_TEXTURE_COORD_1, GL_ORDER, &order);
-    if (call.target != GL_MAP1_TEXTURE_COORD_3 || call.order != order || order > 64 || call.stride < 3)
-      return go(call);
+    const bool legal = call.order >= 1 && call.order <= 64 && order <= 64 && call.stride >= 3;
+    if (call.target != GL_MAP1_TEXTURE_COORD_3 || !legal) return go(call);
     sound.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_COEFF, narrow);
     std::vector<Real> points;
-    for (GLint i = 0; i < order; ++i) {
+    for (GLint i = 0; i < call.order; ++i) {
       const Real* point = call.points + i * call.stride;
-      points.insert(points.end(), {static_cast<Real>(narrow[i]), point[1], point[2]});
+      points.insert(points.end(), {i < order ? static_cast<Real>(narrow[i]) : point[0], point[1], point[2]});
     }
     call.stride = 3;
     call.points = points.data();
