@@ -31,7 +31,7 @@ void points(Injection& in, Body body) {
 
 // body(go): EvalMesh of both dimensions.
 template <class Body>
-void meshes(Injection& in, Body) {
+void all_meshes(Injection& in, Body) {
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) { Body{}([=] { sound.EvalMesh1(mode, i1, i2); }); };
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     Body{}([=] { sound.EvalMesh2(mode, i1, i2, j1, j2); });
@@ -40,10 +40,10 @@ void meshes(Injection& in, Body) {
 
 // --- What Enable and Disable left --------------------------------------------------------------------------
 
-inline bool is_on(GLenum cap) { return memory.counts[cap] != 0; }
+inline bool is_noted_on(GLenum cap) { return memory.counts[cap] != 0; }
 inline bool has_vertex_map(int dimension) {
-  return dimension == 1 ? is_on(GL_MAP1_VERTEX_3) || is_on(GL_MAP1_VERTEX_4)
-                        : is_on(GL_MAP2_VERTEX_3) || is_on(GL_MAP2_VERTEX_4);
+  return dimension == 1 ? is_noted_on(GL_MAP1_VERTEX_3) || is_noted_on(GL_MAP1_VERTEX_4)
+                        : is_noted_on(GL_MAP2_VERTEX_3) || is_noted_on(GL_MAP2_VERTEX_4);
 }
 
 // body(cap, on, go), after it was noted.
@@ -135,7 +135,7 @@ inline void note_evaluations(Injection& in) {
     ++memory.count;
     go();
   });
-  meshes(in, [](auto go) {
+  all_meshes(in, [](auto go) {
     ++memory.count;
     go();
   });

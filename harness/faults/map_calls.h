@@ -81,7 +81,7 @@ inline std::vector<GLdouble> coefficients(GLenum target) {
 }
 
 // One error of that kind, wherever it may be called.
-inline void raise(GLenum error) {
+inline void leave_error(GLenum error) {
   GLint unused = 0;
   if (error == GL_INVALID_ENUM) sound.Enable(0);
   if (error == GL_INVALID_VALUE) sound.MapGrid1f(0, 0, 1);
@@ -90,7 +90,7 @@ inline void raise(GLenum error) {
 
 // Takes the error that waits and raises another one.
 inline void instead_raise(GLenum error) {
-  if (sound.GetError() != GL_NO_ERROR) raise(error);
+  if (sound.GetError() != GL_NO_ERROR) leave_error(error);
 }
 
 // Afterwards memory.flag says whether a primitive is open. Only for faults that leave Begin and End alone.

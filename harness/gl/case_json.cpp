@@ -81,7 +81,8 @@ json argument_of(const Value& value, char kind) {
   }
   if (const auto* single = std::get_if<float>(&value)) return finite(*single);
   if (const auto* real = std::get_if<double>(&value)) return finite(*real);
-  if (const auto* input = std::get_if<Input>(&value)) return {{name_of_type(input->type), values_as_json(*input)}};
+  if (const auto* input = std::get_if<Input>(&value))
+    return {{name_of_type(input->type), values_as_json(*input)}};
   if (const auto* output = std::get_if<Output>(&value))
     return {{"out", name_of_type(output->type)}, {"count", output->count}};
   if (std::holds_alternative<std::nullptr_t>(value)) return nullptr;

@@ -1,6 +1,6 @@
 // Deliberate defects, for testing the tests. A normal build has none of them: GLEV_FAULTY is false there.
 //
-// faults.def lists them. A build with GLEV_FAULTS defined has all of them, and at most one at a time is active.
+// faults.def lists them. A build with GLEV_FAULTS defined has all of them, at most one of which is active.
 #pragma once
 
 #ifdef GLEV_FAULTS

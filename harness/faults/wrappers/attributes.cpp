@@ -141,7 +141,7 @@ EVALCTS_FAULT(IndexMapSetsTheIndex, production, must, "EV-ATTR-INDEX-RGBA EV-CUR
   note_switches(in);
   in.gl.EvalPoint1 = [](GLint i) {
     sound.EvalPoint1(i);
-    if (is_on(GL_MAP1_INDEX)) sound.Indexf(3);
+    if (is_noted_on(GL_MAP1_INDEX)) sound.Indexf(3);
   };
 }
 
@@ -149,7 +149,7 @@ EVALCTS_FAULT(IndexMapGivesTheRed, production, must, "EV-ATTR-INDEX-RGBA",
               "in RGBA mode an index map makes the current colour white") {
   note_switches(in);
   points1(in, [](auto go) {
-    if (is_on(GL_MAP1_INDEX) && has_vertex_map(1)) sound.Color4f(1, 1, 1, 1);
+    if (is_noted_on(GL_MAP1_INDEX) && has_vertex_map(1)) sound.Color4f(1, 1, 1, 1);
     go();
   });
 }
@@ -222,7 +222,7 @@ EVALCTS_FAULT(ColorMapFeedsSecondaryColor, osmesa, must, "EV-ATTR-NOMAPS",
               "a colour map resets the secondary colour of evaluated vertices") {
   note_switches(in);
   points(in, [](auto go) {
-    if (is_on(GL_MAP1_COLOR_4) || is_on(GL_MAP2_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);
+    if (is_noted_on(GL_MAP1_COLOR_4) || is_noted_on(GL_MAP2_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);
     go();
   });
 }
@@ -231,7 +231,7 @@ EVALCTS_FAULT(TextureMapFeedsGenericSix, osmesa, must, "EV-ATTR-NOMAPS",
               "a texture map writes generic attribute 6, unless EvalPoint evaluates it") {
   note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
-    if (is_on(GL_MAP1_TEXTURE_COORD_4)) sound.VertexAttrib4f(6, 0, 0, 0, 1);
+    if (is_noted_on(GL_MAP1_TEXTURE_COORD_4)) sound.VertexAttrib4f(6, 0, 0, 0, 1);
     go(u);
   });
 }

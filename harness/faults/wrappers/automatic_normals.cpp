@@ -10,7 +10,7 @@ EVALCTS_FAULT(NormalMapEnabledLastWins, production, must, "EV-AUTON-OVERRIDE",
               "a normal map that was enabled after AUTO_NORMAL wins") {
   switches(in, [](GLenum cap, bool on, auto go) {
     go();
-    if (cap == GL_MAP2_NORMAL && on && is_on(GL_AUTO_NORMAL)) sound.Disable(GL_AUTO_NORMAL);
+    if (cap == GL_MAP2_NORMAL && on && is_noted_on(GL_AUTO_NORMAL)) sound.Disable(GL_AUTO_NORMAL);
   });
 }
 
@@ -26,8 +26,8 @@ EVALCTS_FAULT(AutoNormalSuppressesNormalMapOfCurves, production, must, "EV-AUTON
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_AUTO_NORMAL && cap != GL_MAP1_NORMAL) return;
-    is_on(GL_MAP1_NORMAL) && !is_on(GL_AUTO_NORMAL) ? sound.Enable(GL_MAP1_NORMAL)
-                                                    : sound.Disable(GL_MAP1_NORMAL);
+    is_noted_on(GL_MAP1_NORMAL) && !is_noted_on(GL_AUTO_NORMAL) ? sound.Enable(GL_MAP1_NORMAL)
+                                                                : sound.Disable(GL_MAP1_NORMAL);
   });
 }
 
@@ -36,8 +36,8 @@ EVALCTS_FAULT(NoAutoNormalOfTwoVertexMaps, production, must, "EV-AUTON-VERTEX4WI
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_AUTO_NORMAL && cap != GL_MAP2_VERTEX_3 && cap != GL_MAP2_VERTEX_4) return;
-    const bool both = is_on(GL_MAP2_VERTEX_3) && is_on(GL_MAP2_VERTEX_4);
-    is_on(GL_AUTO_NORMAL) && !both ? sound.Enable(GL_AUTO_NORMAL) : sound.Disable(GL_AUTO_NORMAL);
+    const bool both = is_noted_on(GL_MAP2_VERTEX_3) && is_noted_on(GL_MAP2_VERTEX_4);
+    is_noted_on(GL_AUTO_NORMAL) && !both ? sound.Enable(GL_AUTO_NORMAL) : sound.Disable(GL_AUTO_NORMAL);
   });
 }
 
@@ -62,7 +62,7 @@ EVALCTS_FAULT(GeneratedNormalStaysCurrent, production, must, "EV-AUTON-CURRENT",
   note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     sound.EvalPoint2(i, j);
-    if (is_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0.6f, 0.8f);
+    if (is_noted_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0.6f, 0.8f);
   };
 }
 
@@ -71,7 +71,7 @@ EVALCTS_FAULT(MeshWithAutoNormalSetsNormal, production, must, "EV-AUTON-CURRENT"
   note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0, 1);
+    if (is_noted_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0, 1);
   };
 }
 
@@ -79,7 +79,7 @@ EVALCTS_FAULT(AutoNormalNeedsNoVertexMap, production, must, "EV-AUTON-NOVERTEX",
               "AUTO_NORMAL counts as a map: EvalCoord2 draws the initial point without a vertex map") {
   note_switches(in);
   points2(in, [](auto go) {
-    if (is_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
+    if (is_noted_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
     go();
   });
 }
@@ -88,7 +88,7 @@ EVALCTS_FAULT(AutoNormalMeshNeedsNoVertexMap, production, must, "EV-AUTON-NOVERT
               "EvalMesh2 with AUTO_NORMAL and no vertex map raises INVALID_OPERATION") {
   note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (is_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.End();
+    if (is_noted_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.End();
     sound.EvalMesh2(mode, i1, i2, j1, j2);
   };
 }
@@ -115,8 +115,9 @@ EVALCTS_FAULT(AutoNormalDropsTextureMap, production, must, "EV-AUTON-SAMEVERTEX"
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_AUTO_NORMAL && cap != GL_MAP2_TEXTURE_COORD_3) return;
-    is_on(GL_MAP2_TEXTURE_COORD_3) && !is_on(GL_AUTO_NORMAL) ? sound.Enable(GL_MAP2_TEXTURE_COORD_3)
-                                                             : sound.Disable(GL_MAP2_TEXTURE_COORD_3);
+    is_noted_on(GL_MAP2_TEXTURE_COORD_3) && !is_noted_on(GL_AUTO_NORMAL)
+        ? sound.Enable(GL_MAP2_TEXTURE_COORD_3)
+        : sound.Disable(GL_MAP2_TEXTURE_COORD_3);
   });
 }
 
@@ -124,7 +125,7 @@ EVALCTS_FAULT(AutoNormalMovesVertexByABit, production, quality, "EV-AUTON-SAMEVE
               "with AUTO_NORMAL the vertex is evaluated by another path") {
   note_switches(in);
   eval_coord2(in, [](auto u, auto v, auto go) {
-    go(is_on(GL_AUTO_NORMAL) ? std::nextafter(static_cast<float>(u), 2.0f) : u, v);
+    go(is_noted_on(GL_AUTO_NORMAL) ? std::nextafter(static_cast<float>(u), 2.0f) : u, v);
   });
 }
 
@@ -164,7 +165,7 @@ EVALCTS_FAULT(NormalsOfWideDomainsShort, production, must, "EV-AUTON-UNIT",
 EVALCTS_FAULT(NormalMapReadAfterAutoNormal, production, must, "EV-AUTON-OVERRIDE",
               "AUTO_NORMAL switched on a second time does not go before the normal map") {
   switches(in, [](GLenum cap, bool on, auto go) {
-    if (cap == GL_AUTO_NORMAL && on && is_on(GL_MAP2_NORMAL) && ++memory.count > 1) return;
+    if (cap == GL_AUTO_NORMAL && on && is_noted_on(GL_MAP2_NORMAL) && ++memory.count > 1) return;
     go();
   });
 }
@@ -239,7 +240,7 @@ EVALCTS_FAULT(PatchOfOrderOneIsAnError, production, must, "EV-AUTON-DEGENERATE",
     go(call);
   });
   points2(in, [](auto go) {
-    if (is_on(GL_AUTO_NORMAL) && is_on(GL_MAP2_VERTEX_4) && memory.flag) raise_inside();
+    if (is_noted_on(GL_AUTO_NORMAL) && is_noted_on(GL_MAP2_VERTEX_4) && memory.flag) raise_inside();
     go();
   });
 }
@@ -275,10 +276,10 @@ EVALCTS_FAULT(GeneratedNormalsNotRescaled, osmesa, must, "EV-AUTON-FFTRANSFORM",
   primitives(
       in,
       [] {
-        if (is_on(GL_AUTO_NORMAL)) sound.Disable(GL_RESCALE_NORMAL);
+        if (is_noted_on(GL_AUTO_NORMAL)) sound.Disable(GL_RESCALE_NORMAL);
       },
       [] {
-        if (is_on(GL_RESCALE_NORMAL)) sound.Enable(GL_RESCALE_NORMAL);
+        if (is_noted_on(GL_RESCALE_NORMAL)) sound.Enable(GL_RESCALE_NORMAL);
       });
 }
 
@@ -288,10 +289,10 @@ EVALCTS_FAULT(GeneratedNormalsAlwaysNormalized, osmesa, must, "EV-AUTON-FFTRANSF
   primitives(
       in,
       [] {
-        if (is_on(GL_AUTO_NORMAL)) sound.Enable(GL_NORMALIZE);
+        if (is_noted_on(GL_AUTO_NORMAL)) sound.Enable(GL_NORMALIZE);
       },
       [] {
-        if (!is_on(GL_NORMALIZE)) sound.Disable(GL_NORMALIZE);
+        if (!is_noted_on(GL_NORMALIZE)) sound.Disable(GL_NORMALIZE);
       });
 }
 

@@ -9,7 +9,7 @@ EVALCTS_FAULT(MeshLeavesWhite, production, must, "EV-CUR-COLOR",
   note_switches(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     sound.EvalMesh1(mode, i1, i2);
-    if (is_on(GL_MAP1_COLOR_4)) sound.Color4f(1, 1, 1, 1);
+    if (is_noted_on(GL_MAP1_COLOR_4)) sound.Color4f(1, 1, 1, 1);
   };
 }
 
@@ -21,7 +21,7 @@ EVALCTS_FAULT(ColorLostInLongPrimitives, production, must, "EV-CUR-COLOR",
       in, [] { memory.count = 0; }, [] {});
   points1(in, [](auto go) {
     go();
-    if (++memory.count == 257 && is_on(GL_MAP1_COLOR_4)) sound.Color4f(0.5f, 0.25f, 0.5f, 1);
+    if (++memory.count == 257 && is_noted_on(GL_MAP1_COLOR_4)) sound.Color4f(0.5f, 0.25f, 0.5f, 1);
   });
 }
 
@@ -35,7 +35,7 @@ EVALCTS_FAULT(NormalLostAfterStrips, production, must, "EV-CUR-NORMAL",
       });
   points1(in, [](auto go) {
     go();
-    if (is_on(GL_MAP1_NORMAL)) memory.number = open_mode() == GL_TRIANGLE_STRIP ? 2 : 1;
+    if (is_noted_on(GL_MAP1_NORMAL)) memory.number = open_mode() == GL_TRIANGLE_STRIP ? 2 : 1;
   });
 }
 
@@ -43,7 +43,7 @@ EVALCTS_FAULT(VertexAfterEvaluationHasInitialNormal, production, must, "EV-CUR-N
               "a Vertex right after an evaluation with a normal map has the normal (0,0,1)") {
   note_switches(in);
   points(in, [](auto go) {
-    memory.flag = is_on(GL_MAP1_NORMAL) || is_on(GL_MAP2_NORMAL);
+    memory.flag = is_noted_on(GL_MAP1_NORMAL) || is_noted_on(GL_MAP2_NORMAL);
     go();
   });
   in.gl.Vertex3f = [](GLfloat x, GLfloat y, GLfloat z) {
@@ -58,7 +58,7 @@ EVALCTS_FAULT(NormalLostAfterMeshes, production, must, "EV-CUR-NORMAL",
   note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_on(GL_MAP2_NORMAL)) sound.Normal3f(0.6f, 0, 0.8f);
+    if (is_noted_on(GL_MAP2_NORMAL)) sound.Normal3f(0.6f, 0, 0.8f);
   };
 }
 
@@ -70,7 +70,7 @@ EVALCTS_FAULT(MeshCompletesTexCoord, production, must, "EV-CUR-TEX",
     GLfloat now[4] = {0, 0, 0, 1};
     sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, now);
     for (GLenum map = GL_MAP1_TEXTURE_COORD_1; map <= GL_MAP1_TEXTURE_COORD_4; ++map)
-      if (is_on(map)) sound.TexCoord4f(now[0], now[1], 0, 1);
+      if (is_noted_on(map)) sound.TexCoord4f(now[0], now[1], 0, 1);
   };
 }
 
@@ -79,7 +79,7 @@ EVALCTS_FAULT(MeshSetsIndex, production, must, "EV-CUR-INDEX",
   note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_on(GL_MAP2_INDEX)) sound.Indexf(4.5f);
+    if (is_noted_on(GL_MAP2_INDEX)) sound.Indexf(4.5f);
   };
 }
 
@@ -88,7 +88,7 @@ EVALCTS_FAULT(TextureMapResetsUnit1, production, must, "EV-CUR-OTHERUNITS",
   note_switches(in);
   points1(in, [](auto go) {
     go();
-    if (is_on(GL_MAP1_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE1, 0, 0, 0, 1);
+    if (is_noted_on(GL_MAP1_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE1, 0, 0, 0, 1);
   });
 }
 
@@ -103,7 +103,7 @@ EVALCTS_FAULT(
   points1(in, [](auto go) {
     go();
     const auto unit = static_cast<GLenum>(memory.number);
-    if (is_on(GL_MAP1_TEXTURE_COORD_2) && unit > GL_TEXTURE0) sound.MultiTexCoord4f(unit, 0, 0, 0, 1);
+    if (is_noted_on(GL_MAP1_TEXTURE_COORD_2) && unit > GL_TEXTURE0) sound.MultiTexCoord4f(unit, 0, 0, 0, 1);
   });
 }
 
@@ -112,7 +112,7 @@ EVALCTS_FAULT(MeshCopiesUnit0ToLastUnit, production, must, "EV-CUR-OTHERUNITS",
   note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_on(GL_MAP2_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE7, 0, 0, 0, 1);
+    if (is_noted_on(GL_MAP2_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE7, 0, 0, 0, 1);
   };
 }
 
@@ -121,7 +121,7 @@ EVALCTS_FAULT(EvaluationResetsSecondaryColor, osmesa, must, "EV-CUR-OTHERUNITS",
   note_switches(in);
   points1(in, [](auto go) {
     go();
-    if (is_on(GL_MAP1_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);
+    if (is_noted_on(GL_MAP1_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);
   });
 }
 
@@ -153,7 +153,7 @@ EVALCTS_FAULT(MeshMovesRasterPosition, osmesa, must, "EV-CUR-RASTERPOS",
         if (memory.flag) sound.RasterPos3f(0, 0, 0);
         memory.flag = false;
       });
-  meshes(in, [](auto go) {
+  all_meshes(in, [](auto go) {
     go();
     sound.RasterPos3f(0, 0, 0);
   });

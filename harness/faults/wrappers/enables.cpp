@@ -9,7 +9,7 @@ EVALCTS_FAULT(EnablingTwiceIsAnError, production, must, "EV-EN-CAPS",
   in.gl.Enable = [](GLenum cap) {
     const bool again = (is_texture_map1(cap) || is_texture_map2(cap)) && sound.IsEnabled(cap);
     sound.Enable(cap);
-    if (again) raise(GL_INVALID_OPERATION);
+    if (again) leave_error(GL_INVALID_OPERATION);
   };
 }
 
@@ -22,7 +22,7 @@ EVALCTS_FAULT(AutoNormalNotAskedFor, production, must, "EV-EN-CAPS",
               "IsEnabled of AUTO_NORMAL raises INVALID_ENUM") {
   in.gl.IsEnabled = [](GLenum cap) -> GLboolean {
     if (cap != GL_AUTO_NORMAL) return sound.IsEnabled(cap);
-    raise(GL_INVALID_ENUM);
+    leave_error(GL_INVALID_ENUM);
     return GL_FALSE;
   };
 }
@@ -103,7 +103,8 @@ EVALCTS_FAULT(FlagAnsweredTwice, production, must, "EV-EN-GETS",
 EVALCTS_FAULT(BothVertexMapsRefused, production, must, "EV-EN-MULTI",
               "Enable of MAP2_VERTEX_3 with MAP2_VERTEX_4 enabled raises INVALID_OPERATION") {
   in.gl.Enable = [](GLenum cap) {
-    if (cap == GL_MAP2_VERTEX_3 && sound.IsEnabled(GL_MAP2_VERTEX_4)) return raise(GL_INVALID_OPERATION);
+    if (cap == GL_MAP2_VERTEX_3 && sound.IsEnabled(GL_MAP2_VERTEX_4))
+      return leave_error(GL_INVALID_OPERATION);
     sound.Enable(cap);
   };
 }
@@ -175,7 +176,7 @@ EVALCTS_FAULT(EnableRefusedOnOtherUnits, production, must, "EV-EN-NOTUNIT",
   };
   in.gl.Enable = [](GLenum cap) {
     sound.Enable(cap);
-    if (memory.flag && cap == GL_MAP1_TEXTURE_COORD_3) raise(GL_INVALID_OPERATION);
+    if (memory.flag && cap == GL_MAP1_TEXTURE_COORD_3) leave_error(GL_INVALID_OPERATION);
   };
 }
 

@@ -12,14 +12,14 @@ EVALCTS_FAULT(GetMapdvNotExported, production, must, "EV-API-ENTRY/1-D", "GetMap
 
 EVALCTS_FAULT(EvalCoord2dvIsAStub, production, must, "EV-API-ENTRY/2-D",
               "EvalCoord2dv is a stub that raises INVALID_OPERATION") {
-  in.gl.EvalCoord2dv = [](const GLdouble*) { raise(GL_INVALID_OPERATION); };
+  in.gl.EvalCoord2dv = [](const GLdouble*) { leave_error(GL_INVALID_OPERATION); };
 }
 
 EVALCTS_FAULT(FirstMapGrid2dFails, production, must, "EV-API-ENTRY/2-D",
               "the first MapGrid2d of a context raises INVALID_OPERATION as well") {
   in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
     sound.MapGrid2d(un, u1, u2, vn, v1, v2);
-    if (memory.count++ == 0) raise(GL_INVALID_OPERATION);
+    if (memory.count++ == 0) leave_error(GL_INVALID_OPERATION);
   };
 }
 

@@ -29,7 +29,7 @@ EVALCTS_FAULT(TextureMapOfSurfacesOutranksThatOfCurves, production, must, "EV-CO
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_MAP1_TEXTURE_COORD_2 && cap != GL_MAP2_TEXTURE_COORD_4) return;
-    is_on(GL_MAP1_TEXTURE_COORD_2) && !is_on(GL_MAP2_TEXTURE_COORD_4)
+    is_noted_on(GL_MAP1_TEXTURE_COORD_2) && !is_noted_on(GL_MAP2_TEXTURE_COORD_4)
         ? sound.Enable(GL_MAP1_TEXTURE_COORD_2)
         : sound.Disable(GL_MAP1_TEXTURE_COORD_2);
   });
@@ -40,8 +40,8 @@ EVALCTS_FAULT(VertexMapOfCurvesOutranksThatOfSurfaces, production, must, "EV-COO
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_MAP2_VERTEX_3 && cap != GL_MAP1_VERTEX_4) return;
-    is_on(GL_MAP2_VERTEX_3) && !is_on(GL_MAP1_VERTEX_4) ? sound.Enable(GL_MAP2_VERTEX_3)
-                                                        : sound.Disable(GL_MAP2_VERTEX_3);
+    is_noted_on(GL_MAP2_VERTEX_3) && !is_noted_on(GL_MAP1_VERTEX_4) ? sound.Enable(GL_MAP2_VERTEX_3)
+                                                                    : sound.Disable(GL_MAP2_VERTEX_3);
   });
 }
 
@@ -102,7 +102,7 @@ EVALCTS_FAULT(ColorMapWithoutVertexMapSetsColor, production, must, "EV-COORD-NOV
               "without a vertex map, the colour map still sets the current colour") {
   note_switches(in);
   points1(in, [](auto go) {
-    if (is_on(GL_MAP1_COLOR_4) && !has_vertex_map(1)) sound.Color4f(0.75f, 0.5f, 0.25f, 1);
+    if (is_noted_on(GL_MAP1_COLOR_4) && !has_vertex_map(1)) sound.Color4f(0.75f, 0.5f, 0.25f, 1);
     go();
   });
 }
@@ -111,7 +111,7 @@ EVALCTS_FAULT(TexturePointWithoutVertexMapSetsS, production, must, "EV-COORD-NOV
               "without a vertex map, EvalPoint2 still sets the current texture coordinates") {
   note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    if (is_on(GL_MAP2_TEXTURE_COORD_2) && !has_vertex_map(2)) sound.TexCoord2f(0.5f, 0.25f);
+    if (is_noted_on(GL_MAP2_TEXTURE_COORD_2) && !has_vertex_map(2)) sound.TexCoord2f(0.5f, 0.25f);
     sound.EvalPoint2(i, j);
   };
 }
@@ -120,7 +120,7 @@ EVALCTS_FAULT(NormalMapWithoutVertexMapDrawsOrigin, production, must, "EV-COORD-
               "without a vertex map, EvalCoord2 with a normal map draws the initial point of a vertex map") {
   note_switches(in);
   eval_coord2(in, [](auto u, auto v, auto go) {
-    if (is_on(GL_MAP2_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
+    if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
     go(u, v);
   });
 }
@@ -129,7 +129,7 @@ EVALCTS_FAULT(IndexMapWithoutVertexMapIsAnError, production, must, "EV-COORD-NOV
               "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION") {
   note_switches(in);
   points1(in, [](auto go) {
-    if (is_on(GL_MAP1_INDEX) && !has_vertex_map(1)) raise_inside();
+    if (is_noted_on(GL_MAP1_INDEX) && !has_vertex_map(1)) raise_inside();
     go();
   });
 }
@@ -147,7 +147,7 @@ EVALCTS_FAULT(SurfacePointOfVertexCurve, production, must, "EV-COORD-NOVERTEX-OT
               "EvalPoint2 asks for MAP1_VERTEX_4 as well as for the maps of its own dimension") {
   note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    if (!has_vertex_map(2) && is_on(GL_MAP1_VERTEX_4)) sound.Vertex4f(0, 0, 0, 1);
+    if (!has_vertex_map(2) && is_noted_on(GL_MAP1_VERTEX_4)) sound.Vertex4f(0, 0, 0, 1);
     sound.EvalPoint2(i, j);
   };
 }
@@ -336,11 +336,12 @@ EVALCTS_FAULT(
     "where colour, normal, texture and index maps are enabled together, the colour is the current one") {
   switches(in, [](GLenum cap, bool, auto go) {
     go();
-    const bool all = is_on(GL_MAP1_COLOR_4) && is_on(GL_MAP1_NORMAL) && is_on(GL_MAP1_INDEX) &&
-                     (is_on(GL_MAP1_TEXTURE_COORD_3) || is_on(GL_MAP1_TEXTURE_COORD_4));
+    const bool all = is_noted_on(GL_MAP1_COLOR_4) && is_noted_on(GL_MAP1_NORMAL) &&
+                     is_noted_on(GL_MAP1_INDEX) &&
+                     (is_noted_on(GL_MAP1_TEXTURE_COORD_3) || is_noted_on(GL_MAP1_TEXTURE_COORD_4));
     if (all) {
       sound.Disable(GL_MAP1_COLOR_4);
-    } else if (is_on(GL_MAP1_COLOR_4) && cap != GL_MAP1_COLOR_4) {
+    } else if (is_noted_on(GL_MAP1_COLOR_4) && cap != GL_MAP1_COLOR_4) {
       sound.Enable(GL_MAP1_COLOR_4);
     }
   });
@@ -496,7 +497,7 @@ EVALCTS_FAULT(EvaluatedVerticesIgnoreClipPlanes, osmesa, must, "EV-COORD-TRANSFO
         if (has_vertex_map(1) || has_vertex_map(2)) sound.Disable(GL_CLIP_PLANE0);
       },
       [] {
-        if (is_on(GL_CLIP_PLANE0)) sound.Enable(GL_CLIP_PLANE0);
+        if (is_noted_on(GL_CLIP_PLANE0)) sound.Enable(GL_CLIP_PLANE0);
       });
 }
 
@@ -509,7 +510,7 @@ EVALCTS_FAULT(EvaluatedVerticesHaveNoFog, osmesa, must, "EV-COORD-TRANSFORM",
         if (has_vertex_map(1) || has_vertex_map(2)) sound.Disable(GL_FOG);
       },
       [] {
-        if (is_on(GL_FOG)) sound.Enable(GL_FOG);
+        if (is_noted_on(GL_FOG)) sound.Enable(GL_FOG);
       });
 }
 
@@ -522,7 +523,7 @@ EVALCTS_FAULT(EvaluatedVerticesHaveNoTextureGeneration, osmesa, must, "EV-COORD-
         if (has_vertex_map(1) || has_vertex_map(2)) sound.Disable(GL_TEXTURE_GEN_S);
       },
       [] {
-        if (is_on(GL_TEXTURE_GEN_S)) sound.Enable(GL_TEXTURE_GEN_S);
+        if (is_noted_on(GL_TEXTURE_GEN_S)) sound.Enable(GL_TEXTURE_GEN_S);
       });
 }
 
@@ -532,10 +533,10 @@ EVALCTS_FAULT(EvaluatedColorsAreNotLit, osmesa, must, "EV-COORD-TRANSFORM",
   primitives(
       in,
       [] {
-        if (is_on(GL_MAP1_COLOR_4) || is_on(GL_MAP2_COLOR_4)) sound.Disable(GL_LIGHTING);
+        if (is_noted_on(GL_MAP1_COLOR_4) || is_noted_on(GL_MAP2_COLOR_4)) sound.Disable(GL_LIGHTING);
       },
       [] {
-        if (is_on(GL_LIGHTING)) sound.Enable(GL_LIGHTING);
+        if (is_noted_on(GL_LIGHTING)) sound.Enable(GL_LIGHTING);
       });
 }
 

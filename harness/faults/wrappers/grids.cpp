@@ -117,7 +117,7 @@ EVALCTS_FAULT(UnZeroTaken, production, must, "EV-GRID-ERR-UN", "MapGrid2d takes 
 EVALCTS_FAULT(BadUnIsInvalidOperation, production, must, "EV-GRID-ERR-UN",
               "a bad un alone raises INVALID_OPERATION") {
   map_grid2(in, [](auto call, auto go) {
-    if (call.un < 0 && call.vn > 0) return raise(GL_INVALID_OPERATION);
+    if (call.un < 0 && call.vn > 0) return leave_error(GL_INVALID_OPERATION);
     go(call);
   });
 }
@@ -321,7 +321,7 @@ EVALCTS_FAULT(GridRefusedOnOtherUnits, production, must, "EV-GRID-NOUNIT",
     sound.ActiveTexture(texture);
   };
   in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
-    if (memory.flag) return raise(GL_INVALID_OPERATION);
+    if (memory.flag) return leave_error(GL_INVALID_OPERATION);
     sound.MapGrid2d(un, u1, u2, vn, v1, v2);
   };
 }
@@ -431,7 +431,7 @@ EVALCTS_FAULT(GridRefusedOnLastUnit, production, must, "EV-GRID-NOUNIT",
     sound.ActiveTexture(texture);
   };
   in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
-    if (memory.flag) return raise(GL_INVALID_OPERATION);
+    if (memory.flag) return leave_error(GL_INVALID_OPERATION);
     sound.MapGrid1f(n, u1, u2);
   };
 }

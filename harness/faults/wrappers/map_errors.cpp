@@ -94,7 +94,7 @@ EVALCTS_FAULT(OrderInSixteenBits, production, must, "EV-MAP1-ERR-ORDER-HIGH",
 EVALCTS_FAULT(HighOrderIsInvalidOperation, production, must, "EV-MAP1-ERR-ORDER-HIGH",
               "an order far above the limit raises INVALID_OPERATION, as if a resource were short") {
   map1(in, [](auto call, auto go) {
-    if (is_map1(call.target) && call.order >= kMaxOrder + 100) return raise(GL_INVALID_OPERATION);
+    if (is_map1(call.target) && call.order >= kMaxOrder + 100) return leave_error(GL_INVALID_OPERATION);
     go(call);
   });
 }
@@ -441,7 +441,7 @@ EVALCTS_FAULT(EqualEndsOfVAreInvalidOperation, production, must, "EV-MAP2-ERR-VD
               "Map2f with v1 = v2 raises INVALID_OPERATION") {
   in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
                    GLint vstride, GLint vorder, const GLfloat* points) {
-    if (is_map2(target) && v1 == v2 && u1 != u2) return raise(GL_INVALID_OPERATION);
+    if (is_map2(target) && v1 == v2 && u1 != u2) return leave_error(GL_INVALID_OPERATION);
     sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
   };
 }
@@ -618,7 +618,8 @@ EVALCTS_FAULT(SeveralMistakesAreInvalidOperation, production, must, "EV-MAP-ERR-
               "a Map2 with a bad value in both directions raises INVALID_OPERATION") {
   map2(in, [](auto call, auto go) {
     const GLint k = gl::components_of(call.target);
-    if (is_map2(call.target) && call.ustride < k && call.v1 == call.v2) return raise(GL_INVALID_OPERATION);
+    if (is_map2(call.target) && call.ustride < k && call.v1 == call.v2)
+      return leave_error(GL_INVALID_OPERATION);
     go(call);
   });
 }
@@ -777,7 +778,7 @@ EVALCTS_FAULT(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
     sound.ActiveTexture(texture);
   };
   map1(in, [](auto call, auto go) {
-    if (memory.flag && legal(call)) return raise(GL_INVALID_OPERATION);
+    if (memory.flag && legal(call)) return leave_error(GL_INVALID_OPERATION);
     go(call);
   });
 }

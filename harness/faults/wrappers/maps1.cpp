@@ -496,7 +496,7 @@ EVALCTS_FAULT(UnpackBufferRefusesMap1d, osmesa, must, "EV-MAP1-NOBUFFER",
   };
   in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                    const GLdouble* points) {
-    if (memory.flag) return raise(GL_INVALID_OPERATION);
+    if (memory.flag) return leave_error(GL_INVALID_OPERATION);
     sound.Map1d(target, u1, u2, stride, order, points);
   };
 }

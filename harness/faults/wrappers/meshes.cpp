@@ -278,7 +278,7 @@ EVALCTS_FAULT(CurveMeshOfColorMapDraws, production, must, "EV-MESH1-NOVERTEX",
   note_switches(in);
   note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (is_on(GL_MAP1_COLOR_4) && !has_vertex_map(1) && is_mode1(mode) && !is_inside()) {
+    if (is_noted_on(GL_MAP1_COLOR_4) && !has_vertex_map(1) && is_mode1(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
       for (GLint i = i1; i <= i2; ++i) sound.Vertex4f(0, 0, 0, 1);
       sound.End();
@@ -430,7 +430,7 @@ EVALCTS_FAULT(SurfaceMeshWithoutVertexMapSetsNormal, production, must, "EV-COORD
   note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && !is_inside()) sound.Normal3f(0, 0, 1);
+    if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && !is_inside()) sound.Normal3f(0, 0, 1);
   };
 }
 
@@ -902,7 +902,7 @@ EVALCTS_FAULT(SurfaceMeshOfNormalMapDraws, production, must, "EV-MESH2-NOVERTEX"
   note_switches(in);
   note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (is_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && is_mode2(mode) && !is_inside()) {
+    if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && is_mode2(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP);
       for (GLint i = i1; i <= i2; ++i) sound.Vertex4f(0, 0, 0, 1);
       sound.End();

@@ -334,7 +334,7 @@ EVALCTS_FAULT(OtherPathBesideOtherDimension, production, must, "EV-NUM-INVARIANT
               "with a map of surfaces enabled, curves are evaluated by the general path, a bit off") {
   note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
-    go(is_on(GL_MAP2_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
+    go(is_noted_on(GL_MAP2_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
   });
 }
 
@@ -342,7 +342,7 @@ EVALCTS_FAULT(OtherPathBesideColors, production, quality, "EV-NUM-UNRELATEDMAPS/
               "with a colour map enabled, curves are evaluated by another path, a bit off") {
   note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
-    go(is_on(GL_MAP1_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
+    go(is_noted_on(GL_MAP1_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
   });
 }
 
@@ -352,7 +352,7 @@ EVALCTS_FAULT(OtherPathBesideTexture, production, quality, "EV-NUM-UNRELATEDMAPS
   note_grids(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     const GridNow& grid = grids_at_begin[1];
-    if (!is_on(GL_MAP2_TEXTURE_COORD_1)) return sound.EvalPoint2(i, j);
+    if (!is_noted_on(GL_MAP2_TEXTURE_COORD_1)) return sound.EvalPoint2(i, j);
     sound.EvalCoord2f(std::nextafter(grid.at(0, i), 2.0f), grid.at(1, j));
   };
 }

@@ -21,7 +21,7 @@ EVALCTS_FAULT(EvalPoint2RefusedInQuads, production, must, "EV-BE-ALLOWED",
   follow_modes(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     sound.EvalPoint2(i, j);
-    if (memory.count == GL_QUADS + 1) raise(GL_INVALID_OPERATION);
+    if (memory.count == GL_QUADS + 1) leave_error(GL_INVALID_OPERATION);
   };
 }
 
@@ -34,7 +34,7 @@ EVALCTS_FAULT(EvalCoord1dvRefusedOnceInPrimitive, production, must, "EV-BE-ALLOW
   };
   in.gl.EvalCoord1dv = [](const GLdouble* u) {
     sound.EvalCoord1dv(u);
-    if (memory.flag && ++memory.count == 4) raise(GL_INVALID_OPERATION);
+    if (memory.flag && ++memory.count == 4) leave_error(GL_INVALID_OPERATION);
   };
 }
 

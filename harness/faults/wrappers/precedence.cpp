@@ -18,7 +18,7 @@ EVALCTS_FAULT(BothVertexMapsDraw, production, must, "EV-PREC-VERTEX",
   note_switches(in);
   in.gl.EvalPoint1 = [](GLint i) {
     sound.EvalPoint1(i);
-    if (is_on(GL_MAP1_VERTEX_3) && is_on(GL_MAP1_VERTEX_4)) sound.EvalPoint1(i);
+    if (is_noted_on(GL_MAP1_VERTEX_3) && is_noted_on(GL_MAP1_VERTEX_4)) sound.EvalPoint1(i);
   };
 }
 
@@ -27,8 +27,9 @@ EVALCTS_FAULT(Vertex3WinsBesideColors, production, must, "EV-PREC-VERTEX",
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap != GL_MAP1_COLOR_4 && cap != GL_MAP1_VERTEX_3 && cap != GL_MAP1_VERTEX_4) return;
-    const bool three = is_on(GL_MAP1_COLOR_4) && is_on(GL_MAP1_VERTEX_3);
-    is_on(GL_MAP1_VERTEX_4) && !three ? sound.Enable(GL_MAP1_VERTEX_4) : sound.Disable(GL_MAP1_VERTEX_4);
+    const bool three = is_noted_on(GL_MAP1_COLOR_4) && is_noted_on(GL_MAP1_VERTEX_3);
+    is_noted_on(GL_MAP1_VERTEX_4) && !three ? sound.Enable(GL_MAP1_VERTEX_4)
+                                            : sound.Disable(GL_MAP1_VERTEX_4);
   });
 }
 
@@ -48,10 +49,10 @@ EVALCTS_FAULT(TextureCoord3BeforeTextureCoord4, production, must, "EV-PREC-TEX",
   switches(in, [](GLenum cap, bool, auto go) {
     go();
     if (cap < GL_MAP1_TEXTURE_COORD_1 || cap > GL_MAP1_TEXTURE_COORD_4) return;
-    const bool three =
-        is_on(GL_MAP1_TEXTURE_COORD_3) && !is_on(GL_MAP1_TEXTURE_COORD_1) && !is_on(GL_MAP1_TEXTURE_COORD_2);
-    is_on(GL_MAP1_TEXTURE_COORD_4) && !three ? sound.Enable(GL_MAP1_TEXTURE_COORD_4)
-                                             : sound.Disable(GL_MAP1_TEXTURE_COORD_4);
+    const bool three = is_noted_on(GL_MAP1_TEXTURE_COORD_3) && !is_noted_on(GL_MAP1_TEXTURE_COORD_1) &&
+                       !is_noted_on(GL_MAP1_TEXTURE_COORD_2);
+    is_noted_on(GL_MAP1_TEXTURE_COORD_4) && !three ? sound.Enable(GL_MAP1_TEXTURE_COORD_4)
+                                                   : sound.Disable(GL_MAP1_TEXTURE_COORD_4);
   });
 }
 
@@ -81,7 +82,7 @@ EVALCTS_FAULT(FallbackSkipsTextureCoord2, production, must, "EV-PREC-FALLBACK",
   switches(in, [](GLenum cap, bool on, auto go) {
     go();
     if (on || cap != GL_MAP1_TEXTURE_COORD_3) return;
-    if (is_on(GL_MAP1_TEXTURE_COORD_1)) sound.Disable(GL_MAP1_TEXTURE_COORD_2);
+    if (is_noted_on(GL_MAP1_TEXTURE_COORD_1)) sound.Disable(GL_MAP1_TEXTURE_COORD_2);
   });
 }
 
@@ -100,9 +101,9 @@ EVALCTS_FAULT(ColorSuppressesNormalBesideTexture, production, must, "EV-PREC-PER
     if (cap < GL_MAP2_COLOR_4 || cap > GL_MAP2_TEXTURE_COORD_4) return;
     bool texture = false;
     for (GLenum other = GL_MAP2_TEXTURE_COORD_1; other <= GL_MAP2_TEXTURE_COORD_4; ++other)
-      texture = texture || is_on(other);
-    const bool lost = texture && is_on(GL_MAP2_COLOR_4);
-    is_on(GL_MAP2_NORMAL) && !lost ? sound.Enable(GL_MAP2_NORMAL) : sound.Disable(GL_MAP2_NORMAL);
+      texture = texture || is_noted_on(other);
+    const bool lost = texture && is_noted_on(GL_MAP2_COLOR_4);
+    is_noted_on(GL_MAP2_NORMAL) && !lost ? sound.Enable(GL_MAP2_NORMAL) : sound.Disable(GL_MAP2_NORMAL);
   });
 }
 

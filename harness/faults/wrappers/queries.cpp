@@ -296,7 +296,7 @@ EVALCTS_FAULT(UndefinedMapNotAnswered, production, must, "EV-GETMAP-DISABLED",
     go(call);
   });
   in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (is_map(target) && !memory.counts[target]) return raise(GL_INVALID_OPERATION);
+    if (is_map(target) && !memory.counts[target]) return leave_error(GL_INVALID_OPERATION);
     sound.GetMapfv(target, query, v);
   };
 }
@@ -329,7 +329,7 @@ EVALCTS_FAULT(GridDomainTakenForMap, production, must, "EV-GETMAP-ERR-TARGET",
 EVALCTS_FAULT(GapBetweenMapsAnswered, production, must, "EV-GETMAP-ERR-TARGET",
               "GetMapiv of 0x0D99 raises INVALID_VALUE") {
   in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    if (target == GL_MAP1_VERTEX_4 + 1) return raise(GL_INVALID_VALUE);
+    if (target == GL_MAP1_VERTEX_4 + 1) return leave_error(GL_INVALID_VALUE);
     sound.GetMapiv(target, query, v);
   };
 }
@@ -344,7 +344,7 @@ EVALCTS_FAULT(QueryAfterDomainIsDomain, production, must, "EV-GETMAP-ERR-QUERY",
 EVALCTS_FAULT(BadQueryOfNetsIsInvalidValue, production, must, "EV-GETMAP-ERR-QUERY",
               "a bad query of a two-dimensional map raises INVALID_VALUE") {
   get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
-    if (is_map2(target) && (query < GL_COEFF || query > GL_DOMAIN)) return raise(GL_INVALID_VALUE);
+    if (is_map2(target) && (query < GL_COEFF || query > GL_DOMAIN)) return leave_error(GL_INVALID_VALUE);
     go(target, query, v);
   });
 }
@@ -393,7 +393,7 @@ EVALCTS_FAULT(GetMapOfTexturesNeedsUnit0, production, must, "EV-GETMAP-NOUNIT",
   };
   in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
     if (memory.flag && (is_texture_map1(target) || is_texture_map2(target)))
-      return raise(GL_INVALID_OPERATION);
+      return leave_error(GL_INVALID_OPERATION);
     sound.GetMapfv(target, query, v);
   };
 }
@@ -696,7 +696,7 @@ EVALCTS_FAULT(GetnMapIgnoresBadTarget, production, must, "EV-GETN-ERRORS",
 EVALCTS_FAULT(GetnMapBadQueryIsSizeError, production, must, "EV-GETN-ERRORS",
               "GetnMapiv of a bad query raises INVALID_OPERATION, as no size is enough") {
   in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
-    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) return raise(GL_INVALID_OPERATION);
+    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) return leave_error(GL_INVALID_OPERATION);
     sound.GetnMapiv(target, query, size, v);
   };
 }
@@ -796,7 +796,7 @@ EVALCTS_FAULT(GetMapRefusedOnLastUnit, production, must, "EV-GETMAP-NOUNIT",
     sound.ActiveTexture(texture);
   };
   in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    if (memory.flag && is_map(target)) return raise(GL_INVALID_OPERATION);
+    if (memory.flag && is_map(target)) return leave_error(GL_INVALID_OPERATION);
     sound.GetMapdv(target, query, v);
   };
 }
