@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "harness/faults/fault.h"
@@ -88,6 +89,8 @@ const std::vector<Fault>& all_faults() {
     std::vector<Fault> all = wrappers();
     for (const Fault& fault : switches()) all.push_back(fault);
     std::ranges::sort(all, {}, &Fault::name);
+    const auto twice = std::ranges::adjacent_find(all, {}, &Fault::name);
+    if (twice != all.end()) throw std::logic_error(fmt::format("two faults are called {}", twice->name));
     return all;
   }();
   return sorted;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "harness/faults/around.h"
+#include "harness/faults/evaluating.h"
 #include "harness/faults/forms.h"
 #include "harness/gl/tokens.h"
 
@@ -730,13 +731,21 @@ EVALCTS_FAULT(ImmediatePointsNeedImmediateBegin, production, must, "EV-DL-SPLIT"
 // --- Called again ------------------------------------------------------------------------------------------
 
 EVALCTS_FAULT(SecondCallRoundsOtherwise, production, must, "EV-DL-REPEAT",
-              "from the second call of a list on the last bit of x of the last vertex is another") {
+              "from the second call of a list on the last bit of x of the last evaluated vertex is another") {
+  points(in, [](auto go) {
+    memory.flag = true;
+    go();
+  });
+  all_meshes(in, [](auto go) {
+    memory.flag = true;
+    go();
+  });
   in.gl.CallList = [](GLuint list) {
     sound.CallList(list);
     ++memory.count;
   };
   in.emitted = [](std::vector<ObservedPrimitive>& primitives) {
-    if (memory.count < 2 || primitives.empty() || primitives.back().vertices.empty()) return;
+    if (memory.count < 2 || !memory.flag || primitives.empty() || primitives.back().vertices.empty()) return;
     auto& x = primitives.back().vertices.back().position[0];
     x = std::nextafter(x, 1e30f);
   };
@@ -755,13 +764,21 @@ EVALCTS_FAULT(SecondCallForgetsErrors, production, must, "EV-DL-REPEAT",
 }
 
 EVALCTS_FAULT(SecondCallIgnored, production, must, "EV-DL-REPEAT",
-              "a list that is called twice in a row is executed once") {
+              "a list that is called twice in a row is executed once where something was evaluated") {
+  points(in, [](auto go) {
+    memory.flag = true;
+    go();
+  });
+  all_meshes(in, [](auto go) {
+    memory.flag = true;
+    go();
+  });
   in.gl.NewList = [](GLuint list, GLenum mode) {
     sound.NewList(list, mode);
     memory.count = 0;
   };
   in.gl.CallList = [](GLuint list) {
-    if (memory.count != list) sound.CallList(list);
+    if (memory.count != list || !memory.flag) sound.CallList(list);
     memory.count = list;
   };
 }

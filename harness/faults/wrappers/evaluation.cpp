@@ -194,7 +194,7 @@ EVALCTS_FAULT(EvalPointRefusedInLoops, production, must, "EV-COORD-INBEGIN",
   };
 }
 
-EVALCTS_FAULT(EvalPoint2RefusedInQuads, production, must, "EV-COORD-INBEGIN",
+EVALCTS_FAULT(EvalPoint2RefusedInQuads, production, must, "EV-COORD-INBEGIN EV-BE-ALLOWED",
               "EvalPoint2 is not on the list of commands that are legal in QUADS") {
   note_primitives(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {

@@ -198,7 +198,7 @@ GLX_FAULT(UnknownTargetNotSent, "EV-GLX-ERRONEOUS", "Map1f with an unknown targe
   };
 }
 
-GLX_FAULT(UnknownTargetIsInvalidValue, "EV-GLX-ERRONEOUS",
+GLX_FAULT(UnknownTargetTakenForAStride, "EV-GLX-ERRONEOUS",
           "the client takes an unknown target of Map2 for a stride that is too small") {
   map2(in, [](auto call, auto go) {
     if (is_map2(call.target))

@@ -16,15 +16,6 @@ void follow_modes(Injection& in) {
   };
 }
 
-EVALCTS_FAULT(EvalPoint2RefusedInQuads, production, must, "EV-BE-ALLOWED",
-              "EvalPoint2 in QUADS raises INVALID_OPERATION") {
-  follow_modes(in);
-  in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    sound.EvalPoint2(i, j);
-    if (memory.count == GL_QUADS + 1) leave_error(GL_INVALID_OPERATION);
-  };
-}
-
 EVALCTS_FAULT(EvalCoord1dvRefusedOnceInPrimitive, production, must, "EV-BE-ALLOWED",
               "the fourth EvalCoord1dv of a TRIANGLE_FAN raises INVALID_OPERATION") {
   in.gl.Begin = [](GLenum mode) {
