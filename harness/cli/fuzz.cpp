@@ -61,10 +61,6 @@ int fuzz(const FuzzOptions& options) {
                           now.seconds > 0 ? static_cast<double>(now.commands) / now.seconds : 0.0,
                           now.causes.size()));
   });
-  if (!hunt.cannot_start.empty()) {
-    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);
-    return kWrongUse;
-  }
   std::string text;
   std::size_t unexpected = 0;
   for (const fuzz::Cause& cause : hunt.causes) {
@@ -80,6 +76,10 @@ int fuzz(const FuzzOptions& options) {
       request.name, request.seed, hunt.programs, hunt.judged, hunt.commands, hunt.seconds, hunt.causes.size(),
       unexpected);
   line.print(text);
+  if (!hunt.cannot_start.empty()) {
+    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);
+    return kWrongUse;
+  }
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   return unexpected > 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;
 }

@@ -81,7 +81,8 @@ class Trial {
     for (const Depth depth : {Depth::quick, Depth::full}) {
       const std::vector<std::string> tests =
           sound_tests(fault, depth, tests_of(requirement, depth, fault["level"]));
-      if (tests.empty() || interrupted) continue;
+      if (interrupted) throw CannotTry{"interrupted"};
+      if (tests.empty()) continue;
       const json caught = catching(fault, depth, tests);
       if (!caught.is_null()) {
         cell.update(caught);
@@ -132,6 +133,7 @@ class Trial {
   // The first of the tests that catches the fault; null if none does.
   json catching(const json& fault, Depth depth, const std::vector<std::string>& tests) {
     const ChildRun run = play(fault, fault["name"], depth, tests);
+    if (interrupted) throw CannotTry{"interrupted"};  // the death of the child says nothing then
     const bool quality = fault["level"] == "quality";
     for (const std::string& name : run.finished) {
       const json& record = run.records.at(name);

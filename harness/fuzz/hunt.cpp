@@ -43,7 +43,7 @@ class Hunter {
       : request_(request), progress_(progress), scratch_(request.output / ("scratch-fuzz-" + request.name)) {}
 
   Hunt run() {
-    fs::remove_all(scratch_);
+    remove_stale_files();
     fs::create_directory(scratch_);
     for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
     while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
@@ -67,6 +67,19 @@ class Hunter {
     if (!request_.programs) return {};
     const auto jobs = static_cast<std::uint32_t>(request_.jobs), own = static_cast<std::uint32_t>(k);
     return *request_.programs / jobs + (own < *request_.programs % jobs ? 1 : 0);
+  }
+
+  // What an earlier hunt found.
+  void remove_stale_files() const {
+    fs::remove_all(scratch_);
+    const std::string stem = fmt::format("fuzz-{}-", request_.name);
+    std::vector<fs::path> stale;
+    for (const fs::directory_entry& entry : fs::directory_iterator(request_.output)) {
+      const std::string name = entry.path().stem().string();
+      if (name.starts_with(stem) && name.find_first_not_of("0123456789", stem.size()) == std::string::npos)
+        stale.push_back(entry.path());
+    }
+    for (const fs::path& path : stale) fs::remove(path);
   }
 
   std::vector<std::string> shared_options() const {
@@ -149,9 +162,8 @@ class Hunter {
     if (!run.ending.signalled && run.ending.value == kOwnFault)
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch(k, "log"))));
     if (run.in_flight.empty()) {
-      if (++empty_starts_ >= kMostEmptyStarts || hunt_.programs == 0)
-        hunt_.cannot_start =
-            "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
+      if (++empty_starts_ < kMostEmptyStarts) return start(k, last.first, last.programs);
+      hunt_.cannot_start = "it does not start: " + describe(run.ending) + "; " + last_line(scratch(k, "log"));
       return;
     }
     const std::uint32_t number = number_of(run.in_flight);

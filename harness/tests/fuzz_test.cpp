@@ -256,10 +256,16 @@ TEST_F(FuzzCommand, SaysWhatItNeeds) {
 }
 
 TEST_F(FuzzCommand, ProductionHoldsOut) {
+  // What an earlier call found goes; what is called alike stays.
+  for (const char* file : {"fuzz-production-1.json", "fuzz-production-1.c", "fuzz-production-old-1.json"})
+    std::ofstream(folder_ / file) << "{}";
   const Outcome outcome = fuzz({"--implementation", "production", "--programs", "40", "--seed", "5"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("seed 5: 40 programs (40 of them seen in full)"), std::string::npos)
       << outcome.text;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.json"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.c"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "fuzz-production-old-1.json"));
 }
 
 // Map1f for INDEX with order 5 crashes.
