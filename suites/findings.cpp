@@ -23,7 +23,7 @@ const bool kRegistered = [] {
     Registration(TestInfo{"Findings", name, {*requirement}, Level::must, [name, &finding](Test& t) {
                             gl::Case program = gl::case_from_json(finding.at("program"));
                             program.set_identity(name);
-                            fuzz::expect_as_specified(t, program);
+                            fuzz::expect_as_specified(t, program, specify(program, t.max_order()));
                           }});
   }
   return true;

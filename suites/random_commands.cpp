@@ -1,5 +1,8 @@
 #include "suites/random_commands.h"
 
+#include <array>
+#include <tuple>
+
 #include "suites/maps2.h"
 
 namespace evalcts {
@@ -20,9 +23,9 @@ class Past {
   // From 0 to count - 1.
   int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(count)); }
   bool coin() { return below(2) == 0; }
-  // A multiple of 1/16 in [-2,2].
+  // A multiple of 1/16 in [-2,2]. One draw a statement: in which order the arguments of a function are
+  // evaluated is up to the compiler.
   double number() { return (below(65) - 32) / 16.0; }
-  float single() { return static_cast<float>(number()); }
   GLenum target() { return coin() ? gl::kMap1Targets[below9()] : gl::kMap2Targets[below9()]; }
   std::size_t below9() { return static_cast<std::size_t>(below(9)); }
 
@@ -79,14 +82,21 @@ class Past {
     return values;
   }
 
+  // Calls it with so many numbers.
+  template <std::size_t kCount, class Call>
+  void with_numbers(Call call) {
+    std::array<double, kCount> values;
+    for (double& value : values) value = number();
+    std::apply(call, values);
+  }
+
   void map1() {
     const GLenum target = gl::kMap1Targets[below9()];
     const int k = gl::components_of(target), order = 1 + below(5);
-    const double u1 = number();
-    define(c_,
-           make_map1(target, u1, u1 + (coin() ? 1 : -2.5), k + below(3),
-                     points(static_cast<std::size_t>(order * k))),
-           coin());
+    const double u1 = number(), u2 = u1 + (coin() ? 1 : -2.5);
+    const int stride = k + below(3);
+    const Map1 map = make_map1(target, u1, u2, stride, points(static_cast<std::size_t>(order * k)));
+    define(c_, map, coin());
   }
 
   void map2() {
@@ -101,18 +111,19 @@ class Past {
 
   void grid() {
     const GLint n = 1 + below(9), m = 1 + below(9);
+    const double u1 = number(), u2 = number(), v1 = number(), v2 = number();
     switch (below(4)) {
       case 0:
-        c_.MapGrid1f(n, single(), single());
+        c_.MapGrid1f(n, u1, u2);
         return;
       case 1:
-        c_.MapGrid1d(n, number(), number());
+        c_.MapGrid1d(n, u1, u2);
         return;
       case 2:
-        c_.MapGrid2f(n, single(), single(), m, single(), single());
+        c_.MapGrid2f(n, u1, u2, m, v1, v2);
         return;
       default:
-        c_.MapGrid2d(n, number(), number(), m, number(), number());
+        c_.MapGrid2d(n, u1, u2, m, v1, v2);
     }
   }
 
@@ -127,26 +138,20 @@ class Past {
   void current_value() {
     switch (below(8)) {
       case 0:
-        c_.Color4f(single(), single(), single(), single());
-        return;
+        return with_numbers<4>([&](auto... v) { c_.Color4f(v...); });
       case 1:
-        c_.Color3f(single(), single(), single());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.Color3f(v...); });
       case 2:
-        c_.Normal3f(single(), single(), single());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.Normal3f(v...); });
       case 3:
-        c_.TexCoord1f(single());
+        c_.TexCoord1f(number());
         return;
       case 4:
-        c_.TexCoord2f(single(), single());
-        return;
+        return with_numbers<2>([&](auto... v) { c_.TexCoord2f(v...); });
       case 5:
-        c_.TexCoord4f(single(), single(), single(), single());
-        return;
+        return with_numbers<4>([&](auto... v) { c_.TexCoord4f(v...); });
       case 6:
-        c_.MultiTexCoord2f(GL_TEXTURE1, single(), single());
-        return;
+        return with_numbers<2>([&](auto... v) { c_.MultiTexCoord2f(GL_TEXTURE1, v...); });
       default:
         c_.EdgeFlag(coin());
     }
@@ -155,26 +160,26 @@ class Past {
   void point() {
     switch (below(8)) {
       case 0:
-        c_.EvalCoord1f(single());
+        c_.EvalCoord1f(number());
         return;
       case 1:
         c_.EvalCoord1d(number());
         return;
       case 2:
-        c_.EvalCoord2f(single(), single());
-        return;
+        return with_numbers<2>([&](auto... v) { c_.EvalCoord2f(v...); });
       case 3:
         c_.EvalCoord2dv(points(2));
         return;
       case 4:
         c_.EvalPoint1(below(12) - 1);
         return;
-      case 5:
-        c_.EvalPoint2(below(12) - 1, below(12) - 1);
+      case 5: {
+        const int i = below(12) - 1;
+        c_.EvalPoint2(i, below(12) - 1);
         return;
+      }
       case 6:
-        c_.Vertex3f(single(), single(), single());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.Vertex3f(v...); });
       default:
         current_value();
     }
@@ -188,10 +193,11 @@ class Past {
 
   void mesh() {
     const GLint first = below(4) - 1, last = first + below(5);
+    const GLint first_row = below(3);
     if (coin())
       c_.EvalMesh1(GL_POINT, first, last);
     else
-      c_.EvalMesh2(GL_POINT, first, last, below(3), 2 + below(2));
+      c_.EvalMesh2(GL_POINT, first, last, first_row, 2 + below(2));
   }
 
   void refused() {

@@ -1,7 +1,5 @@
 #include "harness/fuzz/as_specified.h"
 
-#include "harness/judge/prediction.h"
-
 namespace evalcts::fuzz {
 namespace {
 
@@ -28,8 +26,7 @@ void expect_answer(Played& played, const gl::Trace& expected, gl::Ref query) {
   }
 }
 
-void expect_answers(Test& t, const gl::Case& program) {
-  const gl::Trace expected = predict_answers(program, t.max_order());
+void expect_answers(Test& t, const gl::Case& program, const gl::Trace& expected) {
   Played played = t.play(program);
   for (int i = 0; i < static_cast<int>(program.commands().size()); ++i) {
     const gl::Ref command{i};
@@ -45,11 +42,11 @@ void expect_answers(Test& t, const gl::Case& program) {
 
 }  // namespace
 
-void expect_as_specified(Test& t, const gl::Case& program, Look look) {
+void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified, Look look) {
   constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
-  const bool emits = predict(program, t.max_order()).vertex_count() > 0;
-  if (look != Look::vertices || !emits) expect_answers(t, program);
-  if (look != Look::answers && emits) t.expect_emission(program, kJudged);
+  const bool emits = specified.prediction.vertex_count() > 0;
+  if (look != Look::vertices || !emits) expect_answers(t, program, specified.answers);
+  if (look != Look::answers && emits) t.expect_emission(program, specified.prediction, kJudged);
 }
 
 }  // namespace evalcts::fuzz

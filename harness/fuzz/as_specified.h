@@ -1,7 +1,7 @@
 // A program on an implementation and on the executable specification, side by side.
 #pragma once
 
-#include "harness/gl/case.h"
+#include "harness/judge/prediction.h"
 #include "harness/runner/test.h"
 
 namespace evalcts::fuzz {
@@ -10,8 +10,8 @@ namespace evalcts::fuzz {
 enum class Look { all, answers, vertices };
 
 // The body of a test: all that the commands answer, errors included, and all vertices that they emit have to
-// be what the executable specification says, within what the specification allows (section 0.5,
-// EV-GETMAP-FLOAT). The program has to be defined, see is_defined().
-void expect_as_specified(Test& t, const gl::Case& program, Look look = Look::all);
+// be what the executable specification says of it, within what the specification allows (section 0.5,
+// EV-GETMAP-FLOAT).
+void expect_as_specified(Test& t, const gl::Case& program, const Specified& specified, Look look = Look::all);
 
 }  // namespace evalcts::fuzz

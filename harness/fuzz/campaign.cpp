@@ -12,6 +12,7 @@
 #include "harness/fuzz/random_program.h"
 #include "harness/fuzz/shrink.h"
 #include "harness/gl/case_json.h"
+#include "harness/gl/explicit_vertices.h"
 #include "harness/gl/tokens.h"
 
 namespace evalcts::fuzz {
@@ -22,6 +23,7 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
+constexpr double kGrace = 10;  // seconds after the end for a program that is being made smaller
 
 // "position.x of vertex 3" -> "position".
 std::string kind_of(const Failure& failure) {
@@ -41,6 +43,13 @@ std::string without_form(std::string name) {
   return name;
 }
 
+// The word for a command in a cause.
+std::string word_of(const gl::Command& command) {
+  const auto* cap = command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
+  return cap && *cap == GL_AUTO_NORMAL ? "AUTO_NORMAL"
+                                       : without_form(std::string(gl::name_of(command.entry)));
+}
+
 bool uses(const gl::Case& program, EntryPoint entry) {
   return std::ranges::any_of(program.commands(),
                              [&](const gl::Command& command) { return command.entry == entry; });
@@ -51,6 +60,21 @@ bool uses_stem(const gl::Case& program, std::string_view stem) {
   });
 }
 
+bool has_argument(const gl::Case& program, EntryPoint entry, std::size_t position, std::int64_t wanted) {
+  return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
+    if (command.entry != entry || command.arguments.size() <= position) return false;
+    const auto* value = std::get_if<std::int64_t>(&command.arguments[position]);
+    return value && *value == wanted;
+  });
+}
+
+// Whether it evaluates where no map makes vertices.
+bool evaluates_without_vertices(const gl::Case& program) {
+  const auto enables = [&](GLenum cap) { return has_argument(program, EntryPoint::Enable, 0, cap); };
+  return (uses_stem(program, "EvalCoord1") && !enables(GL_MAP1_VERTEX_3) && !enables(GL_MAP1_VERTEX_4)) ||
+         (uses_stem(program, "EvalCoord2") && !enables(GL_MAP2_VERTEX_3) && !enables(GL_MAP2_VERTEX_4));
+}
+
 // The most special rule that the commands are about.
 std::string requirement_of(const gl::Case& program, const Failure& failure) {
   const std::string kind = kind_of(failure);
@@ -58,8 +82,12 @@ std::string requirement_of(const gl::Case& program, const Failure& failure) {
   if (kind.starts_with("glGetMap")) return two ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
   if (kind == "glIsEnabled") return "EV-EN-GETS";
   if (kind == "glGetError") return two ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
+  if (has_argument(program, EntryPoint::NewList, 1, GL_COMPILE_AND_EXECUTE)) return "EV-DL-COMPEXEC";
+  if (evaluates_without_vertices(program)) return "EV-COORD-NOVERTEX";
   if (uses(program, EntryPoint::NewList)) return "EV-DL-EXECUTE";
   if (uses(program, EntryPoint::PopAttrib)) return "EV-ATTRIB-EVALBIT";
+  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL)) return "EV-CUR-NORMAL";
+  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
   if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
   if (uses(program, EntryPoint::EvalMesh1)) return "EV-MESH1-COORDS";
   if (uses(program, EntryPoint::EvalMesh2)) return "EV-MESH2-COORDS";
@@ -77,19 +105,45 @@ gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
 
 std::string cause_of(const gl::Case& program, const std::string& what) {
   std::set<std::string> words;
-  for (const gl::Command& command : program.commands()) {
-    const std::string word = without_form(std::string(gl::name_of(command.entry)));
-    const auto* cap = command.arguments.empty() ? nullptr : std::get_if<std::int64_t>(&command.arguments[0]);
-    words.insert(cap && *cap == GL_AUTO_NORMAL ? "AUTO_NORMAL" : word);
-  }
+  for (const gl::Command& command : program.commands()) words.insert(word_of(command));
   return fmt::format("{}: {}", fmt::join(words, ", "), what);
 }
 
-Judged judge_program(const Subject& subject, const gl::Case& program, Look look) {
+gl::Case reduced_to(const std::string& cause, const gl::Case& program, const Specified& specified) {
+  const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
+  const auto has_word = [&](const std::string& word) {
+    return words.find(", " + word + ", ") != std::string::npos;
+  };
+  const bool errors = has_word("GetError");
+  gl::Case left(program.identity());
+  for (std::size_t i = 0; i < program.commands().size(); ++i) {
+    const gl::Command& command = program.commands()[i];
+    if (has_word(word_of(command)) && (errors || specified.errors[i].empty())) left.add(command);
+  }
+  return left;
+}
+
+gl::Case without_evaluators(const gl::Case& program) {
+  const auto is_about_maps = [](const gl::Command& command) {
+    if (gl::name_of(command.entry).find("Map") != std::string_view::npos) return true;
+    if (command.entry != EntryPoint::Enable && command.entry != EntryPoint::Disable &&
+        command.entry != EntryPoint::IsEnabled)
+      return false;
+    const auto* cap = std::get_if<std::int64_t>(&command.arguments[0]);
+    return cap && (*cap == GL_AUTO_NORMAL || gl::components_of(static_cast<GLenum>(*cap)) > 0);
+  };
+  const gl::Case with_vertices = gl::with_explicit_vertices(program);
+  gl::Case left(program.identity());
+  for (const gl::Command& command : with_vertices.commands())
+    if (!is_about_maps(command)) left.add(command);
+  return left;
+}
+
+Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
   Record record;
   record.name = program.identity();
   Test test(subject, record);
-  test.run([&](Test& t) { expect_as_specified(t, program, look); });
+  test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
   if (record.verdict == Verdict::internal_error)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
   if (record.verdict != Verdict::fail) return {{}, record.verdict == Verdict::pass};
@@ -98,56 +152,121 @@ Judged judge_program(const Subject& subject, const gl::Case& program, Look look)
 }
 
 json to_json(const Finding& finding) {
-  return {{"program", gl::to_json(finding.program)}, {"cause", finding.cause},
-          {"requirement", finding.requirement},      {"what", finding.failure.what},
-          {"message", finding.failure.message},      {"expected", finding.failure.expected},
-          {"captured", finding.failure.captured},    {"calls", finding.failure.calls}};
+  return {{"program", gl::to_json(finding.program)},
+          {"cause", finding.cause},
+          {"requirement", finding.requirement},
+          {"outside_evaluators", finding.outside_evaluators},
+          {"what", finding.failure.what},
+          {"message", finding.failure.message},
+          {"expected", finding.failure.expected},
+          {"captured", finding.failure.captured},
+          {"calls", finding.failure.calls}};
 }
 
-void play(const Subject& subject, const Campaign& campaign, const std::function<void(const json&)>& report) {
-  const int max_order = std::clamp(subject.info.max_eval_order, 8, 64);
-  report({{"event", "campaign"}, {"max_eval_order", max_order}});
-  const Clock::time_point begin = Clock::now();
-  Clock::time_point reported = begin;
-  const gl::Table table = subject.implementation->create_context()->table();
-  std::uint64_t programs = 0, judged = 0, commands = 0;
-  const auto progress = [&] {
-    report({{"event", "progress"}, {"programs", programs}, {"judged", judged}, {"commands", commands}});
-    reported = Clock::now();
-  };
-  for (std::uint32_t number = campaign.first; !campaign.programs || programs < *campaign.programs;
-       number += campaign.step) {
-    if (campaign.seconds > 0 &&
-        std::chrono::duration<double>(Clock::now() - begin).count() >= campaign.seconds)
-      break;
-    report({{"event", "start"}, {"name", fmt::format("program {}", number)}});
-    const gl::Case program =
-        with_commands_of(table, random_program(subject.seed, number, campaign.length, max_order));
-    ++programs;
-    if (!is_defined(program, max_order)) continue;  // for want of the commands that are missing
-    Judged outcome = judge_program(subject, program);
-    std::optional<Finding>& finding = outcome.finding;
-    judged += outcome.judged;
-    commands += program.commands().size();
-    if (finding) {
-      const std::string kind = kind_of(finding->failure);
-      // What differs is an answer or a vertex: only that is looked at again.
-      const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
-      const auto still = [&](const gl::Case& candidate) {
-        if (!is_defined(candidate, max_order)) return false;
-        std::optional<Finding> found = judge_program(subject, candidate, look).finding;
-        if (!found || kind_of(found->failure) != kind) return false;
-        finding = std::move(found);
-        return true;
-      };
-      shrink(program, still, campaign.most_attempts, [&](const gl::Case& smaller) {
-        report({{"event", "smaller"}, {"program", gl::to_json(smaller)}});
-      });
-      report({{"event", "finding"}, {"number", number}, {"finding", to_json(*finding)}});
+namespace {
+
+class Player {
+ public:
+  using Report = std::function<void(const json&)>;
+
+  Player(const Subject& subject, const Campaign& campaign, const Report& report)
+      : subject_(subject),
+        campaign_(campaign),
+        report_(report),
+        table_(subject.implementation->create_context()->table()),
+        max_order_(std::clamp(subject.info.max_eval_order, 8, 64)),
+        causes_(campaign.known) {}
+
+  void play() {
+    report_({{"event", "campaign"}, {"max_eval_order", max_order_}});
+    for (std::uint32_t number = campaign_.first; goes_on(); number += campaign_.step) {
+      report_({{"event", "start"}, {"name", fmt::format("program {}", number)}});
+      play(number);
+      report_progress_now_and_then();
     }
-    if (Clock::now() - reported > kReportEvery) progress();
+    report_progress();
   }
-  progress();
+
+ private:
+  bool goes_on() const { return !is_over(0) && !(campaign_.programs && programs_ >= *campaign_.programs); }
+  // Whether the time has been over for so many seconds.
+  bool is_over(double seconds) const {
+    return campaign_.seconds > 0 &&
+           std::chrono::duration<double>(Clock::now() - begin_).count() >= campaign_.seconds + seconds;
+  }
+
+  void report_progress_now_and_then() {
+    if (Clock::now() - reported_ > kReportEvery) report_progress();
+  }
+
+  void report_progress() {
+    report_({{"event", "progress"}, {"programs", programs_}, {"judged", judged_}, {"commands", commands_}});
+    reported_ = Clock::now();
+  }
+
+  void play(std::uint32_t number) {
+    auto [program, specified] = random_specified_program(subject_.seed, number, campaign_.length, max_order_);
+    ++programs_;
+    gl::Case left = with_commands_of(table_, program);
+    if (left.commands().size() < program.commands().size()) {
+      std::optional<Specified> of_left = specify_if_defined(left, max_order_);
+      if (!of_left) return;
+      program = std::move(left);
+      specified = *std::move(of_left);
+    }
+    Judged outcome = judge_program(subject_, program, specified);
+    judged_ += outcome.judged;
+    commands_ += program.commands().size();
+    if (!outcome.finding) return;
+    const Finding finding = explain(program, specified, *std::move(outcome.finding));
+    report_({{"event", "finding"}, {"number", number}, {"finding", to_json(finding)}});
+  }
+
+  // What shows the cause of the difference, as small as can be where the cause is new.
+  Finding explain(const gl::Case& program, const Specified& specified, Finding finding) {
+    const std::string kind = kind_of(finding.failure);
+    // What differs is an answer or a vertex: only that is looked at again.
+    const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
+    const auto still = [&](const gl::Case& candidate) {
+      report_progress_now_and_then();  // and shows that it goes on
+      if (is_over(kGrace)) return false;
+      const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
+      if (!of_candidate) return false;
+      std::optional<Finding> found = judge_program(subject_, candidate, *of_candidate, look).finding;
+      if (!found || kind_of(found->failure) != kind) return false;
+      finding = *std::move(found);
+      return true;
+    };
+    // Most differences are of a cause that has been seen: the commands of that alone show it then.
+    for (const std::string& cause : causes_)
+      if (cause.ends_with(": " + kind) && still(reduced_to(cause, program, specified))) {
+        finding.cause = cause;
+        return finding;
+      }
+    shrink(program, still, campaign_.most_attempts, [&](const gl::Case& smaller) {
+      report_({{"event", "smaller"}, {"program", gl::to_json(smaller)}});
+    });
+    causes_.push_back(finding.cause);
+    Finding smallest = finding;
+    smallest.outside_evaluators = still(without_evaluators(smallest.program));
+    return smallest;
+  }
+
+  const Subject& subject_;
+  const Campaign& campaign_;
+  const Report& report_;
+  const gl::Table table_;
+  const int max_order_;
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point reported_ = begin_;
+  std::uint64_t programs_ = 0, judged_ = 0, commands_ = 0;
+  std::vector<std::string> causes_;  // that have been seen
+};
+
+}  // namespace
+
+void play(const Subject& subject, const Campaign& campaign, const std::function<void(const json&)>& report) {
+  Player(subject, campaign, report).play();
 }
 
 }  // namespace evalcts::fuzz

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "harness/fuzz/as_specified.h"
 #include "harness/gl/case.h"
@@ -20,6 +21,7 @@ struct Campaign {
   double seconds = 0;                     // 0: no limit
   int length = 120;                       // commands of a program, about
   int most_attempts = 400;                // to make a failing program smaller
+  std::vector<std::string> known = {};    // causes: what they explain is not made smaller
 };
 
 // One difference from the executable specification.
@@ -29,24 +31,35 @@ struct Finding {
   // What tells its cause from others: which commands it has, whatever their arguments and order, and what
   // differs: "Begin, Enable, End, EvalCoord1, Map1: color".
   std::string cause;
-  std::string requirement;  // that is broken, as far as the commands tell
+  std::string requirement;          // that is broken, as far as the commands tell
+  bool outside_evaluators = false;  // the same goes wrong without them, see without_evaluators()
 };
 
 // What is left of a program where the implementation lacks commands.
 gl::Case with_commands_of(const gl::Table& table, const gl::Case& program);
 
-// The program on the implementation. Throws std::logic_error on a fault of evalcts itself.
+// The program, of which `specified` is, on the implementation. Throws std::logic_error on a fault of evalcts
+// itself.
 struct Judged {
   std::optional<Finding> finding;
   bool judged = true;  // false: not all of it could be seen
 };
-Judged judge_program(const Subject& subject, const gl::Case& program, Look look = Look::all);
+Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
+                     Look look = Look::all);
 
 // See Finding::cause; `what` differs, "position" or "crash".
 std::string cause_of(const gl::Case& program, const std::string& what);
 
-// {"program": commands as in gl/case_json.h, "cause", "requirement", "what", "message", "expected",
-// "captured", "calls"}
+// The commands of the program that may show the cause: those that it names, without those that raise errors
+// where it has none.
+gl::Case reduced_to(const std::string& cause, const gl::Case& program, const Specified& specified);
+
+// The control: vertices in the place of evaluation (see gl/explicit_vertices.h), and no command left that
+// defines, enables or asks for maps and grids.
+gl::Case without_evaluators(const gl::Case& program);
+
+// {"program": commands as in gl/case_json.h, "cause", "requirement", "outside_evaluators", "what", "message",
+// "expected", "captured", "calls"}
 nlohmann::json to_json(const Finding& finding);
 
 // Plays the campaign, of each program the commands that the implementation has, and reports events for the

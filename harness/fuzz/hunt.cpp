@@ -26,6 +26,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLook = 0.02;
 constexpr int kMostAttemptsAlone = 150;  // to make a crash smaller: each is a process
+constexpr int kMostHangs = 60;           // to make a hang smaller: each costs kShortPatience
+constexpr double kShortPatience = 2;     // with a program that has hung before
 constexpr double kPatience = 60;         // beyond the time limit, for a program that is being made smaller
 constexpr int kMostEmptyStarts = 3;
 
@@ -45,6 +47,9 @@ class Hunter {
   Hunt run() {
     remove_stale_files();
     fs::create_directory(scratch_);
+    json known = json::array();
+    for (const auto& [cause, as] : request_.known) known.push_back(cause);
+    write_atomically(scratch_ / "known.json", known.dump());
     for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
     while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
     hunt_.seconds = seconds_since(begin_);
@@ -109,7 +114,8 @@ class Hunter {
     std::vector<std::string> command = shared_options();
     command.insert(command.end(),
                    {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs),
-                    "--length", std::to_string(request_.length), "--records", scratch(k, "jsonl").string()});
+                    "--length", std::to_string(request_.length), "--known",
+                    (scratch_ / "known.json").string(), "--records", scratch(k, "jsonl").string()});
     if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
     if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
     fs::remove(scratch(k, "jsonl"));
@@ -189,12 +195,28 @@ class Hunter {
                            ? random_program(request_.seed, number, request_.length, max_eval_order_)
                            : gl::case_from_json(smaller);
     int at = 0;
+    const double patience =
+        run.hung ? std::min(kShortPatience, request_.seconds_per_program) : request_.seconds_per_program;
+    std::optional<Specified> specified;  // of the last candidate
     const auto dies = [&](const gl::Case& candidate) {
-      if (interrupted || !is_defined(candidate, max_eval_order_)) return false;
-      return !play_alone(candidate, ++at).ending_is_regular;
+      if (interrupted || !(specified = specify_if_defined(candidate, max_eval_order_))) return false;
+      return !ends_alone(candidate, ++at, patience);
     };
     // What a smaller version was tried with is not known: where none dies alone, the whole program stands.
-    if (!run.hung && dies(program)) program = shrink(program, dies, kMostAttemptsAlone);
+    std::string cause;
+    if (dies(program)) {
+      const Specified whole = *specified;
+      for (const std::string& seen : causes_seen(how)) {
+        gl::Case reduced = reduced_to(seen, program, whole);
+        if (!dies(reduced)) continue;
+        program = std::move(reduced);
+        cause = seen;
+        break;
+      }
+      if (cause.empty()) program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
+    }
+    const bool outside = cause.empty() && dies(without_evaluators(program));
+    if (cause.empty()) cause = cause_of(program, how);
     json finding = {{"program", gl::to_json(program)},
                     {"requirement", "EV-NUM-SPECIAL-SAFE"},
                     {"what", how},
@@ -202,22 +224,30 @@ class Hunter {
                     {"expected", "the program is played to its end"},
                     {"captured", describe(run.ending)},
                     {"calls", gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1)},
-                    {"cause", cause_of(program, how)}};
+                    {"outside_evaluators", outside},
+                    {"cause", cause}};
     found(fmt::format("program {}", number), finding);
   }
 
-  struct Alone {
-    bool ending_is_regular;
-  };
-  Alone play_alone(const gl::Case& program, int at) const {
+  // Of deaths of this kind.
+  std::vector<std::string> causes_seen(const std::string& how) const {
+    std::vector<std::string> seen;
+    for (const Cause& cause : hunt_.causes) seen.push_back(cause.cause);
+    for (const auto& [cause, as] : request_.known) seen.push_back(cause);
+    std::erase_if(seen, [&](const std::string& cause) { return !cause.ends_with(": " + how); });
+    return seen;
+  }
+
+  // Whether the program comes to its end in a process of its own.
+  bool ends_alone(const gl::Case& program, int at, double patience) const {
     const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
     write_atomically(file, gl::to_json(program).dump());
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
-    SuiteChild child(command, events, scratch_ / "alone.log", request_.seconds_per_program);
+    SuiteChild child(command, events, scratch_ / "alone.log", patience);
     while (!child.look(kLook)) continue;
     fs::remove(events);
-    return {child.run().complete};
+    return child.run().complete;
   }
 
   void found(const std::string& program, const json& finding) {
@@ -230,6 +260,7 @@ class Hunter {
       fresh.finding = finding;
       const auto as = request_.known.find(cause);
       if (as != request_.known.end()) fresh.known_as = as->second;
+      if (finding["outside_evaluators"]) fresh.known_as = "a defect outside evaluators";
       fresh.file =
           (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, hunt_.causes.size() + 1)).string();
       hunt_.causes.push_back(std::move(fresh));

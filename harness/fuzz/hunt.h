@@ -32,7 +32,7 @@ struct HuntRequest {
 // All findings with one cause; the smallest program of them stands for all.
 struct Cause {
   std::string cause;
-  std::string known_as;  // empty: new
+  std::string known_as;  // what it is known as, or why it is no matter of evaluators; empty: new
   std::string program;   // "program 17", the first that showed it
   std::string file;      // fuzz-NAME-K.json in the output folder; .txt and .c beside it
   std::size_t times = 0;

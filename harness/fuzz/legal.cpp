@@ -73,15 +73,16 @@ class Primitives {
   std::map<GLuint, std::vector<gl::Command>> lists_;
 };
 
-}  // namespace
-
-bool is_defined(const gl::Case& program, int max_eval_order) {
+// Whether vertices come between Begin and End only, and nothing stays open.
+bool has_whole_primitives(const gl::Case& program) {
   Primitives primitives;
   for (const gl::Command& command : program.commands())
     if (!primitives.issue(command)) return false;
-  if (primitives.is_open()) return false;
+  return !primitives.is_open();
+}
 
-  const std::vector<std::vector<GLenum>> errors = predict_errors(program, max_eval_order);
+// Whether each error has one possible code and is asked for before the next.
+bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLenum>>& errors) {
   bool pending = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const EntryPoint entry = program.commands()[i].entry;
@@ -95,6 +96,15 @@ bool is_defined(const gl::Case& program, int max_eval_order) {
     }
   }
   return !pending;
+}
+
+}  // namespace
+
+std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eval_order) {
+  if (!has_whole_primitives(program)) return std::nullopt;
+  Specified specified = specify(program, max_eval_order);
+  if (!has_clear_errors(program, specified.errors)) return std::nullopt;
+  return specified;
 }
 
 }  // namespace evalcts::fuzz

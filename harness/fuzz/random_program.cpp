@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "harness/fuzz/legal.h"
 #include "harness/gl/tokens.h"
@@ -50,8 +52,8 @@ class Writer {
   }
 
  private:
-  // --- numbers: doubles that a float holds
-  // ------------------------------------------------------------------
+  // --- numbers: doubles that a float holds. One draw a statement: in which order the arguments of a function
+  // are evaluated is up to the compiler.
 
   double simple() { return (dice_.below(65) - 32) / 16.0; }
   double number() {
@@ -61,8 +63,10 @@ class Writer {
         return 0;
       case 1:  // a full significand
         return std::ldexp(dice_.below(1 << 24) - (1 << 23), -23);
-      case 2:
-        return std::ldexp(simple(), dice_.below(60) - 30);
+      case 2: {
+        const double significand = simple();
+        return std::ldexp(significand, dice_.below(60) - 30);
+      }
       default:
         return dice_.one_in(2) ? 1 : -1;
     }
@@ -71,6 +75,18 @@ class Writer {
     std::vector<double> values(count);
     for (double& value : values) value = number();
     return values;
+  }
+  // Calls it with so many of them, or with arguments of evaluation.
+  template <std::size_t kCount, class Call>
+  void with_numbers(Call call) {
+    std::array<double, kCount> values;
+    for (double& value : values) value = number();
+    std::apply(call, values);
+  }
+  template <class Call>
+  void with_arguments(Call call) {
+    const double u = argument(), v = argument();
+    call(u, v);
   }
   template <class Real>
   static std::vector<Real> as(const std::vector<double>& values) {
@@ -100,7 +116,6 @@ class Writer {
   int order() { return dice_.one_in(40) ? max_order_ : 1 + dice_.below(dice_.one_in(6) ? 9 : 5); }
 
   // --- commands
-  // ---------------------------------------------------------------------------------------------
 
   // What later commands need for anything to be seen.
   void supply() {
@@ -205,49 +220,40 @@ class Writer {
   }
 
   void current_value() {
-    const auto f = [&] { return static_cast<GLfloat>(number()); };
     switch (dice_.below(16)) {
       case 0:
-        c_.Color3f(f(), f(), f());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.Color3f(v...); });
       case 1:
-        c_.Color4f(f(), f(), f(), f());
-        return;
+        return with_numbers<4>([&](auto... v) { c_.Color4f(v...); });
       case 2:
-        c_.Color4d(number(), number(), number(), number());
-        return;
+        return with_numbers<4>([&](auto... v) { c_.Color4d(v...); });
       case 3:
         c_.Color3dv(numbers(3));
         return;
       case 4:
-        c_.Normal3f(f(), f(), f());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.Normal3f(v...); });
       case 5:
         c_.Normal3dv(numbers(3));
         return;
       case 6:
-        c_.TexCoord1f(f());
+        c_.TexCoord1f(number());
         return;
       case 7:
-        c_.TexCoord2d(number(), number());
-        return;
+        return with_numbers<2>([&](auto... v) { c_.TexCoord2d(v...); });
       case 8:
-        c_.TexCoord3f(f(), f(), f());
-        return;
+        return with_numbers<3>([&](auto... v) { c_.TexCoord3f(v...); });
       case 9:
         c_.TexCoord4fv(as<GLfloat>(numbers(4)));
         return;
       case 10:
-        c_.MultiTexCoord1f(GL_TEXTURE1, f());
+        c_.MultiTexCoord1f(GL_TEXTURE1, number());
         return;
       case 11:
-        c_.MultiTexCoord2f(GL_TEXTURE0, f(), f());
-        return;
+        return with_numbers<2>([&](auto... v) { c_.MultiTexCoord2f(GL_TEXTURE0, v...); });
       case 12:
-        c_.MultiTexCoord4d(GL_TEXTURE1, number(), number(), number(), number());
-        return;
+        return with_numbers<4>([&](auto... v) { c_.MultiTexCoord4d(GL_TEXTURE1, v...); });
       case 13:
-        c_.Indexf(static_cast<GLfloat>(dice_.below(200)));
+        c_.Indexf(dice_.below(200));
         return;
       default:
         c_.EdgeFlag(dice_.below(2));
@@ -284,31 +290,30 @@ class Writer {
         return;
       case 5:
       case 6:
-        c_.EvalCoord2f(argument(), argument());
-        return;
+        return with_arguments([&](double u, double v) { c_.EvalCoord2f(u, v); });
       case 7:
-        c_.EvalCoord2d(argument(), argument());
-        return;
+        return with_arguments([&](double u, double v) { c_.EvalCoord2d(u, v); });
       case 8:
-        c_.EvalCoord2fv(
-            std::vector<GLfloat>{static_cast<GLfloat>(argument()), static_cast<GLfloat>(argument())});
-        return;
+        return with_arguments([&](double u, double v) { c_.EvalCoord2fv(as<GLfloat>({u, v})); });
       case 9:
-        c_.EvalCoord2dv(std::vector<GLdouble>{argument(), argument()});
-        return;
+        return with_arguments([&](double u, double v) { c_.EvalCoord2dv(std::vector<GLdouble>{u, v}); });
       case 10:
       case 11:
         c_.EvalPoint1(dice_.below(12) - 1);
         return;
       case 12:
-      case 13:
-        c_.EvalPoint2(dice_.below(12) - 1, dice_.below(7) - 1);
+      case 13: {
+        const int i = dice_.below(12) - 1;
+        c_.EvalPoint2(i, dice_.below(7) - 1);
         return;
-      default:
+      }
+      default: {
+        const double x = simple(), y = simple(), z = simple();
         if (dice_.one_in(2))
-          c_.Vertex3f(simple(), simple(), simple());
+          c_.Vertex3f(x, y, z);
         else
-          c_.Vertex4dv(std::vector<GLdouble>{simple(), simple(), simple(), 1});
+          c_.Vertex4dv(std::vector<GLdouble>{x, y, z, 1});
+      }
     }
   }
 
@@ -543,14 +548,20 @@ class Writer {
 
 }  // namespace
 
-gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order) {
+SpecifiedProgram random_specified_program(std::uint32_t seed, std::uint32_t number, int length,
+                                          int max_eval_order) {
   // Where chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));
     Writer(program, dice, max_eval_order).write(length);
-    if (is_defined(program, max_eval_order)) return program;
+    if (std::optional<Specified> specified = specify_if_defined(program, max_eval_order))
+      return {std::move(program), *std::move(specified)};
   }
+}
+
+gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order) {
+  return random_specified_program(seed, number, length, max_eval_order).program;
 }
 
 }  // namespace evalcts::fuzz

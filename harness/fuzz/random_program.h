@@ -3,13 +3,20 @@
 
 #include <cstdint>
 
-#include "harness/gl/case.h"
+#include "harness/judge/prediction.h"
 
 namespace evalcts::fuzz {
 
 // The program of that number: the same for the same seed, on every machine. About `length` commands; what it
-// does is defined (see is_defined). A program draws one kind of primitives (most of them points, some lines,
-// some polygons), so that every capture can show it.
+// does is defined (see specify_if_defined). A program draws one kind of primitives (most of them points, some
+// lines, some polygons), so that every capture can show it.
 gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order);
+
+struct SpecifiedProgram {
+  gl::Case program;
+  Specified specified;  // what it has to do
+};
+SpecifiedProgram random_specified_program(std::uint32_t seed, std::uint32_t number, int length,
+                                          int max_eval_order);
 
 }  // namespace evalcts::fuzz

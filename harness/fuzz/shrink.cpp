@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "harness/gl/call_log.h"
+#include "harness/gl/tokens.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -13,6 +17,100 @@ constexpr std::size_t kMostElements = 24;  // of an array whose elements are tri
 
 using gl::Command;
 using gl::EntryPoint;
+
+// The same cause shows in many forms: the plainest one tells that it is the same. Each of these makes a
+// command plainer, or leaves it.
+
+// Element i of an array, or the number itself.
+double number(const gl::Value& argument, std::size_t i = 0) {
+  if (const auto* single = std::get_if<float>(&argument)) return *single;
+  if (const auto* real = std::get_if<double>(&argument)) return *real;
+  const auto* input = std::get_if<gl::Input>(&argument);
+  if (!input || input->bytes.size() < (i + 1) * size_of(input->type)) return 0;
+  if (input->type == gl::Scalar::f32) {
+    float single = 0;
+    std::memcpy(&single, input->bytes.data() + i * sizeof single, sizeof single);
+    return single;
+  }
+  double real = 0;
+  if (input->type == gl::Scalar::f64) std::memcpy(&real, input->bytes.data() + i * sizeof real, sizeof real);
+  return real;
+}
+float single(const gl::Value& argument, std::size_t i = 0) { return static_cast<float>(number(argument, i)); }
+
+Command in_one_dimension(Command command) {
+  const std::vector<gl::Value>& a = command.arguments;
+  const auto curve_target = [&]() -> gl::Value {
+    const auto* target = std::get_if<std::int64_t>(&a.at(0));
+    if (!target || *target < GL_MAP2_COLOR_4 || *target > GL_MAP2_VERTEX_4) return a.at(0);
+    return *target - GL_MAP2_COLOR_4 + GL_MAP1_COLOR_4;
+  };
+  const auto drawn = [](const gl::Value& mode) {
+    const auto* of = std::get_if<std::int64_t>(&mode);
+    return of && *of == GL_FILL ? gl::Value(std::int64_t{GL_LINE}) : mode;
+  };
+  switch (command.entry) {
+    case EntryPoint::Enable:
+    case EntryPoint::Disable:
+    case EntryPoint::IsEnabled:
+    case EntryPoint::GetMapfv:
+    case EntryPoint::GetMapdv:
+    case EntryPoint::GetMapiv:
+      command.arguments[0] = curve_target();
+      return command;
+    case EntryPoint::Map2f:
+      return {EntryPoint::Map1f, {curve_target(), a[1], a[2], a[3], a[4], a[9]}};
+    case EntryPoint::Map2d:
+      return {EntryPoint::Map1d, {curve_target(), a[1], a[2], a[3], a[4], a[9]}};
+    case EntryPoint::MapGrid2f:
+      return {EntryPoint::MapGrid1f, {a[0], a[1], a[2]}};
+    case EntryPoint::MapGrid2d:
+      return {EntryPoint::MapGrid1d, {a[0], a[1], a[2]}};
+    case EntryPoint::EvalCoord2f:
+      return {EntryPoint::EvalCoord1f, {a[0]}};
+    case EntryPoint::EvalCoord2d:
+      return {EntryPoint::EvalCoord1d, {a[0]}};
+    case EntryPoint::EvalCoord2fv:
+      return {EntryPoint::EvalCoord1f, {single(a[0])}};
+    case EntryPoint::EvalCoord2dv:
+      return {EntryPoint::EvalCoord1d, {number(a[0])}};
+    case EntryPoint::EvalPoint2:
+      return {EntryPoint::EvalPoint1, {a[0]}};
+    case EntryPoint::EvalMesh2:
+      return {EntryPoint::EvalMesh1, {drawn(a[0]), a[1], a[2]}};
+    default:
+      return command;
+  }
+}
+
+// EvalCoord1f and EvalCoord2f alone.
+Command as_coordinate(Command command) {
+  const std::vector<gl::Value>& a = command.arguments;
+  switch (command.entry) {
+    case EntryPoint::EvalCoord1d:
+    case EntryPoint::EvalCoord1fv:
+    case EntryPoint::EvalCoord1dv:
+      return {EntryPoint::EvalCoord1f, {single(a[0])}};
+    case EntryPoint::EvalCoord2d:
+      return {EntryPoint::EvalCoord2f, {single(a[0]), single(a[1])}};
+    case EntryPoint::EvalCoord2fv:
+    case EntryPoint::EvalCoord2dv:
+      return {EntryPoint::EvalCoord2f, {single(a[0], 0), single(a[0], 1)}};
+    case EntryPoint::EvalPoint1:
+      return {EntryPoint::EvalCoord1f, {0.0f}};
+    case EntryPoint::EvalPoint2:
+      return {EntryPoint::EvalCoord2f, {0.0f, 0.0f}};
+    default:
+      return command;
+  }
+}
+
+Command as_points(Command command) {
+  if (command.entry == EntryPoint::Begin) command.arguments[0] = std::int64_t{GL_POINTS};
+  if (command.entry == EntryPoint::EvalMesh1 || command.entry == EntryPoint::EvalMesh2)
+    command.arguments[0] = std::int64_t{GL_POINT};
+  return command;
+}
 
 class Shrinker {
  public:
@@ -23,6 +121,8 @@ class Shrinker {
   gl::Case shrink() {
     for (bool again = true; again && left_ > 0;) {
       again = remove_commands();
+      for (const auto plainer : {in_one_dimension, as_coordinate, as_points})
+        again = replace_all(plainer) || again;
       again = simplify_arguments() || again;
     }
     return best_;
@@ -105,6 +205,23 @@ class Shrinker {
     std::vector<Command> commands = best_.commands();
     commands[i] = std::move(command);
     return attempt(std::move(commands));
+  }
+
+  // All commands that the function changes, or else one after the other.
+  bool replace_all(Command (*plainer)(Command)) {
+    const std::vector<Command> before = best_.commands();
+    std::vector<Command> after;
+    for (const Command& command : before) after.push_back(plainer(command));
+    const auto differs = [&](std::size_t i) { return gl::to_c(after[i]) != gl::to_c(before[i]); };
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (differs(i)) changed.push_back(i);
+    if (changed.empty()) return false;
+    if (attempt(after)) return true;
+    bool any = false;
+    if (changed.size() > 1)
+      for (const std::size_t i : changed) any = replace(i, after[i]) || any;
+    return any;
   }
 
   // Map1 with one point less.

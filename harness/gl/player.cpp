@@ -14,52 +14,101 @@ namespace {
 constexpr std::byte kFiller{0xA5};
 constexpr int kMostErrors = 16;
 
+constexpr std::byte kUnlikely{0x4B};  // four or eight of them: a large finite number
+
+// Pages before one that is inaccessible. A few at a time are used again: to map them costs more than most
+// calls.
+class FencedPages {
+ public:
+  static FencedPages take(std::size_t count) {
+    FencedPages pages(count);
+    if (count > kFew) {
+      pages.map();
+      return pages;
+    }
+    if (kept_of(count).empty()) {
+      pages.map();
+    } else {
+      pages.base_ = kept_of(count).back();
+      kept_of(count).pop_back();
+    }
+    std::memset(pages.base_, static_cast<int>(kUnlikely), count * page_size());
+    return pages;
+  }
+  FencedPages(FencedPages&& other) noexcept
+      : base_(std::exchange(other.base_, nullptr)), count_(other.count_), protected_(other.protected_) {}
+  FencedPages& operator=(FencedPages&&) = delete;
+  ~FencedPages() {
+    if (!base_) return;
+    if (count_ <= kFew && !protected_ && kept_of(count_).size() < kMostKept)
+      kept_of(count_).push_back(base_);
+    else
+      unmap();
+  }
+
+  static std::size_t page_size() {
+    static const auto size = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    return size;
+  }
+  std::byte* end() const { return base_ + count_ * page_size(); }
+  void unmap() { munmap(std::exchange(base_, nullptr), (count_ + 1) * page_size()); }
+  void protect() {
+    mprotect(base_, count_ * page_size(), PROT_NONE);
+    protected_ = true;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 4, kMostKept = 64;
+
+  explicit FencedPages(std::size_t count) : count_(count) {}
+  void map() {
+    void* memory =
+        mmap(nullptr, (count_ + 1) * page_size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    base_ = static_cast<std::byte*>(memory);
+    mprotect(end(), page_size(), PROT_NONE);
+  }
+  static std::vector<std::byte*>& kept_of(std::size_t count) {
+    static thread_local std::array<std::vector<std::byte*>, kFew + 1> kept;
+    return kept[count];
+  }
+
+  std::byte* base_ = nullptr;
+  std::size_t count_;
+  bool protected_ = false;
+};
+
 // Client memory that ends directly before an inaccessible page: reading past the end crashes.
 class ClientArray {
  public:
-  explicit ClientArray(const Input& input) : size_(input.bytes.size()) {
-    const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    usable_ = (size_ + page - 1) / page * page;
-    mapped_ = usable_ + page;
-    void* memory = mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED) throw std::bad_alloc();
-    base_ = static_cast<std::byte*>(memory);
-    mprotect(base_ + usable_, page, PROT_NONE);
+  explicit ClientArray(const Input& input)
+      : size_(input.bytes.size()),
+        pages_(FencedPages::take((size_ + FencedPages::page_size() - 1) / FencedPages::page_size())) {
     fill(input);
   }
-  ~ClientArray() {
-    if (base_) munmap(base_, mapped_);
-  }
-  ClientArray(const ClientArray&) = delete;
-  ClientArray& operator=(const ClientArray&) = delete;
 
   void fill(const Input& input) {
     if (size_ > 0) std::memcpy(data(), input.bytes.data(), size_);
   }
-  std::byte* data() { return base_ + usable_ - size_; }
+  std::byte* data() { return pages_.end() - size_; }
 
   void meet(AfterCall fate) {
     switch (fate) {
       case AfterCall::keep:
         return;
       case AfterCall::overwrite:
-        std::memset(data(), 0x4B, size_);  // a large finite number in either precision
+        std::memset(data(), static_cast<int>(kUnlikely), size_);
         return;
       case AfterCall::unmap:
-        munmap(base_, mapped_);
-        base_ = nullptr;
-        return;
+        return pages_.unmap();
       case AfterCall::protect:
-        mprotect(base_, usable_, PROT_NONE);
-        return;
+        return pages_.protect();
     }
   }
 
  private:
   std::size_t size_;
-  std::size_t usable_ = 0;
-  std::size_t mapped_ = 0;
-  std::byte* base_ = nullptr;
+  FencedPages pages_;
 };
 
 }  // namespace

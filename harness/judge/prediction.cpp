@@ -47,6 +47,13 @@ gl::Case known_commands(const gl::Case& script) {
   return known;
 }
 
+Prediction prediction_of(reference::Specification& specification, const gl::Trace& trace) {
+  Prediction prediction;
+  prediction.primitives = specification.take_primitives();
+  if (!trace.left_over_errors().empty()) prediction.error = trace.left_over_errors().front();
+  return prediction;
+}
+
 }  // namespace
 
 std::size_t Prediction::vertex_count() const {
@@ -72,11 +79,7 @@ bool Prediction::has_nonpositive_w() const {
 Prediction predict(const gl::Case& script, int max_eval_order) {
   reference::Specification specification({.max_eval_order = max_eval_order});
   const gl::Trace trace = play(known_commands(script), specification);
-
-  Prediction prediction;
-  prediction.primitives = specification.take_primitives();
-  if (!trace.left_over_errors().empty()) prediction.error = trace.left_over_errors().front();
-  return prediction;
+  return prediction_of(specification, trace);
 }
 
 bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
@@ -95,24 +98,18 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
   return false;
 }
 
-gl::Trace predict_answers(const gl::Case& script, int max_eval_order) {
+Specified specify(const gl::Case& script, int max_eval_order) {
   reference::Specification specification({.max_eval_order = max_eval_order});
+  Specified specified;
   try {
-    return play(script, specification);
+    specified.answers = play(script, specification, [&](std::size_t) {
+      specified.errors.push_back(specification.permitted_errors());
+    });
   } catch (const gl::MissingEntryPoint& missing) {
     throw std::logic_error(missing.what());
   }
-}
-
-std::vector<std::vector<GLenum>> predict_errors(const gl::Case& script, int max_eval_order) {
-  reference::Specification specification({.max_eval_order = max_eval_order});
-  std::vector<std::vector<GLenum>> errors;
-  try {
-    play(script, specification, [&](std::size_t) { errors.push_back(specification.permitted_errors()); });
-  } catch (const gl::MissingEntryPoint& missing) {
-    throw std::logic_error(missing.what());
-  }
-  return errors;
+  specified.prediction = prediction_of(specification, specified.answers);
+  return specified;
 }
 
 gl::Case as_explicit_commands(const Prediction& prediction) {

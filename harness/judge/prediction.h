@@ -27,12 +27,15 @@ Prediction predict(const gl::Case& script, int max_eval_order);
 // too, for a case of several contexts, of which it has one.
 bool may_raise_an_error(const gl::Case& script, int max_eval_order);
 
-// What the commands answer on the executable specification: each query correctly rounded. Throws
-// std::logic_error if it lacks one of the commands.
-gl::Trace predict_answers(const gl::Case& script, int max_eval_order);
+// All that the executable specification says of a case.
+struct Specified {
+  Prediction prediction;
+  gl::Trace answers;                        // of the commands: each query correctly rounded
+  std::vector<std::vector<GLenum>> errors;  // that each command is free to raise; none for most
+};
 
-// For each command the errors that it is free to raise there; none for most. Throws as predict_answers does.
-std::vector<std::vector<GLenum>> predict_errors(const gl::Case& script, int max_eval_order);
+// Throws std::logic_error if the specification lacks one of the commands.
+Specified specify(const gl::Case& script, int max_eval_order);
 
 // The primitives of the prediction with explicit vertices: each value correctly rounded, colour, normal and
 // texture coordinates of unit 0 before each vertex. What evaluation has to be like (EV-COORD-ASIF), up to the

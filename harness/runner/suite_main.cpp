@@ -43,7 +43,7 @@ struct Options {
   std::uint32_t seed = 1;
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
-  std::string replay;
+  std::string known, replay;
   bool fuzz = false, describe = false, list = false, trace_cases = false, die_with_parent = false,
        reuse_context = false;
 };
@@ -252,6 +252,7 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--step", options.campaign.step, "from a program to the next one")->needs("--fuzz");
   app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
   app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
+  app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
   app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
   app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
@@ -274,7 +275,9 @@ void parse(int argc, char** argv, Options& options) {
 int play_programs(const Program& program) {
   const auto report = [&](const json& event) { program.records->write(event); };
   if (program.options.fuzz) {
-    fuzz::play(program.subject, program.options.campaign, report);
+    fuzz::Campaign campaign = program.options.campaign;
+    if (std::ifstream known(program.options.known); known) campaign.known = json::parse(known);
+    fuzz::play(program.subject, campaign, report);
     return 0;
   }
   std::ifstream file(program.options.replay);
@@ -283,7 +286,9 @@ int play_programs(const Program& program) {
                                            gl::case_from_json(json::parse(file)));
   script.set_identity("program");
   report({{"event", "start"}, {"name", "program"}});
-  const std::optional<fuzz::Finding> finding = fuzz::judge_program(program.subject, script).finding;
+  const Specified specified = specify(script, std::clamp(program.subject.info.max_eval_order, 8, 64));
+  const std::optional<fuzz::Finding> finding =
+      fuzz::judge_program(program.subject, script, specified).finding;
   report({{"event", "result"},
           {"record", {{"name", "program"}, {"finding", finding ? fuzz::to_json(*finding) : json()}}}});
   return finding ? 1 : 0;

@@ -342,10 +342,18 @@ RecordedVaryings Test::record_varyings(const gl::Case& written, const VaryingSha
   return evalcts::record_varyings(*subject_.implementation, shader, script, kPoints, most_vertices);
 }
 
-// How the capture shows the primitives that the case draws.
+// How the capture shows the primitives that the case draws; asked once, since it is always the same.
 Topology Test::topology_of(const Prediction& prediction, const Capture& capture) const {
+  constexpr std::size_t kMostKnown = 1000;
   const PrimitiveKinds kinds = kinds_of(prediction);
   if (kinds == kPoints) return Topology::points(prediction.vertex_count());
+  Shape drawn;
+  for (const reference::Primitive& primitive : prediction.primitives)
+    drawn.emplace_back(primitive.mode, primitive.vertices.size());
+  const std::pair key(capture.name(), drawn);
+  const auto known = subject_.topologies->find(key);
+  if (known != subject_.topologies->end()) return known->second;
+
   const Attributes numbered = capture.attributes() & (kPosition | kTextureCoordinate0);
   const Observation control = capture.observe(*subject_.implementation, explicit_primitives(prediction),
                                               {numbered, most_vertices_of(prediction), kinds});
@@ -353,6 +361,7 @@ Topology Test::topology_of(const Prediction& prediction, const Capture& capture)
   if (!topology || control.error != GL_NO_ERROR)
     throw NotObservable(fmt::format(
         "pipeline: {} does not show these primitives with explicit vertices, either", capture.name()));
+  if (subject_.topologies->size() < kMostKnown) subject_.topologies->emplace(key, *topology);
   return *std::move(topology);
 }
 
@@ -383,7 +392,16 @@ void Test::require_lists_of_vertices(const Listed& listed) const {
 
 void Test::expect_emission(const gl::Case& written, Attributes required) {
   const gl::Case script = begin_case(written).script;
-  const Prediction prediction = predict(script, max_order());
+  judge_emission(script, predict(script, max_order()), required);
+}
+
+void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
+  if (delivery_) throw std::logic_error("a prediction is of the case as it is delivered");
+  begin_case(script);
+  judge_emission(script, prediction, required);
+}
+
+void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
   const PrimitiveKinds kinds = kinds_of(prediction);
   // Some room beyond what is right, so that the message can say how many came.
   const std::size_t room = most_vertices_of(prediction) + 8;

@@ -33,6 +33,9 @@ struct NotSupported : std::runtime_error {
 
 class Reproduction;
 
+// How captures, by name, take primitives apart, by their modes and numbers of vertices.
+using KnownTopologies = std::map<std::pair<std::string, Shape>, Topology>;
+
 // What all tests of a process are run against.
 struct Subject {
   Implementation* implementation = nullptr;
@@ -43,6 +46,7 @@ struct Subject {
   std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name
   std::function<void(const gl::Case&)> before_case;  // may be empty
   Reproduction* reproduction = nullptr;              // where a C program of the first failure is wanted
+  std::shared_ptr<KnownTopologies> topologies = std::make_shared<KnownTopologies>();
 };
 
 class Test;
@@ -129,6 +133,8 @@ class Test {
   // executable specification at the level of the test. `required` attributes must be observed, or the test is
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
+  // The same with a prediction that is at hand. Not through a delivery.
+  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required);
 
   // Observes a case that draws these kinds of primitives through the first capture that sees `required`; the
   // test judges by itself.
@@ -159,6 +165,7 @@ class Test {
  private:
   friend class Played;
   gl::DeliveredCase begin_case(const gl::Case& script);
+  void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required);
   bool cross_checked(const Prediction& prediction) const;
   const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const {
     return *captures_for(required, kinds, false, 1).front();

@@ -50,14 +50,14 @@ TEST(RandomProgram, IsTheSameForTheSameSeedOnEveryMachine) {
   EXPECT_NE(program(3, 7), program(4, 7));
   std::uint64_t hash = 14695981039346656037u;  // FNV-1a
   for (const char c : program(1, 0)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  EXPECT_EQ(hash, 13015271262689599267u) << "the programs of all seeds have changed: mean it";
+  EXPECT_EQ(hash, 3631112718035775970u) << "the programs of all seeds have changed: mean it";
 }
 
 TEST(RandomProgram, GoesEverywhereAndIsDefined) {
   std::map<gl::EntryPoint, int> times;
   for (std::uint32_t number = 0; number < 200; ++number) {
     const gl::Case program = random_program(1, number, kLength, kMaxOrder);
-    ASSERT_TRUE(is_defined(program, kMaxOrder)) << number;
+    ASSERT_TRUE(specify_if_defined(program, kMaxOrder)) << number;
     for (const gl::Command& command : program.commands()) ++times[command.entry];
   }
   using gl::EntryPoint;
@@ -71,30 +71,30 @@ TEST(RandomProgram, GoesEverywhereAndIsDefined) {
 }
 
 TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
-  EXPECT_TRUE(is_defined(small_curve(), kMaxOrder));
+  EXPECT_TRUE(specify_if_defined(small_curve(), kMaxOrder));
   gl::Case outside;
   outside.EvalCoord1f(0);
-  EXPECT_FALSE(is_defined(outside, kMaxOrder));
+  EXPECT_FALSE(specify_if_defined(outside, kMaxOrder));
   gl::Case open = small_curve();
   open.Begin(GL_POINTS);
-  EXPECT_FALSE(is_defined(open, kMaxOrder));
+  EXPECT_FALSE(specify_if_defined(open, kMaxOrder));
   gl::Case two_mistakes;
   two_mistakes.Map1f(GL_MAP1_VERTEX_3, 0, 0, 3, 0, std::vector<GLfloat>(6));
   two_mistakes.GetError();
-  EXPECT_TRUE(is_defined(two_mistakes, kMaxOrder)) << "both are INVALID_VALUE";
+  EXPECT_TRUE(specify_if_defined(two_mistakes, kMaxOrder)) << "both are INVALID_VALUE";
   two_mistakes.Map1f(GL_COEFF, 0, 0, 3, 0, std::vector<GLfloat>(6));
   two_mistakes.GetError();
-  EXPECT_FALSE(is_defined(two_mistakes, kMaxOrder)) << "INVALID_ENUM or INVALID_VALUE";
+  EXPECT_FALSE(specify_if_defined(two_mistakes, kMaxOrder)) << "INVALID_ENUM or INVALID_VALUE";
   gl::Case unasked;
   unasked.Enable(GL_COEFF);
-  EXPECT_FALSE(is_defined(unasked, kMaxOrder));
+  EXPECT_FALSE(specify_if_defined(unasked, kMaxOrder));
   gl::Case in_list;
   in_list.NewList(1, GL_COMPILE);
   in_list.EvalCoord1f(0);
   in_list.EndList();
-  EXPECT_TRUE(is_defined(in_list, kMaxOrder));
+  EXPECT_TRUE(specify_if_defined(in_list, kMaxOrder));
   in_list.CallList(1);
-  EXPECT_FALSE(is_defined(in_list, kMaxOrder));
+  EXPECT_FALSE(specify_if_defined(in_list, kMaxOrder));
 }
 
 // --- as data ----------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ TEST(Shrink, LeavesWhatMatters) {
   int asked = 0;
   const auto still = [&](const gl::Case& candidate) {
     ++asked;
-    return is_defined(candidate, kMaxOrder) && has(candidate, gl::EntryPoint::EvalCoord1d);
+    return specify_if_defined(candidate, kMaxOrder) && has(candidate, gl::EntryPoint::EvalCoord1d);
   };
   std::uint32_t number = 0;
   while (!has(random_program(1, number, kLength, kMaxOrder), gl::EntryPoint::EvalCoord1d)) ++number;

@@ -296,8 +296,8 @@ EVALCTS_FAULT(SamePointerNotReadAgain, production, must, "EV-MAP1-REPLACE EV-MAP
   map1(in, [](auto call, auto go) {
     if (!legal(call)) return go(call);
     static const void* pointer = nullptr;
-    const bool same = memory.numbers.size() > 0 && pointer == call.points &&
-                      memory.counts[0] == call.target && memory.counts[1] == call.order;
+    const bool same = !memory.numbers.empty() && pointer == call.points && memory.counts[0] == call.target &&
+                      memory.counts[1] == call.order;
     if (!same) {
       const auto points = packed(call);
       memory.numbers.assign(points.begin(), points.end());
