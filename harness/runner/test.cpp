@@ -284,7 +284,7 @@ Played Test::play(const gl::Case& written) {
   const gl::Case& script = delivered.script;
   const std::unique_ptr<Context> context = subject_.implementation->create_context();
   const gl::Trace trace = context->play(script);
-  const std::vector<GLenum> left_over = trace.left_over_errors();
+  const std::vector<GLenum>& left_over = trace.left_over_errors();
   Played played(*this, delivered, trace);
   if (!left_over.empty()) {
     std::vector<std::string> names;

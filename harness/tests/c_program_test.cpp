@@ -17,8 +17,6 @@
 namespace evalcts {
 namespace {
 
-namespace fs = std::filesystem;
-
 class CProgram : public ProgramTest {
  protected:
   // Builds the program of the text and starts it; the argument is the library.

@@ -340,9 +340,10 @@ TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
 
 TEST_F(CommandLine, SecondPassOfASoundLibraryFindsNothing) {
   for (const std::string name : {"reference", "production"}) {
-    const Outcome outcome = evalcts(
-        {"run", "--implementation", name, "--reuse-context", "--depth", "quick", "--filter",
-         "InitialState.*:Map1State.Stride/MAP1_VERTEX_*:CurrentValues.*Color*:Enables.*", "--output", folder_.string()});
+    const Outcome outcome =
+        evalcts({"run", "--implementation", name, "--reuse-context", "--depth", "quick", "--filter",
+                 "InitialState.*:Map1State.Stride/MAP1_VERTEX_*:CurrentValues.*Color*:Enables.*", "--output",
+                 folder_.string()});
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_EQ(results(name + ".reuse-context")["summary"], results(name)["summary"]);
   }

@@ -179,8 +179,8 @@ TEST(Lift, MakesNetsThatAreConstantAcross) {
       (std::vector<std::string>{
           "glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 1, 1, (GLfloat[]){3.0f, 4.0f});",
           "glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 2, 2, (GLfloat[]){3.0f, 4.0f, 3.0f, 4.0f});",
-          "glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 2, 3, (GLfloat[]){3.0f, 4.0f, 3.0f, 4.0f, "
-          "3.0f, 4.0f});",
+          std::string("glMap2f(GL_MAP2_INDEX, 2.0f, 5.0f, 1, 2, 0.0f, 1.0f, 2, 3, ") +
+              "(GLfloat[]){3.0f, 4.0f, 3.0f, 4.0f, 3.0f, 4.0f});",
           "glEnable(GL_MAP2_INDEX);", "glDisable(GL_MAP1_VERTEX_3);", "glEvalCoord2f(0x1p-1f, 0x1.8p-2f);"}));
   EXPECT_EQ(to_c(lift(c, true), 0, 0)[0],
             "glMap2f(GL_MAP2_INDEX, 0.0f, 1.0f, 1, 1, 2.0f, 5.0f, 1, 2, (GLfloat[]){3.0f, 4.0f});");

@@ -7,7 +7,7 @@
 namespace {
 
 using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::kSlotTable,
-    glev::Map, glev::Surface;
+    glev::Map;
 
 // The highest enabled slot of the attribute, -1 if none is.
 int WinningSlot(Attribute attribute, std::span<const bool, kSlots> enabled) {

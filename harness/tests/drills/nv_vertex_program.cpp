@@ -56,7 +56,7 @@ struct Map {
 using Enables = std::array<std::array<bool, kAttributes>, 2>;
 
 struct State {
-  Map maps[2][kAttributes];
+  std::array<std::array<Map, kAttributes>, 2> maps;
   Enables enabled{};
   std::vector<std::pair<GLbitfield, Enables>> stack;
   bool program = false;
