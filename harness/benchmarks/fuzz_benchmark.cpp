@@ -1,0 +1,71 @@
+// Random programs: how many commands a second are written, specified, played and judged, on one core.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "harness/fuzz/campaign.h"
+#include "harness/fuzz/random_program.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+constexpr std::uint32_t kSeed = 1, kPrograms = 50;
+constexpr int kMostOrder = 30;
+
+// Only the writing, which plays each program on the executable specification.
+void Write(benchmark::State& state) {
+  const auto length = static_cast<int>(state.range(0));
+  std::uint64_t commands = 0;
+  for (auto _ : state)
+    for (std::uint32_t number = 0; number < kPrograms; ++number)
+      commands += random_specified_program(kSeed, number, length, kMostOrder).program.commands().size();
+  state.counters["commands"] = benchmark::Counter(static_cast<double>(commands), benchmark::Counter::kIsRate);
+}
+
+bool has_lists(const gl::Case& program) {
+  return std::ranges::any_of(program.commands(), [](const gl::Command& command) {
+    return command.entry == gl::EntryPoint::NewList || command.entry == gl::EntryPoint::CallList;
+  });
+}
+
+// Only the playing and judging, of programs in which the implementation does as specified: a difference costs
+// hundreds of plays more. Without display lists where those crash.
+void Judge(benchmark::State& state, const char* name, bool with_lists) {
+  std::unique_ptr<Implementation> implementation;
+  Subject subject;
+  try {
+    implementation = open_implementation({.name = name});
+    subject.implementation = implementation.get();
+    subject.info = inquire(*implementation);
+  } catch (const CannotStart& why) {
+    return state.SkipWithError(why.what());
+  }
+  Captures captures(*implementation, subject.info);
+  subject.captures = &captures;
+  const int max_order = std::clamp(subject.info.max_eval_order, 8, 64);
+  std::vector<SpecifiedProgram> programs;
+  for (std::uint32_t number = 0; programs.size() < kPrograms; ++number) {
+    SpecifiedProgram program =
+        random_specified_program(kSeed, number, static_cast<int>(state.range(0)), max_order);
+    if (!with_lists && has_lists(program.program)) continue;
+    if (!judge_program(subject, program.program, program.specified).finding)
+      programs.push_back(std::move(program));
+  }
+  std::uint64_t commands = 0;
+  for (auto _ : state)
+    for (const SpecifiedProgram& program : programs) {
+      benchmark::DoNotOptimize(judge_program(subject, program.program, program.specified));
+      commands += program.program.commands().size();
+    }
+  state.counters["commands"] = benchmark::Counter(static_cast<double>(commands), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(Write)->Arg(120)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Judge, production, "production", true)->Arg(120)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Judge, osmesa, "osmesa", false)->Arg(120)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace evalcts::fuzz
