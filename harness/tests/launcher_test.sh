@@ -157,7 +157,7 @@ for arguments in '' -h --help; do
   # shellcheck disable=SC2086 # none or one
   evalcts $arguments
   exits 0
-  for command in run list coverage explain reproduce fuzz faults test; do
+  for command in run list coverage explain reproduce fuzz faults bench test; do
     check "help names $command" grep -qE "^  $command  " <<<"$output"
   done
 done
