@@ -18,7 +18,7 @@ void Specification::PushAttrib(GLbitfield mask) {
 void Specification::PopAttrib() {
   if (compiled(&Specification::PopAttrib)) return;
   if (refused({{inside(), GL_INVALID_OPERATION}, {attribute_stack_.empty(), GL_STACK_UNDERFLOW}})) return;
-  const auto [mask, saved] = std::move(attribute_stack_.back());
+  const auto [mask, saved] = attribute_stack_.back();
   attribute_stack_.pop_back();
   if (mask & (GL_EVAL_BIT | GL_ENABLE_BIT)) attributes_.enables = saved.enables;
   if (mask & GL_EVAL_BIT) attributes_.grids = saved.grids;  // EV-ATTRIB-EVALBIT, EV-ATTRIB-ENABLEBIT-NOGRID

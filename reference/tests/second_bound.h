@@ -76,7 +76,7 @@ inline Fraction second_bound(const std::vector<Fraction>& magnitudes, const Seco
   Fraction wide = 0, plain = 0, under = 0;
   for (int i = 0; i <= u.n; ++i) {
     for (int j = 0; j <= v.n; ++j) {
-      const Fraction r = magnitudes[i * (v.n + 1) + j];
+      const Fraction& r = magnitudes[i * (v.n + 1) + j];
       wide += weight(u, i, u.wide_t(fit), u.wide_s(fit)) * weight(v, j, v.wide_t(fit), v.wide_s(fit)) * r;
       plain += weight(u, i, u.t(), u.s()) * weight(v, j, v.t(), v.s()) * r;
       under += choose(u.n, i) * choose(v.n, j) * std::max(one, r);
