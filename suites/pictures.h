@@ -64,7 +64,7 @@ void forget_stipple_starts(Picture& feedback);
 // All pictures in pixels have the window of 64x64 pixels; a position (x, y) of the clip volume is at pixel
 // 32 + 32 x, 32 + 32 y.
 inline constexpr int kSide = 64;
-inline float at_pixel(double window) { return static_cast<float>((window - kSide / 2) / (kSide / 2)); }
+inline float at_pixel(double window) { return static_cast<float>((window - kSide / 2.0) / (kSide / 2.0)); }
 
 struct Area {
   int x, y, width = 1, height = 1;
