@@ -246,10 +246,10 @@ class Player {
     shrink(program, still, campaign_.most_attempts, [&](const gl::Case& smaller) {
       report_({{"event", "smaller"}, {"program", gl::to_json(smaller)}});
     });
+    // Then the control stands for it, whose cause names no evaluation: it cannot hide what only that shows.
+    if (still(without_evaluators(gl::Case(finding.program)))) finding.outside_evaluators = true;
     causes_.push_back(finding.cause);
-    Finding smallest = finding;
-    smallest.outside_evaluators = still(without_evaluators(smallest.program));
-    return smallest;
+    return finding;
   }
 
   const Subject& subject_;

@@ -216,6 +216,7 @@ class Hunter {
       if (cause.empty()) program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
     }
     const bool outside = cause.empty() && dies(without_evaluators(program));
+    if (outside) program = without_evaluators(program);  // its cause names no evaluation, then
     if (cause.empty()) cause = cause_of(program, how);
     json finding = {{"program", gl::to_json(program)},
                     {"requirement", "EV-NUM-SPECIAL-SAFE"},

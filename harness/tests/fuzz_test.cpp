@@ -217,6 +217,20 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   EXPECT_LE(program.commands().size(), 5u) << text_of(program);
   EXPECT_TRUE(has(program, gl::EntryPoint::EvalCoord2d)) << text_of(program);
   EXPECT_EQ(finding["cause"], "Begin, Enable, End, EvalCoord2, Map2: position");
+  EXPECT_EQ(finding["outside_evaluators"], false);
+}
+
+// Color4f goes wrong with explicit vertices as well: that is said, and its cause cannot hide one of
+// evaluation.
+TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
+  Altered altered([](gl::Table& table) {
+    table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::sound.Color4f(g, r, b, a); };
+  });
+  const Played played = play_against(altered, 200);
+  ASSERT_FALSE(played.findings.empty());
+  const json& finding = played.findings.front()["finding"];
+  EXPECT_EQ(finding["outside_evaluators"], true) << finding.dump(1);
+  EXPECT_EQ(finding["cause"].get<std::string>().find("Eval"), std::string::npos) << finding["cause"];
 }
 
 // An answer, not a vertex.
