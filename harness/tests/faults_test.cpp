@@ -1,12 +1,12 @@
 // The table of faults, on the suite program with faults.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "harness/faults/fault_table.h"
 #include "harness/runner/runner.h"
-#include "harness/tests/program.h"
 
 namespace evalcts::faults {
 namespace {
