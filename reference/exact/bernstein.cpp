@@ -1,4 +1,5 @@
 #include <reference/bernstein.h>
+#include <reference/bernstein_form.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -39,18 +40,17 @@ bool is_finite(const Surface& surface) {
 }
 
 Evaluation evaluate_with_magnitude(const Curve& curve, const Argument& u) {
-  return bernstein_sum(integer_net(curve), homogenise(u, curve.u1, curve.u2));
+  return BernsteinForm(curve).evaluate_with_magnitude(u);
 }
 
 Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v) {
-  return bernstein_sum(integer_net(surface), homogenise(u, surface.u1, surface.u2),
-                       homogenise(v, surface.v1, surface.v2));
+  return BernsteinForm(surface).evaluate_with_magnitude(u, v);
 }
 
-Rational evaluate(const Curve& curve, const Argument& u) { return evaluate_with_magnitude(curve, u).value; }
+Rational evaluate(const Curve& curve, const Argument& u) { return BernsteinForm(curve).evaluate(u); }
 
 Rational evaluate(const Surface& surface, const Argument& u, const Argument& v) {
-  return evaluate_with_magnitude(surface, u, v).value;
+  return BernsteinForm(surface).evaluate(u, v);
 }
 
 Rational magnitude(const Curve& curve, const Argument& u) {

@@ -4,6 +4,7 @@
 #include <reference/rational.h>
 
 #include <cstdint>
+#include <span>
 
 namespace evalcts::reference {
 
@@ -15,6 +16,9 @@ struct Binary {
 
 // Throws std::domain_error if x is not finite.
 Binary decompose(double x);
+
+// The least exponent of the numbers that are not zero; 0 if all are.
+int common_exponent(std::span<const Binary> numbers);
 
 // The number of zero bits below the lowest one of |x|; 0 for zero.
 unsigned trailing_zeros(const Integer& x);

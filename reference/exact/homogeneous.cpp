@@ -23,19 +23,6 @@ constexpr BinomialTable pascal() {
 
 constexpr BinomialTable kBinomials = pascal();  // the largest, C(63,31), has 60 bits
 
-// The least exponent of the numbers that are not zero.
-template <typename Range>
-int common_exponent(const Range& numbers) {
-  int least = 0;
-  bool found = false;
-  for (const Binary& x : numbers) {
-    if (x.significand == 0 || (found && x.exponent >= least)) continue;
-    least = x.exponent;
-    found = true;
-  }
-  return least;
-}
-
 Integer scaled(const Binary& x, int exponent) {
   Integer integer = x.significand;
   if (x.significand != 0) integer <<= x.exponent - exponent;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reference/exact/binary.h"
+#include "reference/exact/leading_bits.h"
 
 namespace evalcts::reference {
 namespace {
@@ -32,19 +33,11 @@ Integer round_scaled(const Rational& x, std::int64_t exponent) {
   return quotient;
 }
 
+// The exponent of a unit in the last place of numbers from 2^magnitude on.
 template <typename Float>
-Float round_to(const Rational& x) {
+std::int64_t unit_in_the_last_place(std::int64_t magnitude) {
   using Limits = std::numeric_limits<Float>;
-  constexpr std::int64_t kLowest = Limits::min_exponent - Limits::digits;  // of a unit in the last place
-  if (x.is_zero()) return 0;
-  const Float sign = x.sign() < 0 ? Float{-1} : Float{1};
-  const std::int64_t magnitude = floor_log2(x);
-  if (magnitude >= Limits::max_exponent) return std::copysign(Limits::infinity(), sign);
-  const std::int64_t unit = std::max(magnitude - (Limits::digits - 1), kLowest);
-  if (magnitude < unit - 1) return std::copysign(Float{0}, sign);
-  const auto significand = static_cast<Float>(static_cast<std::uint64_t>(round_scaled(x, unit)));
-  // Exact, except that a significand that was rounded up to 2^digits may overflow.
-  return std::copysign(std::ldexp(significand, static_cast<int>(unit)), sign);
+  return std::max<std::int64_t>(magnitude, Limits::min_exponent - 1) - (Limits::digits - 1);
 }
 
 // Infinity counts as 2^128. `got` must not be NaN.
@@ -53,6 +46,40 @@ Rational extended(float got) {
 }
 
 }  // namespace
+
+template <typename Float>
+Float round_to(const Rational& x) {
+  using Limits = std::numeric_limits<Float>;
+  if (x.is_zero()) return 0;
+  const Float sign = x.sign() < 0 ? Float{-1} : Float{1};
+  const std::int64_t magnitude = floor_log2(x);
+  if (magnitude >= Limits::max_exponent) return std::copysign(Limits::infinity(), sign);
+  const std::int64_t unit = unit_in_the_last_place<Float>(magnitude);
+  if (magnitude < unit - 1) return std::copysign(Float{0}, sign);
+  const auto significand = static_cast<Float>(static_cast<std::uint64_t>(round_scaled(x, unit)));
+  // Exact, except that a significand that was rounded up to 2^digits may overflow.
+  return std::copysign(std::ldexp(significand, static_cast<int>(unit)), sign);
+}
+
+template <typename Float>
+Float round_leading(bool negative, const LeadingBits& leading, std::int64_t exponent) {
+  using Limits = std::numeric_limits<Float>;
+  const Float sign = negative ? Float{-1} : Float{1};
+  const std::int64_t magnitude = exponent + 63;
+  if (magnitude >= Limits::max_exponent) return std::copysign(Limits::infinity(), sign);
+  const std::int64_t unit = unit_in_the_last_place<Float>(magnitude);
+  const std::int64_t cut = unit - exponent;  // > 0: that many bits are cut off
+  if (cut > 64) return std::copysign(Float{0}, sign);
+  const std::uint64_t kept = cut == 64 ? 0 : leading.bits >> cut;
+  const std::uint64_t half = std::uint64_t{1} << (cut - 1), rest = leading.bits & (half - 1);
+  const bool up = (leading.bits & half) != 0 && (rest != 0 || leading.more || kept % 2 != 0);
+  return std::copysign(std::ldexp(static_cast<Float>(kept + (up ? 1 : 0)), static_cast<int>(unit)), sign);
+}
+
+template float round_to<float>(const Rational& x);
+template double round_to<double>(const Rational& x);
+template float round_leading<float>(bool negative, const LeadingBits& leading, std::int64_t exponent);
+template double round_leading<double>(bool negative, const LeadingBits& leading, std::int64_t exponent);
 
 float round_to_float(const Rational& x) { return round_to<float>(x); }
 double round_to_double(const Rational& x) { return round_to<double>(x); }

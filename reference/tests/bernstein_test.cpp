@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <reference/bernstein.h>
+#include <reference/bernstein_form.h>
+#include <reference/rounding.h>
 
 #include <limits>
 #include <stdexcept>
@@ -69,6 +71,11 @@ std::vector<Fraction> fractions(const double* points, std::ptrdiff_t stride, int
   return result;
 }
 
+template <typename Float>
+bool same_bits(Float a, Float b) {
+  return a == b && std::signbit(a) == std::signbit(b);
+}
+
 void expect_curve_agrees(const Curve& curve, const Argument& u) {
   const std::vector<Fraction> points = fractions(curve.points, curve.stride, curve.order);
   const Fraction t = normalised(u, {curve.u1, curve.u2});
@@ -78,6 +85,9 @@ void expect_curve_agrees(const Curve& curve, const Argument& u) {
   ASSERT_EQ(fraction(evaluation.magnitude), term_by_term(points, t, 1 - t));
   ASSERT_EQ(evaluate(curve, u), evaluation.value);
   ASSERT_EQ(magnitude(curve, u), evaluation.magnitude);
+  const BernsteinForm form(curve);
+  ASSERT_TRUE(same_bits(form.to_float(u), round_to_float(evaluation.value)));
+  ASSERT_TRUE(same_bits(form.to_double(u), round_to_double(evaluation.value)));
   ASSERT_EQ(fraction(derivative(curve, u)), de_casteljau_derivative(points, t));
 }
 
@@ -169,6 +179,9 @@ TEST(Surface, AgreesWithDeCasteljau) {
     ASSERT_EQ(fraction(evaluation.magnitude), term_by_term(row_magnitudes, t, 1 - t));
     ASSERT_EQ(evaluate(surface, u, v), evaluation.value);
     ASSERT_EQ(magnitude(surface, u, v), evaluation.magnitude);
+    const BernsteinForm form(surface);
+    ASSERT_TRUE(same_bits(form.to_float(u, v), round_to_float(evaluation.value)));
+    ASSERT_TRUE(same_bits(form.to_double(u, v), round_to_double(evaluation.value)));
     ASSERT_EQ(fraction(derivative_u(surface, u, v)), de_casteljau_derivative(rows, t));
     ASSERT_EQ(fraction(derivative_v(surface, u, v)), de_casteljau(row_derivatives, t));
   }
@@ -190,6 +203,36 @@ TEST(Surface, OfTheLargestOrdersPartitionsUnity) {
   const std::vector<double> points(kMaxOrder * kMaxOrder, 3.5);
   const Surface surface{points.data(), kMaxOrder, 1, kMaxOrder, kMaxOrder, 0, 1, 2, 0};
   EXPECT_EQ(evaluate(surface, Argument::coordinate(0.3), Argument::coordinate(7)), Rational(3.5));
+}
+
+// The identity u -> u, as a line and raised to higher degrees: rounding as the hardware rounds, ties
+// included.
+TEST(BernsteinForm, RoundsAsTheHardwareDoes) {
+  std::mt19937_64 generator = make_generator();
+  for (int round = 0; round < 20000; ++round) {
+    const int order = pick(generator, 2, 9);
+    std::vector<double> points;
+    for (int i = 0; i < order; ++i) points.push_back(i);
+    const BernsteinForm form(Curve{points.data(), 1, order, 0, static_cast<double>(order - 1)});
+    // A float and half a unit in its last place, or nearly; sometimes subnormal or too large.
+    double u = std::ldexp(static_cast<double>((generator() >> 40 << 1) | 1), pick(generator, -180, 110));
+    if (pick(generator, 0, 1) == 0) u = std::nextafter(u, pick(generator, 0, 1) == 0 ? 0.0 : 1e300);
+    if (pick(generator, 0, 1) == 0) u = -u;
+    ASSERT_TRUE(same_bits(form.to_float(Argument::coordinate(u)), static_cast<float>(u))) << u;
+    ASSERT_TRUE(same_bits(form.to_double(Argument::coordinate(u)), u)) << u;
+  }
+}
+
+// 1 + 2^-24 lies between two floats, of which the lower one is even; a 2^-90th more or less decides.
+TEST(BernsteinForm, SeesOnWhichSideOfATieTheValueLies) {
+  const double tie = 1 + 0x1p-24;
+  const Argument u = Argument::coordinate(0x1p-30);
+  for (const double more : {-0x1p-30, 0.0, 0x1p-30}) {
+    const double points[] = {tie, tie, tie + more};
+    const BernsteinForm form(Curve{points, 1, 3, 0, 1});
+    EXPECT_EQ(form.to_float(u), more > 0 ? 1 + 0x1p-23f : 1.0f) << more;
+    EXPECT_EQ(form.to_float(u), round_to_float(form.evaluate(u))) << more;
+  }
 }
 
 TEST(GridArgument, IsExactWithAnyIndex) {

@@ -1,0 +1,50 @@
+// Bernstein sums over numbers that are short, as those of ordinary data are: the same as in homogeneous.h, in
+// natural numbers on the stack.
+#pragma once
+
+#include <reference/bernstein.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/exact/natural.h"
+
+namespace evalcts::reference {
+
+// t = a/c, 1 - t = b/c with c > 0 and |a|, |b|, c < 2^62.
+struct ShortHomogeneous {
+  std::int64_t a, b, c;
+};
+
+// As homogenise(); none where the numbers are longer. Throws std::domain_error if something is not finite.
+std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, double u2);
+
+// C(m,j) * R_ij for rows of m + 1 control values, row by row; for a single column C(n,i) * R_i.
+struct ShortTerms {
+  std::vector<__int128> values;
+  int rows, columns;
+  int exponent;  // all are to be multiplied by 2^exponent
+  bool pairs;    // they are below 2^94, so that two of them, times 32 bits each, can be added
+};
+
+// R_ij = points[i * columns + j]; none where the R_ij, as integers times a power of two, are longer than 63
+// bits. Throws std::domain_error if a value is not finite.
+std::optional<ShortTerms> short_terms(std::span<const double> points, int rows, int columns);
+
+// A sum, its positive and its negative terms apart.
+struct ShortSum {
+  Natural positive, negative;
+};
+
+// SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. `magnitude`: positive + negative is the sum
+// of the magnitudes; without it only the difference of the two means anything.
+template <bool magnitude>
+void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum);
+
+// The same over the tensor product of both directions.
+template <bool magnitude>
+void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum);
+
+}  // namespace evalcts::reference

@@ -1,0 +1,44 @@
+// One component of a map, prepared for exact evaluation at many arguments: the functions of bernstein.h,
+// which make one of these each time.
+//
+// Integers are what makes it fast: with t = a/c, 1 - t = b/c and control values scaled to integers R_i the
+// value is
+//
+//   SUM C(n,i) * a^i * b^(n-i) * R_i / c^n,
+//
+// and neither sum nor powers know a fraction. Where a, b, c fit in 62 bits and the R_i in 63, as those of
+// ordinary data do, all of it is done in natural numbers of bounded size on the stack, and a power of two c
+// (the domain [0,1]) makes rounding a matter of shifting.
+#pragma once
+
+#include <memory>
+
+#include <reference/bernstein.h>
+
+namespace evalcts::reference {
+
+class BernsteinForm {
+ public:
+  // Copies the control values. Throw std::invalid_argument if an order is outside 1..kMaxOrder,
+  // std::domain_error if a domain is empty or a domain end or control value is not finite.
+  explicit BernsteinForm(const Curve& curve);
+  explicit BernsteinForm(const Surface& surface);
+  BernsteinForm(BernsteinForm&&) noexcept;
+  BernsteinForm& operator=(BernsteinForm&&) noexcept;
+  ~BernsteinForm();
+
+  // As the functions of bernstein.h. A curve does not look at v. Throw std::domain_error if an argument is
+  // not finite. Const member functions may be called from several threads at once.
+  Rational evaluate(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+  Evaluation evaluate_with_magnitude(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+
+  // round_to_float(evaluate(u, v)) and round_to_double(evaluate(u, v)) by a shorter way.
+  float to_float(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+  double to_double(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace evalcts::reference
