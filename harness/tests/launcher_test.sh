@@ -21,7 +21,7 @@ trap 'rm -rf "$top"' EXIT
 tree="$top/a tree"          # the checkout; the space is on purpose
 bin=$top/bin                # all that is on the PATH
 machine=$top/machine        # what the scripts below know and note
-required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev
+required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libhwy-dev
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
 everything="$required libosmesa6 xvfb python3 clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"

@@ -1,0 +1,30 @@
+// The constants of PROOF.md: errors in units of u^2 = 2^-106.
+#pragma once
+
+namespace evalcts::reference {
+
+inline constexpr double kUnitSquared = 0x1p-106;
+inline constexpr int kCoefficientError = 2;  // of a coefficient, relative
+inline constexpr int kProductError = 9;      // of a product, relative
+inline constexpr int kSumError = 4;          // of a sum, relative to the sum of the magnitudes
+inline constexpr int kGridError = 17;        // of a and b at a point of a grid, see there
+inline constexpr double kTiny = 0x1p-700;    // all that underflow can do
+
+// THETA.
+constexpr int polynomial_error(int n, int m) {
+  return kCoefficientError + kProductError * (n + m + 2) + kSumError * (n + m);
+}
+
+// Where the filter says nothing.
+inline constexpr double kLargestGrowth = 0x1p300;  // of E
+inline constexpr double kLargestTau = 0x1p-60;
+inline constexpr double kLargestArgument = 0x1p600;
+inline constexpr int kLargestDomainExponent = 500;  // of |D| and 1/|D|
+inline constexpr int kLargestScale = 900;           // of |q|
+
+// What moves a computed number outward by more than the roundings of its computation.
+inline constexpr double kBoundRoundings = 0x1p-30;   // of the bound
+inline constexpr double kGrowthRoundings = 0x1p-48;  // of (|a| + |b|)/c
+inline constexpr double kSumRoundings = 0x1p-51;     // of one sum
+
+}  // namespace evalcts::reference

@@ -1,0 +1,168 @@
+#include <reference/filter.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "reference/filter/plan.h"
+
+namespace evalcts::reference {
+namespace {
+
+constexpr std::size_t kBlock = 256;
+static_assert(kBlock % kLanes == 0);
+
+using Block = std::array<double, kBlock>;
+
+// Copies values and fills up with the last one, so that no lane computes with what it should not see.
+void copy_padded(std::span<const double> values, Block& block) {
+  std::copy(values.begin(), values.end(), block.begin());
+  std::fill(block.begin() + values.size(), block.begin() + round_up_to_lanes(values.size()), values.back());
+}
+
+Surface as_surface(const Curve& curve) {
+  return {curve.points, curve.stride, 0, curve.order, 1, curve.u1, curve.u2, 0, 1};
+}
+
+Surface checked(const Surface& surface) {
+  for (const int order : {surface.uorder, surface.vorder}) {
+    if (order < 1 || order > kMaxOrder) throw std::invalid_argument("order outside 1..64");
+  }
+  return surface;
+}
+
+}  // namespace
+
+struct Filter::Plan {
+  bool is_curve;
+  KernelPlan kernel;
+
+  Plan(const Surface& surface, bool curve) : is_curve(curve), kernel(kernel_plan(checked(surface))) {}
+
+  // use(first, count, enclosures) for each block of arguments; without enclosures where the filter says
+  // nothing.
+  template <typename Use>
+  void for_each_block(const Arguments& u, const Arguments& v, std::size_t count, Use use) const {
+    if (u.values.size() != count || (!is_curve && v.values.size() != count)) {
+      throw std::invalid_argument("as many arguments as results are needed");
+    }
+    KernelPlan plan = kernel;
+    if (u.grid) {
+      const DirectionPlan& d = kernel.u;
+      plan.u = direction_plan(d.degree + 1, d.first, d.last, u.grid);
+      plan.u.applies = plan.u.applies && d.applies;
+    }
+    if (v.grid && !is_curve) {
+      plan.v = direction_plan(kernel.v.degree + 1, kernel.v.first, kernel.v.last, v.grid);
+    }
+    const bool applies = plan.u.applies && plan.v.applies;
+    alignas(64) Block us, vs{}, high, low, error;
+    const EnclosureArrays enclosures{high.data(), low.data(), error.data()};
+    for (std::size_t first = 0; first < count; first += kBlock) {
+      const std::size_t size = std::min(kBlock, count - first);
+      if (applies) {
+        copy_padded(u.values.subspan(first, size), us);
+        if (!is_curve) copy_padded(v.values.subspan(first, size), vs);
+        enclose_kernel(plan, us.data(), vs.data(), size, enclosures);
+      }
+      use(first, size, applies ? &enclosures : nullptr);
+    }
+  }
+
+  template <typename Float, typename Kernel>
+  void round(const Arguments& u, const Arguments& v, std::span<Float> results,
+             std::span<std::uint8_t> decided, Kernel kernel_function) const {
+    if (decided.size() != results.size()) throw std::invalid_argument("as many marks as results are needed");
+    alignas(64) std::array<Float, kBlock> rounded;
+    alignas(64) Block marks;
+    for_each_block(u, v, results.size(),
+                   [&](std::size_t first, std::size_t size, const EnclosureArrays* enclosures) {
+                     if (enclosures == nullptr) {
+                       std::fill_n(decided.begin() + first, size, std::uint8_t{0});
+                       return;
+                     }
+                     kernel_function(*enclosures, kernel.scale, size, rounded.data(), marks.data());
+                     std::copy_n(rounded.begin(), size, results.begin() + first);
+                     for (std::size_t k = 0; k < size; ++k) decided[first + k] = marks[k] != 0 ? 1 : 0;
+                   });
+  }
+};
+
+Filter::Filter(const Curve& curve) : plan_(std::make_unique<Plan>(as_surface(curve), true)) {}
+Filter::Filter(const Surface& surface) : plan_(std::make_unique<Plan>(surface, false)) {}
+Filter::Filter(Filter&&) noexcept = default;
+Filter& Filter::operator=(Filter&&) noexcept = default;
+Filter::~Filter() = default;
+
+void Filter::enclose(const Arguments& u, const Arguments& v, std::span<Enclosure> results) const {
+  const double scale = plan_->kernel.scale;
+  plan_->for_each_block(u, v, results.size(),
+                        [&](std::size_t first, std::size_t size, const EnclosureArrays* enclosures) {
+                          for (std::size_t k = 0; k < size; ++k) {
+                            Enclosure& result = results[first + k];
+                            result = {0, 0, std::numeric_limits<double>::infinity()};
+                            if (enclosures == nullptr) continue;
+                            result.high = enclosures->high[k] * scale;
+                            result.low = enclosures->low[k] * scale;
+                            // What the scaling of the three may lose by underflow.
+                            result.error = enclosures->error[k] * scale + 0x1p-1070;
+                          }
+                        });
+}
+
+void Filter::to_float(const Arguments& u, const Arguments& v, std::span<float> results,
+                      std::span<std::uint8_t> decided) const {
+  plan_->round(u, v, results, decided, to_float_kernel);
+}
+
+void Filter::to_double(const Arguments& u, const Arguments& v, std::span<double> results,
+                       std::span<std::uint8_t> decided) const {
+  plan_->round(u, v, results, decided, to_double_kernel);
+}
+
+namespace {
+
+// The argument at k of many.
+Argument argument(const Arguments& arguments, std::size_t k) {
+  if (!arguments.grid) return Argument::coordinate(arguments.values[k]);
+  return Argument::grid(static_cast<std::int64_t>(arguments.values[k]), arguments.grid->segments,
+                        arguments.grid->first, arguments.grid->last);
+}
+
+// Fills in what the filter has left open; returns how much that is.
+template <typename Float, typename Decide>
+std::size_t decide_the_rest(const Arguments& u, const Arguments& v, std::span<Float> results,
+                            std::span<const std::uint8_t> decided, Decide decide) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    if (decided[k] != 0) continue;
+    ++count;
+    results[k] = decide(argument(u, k), v.values.empty() ? Argument::coordinate(0) : argument(v, k));
+  }
+  return count;
+}
+
+}  // namespace
+
+CorrectlyRounded::CorrectlyRounded(const Curve& curve) : filter_(curve), exact_(curve) {}
+CorrectlyRounded::CorrectlyRounded(const Surface& surface) : filter_(surface), exact_(surface) {}
+
+std::size_t CorrectlyRounded::to_float(const Arguments& u, const Arguments& v,
+                                       std::span<float> results) const {
+  std::vector<std::uint8_t> decided(results.size());
+  filter_.to_float(u, v, results, decided);
+  return decide_the_rest<float>(
+      u, v, results, decided, [this](const Argument& x, const Argument& y) { return exact_.to_float(x, y); });
+}
+
+std::size_t CorrectlyRounded::to_double(const Arguments& u, const Arguments& v,
+                                        std::span<double> results) const {
+  std::vector<std::uint8_t> decided(results.size());
+  filter_.to_double(u, v, results, decided);
+  return decide_the_rest<double>(u, v, results, decided, [this](const Argument& x, const Argument& y) {
+    return exact_.to_double(x, y);
+  });
+}
+
+}  // namespace evalcts::reference

@@ -1,0 +1,97 @@
+#include "reference/filter/plan.h"
+
+#include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "reference/exact/homogeneous.h"
+#include "reference/filter/bound.h"
+
+namespace evalcts::reference {
+namespace {
+
+double upward(const Rational& x) {
+  const double nearest = x.to_double();
+  return Rational(nearest) < x ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
+}
+
+// k with 2^(k-1) <= |x| < 2^k; x is not zero.
+std::int64_t binade(const Rational& x) { return floor_log2(x) + 1; }
+
+// c = 2^-k * |D|.
+Rational scaled_width(double first, double last) {
+  const Rational width = abs(Rational(last) - Rational(first));
+  return width * Rational::power_of_two(-binade(width));
+}
+
+}  // namespace
+
+DoubleDouble to_double_double(const Rational& x) {
+  const double high = round_to_double(x);
+  if (!std::isfinite(high)) return {high, 0};
+  return {high, round_to_double(x - Rational(high))};
+}
+
+DirectionPlan direction_plan(int order, double first, double last,
+                             const std::optional<Arguments::Grid>& grid) {
+  if (!std::isfinite(first) || !std::isfinite(last)) throw std::domain_error("a domain end is not finite");
+  if (first == last) throw std::domain_error("empty domain");
+  if (grid && grid->segments < 1) throw std::invalid_argument("a grid needs at least one segment");
+  const Rational width = Rational(last) - Rational(first);
+  const std::int64_t k = binade(width);
+  const Rational scale = Rational(width.sign()) * Rational::power_of_two(-k);
+  DirectionPlan plan{};
+  plan.degree = order - 1;
+  plan.applies = std::abs(k) <= kLargestDomainExponent;
+  plan.first = first;
+  plan.last = last;
+  plan.scale = round_to_double(scale);
+  plan.inverse_width = upward(1 / scaled_width(first, last));
+  plan.is_grid = grid.has_value();
+  if (!grid) return plan;
+  if (!std::isfinite(grid->first) || !std::isfinite(grid->last)) {
+    plan.applies = false;
+    return plan;
+  }
+  const Rational g1(grid->first), g2(grid->last);
+  plan.delta = to_double_double(scale * (g2 - g1) / Rational(grid->segments));
+  plan.alpha = to_double_double(scale * (g1 - Rational(first)));
+  plan.beta = to_double_double(scale * (Rational(last) - g1));
+  return plan;
+}
+
+KernelPlan kernel_plan(const Surface& surface) {
+  KernelPlan plan{direction_plan(surface.uorder, surface.u1, surface.u2, std::nullopt),
+                  direction_plan(surface.vorder, surface.v1, surface.v2, std::nullopt),
+                  {},
+                  0,
+                  1};
+  const int n = plan.u.degree, m = plan.v.degree;
+  const Rational inverse = 1 / (pow(scaled_width(surface.u1, surface.u2), static_cast<unsigned>(n)) *
+                                pow(scaled_width(surface.v1, surface.v2), static_cast<unsigned>(m)));
+  std::vector<Rational> coefficients;
+  Rational largest_value, largest;
+  for (std::ptrdiff_t i = 0; i <= n; ++i) {
+    for (std::ptrdiff_t j = 0; j <= m; ++j) {
+      const Rational value(surface.points[i * surface.ustride + j * surface.vstride]);
+      const Integer weight = Integer(binomial(n, static_cast<int>(i))) * binomial(m, static_cast<int>(j));
+      coefficients.push_back(Rational(weight) * value * inverse);
+      largest_value = std::max(largest_value, abs(value));
+      largest = std::max(largest, abs(coefficients.back()));
+    }
+  }
+  const std::int64_t q = largest.is_zero() ? 0 : binade(largest);
+  if (std::abs(q) > kLargestScale) plan.u.applies = false;
+  const Rational scale = Rational::power_of_two(-q);
+  for (const Rational& coefficient : coefficients) {
+    plan.coefficients.push_back(to_double_double(coefficient * scale));
+  }
+  plan.largest = upward(largest_value * scale);
+  plan.scale = std::ldexp(1.0, static_cast<int>(std::clamp<std::int64_t>(q, -1022, 1023)));
+  return plan;
+}
+
+}  // namespace evalcts::reference
