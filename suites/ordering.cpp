@@ -255,6 +255,43 @@ EVALCTS_LISTED_TESTS(Ordering, EvaluatesInOrder2, kDrawn, const Drawn& drawn, mu
   expect_evaluated_in_order(t, drawn, true);
 }
 
+namespace {
+
+// The map of each attribute switched on and off again, a drawing after each change. Current values are given
+// anew, as above.
+void expect_enables_in_order(Test& t, const Drawn& drawn, bool two) {
+  gl::Case c("drawn with each map, and without it");
+  enable_vertices(t, c);
+  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
+    const GLenum target = two ? gl::kMap2Targets[i] : gl::kMap1Targets[i], kind = gl::kMap1Targets[i];
+    if (kind == GL_MAP1_INDEX || kind == GL_MAP1_VERTEX_3) continue;
+    if (two)
+      define(c, random_map2(t, target, 2, 2));
+    else
+      define(c, random_map(t, target, 3));
+    for (const bool on : {true, false}) {
+      if (on)
+        c.Enable(target);
+      else
+        c.Disable(target);
+      c.Color4f(0.25f, 0.5f, 0.75f, 1);
+      c.Normal3f(0.5f, -0.25f, 0.125f);
+      c.TexCoord4f(2, 3, 4, 5);
+      drawn.draw(c, two);
+    }
+  }
+  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+}
+
+}  // namespace
+
+EVALCTS_LISTED_TESTS(Ordering, SeesEnables1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
+  expect_enables_in_order(t, drawn, false);
+}
+EVALCTS_LISTED_TESTS(Ordering, SeesEnables2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
+  expect_enables_in_order(t, drawn, true);
+}
+
 EVALCTS_TESTS(Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
   expect_in_order(t, drawn, false);
 }

@@ -16,7 +16,7 @@ constexpr int kMostErrors = 16;
 
 constexpr std::byte kUnlikely{0x4B};  // four or eight of them: a large finite number
 
-// Pages before one that is inaccessible. A few at a time are used again: to map them costs more than most
+// Pages between two that are inaccessible. A few at a time are used again: to map them costs more than most
 // calls.
 class FencedPages {
  public:
@@ -51,7 +51,7 @@ class FencedPages {
     return size;
   }
   std::byte* end() const { return base_ + count_ * page_size(); }
-  void unmap() { munmap(std::exchange(base_, nullptr), (count_ + 1) * page_size()); }
+  void unmap() { munmap(std::exchange(base_, nullptr) - page_size(), (count_ + 2) * page_size()); }
   void protect() {
     mprotect(base_, count_ * page_size(), PROT_NONE);
     protected_ = true;
@@ -62,11 +62,10 @@ class FencedPages {
 
   explicit FencedPages(std::size_t count) : count_(count) {}
   void map() {
-    void* memory =
-        mmap(nullptr, (count_ + 1) * page_size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* memory = mmap(nullptr, (count_ + 2) * page_size(), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();
-    base_ = static_cast<std::byte*>(memory);
-    mprotect(end(), page_size(), PROT_NONE);
+    base_ = static_cast<std::byte*>(memory) + page_size();
+    mprotect(base_, count_ * page_size(), PROT_READ | PROT_WRITE);
   }
   static std::vector<std::byte*>& kept_of(std::size_t count) {
     static thread_local std::array<std::vector<std::byte*>, kFew + 1> kept;
