@@ -24,7 +24,7 @@ machine=$top/machine        # what the scripts below know and note
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libhwy-dev
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
-everything="$required libosmesa6 xvfb python3 clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
+everything="$required libosmesa6 xvfb python3 libmpfi-dev clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
 
 # --- the machine -------------------------------------------------------------------------------------------
 
@@ -206,7 +206,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb clang"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev clang"
 called_not apt-get
 called_not ctest
 
@@ -222,7 +222,7 @@ scenario "the first call installs, builds, hands over; the second only builds"
 evalcts run --filter 'a  b' -- --no-install
 exits 7
 says "installing $required libosmesa6 xvfb"
-says "13 packages, 6.5 MB to download, 27 MB on disk"
+says "14 packages, 7.0 MB to download, 29 MB on disk"
 says "<program><run><--filter><a  b><--><--no-install>"
 says "$top/elsewhere"
 says "lock is free"
@@ -419,7 +419,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 ["
+called "libosmesa6 xvfb python3 libmpfi-dev ["
 called "ctest --preset debug in"
 called_not release
 
