@@ -65,6 +65,11 @@ struct FuzzOptions {
   std::string output;  // empty: the usual folder
 };
 
+struct VectorsOptions {
+  std::string output;              // folder to write into; empty: the usual one
+  std::vector<std::string> files;  // to look at; empty: those that are shipped
+};
+
 int run(const RunOptions& options);
 int list(const std::string& what, bool as_json);
 // `complete`: a requirement, or a half of one, that is neither decided nor known to be undecidable is
@@ -75,6 +80,7 @@ int reproduce(const ReproduceOptions& options);
 // `complete`: a requirement that tests decide and no fault breaks is unexpected, too.
 int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
+int write_vectors(const VectorsOptions& options);
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.
@@ -89,6 +95,7 @@ struct Places {
   std::filesystem::path suite_program, faulty_suite_program;
   std::filesystem::path output;
   std::filesystem::path baselines;
+  std::filesystem::path vectors;
   // libglevaluator for C programs; empty where it is not known.
   std::filesystem::path production_headers, production_library;
 };

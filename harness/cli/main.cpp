@@ -143,6 +143,14 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256));
   fuzz_command->add_option("--output", fuzz_options.output, "folder for what is found");
 
+  VectorsOptions vectors_options;
+  CLI::App* vectors_command = app.add_subcommand("vectors", "golden vectors: right answers as data");
+  vectors_command->require_subcommand(1);
+  CLI::App* write_command =
+      vectors_command->add_subcommand("write", "make them all anew, byte for byte as they are shipped");
+  write_command->add_option("--output", vectors_options.output,
+                            "folder to write into (default: the shipped one)");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -155,6 +163,7 @@ int main(int argc, char** argv) {
     if (*reproduce_command) return reproduce(reproduce_options);
     if (*faults_command) return faults(faults_options);
     if (*fuzz_command) return fuzz(fuzz_options);
+    if (*write_command) return write_vectors(vectors_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

@@ -18,6 +18,7 @@ Places places() {
       folder / "evalcts-faulty-suite",
       in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results",
       in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines",
+      in_checkout ? fs::weakly_canonical(top / "vectors") : folder / "../share/evalcts/vectors",
       in_checkout ? fs::weakly_canonical(top / "production/include") : fs::path(),
       in_checkout ? fs::weakly_canonical(folder / "../../production/libglevaluator.a") : fs::path()};
 }

@@ -1,0 +1,58 @@
+// A file of vectors while it is made.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "vectors/write/dice.h"
+
+namespace evalcts::vectors {
+
+// Members stay in the order in which they are put in.
+using Json = nlohmann::ordered_json;
+
+inline constexpr const char* kFormat = "evalcts-vectors-1";
+
+using Names = std::vector<std::string>;
+
+class Document {
+ public:
+  Document(std::string kind, std::string description);
+
+  // What a flag means, for the notes. Explaining it again with other words throws std::logic_error.
+  void explain(const std::string& flag, const std::string& meaning);
+  // Throws std::logic_error for a flag that is not explained and an id that is there already.
+  void add(const std::string& id, const Names& requirements, const Names& flags, const Json& content);
+
+  const std::string& kind() const { return kind_; }
+  std::size_t size() const { return cases_.size(); }
+  // The file: one case a line.
+  std::string text() const;
+
+ private:
+  std::string kind_, description_;
+  Json notes_;
+  std::vector<std::string> ids_, cases_;
+};
+
+// Cases about one thing. Its name is a flag of all of them and, with a running number, their id; random data
+// is drawn from dice of its own. Themes can so be added and lengthened at their ends, and no other case
+// changes.
+class Theme {
+ public:
+  Theme(Document& document, const std::string& name, const std::string& meaning, Names requirements);
+
+  Dice& dice() { return dice_; }
+  void add(const Json& content, const Names& more_requirements = {}, const Names& more_flags = {});
+  int count() const { return count_; }
+
+ private:
+  Document& document_;
+  std::string name_;
+  Names requirements_;
+  Dice dice_;
+  int count_ = 0;
+};
+
+}  // namespace evalcts::vectors

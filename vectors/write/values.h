@@ -1,0 +1,41 @@
+// What the vectors say of evaluated values (INTERPRETING.md, "Maps" and "Values").
+#pragma once
+
+#include <reference/component.h>
+
+#include <optional>
+
+#include "vectors/write/document.h"
+#include "vectors/write/maps.h"
+
+namespace evalcts::vectors {
+
+using reference::Argument;
+
+// A map and where it is evaluated; `v` for surfaces.
+struct Problem {
+  Map map;
+  Type type;
+  Argument u;
+  std::optional<Argument> v = {};
+};
+
+// The map as it is defined. Throws std::logic_error where a number is not of the type.
+Json map_as_json(const Map& map, Type type);
+// A hexadecimal number, or an object for a point of a grid.
+Json argument_as_json(const Argument& argument);
+// Numbers as text.
+Json hexadecimals(const Values& values);
+Json fractions(const std::vector<Rational>& values);
+
+// {"exact", "magnitude", "float", "double", "accept"} of an evaluated component.
+Json entry_of(const reference::Sample& sample);
+
+// More than the components.
+enum class Detail { none, intermediate };
+
+// {"map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w is not zero, and
+// "intermediate".
+Json value_case(const Problem& problem, Detail detail = Detail::none);
+
+}  // namespace evalcts::vectors

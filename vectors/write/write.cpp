@@ -1,0 +1,47 @@
+#include "vectors/write/write.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "harness/runner/runner.h"
+#include "vectors/write/kinds.h"
+
+namespace evalcts::vectors {
+namespace {
+
+struct Kind {
+  const char* name;
+  Document (*make)();
+};
+
+constexpr Kind kAll[] = {{"map1_eval", map1_eval}};
+
+}  // namespace
+
+const std::vector<std::string>& kinds() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const Kind& kind : kAll) list.emplace_back(kind.name);
+    return list;
+  }();
+  return names;
+}
+
+std::string text_of(const std::string& kind) {
+  for (const auto& [name, make] : kAll)
+    if (kind == name) return make().text();
+  throw std::invalid_argument(fmt::format("there is no kind '{}'", kind));
+}
+
+void write_all(const std::filesystem::path& folder, const std::function<void(const Written&)>& wrote) {
+  for (const auto& [name, make] : kAll) {
+    const Document document = make();
+    const std::string text = document.text();
+    write_atomically(folder / fmt::format("{}.json", name), text);
+    wrote({name, document.size(), text.size()});
+  }
+}
+
+}  // namespace evalcts::vectors
