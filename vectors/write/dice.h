@@ -36,7 +36,19 @@ class Dice {
   double significand(int bits) {
     const std::int64_t half = std::int64_t{1} << (bits - 1);
     const double magnitude = std::ldexp(static_cast<double>(half + below(half)), 1 - bits);
-    return one_in(2) ? -magnitude : magnitude;
+    return sign() * magnitude;
+  }
+  // 1 or -1.
+  double sign() { return one_in(2) ? 1 : -1; }
+  // A magnitude from 2^least to 2^(most + 1) of either sign with so many significant bits.
+  double scaled(int bits, int least, int most) {
+    const double value = significand(bits);
+    return std::ldexp(value, between(least, most));
+  }
+  // Plus or minus 2^least to 2^most.
+  double power(int least, int most) {
+    const double value = sign();
+    return std::ldexp(value, between(least, most));
   }
 
  private:

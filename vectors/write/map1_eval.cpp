@@ -205,7 +205,7 @@ void double_only(Document& document) {
   Dice& dice = theme.dice();
   for (int i = 0; i < 90; ++i) {
     const double first = dice.real(53);
-    const double width = std::ldexp(dice.significand(40), dice.between(-3, 4));
+    const double width = dice.scaled(40, -3, 4);
     const double last = rounded(Rational(first) + Rational(width), Type::real);
     const Direction u = domain_of(dice.between(1, 7), first, last);
     const Map map = full_curve(dice, gl::kMap1Targets[static_cast<std::size_t>(i) % 9], u, Type::real);
@@ -220,7 +220,7 @@ void magnitudes(Document& document) {
   struct Kind {
     const char *name, *meaning;
     Type type;
-    double least, most;  // exponents of two of the control values
+    int least, most;  // exponents of two of the control values
     Names requirements;
   };
   const Kind kKinds[] = {
@@ -262,14 +262,8 @@ void magnitudes(Document& document) {
     for (int i = 0; i < 40; ++i) {
       const Direction u = domain_of(dice.between(1, 5));
       const GLenum target = gl::kMap1Targets[static_cast<std::size_t>(i) % 9];
-      const Map map = curve(target, u, [&](int, int) {
-        const int exponent = dice.between(static_cast<int>(kind.least), static_cast<int>(kind.most));
-        // No bits below the least number of the type.
-        const int least = kind.type == Type::single ? -149 : -1074;
-        const int bits = std::max(2, std::min(bits_of(kind.type), exponent - least + 1));
-        const double value = std::ldexp(dice.significand(bits), exponent);
-        return exponent == least ? std::copysign(std::ldexp(1.0, least), value) : value;
-      });
+      const Map map =
+          curve(target, u, [&](int, int) { return of_magnitude(dice, kind.type, kind.least, kind.most); });
       theme.add(value_case({map, kind.type, at(static_cast<double>(dice.below(17)) / 16)}));
     }
   }
@@ -285,7 +279,7 @@ void overflow(Document& document) {
     const Type type = kTypes[i % 2];
     const double most = type == Type::single ? kFloatMost : kDoubleMost;
     const int order = dice.between(2, 4);
-    const double sign = dice.one_in(2) ? 1 : -1;
+    const double sign = dice.sign();
     // Inside the domain, constant: exactly the largest. Outside: beyond it by more or less.
     Values values(static_cast<std::size_t>(order), sign * most);
     if (i % 6 >= 2) values.front() = -sign * std::ldexp(most, -dice.between(1, 40));
@@ -368,7 +362,7 @@ void float_ties(Document& document) {
     Dice& dice = theme->dice();
     for (int i = 0; i < 72; ++i) {
       const int n = 1 + i % 12;
-      const double sign = dice.one_in(2) ? 1 : -1;
+      const double sign = dice.sign();
       const int exponent = dice.between(-40, 40);
       const int more = !is_near ? 0 : dice.one_in(2) ? 1 : -1;
       if (is_near && n == 1) continue;  // half an integer: nothing lies between
@@ -394,10 +388,10 @@ void double_ties(Document& document) {
     Dice& dice = theme->dice();
     // (2^30 * R_0 - R_0 + R_1)/2^30 has 54 bits, the last of which is set where R_1 - R_0 is odd.
     for (int i = 0; i < 40; ++i) {
-      const double sign = dice.one_in(2) ? 1 : -1;
+      const double sign = dice.sign();
       const std::int64_t first = (std::int64_t{1} << 23) + 2 + dice.below(std::int64_t{1} << 22);
       const std::int64_t second = first - 1 - 2 * dice.below(1 << 20);
-      const double crumb = !is_near ? 0 : std::ldexp(dice.one_in(2) ? 1.0 : -1.0, -dice.between(30, 90));
+      const double crumb = !is_near ? 0 : dice.power(-90, -30);
       const double a = sign * static_cast<double>(first), b = sign * static_cast<double>(second);
       // The crumb is the last control value of a quadratic whose others give the line.
       if (is_near)
@@ -442,7 +436,7 @@ void cancellation(Document& document) {
       for (int i = 0; i < 2; ++i) {
         Values values;
         for (int j = 0; j <= n; ++j) values.push_back(j % 2 == 0 ? 1 : -1);
-        const double offset = std::ldexp(nearly.dice().significand(3), -nearly.dice().between(3, 12));
+        const double offset = nearly.dice().scaled(3, -12, -3);
         nearly.add(value_case({index_curve(0, 1, values), type, at(0.5 + offset)}));
       }
     }

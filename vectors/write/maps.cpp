@@ -2,6 +2,7 @@
 
 #include <reference/rounding.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace evalcts::vectors {
@@ -46,9 +47,14 @@ Map index_surface(const Direction& u, const Direction& v, const Values& values) 
 
 double simple(Dice& dice) { return static_cast<double>(dice.between(-128, 128)) / 16; }
 
-double full(Dice& dice, Type type) {
-  const double significand = dice.significand(bits_of(type));
-  return std::ldexp(significand, dice.between(-3, 3));
+double full(Dice& dice, Type type) { return dice.scaled(bits_of(type), -3, 3); }
+
+double of_magnitude(Dice& dice, Type type, int least, int most) {
+  const int exponent = dice.between(least, most);
+  const int lowest = type == Type::single ? -149 : -1074;
+  const int bits = std::max(2, std::min(bits_of(type), exponent - lowest + 1));
+  const double value = std::ldexp(dice.significand(bits), exponent);
+  return exponent == lowest ? std::copysign(std::ldexp(1.0, lowest), value) : value;
 }
 
 std::vector<Rational> with_roots(const std::vector<Rational>& roots) {

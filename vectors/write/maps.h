@@ -41,6 +41,8 @@ Map index_surface(const Direction& u, const Direction& v, const Values& values);
 double simple(Dice& dice);
 // All significant bits of the type, of magnitude 2^-3 to 2^4.
 double full(Dice& dice, Type type);
+// A magnitude from 2^least to 2^(most + 1), with all bits that the type has there.
+double of_magnitude(Dice& dice, Type type, int least, int most);
 
 // The Bernstein coefficients on [0, 1] of (t - r_1) * ... * (t - r_n).
 std::vector<Rational> with_roots(const std::vector<Rational>& roots);

@@ -16,7 +16,7 @@ struct Kind {
   Document (*make)();
 };
 
-constexpr Kind kAll[] = {{"map1_eval", map1_eval}};
+constexpr Kind kAll[] = {{"map1_eval", map1_eval}, {"map2_eval", map2_eval}, {"grid", grid}};
 
 }  // namespace
 

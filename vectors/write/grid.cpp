@@ -1,0 +1,185 @@
+// Points of grids.
+#include <cmath>
+#include <limits>
+
+#include "harness/gl/tokens.h"
+#include "vectors/write/kinds.h"
+#include "vectors/write/values.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using Ends = std::pair<double, double>;
+
+constexpr GLint kMost = std::numeric_limits<GLint>::max();
+
+Ends of_type(const Ends& ends, Type type) { return {rounded(ends.first, type), rounded(ends.second, type)}; }
+
+Direction along(int order, const Ends& ends = {0, 1}) { return {order, ends.first, ends.second}; }
+
+// Curves and surfaces of one or a few components.
+Map some_curve(Dice& dice, int i, const Direction& u) {
+  constexpr GLenum kTargets[] = {GL_MAP1_INDEX, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_VERTEX_3};
+  return curve(kTargets[i % 3], u, [&](int, int) { return simple(dice); });
+}
+Map some_surface(Dice& dice, int i, const Direction& u, const Direction& v) {
+  constexpr GLenum kTargets[] = {GL_MAP2_INDEX, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2};
+  return surface(kTargets[i % 3], u, v, [&](int, int, int) { return simple(dice); });
+}
+
+// A theme of both dimensions: grids with their indices, and the domains of the maps.
+struct Kind {
+  const char *name, *meaning;
+  Names requirements;
+  std::vector<Ends> grids;
+  std::vector<GLint> segments;
+  // The index for so many segments.
+  std::function<std::int64_t(Dice&, GLint segments)> index;
+  std::vector<Ends> domains = {{0, 1}};
+  int curves = 40, surfaces = 24;
+};
+
+std::int64_t anywhere(Dice& dice, GLint n) { return dice.below(std::int64_t{n} + 1); }
+
+const std::vector<Kind>& all_kinds() {
+  static const std::vector<Kind> kinds = {
+      {"inside",
+       "points of ordinary grids",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-MESH1-COORDS", "EV-MESH2-COORDS"},
+       {{0, 1}, {0.25, 0.75}, {0, 0.5}},
+       {1, 2, 3, 4, 7, 10, 16, 100},
+       anywhere,
+       {{0, 1}, {-1, 1}},
+       80,
+       60},
+      {"awkward",
+       "intervals and numbers of segments whose quotient is no floating-point number",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-MESH1-NOACCUM", "EV-MESH2-NOACCUM"},
+       {{0.1, 0.7}, {-0.3, 1.1}, {1e-3, 0.9}, {1.0 / 3, 2.0 / 3}},
+       {3, 7, 11, 13, 49, 97, 1000},
+       anywhere,
+       {{0, 1}, {0.1, 0.7}},
+       60,
+       36},
+      {"first",
+       "index 0: exactly the first end",
+       {"EV-POINT-EXACT-0", "EV-MESH1-EXACT-0", "EV-MESH2-EXACT"},
+       {{0.1, 0.7}, {-7.3, 11.9}, {0.3, -0.9}, {1000.1, 1000.7}},
+       {1, 3, 10, 97, 1000, kMost},
+       [](Dice&, GLint) { return std::int64_t{0}; },
+       {{0, 1}, {0.1, 0.7}, {1000, 1001}}},
+      {"last",
+       "index N: exactly the last end, whatever N * du + u1 would round to",
+       {"EV-POINT-EXACT-N", "EV-MESH1-EXACT-N", "EV-MESH2-EXACT"},
+       {{0.1, 0.7}, {-7.3, 11.9}, {0.3, -0.9}, {1000.1, 1000.7}},
+       {1, 3, 10, 97, 1000, kMost},
+       [](Dice&, GLint n) { return std::int64_t{n}; },
+       {{0, 1}, {0.1, 0.7}, {1000, 1001}}},
+      {"index-outside",
+       "indices below 0 and beyond N go on with the same steps",
+       {"EV-POINT-RANGE", "EV-MESH1-NEGATIVE", "EV-MESH2-RANGE"},
+       {{0, 1}, {0.1, 0.7}, {2, -1}},
+       {1, 2, 3, 8, 10},
+       [](Dice& dice, GLint n) {
+         constexpr int kBeyond[] = {1, 2, 3, 5, 20};
+         const int step = dice.pick(kBeyond);
+         return dice.one_in(2) ? std::int64_t{-step} : std::int64_t{n} + step;
+       }},
+      {"reversed",
+       "grids from a larger to a smaller number",
+       {"EV-GRID-REVERSED", "EV-POINT1-EQUIV", "EV-POINT2-EQUIV"},
+       {{1, 0}, {0.7, 0.1}, {1, -1}},
+       {1, 2, 3, 5, 8, 10},
+       anywhere,
+       {{0, 1}, {1, 0}}},
+      {"equal-ends",
+       "grids whose ends are equal: all their points are the same",
+       {"EV-GRID-EQUAL"},
+       {{0.5, 0.5}, {0, 0}, {0.1, 0.1}, {3, 3}},
+       {1, 3, 10},
+       [](Dice& dice, GLint n) { return dice.below(2 * std::int64_t{n} + 1) - n; },
+       {{0, 1}},
+       24,
+       16},
+      {"outside-domain",
+       "grids that have nothing to do with the domain of the map",
+       {"EV-GRID-NOTMAP"},
+       {{0, 10}, {-4, 4}, {2, 3}, {100, 104}},
+       {1, 2, 5, 8},
+       anywhere,
+       {{2, 5}, {0, 1}, {-1, 1}, {5, 2}}},
+      {"many-segments",
+       "numbers of segments up to 2^31 - 1",
+       {"EV-GRID-LARGE", "EV-MESH1-NOACCUM"},
+       {{0, 1}, {0.1, 0.7}, {-1, 1}},
+       {kMost, kMost - 1, 1 << 30, 1000003, 65536},
+       anywhere},
+      {"far-index",
+       "the greatest and the least index",
+       {"EV-POINT-RANGE", "EV-GRID-LARGE"},
+       {{0, 1}, {0, 0x1p-20}, {0.25, 0.75}},
+       {1, 1000, kMost},
+       [](Dice& dice, GLint) {
+         return dice.one_in(2) ? std::int64_t{kMost} : std::int64_t{std::numeric_limits<GLint>::min()};
+       },
+       {{0, 1}, {-0x1p31, 0x1p31}},
+       24,
+       16},
+      {"cancelling",
+       "an inner point at or near zero, where i * du and u1 cancel",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-NUM-ACCURACY"},
+       {{-1, 1}, {-0.3, 0.9}, {-1000, 1000}, {-0.7, 0.1}},
+       {2, 4, 8, 10},
+       [](Dice&, GLint n) { return std::int64_t{n} / 2; },
+       {{-1, 1}, {0, 1}}},
+      {"offset",
+       "short grids far from zero",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV"},
+       {{1000, 1001}, {1e6, 1e6 + 1}, {-4096, -4095.5}},
+       {1, 3, 10, 64},
+       anywhere,
+       {{1000, 1001}, {1e6, 1e6 + 4}, {-4100, -4090}}}};
+  return kinds;
+}
+
+// One direction of a grid, and the argument at its point.
+Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) {
+  const auto [first, last] = of_type(kind.grids[turn % kind.grids.size()], type);
+  const GLint segments = kind.segments[static_cast<std::size_t>(dice.below(std::ssize(kind.segments)))];
+  ++turn;
+  return Argument::grid(kind.index(dice, segments), segments, first, last);
+}
+
+}  // namespace
+
+Document grid() {
+  Document document("grid",
+                    "Values at the points of grids (MapGrid, EvalPoint, EvalMesh), whose arguments are the "
+                    "real numbers i*(g2 - g1)/N + g1.");
+  document.explain("1-D", "MapGrid1 and a curve");
+  document.explain("2-D", "MapGrid2 and a surface");
+  for (const Kind& kind : all_kinds()) {
+    Theme theme(document, kind.name, kind.meaning, kind.requirements);
+    Dice& dice = theme.dice();
+    std::size_t turn = 0;
+    for (int i = 0; i < kind.curves; ++i) {
+      const Type type = kTypes[i % 2];
+      const Ends domain = of_type(kind.domains[static_cast<std::size_t>(i) % kind.domains.size()], type);
+      const Map map = some_curve(dice, i, along(dice.between(2, 7), domain));
+      theme.add(value_case({map, type, grid_point(dice, kind, type, turn)}), {}, {"1-D"});
+    }
+    for (int i = 0; i < kind.surfaces; ++i) {
+      const Type type = kTypes[i % 2];
+      const auto domain = [&](int which) {
+        return of_type(kind.domains[static_cast<std::size_t>(i + which) % kind.domains.size()], type);
+      };
+      const Direction u = along(dice.between(1, 4), domain(0)), v = along(dice.between(1, 4), domain(1));
+      const Map map = some_surface(dice, i, u, v);
+      const Argument x = grid_point(dice, kind, type, turn), y = grid_point(dice, kind, type, turn);
+      theme.add(value_case({map, type, x, y}), {}, {"2-D"});
+    }
+  }
+  return document;
+}
+
+}  // namespace evalcts::vectors
