@@ -1,6 +1,7 @@
 #include "harness/judge/prediction.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -101,14 +102,19 @@ bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
 Specified specify(const gl::Case& script, int max_eval_order) {
   reference::Specification specification({.max_eval_order = max_eval_order});
   Specified specified;
+  std::vector<reference::Primitive> primitives;
   try {
     specified.answers = play(script, specification, [&](std::size_t) {
       specified.errors.push_back(specification.permitted_errors());
+      std::ranges::move(specification.take_primitives(), std::back_inserter(primitives));
+      specified.completed.push_back(primitives.size());
+      specified.inside.push_back(specification.inside());
     });
   } catch (const gl::MissingEntryPoint& missing) {
     throw std::logic_error(missing.what());
   }
   specified.prediction = prediction_of(specification, specified.answers);
+  specified.prediction.primitives = std::move(primitives);
   return specified;
 }
 

@@ -32,6 +32,8 @@ struct Specified {
   Prediction prediction;
   gl::Trace answers;                        // of the commands: each query correctly rounded
   std::vector<std::vector<GLenum>> errors;  // that each command is free to raise; none for most
+  std::vector<std::size_t> completed;       // how many primitives are complete after each command
+  std::vector<bool> inside;                 // whether one is open after each command
 };
 
 // Throws std::logic_error if the specification lacks one of the commands.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace evalcts::reference {
@@ -39,6 +40,28 @@ Root scaled_root(const Rational& x, std::int64_t bits) {
 Interval enclose_root(const Rational& x, std::int64_t bits) {
   const Root root = scaled_root(x, bits);
   return {Rational(root.floor, 1, -bits), Rational(root.exact ? root.floor : root.floor + 1, 1, -bits)};
+}
+
+// Each component of m/|m| to the nearest.
+template <typename Float>
+std::array<Float, 3> rounded_to(const Vector& m) {
+  using Limits = std::numeric_limits<Float>;
+  constexpr std::int64_t kLowest = Limits::min_exponent - Limits::digits;  // of a unit in the last place
+  const Rational square = nonzero_squared_length(m);
+  std::array<Float, 3> result{};
+  for (int c = 0; c < 3; ++c) {
+    if (m[c].is_zero()) continue;
+    const Rational ratio = m[c] * m[c] / square;
+    const std::int64_t twice_magnitude = floor_log2(ratio);
+    const std::int64_t magnitude = (twice_magnitude - (twice_magnitude & 1)) / 2;
+    const std::int64_t unit = std::max<std::int64_t>(magnitude - (Limits::digits - 1), kLowest);
+    // One bit more than there is room for decides, as there are no ties.
+    const Integer halves = scaled_root(ratio, 1 - unit).floor;
+    const auto significand = static_cast<Float>(static_cast<std::uint64_t>((halves + 1) >> 1));
+    result[c] =
+        std::copysign(std::ldexp(significand, static_cast<int>(unit)), static_cast<Float>(m[c].sign()));
+  }
+  return result;
 }
 
 // x * |x|, which orders numbers as x does.
@@ -97,24 +120,9 @@ std::array<Interval, 3> unit_vector(const Vector& m, int bits) {
   return result;
 }
 
-std::array<float, 3> rounded_unit_vector(const Vector& m) {
-  constexpr std::int64_t kDigits = 24, kLowest = -149;  // binary32
-  const Rational square = nonzero_squared_length(m);
-  std::array<float, 3> result{};
-  for (int c = 0; c < 3; ++c) {
-    if (m[c].is_zero()) continue;
-    const Rational ratio = m[c] * m[c] / square;
-    const std::int64_t twice_magnitude = floor_log2(ratio);
-    const std::int64_t magnitude = (twice_magnitude - (twice_magnitude & 1)) / 2;
-    const std::int64_t unit = std::max(magnitude - (kDigits - 1), kLowest);
-    // One bit more than there is room for decides, as there are no ties.
-    const Integer halves = scaled_root(ratio, 1 - unit).floor;
-    const auto significand = static_cast<float>(static_cast<std::uint32_t>((halves + 1) >> 1));
-    result[c] =
-        std::copysign(std::ldexp(significand, static_cast<int>(unit)), static_cast<float>(m[c].sign()));
-  }
-  return result;
-}
+std::array<float, 3> rounded_unit_vector(const Vector& m) { return rounded_to<float>(m); }
+
+std::array<double, 3> rounded_unit_vector_to_double(const Vector& m) { return rounded_to<double>(m); }
 
 Interval length(const Vector& m, int bits) {
   check_bits(bits);

@@ -165,6 +165,46 @@ TEST(RoundedUnitVector, DecidesNearlyTiedCases) {
   }
 }
 
+// By the enclosure: both its ends round to the same binary64, once it is narrow enough.
+TEST(RoundedUnitVectorToDouble, IsTheNearestToTheEnclosure) {
+  std::mt19937_64 generator = make_generator();
+  for (int repetition = 0; repetition < 500; ++repetition) {
+    const Vector m = random_vector(generator);
+    const std::array<double, 3> rounded = rounded_unit_vector_to_double(m);
+    const std::array<Interval, 3> unit = unit_vector(m, 400);
+    for (int c = 0; c < 3; ++c) {
+      ASSERT_EQ(round_to_double(unit[c].low), round_to_double(unit[c].high));
+      ASSERT_EQ(rounded[c], round_to_double(unit[c].low));
+      ASSERT_EQ(std::signbit(rounded[c]), m[c].sign() < 0);
+    }
+  }
+}
+
+// By a hundred decimal digits.
+TEST(RoundedUnitVectorToDouble, IsTheNearestDouble) {
+  std::mt19937_64 generator = make_generator();
+  for (int repetition = 0; repetition < 1000; ++repetition) {
+    const Vector m = random_vector(generator);
+    const std::array<double, 3> rounded = rounded_unit_vector_to_double(m);
+    for (int c = 0; c < 3; ++c) {
+      const Decimal exact = decimal(m[c]) / decimal_length(m);
+      ASSERT_EQ(rounded[c], exact.convert_to<double>()) << exact;
+    }
+  }
+}
+
+TEST(RoundedUnitVectorToDouble, OfWholeLengthsIsTheRoundedQuotient) {
+  const Rational scale = Rational(-13) / 7;
+  const std::array<double, 3> rounded = rounded_unit_vector_to_double({scale * 2, scale * 3, scale * 6});
+  EXPECT_EQ(rounded, (std::array<double, 3>{-2.0 / 7, -3.0 / 7, -6.0 / 7}));
+  // 2^-1100 of a length of 1 is below the least subnormal number: zero with its sign.
+  const std::array<double, 3> lost = rounded_unit_vector_to_double({1, -Rational::power_of_two(-1100), 0});
+  EXPECT_EQ(lost, (std::array<double, 3>{1, 0, 0}));
+  EXPECT_TRUE(std::signbit(lost[1]));
+  EXPECT_EQ(rounded_unit_vector_to_double({1, Rational::power_of_two(-1074), 0})[1], 0x1p-1074);
+  EXPECT_THROW(rounded_unit_vector_to_double({0, 0, 0}), std::domain_error);
+}
+
 TEST(IsWithin, JudgesEachComponentOfTheUnitVector) {
   const Vector m{Rational(3) / 7, 0, Rational(-4) / 7};  // (0.6, 0, -0.8)
   const Floats got{0.5f, 0.25f, -0.75f};

@@ -16,7 +16,9 @@ struct Kind {
   Document (*make)();
 };
 
-constexpr Kind kAll[] = {{"map1_eval", map1_eval}, {"map2_eval", map2_eval}, {"grid", grid}};
+constexpr Kind kAll[] = {
+    {"map1_eval", map1_eval}, {"map2_eval", map2_eval}, {"grid", grid},  {"auto_normal", auto_normal},
+    {"errors", errors},       {"get_map", get_map},     {"state", state}};
 
 }  // namespace
 

@@ -48,10 +48,11 @@ struct Interval {
 // is negative.
 std::array<Interval, 3> unit_vector(const Vector& m, int bits);
 
-// m/|m|, each component rounded to the nearest binary32. There are no ties to break: x^2 + y^2 + z^2 = n^2
+// m/|m|, each component rounded to the nearest binary32 or binary64. There are no ties to break: x^2 + y^2 + z^2 = n^2
 // has no solution in integers without a common factor where n is even, so a component that is a binary
 // fraction is 0 or +-1.
 std::array<float, 3> rounded_unit_vector(const Vector& m);
+std::array<double, 3> rounded_unit_vector_to_double(const Vector& m);
 
 // Encloses |m|: high - low <= 2^-bits * |m|. Throws std::invalid_argument if bits is negative. m may be zero.
 Interval length(const Vector& m, int bits);

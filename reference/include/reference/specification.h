@@ -189,6 +189,9 @@ class Specification {
   // included. A primitive that is still open stays and is delivered after its End.
   std::vector<Primitive> take_primitives();
 
+  // Whether a primitive is open: between Begin and End.
+  bool inside() const { return open_.has_value(); }
+
   // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
   // did raise first; empty if it raised none. For CallList and CallLists, those of the first command in the
   // lists that raised one. GetError reports the first error since the last GetError.
@@ -260,7 +263,6 @@ class Specification {
   // The place of a map target among the MAP1 targets followed by the MAP2 targets.
   static std::size_t slot(GLenum target);
 
-  bool inside() const { return open_.has_value(); }
   // Begins every command that a list can hold: puts it into the list under construction, if there is one.
   // True if that is all (COMPILE); otherwise the command goes on and is executed. Of a list that is called
   // meanwhile the call is put in, not what it executes.

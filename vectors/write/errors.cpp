@@ -1,0 +1,569 @@
+// Errors, and that what fails changes nothing.
+#include <limits>
+
+#include "harness/gl/tokens.h"
+#include "vectors/write/kinds.h"
+#include "vectors/write/sequences.h"
+
+namespace evalcts::vectors {
+namespace {
+
+constexpr GLint kLeast = std::numeric_limits<GLint>::min(), kMost = std::numeric_limits<GLint>::max();
+constexpr const char* kLimit = "max-order-64";
+
+int k_of(GLenum target) { return gl::components_of(target); }
+
+// The arguments of a map of either dimension, all in order; a case spoils some.
+struct Arguments {
+  GLenum target;
+  int k = k_of(target);
+  double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
+  int ustride = k, uorder = 2, vstride = k, vorder = 2;
+  Values points = numbered(64, 100);
+};
+
+void issue(gl::Case& c, Type type, bool two, const Arguments& a) {
+  if (two)
+    map2(c, type, a.target, a.u1, a.u2, a.ustride, a.uorder, a.v1, a.v2, a.vstride, a.vorder, a.points);
+  else
+    map1(c, type, a.target, a.u1, a.u2, a.ustride, a.uorder, a.points);
+}
+
+// A map before, whatever fails, and the map afterwards. In the second dimension it is one of 3 by 2 points.
+void before(gl::Case& c, GLenum target) {
+  const int k = k_of(target);
+  if (reference::is_map2_target(target))
+    define(c, Type::single, {target, {3, 2, 5}, {2, -1, 3}, numbered(6 * k)});
+  else
+    define(c, Type::single, {target, {3, 2, 5}, {}, numbered(3 * k)});
+}
+void after(gl::Case& c, GLenum target) {
+  query_all(c, target, (reference::is_map2_target(target) ? 6 : 3) * k_of(target));
+}
+
+constexpr std::span<const GLenum> targets(bool two) {
+  return two ? std::span<const GLenum>(gl::kMap2Targets) : std::span<const GLenum>(gl::kMap1Targets);
+}
+
+std::string dimension(bool two) { return two ? "2" : "1"; }
+std::string rule(bool two, const std::string& name) { return "EV-MAP" + dimension(two) + "-" + name; }
+
+// One theme for each error rule of Map1 (or Map2), with every target and in turn with either type.
+void maps(Document& document, bool two) {
+  const auto named = [&](const std::string& name) { return "map" + dimension(two) + "-" + name; };
+  const auto theme = [&](const std::string& name, const std::string& meaning,
+                         const std::string& requirement) {
+    return Theme(document, named(name), meaning, {rule(two, requirement), rule(two, "ERR-NOEFFECT")});
+  };
+  int turn = 0;
+  // One case for each way to spoil the arguments.
+  const auto spoil = [&](Theme& into, GLenum target, const std::function<void(Arguments&)>& change,
+                         const Names& requirements = {}, const Names& flags = {}) {
+    gl::Case c;
+    before(c, target);
+    Arguments arguments{target};
+    change(arguments);
+    issue(c, kTypes[turn++ % 2], two, arguments);
+    after(c, target);
+    into.add(sequence(c), requirements, flags);
+  };
+
+  Theme target_theme = theme(
+      "target", "a target that this command does not have, those of the other dimension first", "ERR-TARGET");
+  std::vector<GLenum> wrong(targets(!two).begin(), targets(!two).end());
+  const GLenum first = targets(two).front(), last = targets(two).back();
+  wrong.insert(wrong.end(), {0, first - 1, last + 1, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF});
+  for (const GLenum bad : wrong) {
+    gl::Case c;
+    before(c, last);
+    Arguments arguments{bad, 4};
+    issue(c, kTypes[turn++ % 2], two, arguments);
+    after(c, last);
+    target_theme.add(sequence(c));
+  }
+
+  Theme low = theme(two ? "uorder-low" : "order-low", "order (or uorder) below 1",
+                    two ? "ERR-UORDER" : "ERR-ORDER-LOW");
+  Theme high = theme(two ? "uorder-high" : "order-high", "order (or uorder) above the largest",
+                     two ? "ERR-UORDER" : "ERR-ORDER-HIGH");
+  Theme stride =
+      theme(two ? "ustride" : "stride", "stride (or ustride) below the number of values of a point",
+            two ? "ERR-USTRIDE" : "ERR-STRIDE");
+  Theme domain = theme(two ? "udomain" : "domain", "u1 = u2", two ? "ERR-UDOMAIN" : "ERR-DOMAIN");
+  for (const GLenum target : targets(two)) {
+    const int k = k_of(target);
+    for (const int order : {0, -1, kLeast}) spoil(low, target, [&](Arguments& a) { a.uorder = order; });
+    if (k == 1)
+      spoil(high, target,
+            [&](Arguments& a) {
+              a.uorder = 65;
+              a.vorder = 1;
+              a.points = numbered(65);
+            },
+            {}, {kLimit});
+    for (const int bad : {k - 1, 0, -1}) spoil(stride, target, [&](Arguments& a) { a.ustride = bad; });
+    spoil(
+        stride, target,
+        [&](Arguments& a) {
+          a.uorder = 1;
+          a.ustride = k - 1;
+        },
+        two ? Names() : Names{"EV-MAP1-ERR-STRIDE-ORDER1"});
+    for (const double end : {0.0, 1.0, -2.5}) spoil(domain, target, [&](Arguments& a) { a.u1 = a.u2 = end; });
+  }
+  spoil(domain, last, [](Arguments& a) {
+    a.u1 = 0.0;
+    a.u2 = -0.0;
+  });
+
+  if (two) {
+    Theme vlow = theme("vorder-low", "vorder below 1", "ERR-VORDER");
+    Theme vhigh = theme("vorder-high", "vorder above the largest", "ERR-VORDER");
+    Theme vstride = theme("vstride", "vstride below the number of values of a point", "ERR-VSTRIDE");
+    Theme vdomain = theme("vdomain", "v1 = v2", "ERR-VDOMAIN");
+    for (const GLenum target : targets(two)) {
+      const int k = k_of(target);
+      for (const int order : {0, -1}) spoil(vlow, target, [&](Arguments& a) { a.vorder = order; });
+      if (k == 1)
+        spoil(vhigh, target,
+              [&](Arguments& a) {
+                a.uorder = 1;
+                a.vorder = 65;
+                a.points = numbered(65);
+              },
+              {}, {kLimit});
+      for (const int bad : {k - 1, 0, -1}) spoil(vstride, target, [&](Arguments& a) { a.vstride = bad; });
+      spoil(vdomain, target, [&](Arguments& a) { a.v1 = a.v2 = 3; });
+    }
+  }
+
+  Theme inside = theme("begin-end", "between Begin and End", "ERR-BEGINEND");
+  Theme unit =
+      theme("active-texture", "another texture unit than 0 is active, whatever the target", "ERR-ACTIVETEX");
+  for (const GLenum target : targets(two)) {
+    const Type type = kTypes[turn++ % 2];
+    gl::Case c;
+    before(c, target);
+    c.Begin(GL_POINTS);
+    issue(c, type, two, {target});
+    c.End();
+    after(c, target);
+    inside.add(sequence(c));
+
+    gl::Case d;
+    before(d, target);
+    d.ActiveTexture(GL_TEXTURE1);
+    issue(d, type, two, {target});
+    after(d, target);
+    d.ActiveTexture(GL_TEXTURE0);
+    issue(d, type, two, {target});
+    query_all(d, target, (two ? 4 : 2) * k_of(target));
+    unit.add(sequence(d));
+  }
+
+  // Once more, with two reasons at a time.
+  Theme several(document, named("several"),
+                "several reasons to refuse the command: any of their codes will do, one is needed",
+                {"EV-MAP-ERR-ANY", rule(two, "ERR-NOEFFECT")});
+  const std::vector<std::pair<std::string, std::function<void(Arguments&)>>> kReasons = {
+      {"ERR-TARGET", [](Arguments& a) { a.target = GL_TEXTURE_2D; }},
+      {two ? "ERR-UORDER" : "ERR-ORDER-LOW", [](Arguments& a) { a.uorder = 0; }},
+      {two ? "ERR-USTRIDE" : "ERR-STRIDE", [](Arguments& a) { a.ustride = 0; }},
+      {two ? "ERR-UDOMAIN" : "ERR-DOMAIN", [](Arguments& a) { a.u1 = a.u2; }},
+      {"ERR-ACTIVETEX", {}},
+      {"ERR-BEGINEND", {}}};
+  for (std::size_t i = 0; i < kReasons.size(); ++i)
+    for (std::size_t j = i + 1; j < kReasons.size(); ++j) {
+      gl::Case c;
+      before(c, last);
+      Arguments arguments{last};
+      for (const auto& [name, change] : {kReasons[i], kReasons[j]}) {
+        if (change) change(arguments);
+        if (name == "ERR-ACTIVETEX") c.ActiveTexture(GL_TEXTURE1);
+      }
+      const bool is_inside = kReasons[j].first == "ERR-BEGINEND";
+      if (is_inside) c.Begin(GL_POINTS);
+      issue(c, kTypes[turn++ % 2], two, arguments);
+      if (is_inside) c.End();
+      after(c, last);
+      several.add(sequence(c), {rule(two, kReasons[i].first), rule(two, kReasons[j].first)});
+    }
+
+  Theme legal(document, named("legal"), "unusual, and no error", {"EV-MAP-NOERR-OTHER"});
+  const std::function<void(Arguments&)> kUnusual[] = {[](Arguments& a) { a.ustride = 17; },
+                                                      [](Arguments& a) { std::swap(a.u1, a.u2); },
+                                                      [](Arguments& a) { a.u1 = -1e6; },
+                                                      [](Arguments& a) { a.u2 = 0x1p100; },
+                                                      [](Arguments& a) { a.points = Values(64, -0.0); },
+                                                      [](Arguments& a) { a.points = Values(64, 0x1p-149); },
+                                                      [](Arguments& a) { a.points = Values(64, 7); },
+                                                      [](Arguments& a) { a.vstride = 9; },
+                                                      [](Arguments& a) { std::swap(a.v1, a.v2); }};
+  for (std::size_t i = 0; i < (two ? 9u : 7u); ++i)
+    for (const Type type : kTypes) {
+      const GLenum target = targets(two)[(2 * i + (type == Type::real)) % 9];
+      gl::Case c;
+      Arguments arguments{target};
+      kUnusual[i](arguments);
+      issue(c, type, two, arguments);
+      query_all(c, target, (two ? 4 : 2) * k_of(target));
+      legal.add(sequence(c));
+    }
+}
+
+// --- grids
+
+void query_grids(gl::Case& c) {
+  c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
+  c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
+  c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
+}
+
+void grids(Document& document) {
+  const auto set = [](gl::Case& c) {
+    c.MapGrid1f(3, 0.25f, 0.75f);
+    c.MapGrid2f(5, -1, 2, 7, 3, -4);
+  };
+  Theme one(document, "grid1-segments", "MapGrid1 with no segments or fewer",
+            {"EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT"});
+  Theme u(document, "grid2-usegments", "MapGrid2 with un <= 0", {"EV-GRID-ERR-UN", "EV-GRID-ERR-NOEFFECT"});
+  Theme v(document, "grid2-vsegments", "MapGrid2 with vn <= 0", {"EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT"});
+  Theme inside(document, "grid-begin-end", "MapGrid between Begin and End", {"EV-GRID-ERR-BEGINEND"});
+  Theme legal(document, "grid-legal", "unusual grids, and no error",
+              {"EV-GRID-EQUAL", "EV-GRID-REVERSED", "EV-GRID-LARGE", "EV-GRID-NOUNIT"});
+  const auto add = [&](Theme& theme, const std::function<void(gl::Case&)>& what) {
+    gl::Case c;
+    set(c);
+    what(c);
+    query_grids(c);
+    theme.add(sequence(c));
+  };
+  for (const Type type : kTypes) {
+    for (const int n : {0, -1, kLeast}) {
+      add(one, [&](gl::Case& c) { grid1(c, type, n, 0, 1); });
+      add(u, [&](gl::Case& c) { grid2(c, type, n, 0, 1, 2, 0, 1); });
+      add(v, [&](gl::Case& c) { grid2(c, type, 2, 0, 1, n, 0, 1); });
+    }
+    add(u, [&](gl::Case& c) { grid2(c, type, 0, 0, 1, -1, 0, 1); });
+    add(inside, [&](gl::Case& c) {
+      c.Begin(GL_LINES);
+      grid1(c, type, 2, 0, 1);
+      c.End();
+    });
+    add(inside, [&](gl::Case& c) {
+      c.Begin(GL_POINTS);
+      grid2(c, type, 2, 0, 1, 2, 0, 1);
+      c.End();
+    });
+    add(legal, [&](gl::Case& c) { grid1(c, type, 3, 5, 5); });
+    add(legal, [&](gl::Case& c) { grid2(c, type, 3, 5, 5, 1, -2, -2); });
+    add(legal, [&](gl::Case& c) { grid1(c, type, kMost, 1, 0); });
+    add(legal, [&](gl::Case& c) { grid2(c, type, kMost, 2, -3, kMost, 0, 0.5); });
+    add(legal, [&](gl::Case& c) {
+      c.ActiveTexture(GL_TEXTURE1);
+      grid1(c, type, 4, 0, 2);
+    });
+  }
+}
+
+// --- meshes
+
+void meshes(Document& document) {
+  const auto ready = [](gl::Case& c) {
+    define(c, Type::single, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
+    define(c, Type::single, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
+    c.Enable(GL_MAP1_VERTEX_3);
+    c.Enable(GL_MAP2_VERTEX_3);
+  };
+  Theme mode1(document, "mesh1-mode", "EvalMesh1 with another mode than POINT and LINE",
+              {"EV-MESH1-ERR-MODE", "EV-MESH1-ERR-FIRST"});
+  Theme mode2(document, "mesh2-mode", "EvalMesh2 with another mode than POINT, LINE and FILL",
+              {"EV-MESH2-ERR-MODE", "EV-MESH2-ERR-FIRST"});
+  Theme inside(document, "mesh-begin-end",
+               "EvalMesh between Begin and End: the open primitive is not disturbed",
+               {"EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND", "EV-BE-MESHNOTINSIDE"});
+  Theme quiet(document, "mesh-nothing",
+              "meshes without vertex map or of no points: nothing is drawn, and no error",
+              {"EV-MESH1-NOVERTEX", "EV-MESH2-NOVERTEX", "EV-MESH1-EMPTY", "EV-MESH2-EMPTY"});
+  for (const bool enabled : {true, false}) {
+    for (const GLenum mode : {GL_FILL, GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TEXTURE_2D, GL_POINT - 1}) {
+      gl::Case c;
+      if (enabled) ready(c);
+      c.EvalMesh1(mode, 0, 1);
+      mode1.add(sequence(c));
+    }
+    for (const GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_LINES, GL_POINTS, GL_TEXTURE_2D, GL_FILL + 1}) {
+      gl::Case c;
+      if (enabled) ready(c);
+      c.EvalMesh2(mode, 0, enabled ? 1 : -1, 0, 1);
+      mode2.add(sequence(c));
+    }
+  }
+  for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
+    gl::Case c;
+    ready(c);
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(0.5f);
+    c.EvalMesh2(mode, 0, 1, 0, 1);
+    if (mode != GL_FILL) c.EvalMesh1(mode, 0, 1);
+    c.EvalCoord2f(0.5f, 0.25f);
+    c.End();
+    inside.add(sequence(c));
+
+    gl::Case d;
+    d.EvalMesh2(mode, 0, 3, 0, 3);
+    if (mode != GL_FILL) d.EvalMesh1(mode, 0, 3);
+    quiet.add(sequence(d));
+
+    gl::Case e;
+    ready(e);
+    e.EvalMesh2(mode, 1, 0, 0, 1);
+    e.EvalMesh2(mode, 0, 1, 3, 2);
+    if (mode != GL_FILL) e.EvalMesh1(mode, 2, 1);
+    quiet.add(sequence(e));
+  }
+}
+
+// --- queries
+
+void queries(Document& document) {
+  Theme target(document, "getmap-target", "GetMap of what is no map: nothing is written",
+               {"EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE"});
+  Theme query(document, "getmap-query",
+              "GetMap of something else than COEFF, ORDER and DOMAIN: nothing is written",
+              {"EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE"});
+  Theme inside(document, "getmap-begin-end", "GetMap between Begin and End: nothing is written",
+               {"EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE"});
+  const auto ask = [](gl::Case& c, int form, GLenum of, GLenum what) {
+    if (form == 0) c.GetMapfv(of, what, gl::out<GLfloat>(8));
+    if (form == 1) c.GetMapdv(of, what, gl::out<GLdouble>(8));
+    if (form == 2) c.GetMapiv(of, what, gl::out<GLint>(8));
+  };
+  for (int form = 0; form < 3; ++form) {
+    for (const GLenum bad :
+         {GLenum{0}, GLenum{GL_TEXTURE_2D}, GLenum{GL_AUTO_NORMAL}, GLenum{GL_MAP1_COLOR_4 - 1},
+          GLenum{GL_MAP1_VERTEX_4 + 1}, GLenum{GL_MAP2_VERTEX_4 + 1}}) {
+      gl::Case c;
+      ask(c, form, bad, GL_COEFF);
+      ask(c, form, GL_MAP1_VERTEX_4, GL_COEFF);
+      target.add(sequence(c));
+    }
+    for (const GLenum bad :
+         {GLenum{0}, GLenum{0x0A03}, GLenum{GL_MAX_EVAL_ORDER}, GLenum{GL_MAP1_VERTEX_3}}) {
+      gl::Case c;
+      ask(c, form, GL_MAP2_VERTEX_4, bad);
+      ask(c, form, GL_MAP1_INDEX, bad);
+      query.add(sequence(c));
+    }
+    for (const GLenum what : {GL_COEFF, GL_ORDER, GL_DOMAIN}) {
+      gl::Case c;
+      c.Begin(GL_TRIANGLES);
+      ask(c, form, GL_MAP2_COLOR_4, what);
+      c.End();
+      inside.add(sequence(c));
+    }
+  }
+
+  document.explain("robustness", "needs GetnMap (ARB_robustness or GL 4.5)");
+  const Names flags = {"robustness"};
+  Theme small(document, "getnmap-small", "GetnMap with a byte too few, or none: nothing is written",
+              {"EV-GETN-SMALL"});
+  Theme exact(document, "getnmap-exact", "GetnMap with just enough bytes", {"EV-GETN-BYTES", "EV-GETN-SAME"});
+  Theme negative(document, "getnmap-negative", "GetnMap with a negative size: two texts, two codes",
+                 {"EV-GETN-NEGATIVE"});
+  Theme refused(document, "getnmap-refused", "GetnMap with the errors of GetMap", {"EV-GETN-ERRORS"});
+  for (int form = 0; form < 3; ++form) {
+    const int bytes = form == 1 ? 8 : 4;
+    const auto ask_n = [&](gl::Case& c, GLenum of, GLenum what, int size) {
+      if (form == 0) c.GetnMapfv(of, what, size, gl::out<GLfloat>(24));
+      if (form == 1) c.GetnMapdv(of, what, size, gl::out<GLdouble>(24));
+      if (form == 2) c.GetnMapiv(of, what, size, gl::out<GLint>(24));
+    };
+    const std::tuple<GLenum, GLenum, int> kAnswers[] = {
+        {GL_MAP1_COLOR_4, GL_COEFF, 12}, {GL_MAP2_NORMAL, GL_COEFF, 18}, {GL_MAP1_INDEX, GL_ORDER, 1},
+        {GL_MAP2_INDEX, GL_ORDER, 2},    {GL_MAP1_INDEX, GL_DOMAIN, 2},  {GL_MAP2_INDEX, GL_DOMAIN, 4}};
+    for (const auto& [of, what, count] : kAnswers) {
+      const auto add = [&, of = of, what = what](Theme& theme, int size) {
+        gl::Case c;
+        before(c, of);
+        ask_n(c, of, what, size);
+        theme.add(sequence(c), {}, flags);
+      };
+      add(exact, count * bytes);
+      add(small, count * bytes - 1);
+      if (what == GL_COEFF) add(small, 0);
+      if (what == GL_COEFF) add(exact, 1000);
+      if (what == GL_ORDER) add(negative, -1);
+    }
+    gl::Case c;
+    ask_n(c, GL_TEXTURE_2D, GL_COEFF, 96);
+    ask_n(c, GL_MAP1_INDEX, GL_TEXTURE_2D, 96);
+    c.Begin(GL_POINTS);
+    ask_n(c, GL_MAP1_INDEX, GL_ORDER, 96);
+    c.End();
+    refused.add(sequence(c), {}, flags);
+  }
+}
+
+// --- the rest of the state
+
+void others(Document& document) {
+  const auto add = [](Theme& theme, const std::function<void(gl::Case&)>& what) {
+    gl::Case c;
+    what(c);
+    theme.add(sequence(c));
+  };
+
+  Theme caps(document, "enable-begin-end",
+             "Enable, Disable and IsEnabled between Begin and End: they do nothing", {"EV-EN-BEGINEND"});
+  const auto for_each_capability = [](const std::function<void(GLenum)>& use) {
+    for (const GLenum cap : gl::kMap1Targets) use(cap);
+    for (const GLenum cap : gl::kMap2Targets) use(cap);
+    use(GL_AUTO_NORMAL);
+  };
+  for_each_capability([&](GLenum cap) {
+    add(caps, [&](gl::Case& c) {
+      c.Begin(GL_POINTS);
+      c.Enable(cap);
+      c.IsEnabled(cap);
+      c.End();
+      c.IsEnabled(cap);
+      c.Enable(cap);
+      c.Begin(GL_POINTS);
+      c.Disable(cap);
+      c.End();
+      c.IsEnabled(cap);
+    });
+  });
+
+  Theme gets(document, "get-begin-end", "queries of grids, enables and limits between Begin and End",
+             {"EV-GET-ERR-BEGINEND"});
+  for (const GLenum name : {GL_MAP1_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_MAP1_VERTEX_3, GL_AUTO_NORMAL}) {
+    add(gets, [&](gl::Case& c) {
+      c.Begin(GL_POINTS);
+      c.GetFloatv(name, gl::out<GLfloat>(4));
+      c.End();
+    });
+    add(gets, [&](gl::Case& c) {
+      c.Begin(GL_POINTS);
+      c.GetIntegerv(name, gl::out<GLint>(4));
+      c.GetDoublev(name, gl::out<GLdouble>(4));
+      c.GetBooleanv(name, gl::out<GLboolean>(4));
+      c.End();
+    });
+  }
+
+  Theme begin(document, "begin-end", "Begin and End themselves, and what is legal between them",
+              {"EV-BE-ALLOWED", "EV-COORD-INBEGIN", "EV-COORD-NOERR"});
+  add(begin, [](gl::Case& c) { c.End(); });
+  // Those right after GL_POLYGON are modes of later versions.
+  for (const GLenum mode : {GL_POLYGON + 20, GL_TEXTURE_2D}) add(begin, [&](gl::Case& c) { c.Begin(mode); });
+  for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
+    add(begin, [&](gl::Case& c) {
+      c.Begin(mode);
+      c.Begin(GL_POINTS);
+      c.End();
+      c.End();
+    });
+  for (const double u : {0.0, -1e30, 3e38, 0x1p-149})
+    add(begin, [&](gl::Case& c) {
+      c.Begin(GL_POINTS);
+      c.EvalCoord1f(u);
+      c.EvalCoord2d(u, -u);
+      c.EvalPoint1(kLeast);
+      c.EvalPoint2(kMost, kLeast);
+      c.End();
+    });
+
+  Theme unit(document, "active-texture", "ActiveTexture of what is no unit, and between Begin and End",
+             {"EV-EXT-MT-RULE"});
+  add(unit, [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE_2D); });
+  add(unit, [](gl::Case& c) { c.ActiveTexture(0); });
+  add(unit, [](gl::Case& c) {
+    c.Begin(GL_POINTS);
+    c.ActiveTexture(GL_TEXTURE1);
+    c.End();
+    define(c, Type::single, {GL_MAP1_INDEX, {2, 0, 1}, {}, {1, 2}});
+    query_all(c, GL_MAP1_INDEX, 2);
+  });
+
+  Theme lists(document, "lists",
+              "errors of display lists: of commands when they are executed, not when compiled",
+              {"EV-DL-ERR-LATE", "EV-DL-ERR-CONTINUE"});
+  add(lists, [](gl::Case& c) { c.NewList(0, GL_COMPILE); });
+  add(lists, [](gl::Case& c) { c.NewList(1, GL_TEXTURE_2D); });
+  add(lists, [](gl::Case& c) { c.EndList(); });
+  add(lists, [](gl::Case& c) {
+    c.NewList(1, GL_COMPILE);
+    c.NewList(2, GL_COMPILE);
+    c.EndList();
+  });
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
+    for (const bool two : {false, true})
+      add(lists, [&](gl::Case& c) {
+        const GLenum target = two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3;
+        before(c, target);
+        c.NewList(1, mode);
+        Arguments bad{target};
+        bad.u1 = bad.u2;
+        issue(c, Type::single, two, bad);
+        c.Enable(target);
+        c.EndList();
+        c.IsEnabled(target);
+        c.CallList(1);
+        c.IsEnabled(target);
+        after(c, target);
+      });
+  add(lists, [](gl::Case& c) {
+    c.NewList(1, GL_COMPILE);
+    c.MapGrid1f(-1, 0, 1);
+    c.EndList();
+    c.CallList(1);
+    query_grids(c);
+  });
+  add(lists, [](gl::Case& c) {
+    c.NewList(1, GL_COMPILE);
+    c.EvalMesh2(GL_LINES, 0, 1, 0, 1);
+    c.EndList();
+    c.CallList(1);
+  });
+  add(lists, [](gl::Case& c) {
+    c.Begin(GL_POINTS);
+    c.NewList(1, GL_COMPILE);
+    c.EndList();
+    c.End();
+  });
+
+  Theme stack(document, "attribute-stack", "PopAttrib of an empty stack, PushAttrib between Begin and End",
+              {"EV-ATTRIB-NEST"});
+  add(stack, [](gl::Case& c) { c.PopAttrib(); });
+  add(stack, [](gl::Case& c) {
+    c.PushAttrib(GL_EVAL_BIT);
+    c.PopAttrib();
+    c.PopAttrib();
+  });
+  add(stack, [](gl::Case& c) {
+    c.Begin(GL_POINTS);
+    c.PushAttrib(GL_EVAL_BIT);
+    c.End();
+    c.PopAttrib();
+  });
+}
+
+}  // namespace
+
+Document errors() {
+  Document document("errors",
+                    "Which errors commands raise, and that a command which raises one does nothing else.");
+  document.explain(kLimit, "only where MAX_EVAL_ORDER is 64 or less");
+  maps(document, false);
+  maps(document, true);
+  grids(document);
+  meshes(document);
+  queries(document);
+  others(document);
+  return document;
+}
+
+}  // namespace evalcts::vectors

@@ -1,0 +1,64 @@
+#include "vectors/write/normals.h"
+
+#include <reference/normal.h>
+
+#include "vectors/write/text.h"
+#include "vectors/write/values.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using reference::AutomaticNormal;
+using reference::Surface;
+using reference::Vector;
+
+constexpr int kEnclosureBits = 80;
+
+// dq/duh x dq/dvh; none where w is zero.
+std::optional<Vector> exact(const AutomaticNormal& normal, const std::vector<Surface>& surfaces) {
+  if (surfaces.size() == 4 && reference::evaluate(surfaces[3], normal.u, normal.v).is_zero()) return {};
+  return reference::normal_vector(surfaces, normal.u, normal.v);
+}
+
+Json unit_vector(const Vector& m) {
+  const auto enclosures = reference::unit_vector(m, kEnclosureBits);
+  const auto floats = reference::rounded_unit_vector(m);
+  const auto doubles = reference::rounded_unit_vector_to_double(m);
+  Json components = Json::array();
+  for (std::size_t c = 0; c < 3; ++c)
+    components.push_back(
+        {{"enclosure", Json::array({fraction(enclosures[c].low), fraction(enclosures[c].high)})},
+         {"float", hexadecimal(floats[c])},
+         {"double", hexadecimal(doubles[c])}});
+  return components;
+}
+
+Json accept(const AutomaticNormal& normal) {
+  const auto acceptance = reference::acceptance(normal);
+  if (!acceptance || !acceptance->must_applies || !acceptance->bound) return nullptr;
+  const Map& map = *normal.map;
+  // The bound comes out of binary64, whose last bits may differ from machine to machine: rounded up to
+  // binary32 it is the same everywhere.
+  return {{"bound", hexadecimal(round_up(*acceptance->bound))},
+          {"either_sign", map.u.first > map.u.last || map.v.first > map.v.last}};
+}
+
+}  // namespace
+
+Json entry_of(const AutomaticNormal& normal) {
+  const std::optional<Vector> m = exact(normal, normal.map->surfaces());
+  return {{"m", m ? fractions({m->begin(), m->end()}) : Json()},
+          {"normal", m && !reference::is_degenerate(*m) ? unit_vector(*m) : Json()},
+          {"accept", accept(normal)}};
+}
+
+Json derivatives_of(const AutomaticNormal& normal) {
+  std::vector<Rational> u, v;
+  for (const Surface& surface : normal.map->surfaces()) {
+    u.push_back(reference::derivative_u(surface, normal.u, normal.v));
+    v.push_back(reference::derivative_v(surface, normal.u, normal.v));
+  }
+  return {{"u", fractions(u)}, {"v", fractions(v)}};
+}
+
+}  // namespace evalcts::vectors

@@ -1,0 +1,333 @@
+#include "vectors/write/sequences.h"
+
+#include <fmt/format.h>
+#include <reference/map.h>
+#include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "harness/gl/numbers.h"
+#include "harness/gl/tokens.h"
+#include "harness/judge/prediction.h"
+#include "vectors/write/normals.h"
+#include "vectors/write/text.h"
+#include "vectors/write/values.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using gl::Scalar;
+
+// Some implementations have fewer; cases that need more than the 8 of all say so by a flag.
+constexpr int kMaxEvalOrder = 64;
+
+// --- commands
+
+std::string bits(std::int64_t mask) {
+  constexpr std::pair<GLbitfield, const char*> kBits[] = {
+      {GL_CURRENT_BIT, "GL_CURRENT_BIT"}, {GL_LIGHTING_BIT, "GL_LIGHTING_BIT"},
+      {GL_ENABLE_BIT, "GL_ENABLE_BIT"},   {GL_EVAL_BIT, "GL_EVAL_BIT"},
+      {GL_LIST_BIT, "GL_LIST_BIT"},       {GL_TEXTURE_BIT, "GL_TEXTURE_BIT"}};
+  if (mask == GL_ALL_ATTRIB_BITS) return "GL_ALL_ATTRIB_BITS";
+  std::string names;
+  for (const auto& [bit, name] : kBits) {
+    if ((mask & bit) == 0) continue;
+    names += (names.empty() ? "" : "|") + std::string(name);
+    mask &= ~static_cast<std::int64_t>(bit);
+  }
+  if (mask != 0 || names.empty()) throw std::logic_error("a bit without a name");
+  return names;
+}
+
+Json integer(std::int64_t value, char kind) {
+  const auto token = static_cast<GLenum>(value);
+  if (kind == 'b') return bits(value);
+  const std::string name = kind == 'm' ? gl::primitive_name(token) : kind == 'e' ? gl::token_name(token) : "";
+  if (name.starts_with("GL_")) return name;
+  return value;
+}
+
+const char* name_of(Scalar type) {
+  switch (type) {
+    case Scalar::f32:
+      return "f32";
+    case Scalar::f64:
+      return "f64";
+    case Scalar::i32:
+      return "i32";
+    case Scalar::u32:
+      return "u32";
+    case Scalar::u8:
+      return "u8";
+    default:
+      throw std::logic_error("a type of elements that vectors do not have");
+  }
+}
+
+bool is_real(Scalar type) { return type == Scalar::f32 || type == Scalar::f64; }
+
+template <class T>
+std::vector<T> elements(const std::vector<std::byte>& bytes) {
+  std::vector<T> values(bytes.size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+  return values;
+}
+
+Json array(const gl::Input& input) {
+  if (is_real(input.type)) return hexadecimals(gl::elements(input));
+  if (input.type == Scalar::u8) return elements<std::uint8_t>(input.bytes);
+  if (input.type == Scalar::u32) return elements<std::uint32_t>(input.bytes);
+  return elements<std::int32_t>(input.bytes);
+}
+
+Json argument(const gl::Value& value, char kind) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return integer(*number, kind);
+  if (const auto* single = std::get_if<float>(&value)) return hexadecimal(*single);
+  if (const auto* real = std::get_if<double>(&value)) return hexadecimal(*real);
+  if (const auto* input = std::get_if<gl::Input>(&value)) return {{name_of(input->type), array(*input)}};
+  if (const auto* output = std::get_if<gl::Output>(&value))
+    return {{"out", name_of(output->type)}, {"count", output->count}};
+  throw std::logic_error("a kind of argument that vectors do not have");
+}
+
+std::string name_of(const gl::Command& command) { return std::string(gl::name_of(command.entry).substr(2)); }
+
+Json call(const gl::Command& command) {
+  const std::string_view kinds = gl::parameter_kinds(command.entry);
+  Json data = Json::array({name_of(command)});
+  for (std::size_t i = 0; i < command.arguments.size(); ++i)
+    data.push_back(argument(command.arguments[i], kinds[i]));
+  return data;
+}
+
+// --- answers
+
+constexpr std::pair<gl::EntryPoint, gl::EntryPoint> kAsDouble[] = {
+    {gl::EntryPoint::GetMapfv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetMapdv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetMapiv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetnMapfv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetnMapdv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetnMapiv, gl::EntryPoint::GetMapdv},
+    {gl::EntryPoint::GetFloatv, gl::EntryPoint::GetDoublev},
+    {gl::EntryPoint::GetDoublev, gl::EntryPoint::GetDoublev},
+    {gl::EntryPoint::GetIntegerv, gl::EntryPoint::GetDoublev},
+    {gl::EntryPoint::GetBooleanv, gl::EntryPoint::GetDoublev}};
+
+// More values than any query here answers.
+constexpr std::size_t kRoom = 4 * kMaxEvalOrder * kMaxEvalOrder;
+
+// The same commands with each query asking for doubles, which are exact.
+gl::Case with_exact_queries(const gl::Case& script) {
+  gl::Case exact;
+  for (const gl::Command& command : script.commands()) {
+    const auto* found =
+        std::ranges::find(kAsDouble, command.entry, &std::pair<gl::EntryPoint, gl::EntryPoint>::first);
+    if (found == std::end(kAsDouble)) {
+      exact.add(command);
+      continue;
+    }
+    // The size that GetnMap is given goes, all that is left of the arguments are the names.
+    gl::Command query{found->second, {command.arguments[0]}};
+    if (query.entry == gl::EntryPoint::GetMapdv) query.arguments.push_back(command.arguments[1]);
+    query.arguments.push_back(gl::Output{Scalar::f64, kRoom});
+    exact.add(std::move(query));
+  }
+  return exact;
+}
+
+Json accepted_integers(double exact) {
+  using Limits = std::numeric_limits<GLint>;
+  const double low = std::ceil(exact - 0.5), high = std::floor(exact + 0.5);  // differ for halves only
+  Json values = Json::array();
+  for (const double value : {low, high}) {
+    const auto saturated = static_cast<GLint>(std::clamp<double>(value, Limits::min(), Limits::max()));
+    if (values.empty() || values.back() != saturated) values.push_back(saturated);
+  }
+  return values;
+}
+
+// What a float or double may say of it: itself, or where no float holds it, either of those beside it.
+Json accepted_reals(double exact, bool as_double) {
+  const auto interval = accepted(Rational(exact), 0);
+  if (interval) return Json::array({hexadecimal(exact == 0 ? exact : interval->low)});
+  if (std::abs(exact) > std::numeric_limits<float>::max())
+    throw std::logic_error("an answer beyond binary32");
+  const float nearest = reference::round_to_float(Rational(exact));
+  const float other = std::nextafter(nearest, nearest < exact ? std::numeric_limits<float>::infinity()
+                                                              : -std::numeric_limits<float>::infinity());
+  Values values{std::min(nearest, other), std::max(nearest, other)};
+  if (as_double) values.insert(values.begin() + 1, exact);
+  return hexadecimals(values);
+}
+
+bool is_normalized(const gl::Command& command) {
+  const auto* name = std::get_if<std::int64_t>(&command.arguments.front());
+  return command.entry == gl::EntryPoint::GetIntegerv && name &&
+         (*name == GL_CURRENT_COLOR || *name == GL_CURRENT_NORMAL);
+}
+
+Json answers(const gl::Command& command, const std::vector<double>& exact) {
+  if (is_normalized(command))
+    throw std::logic_error("colours and normals as integers are not in the vectors");
+  const Scalar type = std::get<gl::Output>(command.arguments.back()).type;
+  Json values = Json::array();
+  for (const double value : exact) {
+    if (type == Scalar::u8)
+      values.push_back(Json::array({value == 0 ? 0 : 1}));
+    else if (type == Scalar::i32)
+      values.push_back(accepted_integers(value));
+    else
+      values.push_back(accepted_reals(value, type == Scalar::f64));
+  }
+  return values;
+}
+
+// --- vertices
+
+Json component(const reference::Component& value) {
+  if (const float* plain = std::get_if<float>(&value)) return hexadecimal(*plain);
+  return entry_of(std::get<reference::Sample>(value));
+}
+
+template <std::size_t kCount>
+Json components(const std::array<reference::Component, kCount>& values) {
+  Json list = Json::array();
+  for (const reference::Component& value : values) list.push_back(component(value));
+  return list;
+}
+
+Json vertex_as_json(const reference::Vertex& vertex, const Shown& shown) {
+  Json data = {{"position", components(vertex.position)}};
+  if (shown.color) data["color"] = components(vertex.color);
+  if (shown.normal) {
+    if (const auto* automatic = std::get_if<reference::AutomaticNormal>(&vertex.normal))
+      data["automatic_normal"] = entry_of(*automatic);
+    else
+      data["normal"] = components(std::get<0>(vertex.normal));
+  }
+  if (shown.texture_units == 0) return data;
+  Json units = Json::array();
+  for (int unit = 0; unit < shown.texture_units; ++unit)
+    units.push_back(components(vertex.texture_coordinate[static_cast<std::size_t>(unit)]));
+  data["texture_coordinates"] = std::move(units);
+  return data;
+}
+
+Json emitted(const reference::Primitive& primitive, const Shown& shown) {
+  Json vertices = Json::array();
+  for (const reference::Vertex& vertex : primitive.vertices)
+    vertices.push_back(vertex_as_json(vertex, shown));
+  return {{"mode", gl::primitive_name(primitive.mode)}, {"vertices", std::move(vertices)}};
+}
+
+bool may_emit(const gl::Command& command) {
+  const std::string name = name_of(command);
+  return name == "End" || name.starts_with("EvalMesh") || name.starts_with("CallList");
+}
+
+bool returns_a_flag(const gl::Command& command) { return name_of(command).starts_with("Is"); }
+bool writes(const gl::Command& command) {
+  return !command.arguments.empty() && std::holds_alternative<gl::Output>(command.arguments.back());
+}
+
+}  // namespace
+
+Json sequence(const gl::Case& script, const Shown& shown) {
+  const Specified specified = specify(script, kMaxEvalOrder);
+  const gl::Trace exact = specify(with_exact_queries(script), kMaxEvalOrder).answers;
+  if (!script.commands().empty() && specified.inside.back()) throw std::logic_error("a primitive stays open");
+
+  Json steps = Json::array();
+  std::vector<GLenum> pending;  // what was raised since Begin
+  std::size_t completed = 0;
+  for (std::size_t i = 0; i < script.commands().size(); ++i) {
+    const gl::Command& command = script.commands()[i];
+    const gl::Ref ref{static_cast<int>(i)};
+    Json step = {{"call", call(command)}};
+    for (const GLenum error : specified.errors[i])
+      if (std::ranges::find(pending, error) == pending.end()) pending.push_back(error);
+    if (!specified.inside[i]) {
+      Json errors = Json::array();
+      for (const GLenum error : pending) errors.push_back(gl::error_name(error));
+      step["errors"] = std::move(errors);
+      pending.clear();
+    }
+    const bool is_refused = !specified.errors[i].empty();
+    if (writes(command))
+      step["answers"] = is_refused ? Json::array() : answers(command, [&] {
+        std::vector<double> values = exact.values<double>(ref);
+        values.resize(exact.written(ref));
+        return values;
+      }());
+    else if (returns_a_flag(command))
+      step["answers"] = Json::array({Json::array({specified.answers.result(ref)})});
+    if (may_emit(command)) {
+      Json emits = Json::array();
+      for (; completed < specified.completed[i]; ++completed)
+        if (const auto& primitive = specified.prediction.primitives[completed]; !primitive.vertices.empty())
+          emits.push_back(emitted(primitive, shown));
+      step["emits"] = std::move(emits);
+    }
+    steps.push_back(std::move(step));
+  }
+  return {{"steps", std::move(steps)}};
+}
+
+void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int stride, int order,
+          const Values& points) {
+  if (type == Type::real)
+    c.Map1d(target, u1, u2, stride, order, points);
+  else
+    c.Map1f(target, u1, u2, stride, order, std::vector<GLfloat>(points.begin(), points.end()));
+}
+
+void map2(gl::Case& c, Type type, GLenum target, double u1, double u2, int ustride, int uorder, double v1,
+          double v2, int vstride, int vorder, const Values& points) {
+  if (type == Type::real)
+    c.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  else
+    c.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,
+            std::vector<GLfloat>(points.begin(), points.end()));
+}
+
+void grid1(gl::Case& c, Type type, int segments, double u1, double u2) {
+  if (type == Type::real)
+    c.MapGrid1d(segments, u1, u2);
+  else
+    c.MapGrid1f(segments, u1, u2);
+}
+
+void grid2(gl::Case& c, Type type, int usegments, double u1, double u2, int vsegments, double v1, double v2) {
+  if (type == Type::real)
+    c.MapGrid2d(usegments, u1, u2, vsegments, v1, v2);
+  else
+    c.MapGrid2f(usegments, u1, u2, vsegments, v1, v2);
+}
+
+void define(gl::Case& c, Type type, const Map& map) {
+  const int k = map.components();
+  if (map.is_two_dimensional())
+    map2(c, type, map.target, map.u.first, map.u.last, k * map.v.order, map.u.order, map.v.first, map.v.last,
+         k, map.v.order, map.points);
+  else
+    map1(c, type, map.target, map.u.first, map.u.last, k, map.u.order, map.points);
+}
+
+void query_all(gl::Case& c, GLenum target, int values) {
+  const std::size_t dimensions = reference::is_map2_target(target) ? 2 : 1;
+  c.GetMapiv(target, GL_ORDER, gl::out<GLint>(dimensions));
+  c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2 * dimensions));
+  c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(static_cast<std::size_t>(values)));
+}
+
+Values numbered(int count, int first) {
+  Values values;
+  for (int i = 0; i < count; ++i) values.push_back(first + i);
+  return values;
+}
+
+}  // namespace evalcts::vectors
