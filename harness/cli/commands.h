@@ -81,6 +81,7 @@ int reproduce(const ReproduceOptions& options);
 int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
 int write_vectors(const VectorsOptions& options);
+int lint_vectors(const VectorsOptions& options);
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.

@@ -150,6 +150,9 @@ int main(int argc, char** argv) {
       vectors_command->add_subcommand("write", "make them all anew, byte for byte as they are shipped");
   write_command->add_option("--output", vectors_options.output,
                             "folder to write into (default: the shipped one)");
+  CLI::App* lint_command = vectors_command->add_subcommand(
+      "lint", "look over files of vectors: structure, ids, requirements, flags");
+  lint_command->add_option("file", vectors_options.files, "the files (default: those that are shipped)");
 
   try {
     app.parse(argc, argv);
@@ -164,6 +167,7 @@ int main(int argc, char** argv) {
     if (*faults_command) return faults(faults_options);
     if (*fuzz_command) return fuzz(fuzz_options);
     if (*write_command) return write_vectors(vectors_options);
+    if (*lint_command) return lint_vectors(vectors_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

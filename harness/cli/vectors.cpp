@@ -1,14 +1,34 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <iostream>
+#include <sstream>
 
+#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "vectors/lint/lint.h"
 #include "vectors/write/write.h"
 
 namespace evalcts::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// What the shipped files hold together, at the least.
+constexpr std::size_t kFewestCases = 5000;
+
+// Throws vectors::Malformed.
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  if (!stream || fs::is_directory(file) || !(content << stream.rdbuf()))
+    throw vectors::Malformed("cannot be read");
+  return content.str();
+}
+
+}  // namespace
 
 int write_vectors(const VectorsOptions& options) {
   const fs::path folder = options.output.empty() ? places().vectors : fs::path(options.output);
@@ -34,6 +54,49 @@ int write_vectors(const VectorsOptions& options) {
   std::cout << fmt::format("{:<12} {:>5} cases {:>9} bytes\nWritten into {}\n", "all", cases, bytes,
                            folder.string());
   return kNothingUnexpected;
+}
+
+int lint_vectors(const VectorsOptions& options) {
+  const bool shipped = options.files.empty();
+  std::vector<fs::path> files(options.files.begin(), options.files.end());
+  if (shipped)
+    for (const std::string& kind : vectors::kinds()) files.push_back(places().vectors / (kind + ".json"));
+
+  std::set<std::string> requirements;
+  for (const auto& row : catalogue()["requirements"]) requirements.insert(row["id"]);
+  nlohmann::json schema;
+  const fs::path schema_file = places().vectors / "schema/vectors-1.schema.json";
+  const bool by_schema = vectors::has_schema_validator() && fs::exists(schema_file);
+  if (by_schema) schema = nlohmann::json::parse(content_of(schema_file));
+
+  int code = kNothingUnexpected;
+  std::size_t cases = 0;
+  for (const fs::path& file : files) {
+    try {
+      const std::string content = content_of(file);
+      const vectors::Report report = vectors::lint(content, requirements);
+      if (by_schema)
+        if (const auto complaints = vectors::complaints_by_schema(nlohmann::json::parse(content), schema);
+            !complaints.empty())
+          throw vectors::Malformed("by the schema: " + complaints);
+      std::cout << fmt::format("{}: {}, {} cases, {} flags\n", file.filename().string(), report.kind,
+                               report.cases, report.flags);
+      for (const std::string& finding : report.findings)
+        std::cout << fmt::format("{}: {}\n", file.string(), finding);
+      if (!report.findings.empty()) code = std::max(code, kUnexpected);
+      cases += report.cases;
+    } catch (const vectors::Malformed& problem) {
+      std::cerr << fmt::format("evalcts: {}: {}\n", file.string(), problem.what());
+      code = kWrongUse;
+    }
+  }
+  std::cout << fmt::format("{} cases; structure looked at by hand{}\n", cases,
+                           by_schema ? " and by the schema" : ", not by the schema (built without valijson)");
+  if (shipped && code == kNothingUnexpected && cases < kFewestCases) {
+    std::cout << fmt::format("fewer than the {} cases that there should be\n", kFewestCases);
+    code = kUnexpected;
+  }
+  return code;
 }
 
 }  // namespace evalcts::cli

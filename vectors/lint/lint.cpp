@@ -1,0 +1,44 @@
+#include "vectors/lint/lint.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace evalcts::vectors {
+
+using nlohmann::json;
+
+Report lint(const std::string& text, const std::set<std::string>& requirements) {
+  json file;
+  try {
+    file = json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw Malformed(fmt::format("no JSON: {}", error.what()));
+  }
+  check_structure(file);
+
+  Report report{file["kind"], file["cases"].size(), file["notes"].size(), {}};
+  const auto find = [&](const std::string& id, const std::string& what) {
+    report.findings.push_back(fmt::format("{}: {}", id, what));
+  };
+  std::set<std::string> ids;
+  std::map<std::string, std::size_t> uses;
+  for (const json& entry : file["cases"]) {
+    const std::string id = entry["id"];
+    if (!ids.insert(id).second) find(id, "the id stands twice");
+    if (!id.starts_with(report.kind + "."))
+      find(id, fmt::format("an id of another kind than {}", report.kind));
+    for (const std::string requirement : entry["requirements"])
+      if (!requirements.contains(requirement))
+        find(id, fmt::format("no requirement is called {}", requirement));
+    for (const std::string flag : entry["flags"]) {
+      ++uses[flag];
+      if (!file["notes"].contains(flag)) find(id, fmt::format("the flag '{}' has no note", flag));
+    }
+  }
+  for (const auto& note : file["notes"].items())
+    if (!uses.contains(note.key())) find("notes", fmt::format("no case has the flag '{}'", note.key()));
+  return report;
+}
+
+}  // namespace evalcts::vectors

@@ -1,0 +1,35 @@
+// Looks after files of vectors: whether they are what INTERPRETING.md says, and agree with themselves.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace evalcts::vectors {
+
+// A file that is no file of vectors: no JSON, or not of the structure. Says where and what.
+struct Malformed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The members, their types and the forms of numbers, the counts that follow from targets and orders, the
+// order of steps: what schema/vectors-1.schema.json says and some that a schema cannot say. Throws Malformed.
+void check_structure(const nlohmann::json& file);
+
+// The same by the schema alone, if the build has valijson: the complaints, or nothing.
+bool has_schema_validator();
+std::string complaints_by_schema(const nlohmann::json& file, const nlohmann::json& schema);
+
+struct Report {
+  std::string kind;
+  std::size_t cases = 0, flags = 0;
+  std::vector<std::string> findings;  // in words, with the id of the case
+};
+
+// Ids that stand twice, requirements that do not exist, flags without a note, notes without a flag. Throws
+// Malformed as check_structure does, and for text that is no JSON.
+Report lint(const std::string& text, const std::set<std::string>& requirements);
+
+}  // namespace evalcts::vectors

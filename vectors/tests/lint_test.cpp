@@ -1,0 +1,157 @@
+// What is wrong with a file is found, and said with the case it is in.
+#include "vectors/lint/lint.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+#include "vectors/write/write.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using nlohmann::json;
+
+const std::set<std::string>& requirements() {
+  static const std::set<std::string> ids = [] {
+    std::ifstream stream(REQUIREMENTS_FILE);
+    const json catalogue = json::parse(stream);
+    std::set<std::string> all;
+    for (const json& row : catalogue["requirements"]) all.insert(row["id"]);
+    return all;
+  }();
+  return ids;
+}
+
+// The first cases of a shipped file, and the flags that they use.
+json first_cases(const std::string& kind) {
+  std::ifstream stream(std::string(VECTORS_FOLDER) + "/" + kind + ".json");
+  json file = json::parse(stream), few = json::array(), notes = json::object();
+  for (int i = 0; i < 3; ++i) {
+    few.push_back(file["cases"][i]);
+    for (const std::string flag : few.back()["flags"]) notes[flag] = file["notes"][flag];
+  }
+  file["cases"] = few;
+  file["notes"] = notes;
+  return file;
+}
+
+const json& sample(const std::string& kind) {
+  static std::map<std::string, json> samples;
+  const auto found = samples.find(kind);
+  return found != samples.end() ? found->second : samples.emplace(kind, first_cases(kind)).first->second;
+}
+
+// What is found, or what is malformed.
+std::string complaint(const json& file) {
+  try {
+    const Report report = lint(file.dump(), requirements());
+    return report.findings.empty() ? "" : report.findings.front();
+  } catch (const Malformed& problem) {
+    return std::string("malformed: ") + problem.what();
+  }
+}
+
+std::string changed(const std::string& kind, const char* place, const json& value) {
+  json file = sample(kind);
+  file[json::json_pointer(place)] = value;
+  return complaint(file);
+}
+std::string without(const std::string& kind, const char* place, const char* member) {
+  json file = sample(kind);
+  file[json::json_pointer(place)].erase(member);
+  return complaint(file);
+}
+
+TEST(Lint, SamplesAreWell) {
+  for (const std::string& kind : kinds()) EXPECT_EQ(complaint(sample(kind)), "") << kind;
+}
+
+TEST(Lint, FindsWhatDoesNotHoldTogether) {
+  json file = sample("grid");
+  file["cases"].push_back(file["cases"][0]);
+  EXPECT_EQ(complaint(file), "grid.inside.1: the id stands twice");
+  EXPECT_EQ(changed("grid", "/cases/0/id", "map1_eval.inside.1"),
+            "map1_eval.inside.1: an id of another kind than grid");
+  EXPECT_EQ(changed("grid", "/cases/1/requirements/0", "EV-NONE"),
+            "grid.inside.2: no requirement is called EV-NONE");
+  EXPECT_EQ(changed("grid", "/cases/1/flags/0", "other"), "grid.inside.2: the flag 'other' has no note");
+  EXPECT_EQ(changed("grid", "/notes/unused", "Words."), "notes: no case has the flag 'unused'");
+}
+
+TEST(Lint, SaysWhatIsMalformed) {
+  EXPECT_EQ(complaint("text"), "malformed: file: no object with a 'kind'");
+  EXPECT_EQ(changed("grid", "/kind", "grids"), "malformed: kind: \"grids\" is no kind of vectors");
+  EXPECT_EQ(changed("grid", "/format", "evalcts-vectors-2"),
+            "malformed: file/format: \"evalcts-vectors-2\" is none of the names that belong here");
+  EXPECT_EQ(changed("grid", "/more", 1), "malformed: file: 'more' has no place here");
+  EXPECT_EQ(without("map1_eval", "/cases/1", "u"), "malformed: map1_eval.ordinary.2: there is no 'u'");
+  EXPECT_EQ(without("map1_eval", "/cases/1", "id"), "malformed: case 2: there is no 'id'");
+  EXPECT_EQ(changed("map1_eval", "/cases/1/v", "0x0p+0"),
+            "malformed: map1_eval.ordinary.2: 'v' has no place here");
+  EXPECT_EQ(changed("grid", "/cases/0/u/index", 0.5),
+            "malformed: grid.inside.1/u/index: 0.5 is no integer from -2147483648 to 2147483647");
+  EXPECT_EQ(
+      changed("map1_eval", "/cases/0/map/target", "GL_MAP2_VERTEX_3"),
+      "malformed: map1_eval.ordinary.1/map/target: \"GL_MAP2_VERTEX_3\" is no target of this dimension");
+  try {
+    lint("{\"kind\": ", requirements());
+    ADD_FAILURE();
+  } catch (const Malformed& problem) {
+    EXPECT_TRUE(std::string(problem.what()).starts_with("no JSON: ")) << problem.what();
+  }
+}
+
+TEST(Lint, KnowsTheFormsOfNumbers) {
+  for (const char* number : {"0x0p+0", "-0x0p+0", "0x1p+0", "-0x1.8p-3", "0x1.fffffep+127", "0x1p-1074"})
+    EXPECT_EQ(changed("map1_eval", "/cases/0/u", number), "") << number;
+  for (const json& number :
+       {json("0.5"), json(0.5), json("0x1.p+0"), json("0x1.80p+0"), json("0x1p0"), json("0x1p-0"),
+        json("0x1p+01"), json("0x2p+1"), json("0X1p+1"), json("inf"), json("nan"), json(""), json("0x1.Ap+0"),
+        json("0x0p+1"), json("+0x1p+0"), json(nullptr)})
+    EXPECT_NE(changed("map1_eval", "/cases/0/u", number), "") << number;
+  for (const char* fraction : {"0/1", "-3/8", "2/1"})
+    EXPECT_EQ(changed("map1_eval", "/cases/0/components/0/exact", fraction), "") << fraction;
+  for (const char* fraction :
+       {"0/2", "-0/1", "3", "3/-8", "03/8", "3/08", "3/0", "/8", "3/", "0x3/8", "1.5/2"})
+    EXPECT_NE(changed("map1_eval", "/cases/0/components/0/exact", fraction), "") << fraction;
+  EXPECT_EQ(changed("map1_eval", "/cases/0/components/0/float", "-inf"), "");
+  EXPECT_NE(changed("map1_eval", "/cases/0/components/0/float", "nan"), "");
+}
+
+TEST(Lint, CountsWithTheTargets) {
+  json file = sample("map1_eval");
+  file["cases"][0]["components"].erase(0);
+  EXPECT_EQ(complaint(file), "malformed: map1_eval.ordinary.1: 'components' has 3 entries for 4 components");
+  file = sample("map1_eval");
+  file["cases"][0]["map"]["points"][0].erase(0);
+  EXPECT_EQ(complaint(file), "malformed: map1_eval.ordinary.1/map/points/0: 3 entries, 4 are right");
+  file = sample("map2_eval");
+  file["cases"][2]["map"]["domain"].erase(0);
+  EXPECT_NE(complaint(file), "");
+  file = sample("map1_eval");
+  file["cases"][0]["quotients"] = json::array();
+  EXPECT_NE(complaint(file), "");
+}
+
+TEST(Lint, LooksIntoSequences) {
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/errors", json::array({"GL_NO_ERROR"})), "");
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/call", json::array()), "");
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/call/0", "glMap1f"), "");
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/call/1", "MAP1_INDEX"), "");
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/call/6", {{"f16", json::array()}}), "");
+  EXPECT_NE(changed("errors", "/cases/0/steps/0/answer", json::array()), "");
+  EXPECT_NE(changed("state", "/cases/0/steps/0/answers", json::array({json::array()})), "");
+  EXPECT_NE(changed("state", "/cases/0/steps/0/emits", json::array({{{"mode", "GL_POINTS"}}})), "");
+}
+
+TEST(Lint, LooksIntoNormals) {
+  EXPECT_NE(changed("auto_normal", "/cases/0/m", nullptr), "");
+  EXPECT_NE(changed("auto_normal", "/cases/0/normal/0/enclosure", json::array({"0/1"})), "");
+  EXPECT_NE(changed("auto_normal", "/cases/0/accept", json::array()), "");
+  EXPECT_NE(changed("auto_normal", "/cases/0/derivatives/u", json::array({"0/1", "0/1", "0/1", "0/1"})), "");
+}
+
+}  // namespace
+}  // namespace evalcts::vectors

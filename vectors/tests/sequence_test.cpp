@@ -1,0 +1,101 @@
+// Sequences of commands as data.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "vectors/write/sequences.h"
+
+namespace evalcts::vectors {
+namespace {
+
+Json steps(const gl::Case& c, const Shown& shown = {}) { return sequence(c, shown)["steps"]; }
+
+TEST(Sequence, NamesCommandsAndArguments) {
+  gl::Case c;
+  c.Map1f(GL_MAP1_INDEX, 0, 0.5f, 1, 2, std::vector<GLfloat>{-0.0f, 3});
+  c.PushAttrib(GL_EVAL_BIT | GL_CURRENT_BIT);
+  c.PopAttrib();
+  c.Begin(GL_POINTS);
+  c.End();
+  const Json all = steps(c);
+  EXPECT_EQ(
+      all[0].dump(),
+      R"({"call":["Map1f","GL_MAP1_INDEX","0x0p+0","0x1p-1",1,2,{"f32":["-0x0p+0","0x1.8p+1"]}],"errors":[]})");
+  EXPECT_EQ(all[1].dump(), R"({"call":["PushAttrib","GL_CURRENT_BIT|GL_EVAL_BIT"],"errors":[]})");
+  EXPECT_EQ(all[3].dump(), R"({"call":["Begin","GL_POINTS"]})");
+  EXPECT_EQ(all[4].dump(), R"({"call":["End"],"errors":[],"emits":[]})");
+}
+
+TEST(Sequence, GivesErrorsBetweenBeginAndEndToTheEnd) {
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  c.MapGrid1f(0, 0, 1);
+  c.Enable(GL_TEXTURE_2D + 7);
+  c.End();
+  c.MapGrid1f(0, 0, 1);
+  const Json all = steps(c);
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(all[i].contains("errors"));
+  EXPECT_EQ(all[3]["errors"], Json({"GL_INVALID_OPERATION", "GL_INVALID_VALUE", "GL_INVALID_ENUM"}));
+  EXPECT_EQ(all[4]["errors"], Json::array({"GL_INVALID_VALUE"}));
+}
+
+Json answer(const Values& points, int form) {
+  gl::Case c;
+  c.Map1d(GL_MAP1_INDEX, 0, 1, 1, static_cast<int>(points.size()), points);
+  if (form == 0) c.GetMapfv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLfloat>(9));
+  if (form == 1) c.GetMapdv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLdouble>(9));
+  if (form == 2) c.GetMapiv(GL_MAP1_INDEX, GL_COEFF, gl::out<GLint>(9));
+  return steps(c)[1]["answers"];
+}
+
+TEST(Sequence, AcceptsEitherIntegerForAHalf) {
+  EXPECT_EQ(answer({0.5, -0.5, 2.5, 1.25, -7.75}, 2).dump(), "[[0,1],[-1,0],[2,3],[1],[-8]]");
+  EXPECT_EQ(answer({1e20, -1e20, 0x1p31 - 0.5, 2147483647}, 2).dump(),
+            "[[2147483647],[-2147483648],[2147483647],[2147483647]]");
+}
+
+TEST(Sequence, AcceptsBothFloatsBesideADouble) {
+  EXPECT_EQ(answer({0.5, -0.0, 0.1}, 0).dump(),
+            R"([["0x1p-1"],["-0x0p+0"],["0x1.999998p-4","0x1.99999ap-4"]])");
+  EXPECT_EQ(answer({0.5, 0.1}, 1).dump(),
+            R"([["0x1p-1"],["0x1.999998p-4","0x1.999999999999ap-4","0x1.99999ap-4"]])");
+  EXPECT_THROW(answer({1e300}, 0), std::logic_error);
+}
+
+TEST(Sequence, AnswersNothingWhereTheQueryIsRefused) {
+  gl::Case c;
+  c.GetMapfv(GL_TEXTURE_2D, GL_COEFF, gl::out<GLfloat>(4));
+  c.IsEnabled(GL_MAP1_INDEX);
+  const Json all = steps(c);
+  EXPECT_EQ(all[0]["answers"], Json::array());
+  EXPECT_EQ(all[1]["answers"], Json::array({Json::array({0})}));
+}
+
+TEST(Sequence, EmitsWhatIsCompleted) {
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<GLfloat>{0, 0, 0, 1, 2, 3});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_LINES);
+  c.EvalCoord1f(0.5f);
+  c.Vertex2f(4, 5);
+  c.End();
+  c.EvalMesh1(GL_POINT, 1, 0);
+  const Json all = steps(c, {.color = true});
+  const Json vertices = all[5]["emits"][0]["vertices"];
+  EXPECT_EQ(all[5]["emits"][0]["mode"], "GL_LINES");
+  EXPECT_EQ(vertices[0]["position"][1]["exact"], "1/1");
+  EXPECT_EQ(vertices[0]["position"][3], "0x1p+0");
+  EXPECT_EQ(vertices[1]["position"], Json({"0x1p+2", "0x1.4p+2", "0x0p+0", "0x1p+0"}));
+  EXPECT_EQ(vertices[1]["color"], Json({"0x1p+0", "0x1p+0", "0x1p+0", "0x1p+0"}));
+  EXPECT_FALSE(vertices[0].contains("normal"));
+  EXPECT_EQ(all[6]["emits"], Json::array());
+}
+
+TEST(Sequence, RefusesWhatStaysOpen) {
+  gl::Case c;
+  c.Begin(GL_POINTS);
+  EXPECT_THROW(sequence(c), std::logic_error);
+}
+
+}  // namespace
+}  // namespace evalcts::vectors

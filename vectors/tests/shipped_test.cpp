@@ -1,0 +1,96 @@
+// The files that are shipped are what the writer makes.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "vectors/lint/lint.h"
+#include "vectors/write/write.h"
+
+namespace evalcts::vectors {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
+}
+
+class Shipped : public testing::TestWithParam<std::string> {};
+
+TEST_P(Shipped, IsWhatIsWritten) {
+  const std::string shipped = content_of(fs::path(VECTORS_FOLDER) / (GetParam() + ".json"));
+  const std::string written = text_of(GetParam());
+  // Not EXPECT_EQ, which would print megabytes.
+  if (shipped == written) return;
+  const auto [a, b] = std::mismatch(shipped.begin(), shipped.end(), written.begin(), written.end());
+  const auto line = 1 + std::count(shipped.begin(), a, '\n');
+  ADD_FAILURE() << "line " << line << " differs; 'evalcts vectors write' makes the files anew";
+}
+
+TEST_P(Shipped, FollowsTheSchema) {
+  if (!has_schema_validator()) GTEST_SKIP() << "built without valijson";
+  const auto file = nlohmann::json::parse(content_of(fs::path(VECTORS_FOLDER) / (GetParam() + ".json")));
+  const auto schema =
+      nlohmann::json::parse(content_of(fs::path(VECTORS_FOLDER) / "schema/vectors-1.schema.json"));
+  EXPECT_EQ(complaints_by_schema(file, schema), "");
+  auto spoiled = file;
+  spoiled["cases"][0]["more"] = 1;
+  EXPECT_NE(complaints_by_schema(spoiled, schema), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Shipped, testing::ValuesIn(kinds()),
+                         [](const auto& kind) { return kind.param; });
+
+// --- the command line
+
+int run(const std::string& arguments) {
+  const int status =
+      std::system((std::string(EVALCTS_PROGRAM) + " vectors " + arguments + " > /dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class VectorsCommand : public testing::Test {
+ protected:
+  VectorsCommand() { fs::create_directories(folder_); }
+  ~VectorsCommand() override { fs::remove_all(folder_); }
+  void put(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name) << content;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("evalcts-vectors-" + std::to_string(getpid()));
+};
+
+TEST_F(VectorsCommand, RefusesWhatItCannotReadOrWrite) {
+  EXPECT_EQ(run(""), 2);
+  EXPECT_EQ(run("write --output /proc/nowhere"), 2);
+  EXPECT_EQ(run("lint " + (folder_ / "missing.json").string()), 2);
+  EXPECT_EQ(run("lint " + folder_.string()), 2);
+  put("text.json", "no JSON");
+  EXPECT_EQ(run("lint " + (folder_ / "text.json").string()), 2);
+  if (fs::exists("/dev/full")) {
+    fs::create_symlink("/dev/full", folder_ / "map1_eval.json.new");
+    EXPECT_EQ(run("write --output " + folder_.string()), 2);
+  }
+}
+
+TEST_F(VectorsCommand, FindsWhatIsWrong) {
+  auto file = nlohmann::json::parse(content_of(fs::path(VECTORS_FOLDER) / "grid.json"));
+  put("grid.json", file.dump());
+  EXPECT_EQ(run("lint " + (folder_ / "grid.json").string()), 0);
+  file["cases"][0]["requirements"][0] = "EV-NONE";
+  put("grid.json", file.dump());
+  EXPECT_EQ(run("lint " + (folder_ / "grid.json").string()), 1);
+}
+
+}  // namespace
+}  // namespace evalcts::vectors
