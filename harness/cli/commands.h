@@ -68,6 +68,7 @@ struct FuzzOptions {
 struct VectorsOptions {
   std::string output;              // folder to write into; empty: the usual one
   std::vector<std::string> files;  // to look at; empty: those that are shipped
+  std::vector<std::string> kinds;  // that are asked in a pipe; empty: all of them
 };
 
 int run(const RunOptions& options);
@@ -82,6 +83,8 @@ int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
 int write_vectors(const VectorsOptions& options);
 int lint_vectors(const VectorsOptions& options);
+int emit_vectors(const VectorsOptions& options);
+int check_vectors(const VectorsOptions& options);
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.

@@ -153,6 +153,12 @@ int main(int argc, char** argv) {
   CLI::App* lint_command = vectors_command->add_subcommand(
       "lint", "look over files of vectors: structure, ids, requirements, flags");
   lint_command->add_option("file", vectors_options.files, "the files (default: those that are shipped)");
+  CLI::App* emit_command = vectors_command->add_subcommand(
+      "emit", "as lines of text, to be answered: emit | PROGRAM | evalcts vectors check");
+  CLI::App* check_command = vectors_command->add_subcommand("check", "judge the answers on standard input");
+  for (CLI::App* command : {emit_command, check_command})
+    command->add_option("--kind", vectors_options.kinds, "only these (the same for emit and check)")
+        ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
 
   try {
     app.parse(argc, argv);
@@ -168,6 +174,8 @@ int main(int argc, char** argv) {
     if (*fuzz_command) return fuzz(fuzz_options);
     if (*write_command) return write_vectors(vectors_options);
     if (*lint_command) return lint_vectors(vectors_options);
+    if (*emit_command) return emit_vectors(vectors_options);
+    if (*check_command) return check_vectors(vectors_options);
     return explain(name);
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "harness/cli/commands.h"
+#include "vectors/lint/lint.h"
+#include "vectors/pipe/pipe.h"
+#include "vectors/write/write.h"
+
+namespace evalcts::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostShown = 20;
+
+// The files of the kinds that were asked for, or of all that can be asked in a pipe. Throws
+// vectors::Malformed.
+std::vector<nlohmann::json> files_of(const VectorsOptions& options) {
+  std::vector<nlohmann::json> files;
+  const std::vector<std::string> all = {"map1_eval", "map2_eval", "grid", "auto_normal"};
+  for (const std::string& kind : options.kinds.empty() ? all : options.kinds) {
+    const fs::path path = places().vectors / (kind + ".json");
+    try {
+      std::ifstream stream(path);
+      if (!stream) throw vectors::Malformed("cannot be read");
+      nlohmann::json file = nlohmann::json::parse(stream, nullptr, false);
+      if (file.is_discarded()) throw vectors::Malformed("is no JSON");
+      vectors::check_structure(file);
+      files.push_back(std::move(file));
+    } catch (const vectors::Malformed& problem) {
+      throw vectors::Malformed(fmt::format("{}: {}", path.string(), problem.what()));
+    }
+  }
+  return files;
+}
+
+template <typename Range, typename Print>
+void show_some(const Range& entries, Print print) {
+  std::size_t shown = 0;
+  for (const auto& entry : entries) {
+    if (++shown > kMostShown) {
+      std::cout << fmt::format("  ... and {} more\n", entries.size() - kMostShown);
+      return;
+    }
+    print(entry);
+  }
+}
+
+void print(const vectors::Score& score) {
+  const std::size_t answered = score.cases - score.skipped - score.missing.size();
+  std::cout << fmt::format("{}: {} cases, {} answered, {} skipped, {} missing, {} wrong", score.kind,
+                           score.cases, answered, score.skipped, score.missing.size(), score.wrong.size());
+  if (score.values > 0) {
+    std::cout << fmt::format("; {} of {} values correctly rounded, largest error {:.3g} ULP",
+                             score.correctly_rounded, score.values, score.largest_ulp);
+    if (!score.largest_id.empty()) std::cout << fmt::format(" ({})", score.largest_id);
+  }
+  std::cout << '\n';
+  for (const auto& [flag, count] : score.by_flag)
+    if (count.wrong > 0)
+      std::cout << fmt::format("  {}: {} of {} wrong\n", flag, count.wrong, count.answered);
+  show_some(score.wrong, [](const vectors::Wrong& wrong) {
+    std::cout << fmt::format("  wrong: {}: {}\n", wrong.id, wrong.message);
+  });
+  show_some(score.missing, [](const std::string& id) { std::cout << fmt::format("  missing: {}\n", id); });
+}
+
+}  // namespace
+
+int emit_vectors(const VectorsOptions& options) {
+  try {
+    for (const nlohmann::json& file : files_of(options)) std::cout << vectors::emit(file);
+  } catch (const vectors::Malformed& problem) {
+    std::cerr << fmt::format("evalcts: {}\n", problem.what());
+    return kWrongUse;
+  }
+  std::cout.flush();
+  if (std::cout) return kNothingUnexpected;
+  std::cerr << "evalcts: the reader of the pipe has gone before the end\n";
+  return kWrongUse;
+}
+
+int check_vectors(const VectorsOptions& options) {
+  int code = kNothingUnexpected;
+  try {
+    const std::vector<nlohmann::json> files = files_of(options);
+    vectors::Answers answers = vectors::read_answers(std::cin);
+    for (const nlohmann::json& file : files) {
+      const vectors::Score score = vectors::judge(file, answers);
+      print(score);
+      if (!score.wrong.empty() || !score.missing.empty()) code = std::max(code, kUnexpected);
+    }
+    show_some(answers.answered_twice,
+              [](const std::string& id) { std::cout << fmt::format("answered twice: {}\n", id); });
+    if (!answers.answered_twice.empty()) code = std::max(code, kUnexpected);
+    show_some(answers.of,
+              [](const auto& answer) { std::cout << fmt::format("unknown id: {}\n", answer.first); });
+    show_some(answers.malformed, [](const std::string& words) { std::cout << words << '\n'; });
+    if (!answers.of.empty() || !answers.malformed.empty()) {
+      std::cerr << "evalcts: some lines are no answers; what to answer is in vectors/INTERPRETING.md\n";
+      code = std::max(code, kWrongUse);
+    }
+  } catch (const vectors::Malformed& problem) {
+    std::cerr << fmt::format("evalcts: {}\n", problem.what());
+    return kWrongUse;
+  }
+  return code;
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,1 @@
+"""Recomputes the golden vectors from their inputs, with integers and fractions only."""

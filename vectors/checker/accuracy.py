@@ -1,0 +1,168 @@
+"""The accuracy rule: how far a conforming result may lie from the exact one.
+
+A map has one or two directions. A curve is treated as a surface of degree 0 in v: all formulas of the rule
+for surfaces turn into those for curves.
+"""
+
+from fractions import Fraction
+from functools import cached_property
+
+from .bernstein import Net, Weights
+from .number import BINARY32, LEAST_NORMAL, greatest_not_above, least_not_below, nearest
+
+EPS = Fraction(10738, 2**30)
+NARROWEST, WIDEST = Fraction(1, 2**60), Fraction(2**60)
+RANGE, COLOR_RANGE = 2**32, 2**10
+# What rounds to infinity in single precision.
+OVERFLOW = Fraction(2**128 - 2**103)
+
+
+class Grid:
+    """The argument i*(g2 - g1)/n + g1."""
+
+    def __init__(self, segments, first, last, index):
+        self.segments, self.first, self.last, self.index = segments, first, last, index
+        self.exact = first + Fraction(index * (last - first), segments)
+
+    def inputs(self):
+        return self.first, self.last
+
+    def sizes(self):
+        """What single precision has to hold on the way to the argument."""
+        step = Fraction(self.last - self.first, self.segments)
+        return self.first, self.last, self.last - self.first, self.index * step
+
+    def inner(self):
+        return self.index not in (0, self.segments)
+
+
+class Direction:
+    """One parameter of a map, its domain and its argument: a Fraction or a Grid."""
+
+    def __init__(self, first, last, argument, degree):
+        self.first, self.last, self.degree = first, last, degree
+        self.grid = argument if isinstance(argument, Grid) else None
+        self.u = argument.exact if self.grid else argument
+        self.width = abs(last - first)
+        self.t = (self.u - first) / (last - first)
+        self.s = (last - self.u) / (last - first)
+        self.inputs = (first, last, *(argument.inputs() if self.grid else (argument,)))
+        self._known = {}
+
+    @cached_property
+    def single(self):
+        return all(BINARY32.holds(x) for x in self.inputs)
+
+    @cached_property
+    def regular(self):
+        """Whether the accuracy rule can apply at all."""
+        ends = self.first, self.last
+        return (NARROWEST <= self.width <= WIDEST and not any(0 < abs(x) < LEAST_NORMAL for x in ends)
+                and nearest(self.first, BINARY32) != nearest(self.last, BINARY32)
+                and all(abs(x) < OVERFLOW for x in (*ends, *(self.grid.sizes() if self.grid else [self.u]))))
+
+    def tau(self, single):
+        tau = LEAST_NORMAL * (1 + 2 / self.width)
+        grid = self.grid
+        if grid and grid.inner():
+            step = (grid.last - grid.first) / grid.segments
+            tau += EPS * (4 * abs(grid.index * step) + abs(self.u)) / self.width
+        if not single:
+            argument = abs(self.u)
+            if grid:
+                share = Fraction(abs(grid.index), grid.segments)
+                argument = abs(grid.first) + share * (abs(grid.first) + abs(grid.last))
+            ends = abs(self.s * self.first) + abs(self.t * self.last)
+            tau += Fraction(1, 2**23) * (argument + ends) / self.width
+        return tau
+
+    def weights(self, degree):
+        """Of the values of Bernstein polynomials, for the map (its degree) or its derivative (one less)."""
+        return self._weights("exact", self.t, self.s, degree)
+
+    def widened_weights(self, degree, single):
+        """The same for T and S."""
+        tau = self.tau(single)
+        t = (1 + 8 * EPS) * abs(self.t) + tau
+        s = (1 + 8 * EPS) * abs(self.s) + 8 * EPS * abs(self.t) + tau
+        return self._weights(single, t, s, degree)
+
+    def _weights(self, key, a, b, degree):
+        if (key, degree) not in self._known:
+            self._known[key, degree] = Weights(a, b, degree)
+        return self._known[key, degree]
+
+    def growth(self, degree):
+        return (abs(self.t) + abs(self.s))**degree
+
+    def reach(self, degree):
+        return max(1, abs(self.t), abs(self.s))**degree
+
+
+# The v direction of a curve: one control point, nothing rounded.
+POINT = Direction(Fraction(0), Fraction(1), Fraction(0), 0)
+
+
+def error_bound(net, u, v, degrees, single, more_operations=0):
+    """The bound for the sum of these degrees over `net`, a net of magnitudes."""
+    n, m = degrees
+    k = n * m + 5 * (n + m) + 4 + (not single) + more_operations
+    x = k * EPS
+    widened = net.weighed(u.widened_weights(n, single), v.widened_weights(m, single))
+    plain = net.weighed(u.weights(n).magnitudes(), v.weights(m).magnitudes())
+    underflow = k * LEAST_NORMAL * u.reach(n) * v.reach(m) * net.binomial_sum()
+    return (1 + x + x * x) * widened - plain + underflow
+
+
+def applies(greatest, u, v, limit=RANGE):
+    """Whether the rule applies to a sum over control values up to `greatest`."""
+    growth = u.growth(u.degree) * v.growth(v.degree)
+    return u.regular and v.regular and growth <= RANGE and growth * greatest <= limit
+
+
+def all_single(values, u, v):
+    return u.single and v.single and all(BINARY32.holds(x) for x in values)
+
+
+class Component:
+    """One component of a map at an argument. `rows` are its control values [i][j]."""
+
+    def __init__(self, rows, u, v, color=False, single=None):
+        self.net, self.u, self.v = Net(rows), u, v
+        self.degrees = (u.degree, v.degree)
+        self.single = all_single((x for row in rows for x in row), u, v) if single is None else single
+        self.limit = COLOR_RANGE if color else RANGE
+
+    @cached_property
+    def value(self):
+        return self.net.weighed(self.u.weights(self.degrees[0]), self.v.weights(self.degrees[1]))
+
+    @cached_property
+    def magnitude(self):
+        weights = (d.weights(n).magnitudes() for d, n in zip((self.u, self.v), self.degrees))
+        return self.net.magnitudes().weighed(*weights)
+
+    @cached_property
+    def judged(self):
+        return applies(self.net.greatest(), self.u, self.v, self.limit)
+
+    @cached_property
+    def error(self):
+        return error_bound(self.net.magnitudes(), self.u, self.v, self.degrees, self.single)
+
+    def interval(self):
+        """The least and the greatest finite binary32 accepted; None where the rule does not apply."""
+        return floats_within(self.value, self.error) if self.judged else None
+
+
+def quotient_interval(x, w):
+    """The same for x/w of two components."""
+    if not (x.judged and w.judged) or 2 * w.error >= abs(w.value):
+        return None
+    exact = x.value / w.value
+    q = (x.error + abs(exact) * w.error) / (abs(w.value) - w.error)
+    return floats_within(exact, q + 4 * EPS * (abs(exact) + q))
+
+
+def floats_within(centre, distance):
+    return least_not_below(centre - distance, BINARY32), greatest_not_above(centre + distance, BINARY32)

@@ -1,0 +1,65 @@
+"""Maps: their targets, their description in the files, their evaluation."""
+
+from .accuracy import POINT, Component, Direction
+from .normals import Normal
+from .number import BINARY32, BINARY64, Malformed, read_float, show
+
+SIZES = {"COLOR_4": 4, "INDEX": 1, "NORMAL": 3, "TEXTURE_COORD_1": 1, "TEXTURE_COORD_2": 2,
+         "TEXTURE_COORD_3": 3, "TEXTURE_COORD_4": 4, "VERTEX_3": 3, "VERTEX_4": 4}
+# The targets of each dimension, with the number of components.
+TARGETS = {d: {f"GL_MAP{d}_{kind}": k for kind, k in SIZES.items()} for d in (1, 2)}
+FORMATS = {"f": BINARY32, "d": BINARY64}
+
+
+class Map:
+    """points[i][j][c]; a curve has a single j. `domain` has two numbers a dimension."""
+
+    def __init__(self, dimension, target, domain, points):
+        self.dimension, self.target, self.domain, self.points = dimension, target, domain, points
+        self.size = TARGETS[dimension][target]
+        self.orders = (len(points), len(points[0]))[:dimension]
+
+    def directions(self, arguments):
+        """u and v at the arguments, one a dimension: a Fraction or a Grid each."""
+        ends = zip(self.domain[::2], self.domain[1::2])
+        found = [Direction(first, last, argument, order - 1)
+                 for (first, last), argument, order in zip(ends, arguments, self.orders)]
+        return found if self.dimension == 2 else [*found, POINT]
+
+    def nets(self):
+        return [[[point[c] for point in row] for row in self.points] for c in range(self.size)]
+
+    def components(self, directions):
+        color = self.target.endswith("COLOR_4")
+        return [Component(net, *directions, color=color) for net in self.nets()]
+
+    def normal(self, directions):
+        return Normal(self.nets(), *directions)
+
+
+def read_map(found, members):
+    """The Map of a `map` member, and the format of its numbers. `members` checks the members of an object."""
+    members(found, "map", "target type domain points")
+    target, form = str(found["target"]), FORMATS.get(str(found["type"]))
+    dimension = next((d for d in TARGETS if target in TARGETS[d]), None)
+    if dimension is None or form is None:
+        raise Malformed(f"map: target {show(target)}, type {show(found['type'])}")
+    size = TARGETS[dimension][target]
+
+    def numbers(values, count):
+        if not isinstance(values, list) or len(values) != count:
+            raise Malformed(f"map: {show(values)} should be a list of {count} numbers")
+        return [read_float(x, form) for x in values]
+
+    def items(values):
+        if not isinstance(values, list) or not values:
+            raise Malformed(f"map: points: {show(values)} should be a list that is not empty")
+        return values
+    points = [[numbers(point, size) for point in (items(row) if dimension == 2 else [row])]
+              for row in items(found["points"])]
+    if len({len(row) for row in points}) != 1:
+        raise Malformed("map: rows of points of different lengths")
+    domain = numbers(found["domain"], 2 * dimension)
+    if any(a == b for a, b in zip(domain[::2], domain[1::2])):
+        raise Malformed("map: empty domain")
+    return Map(dimension, target, domain, points), form

@@ -1,0 +1,161 @@
+"""Numbers as the files write them, and IEEE 754 rounding of exact ones.
+
+A rational number is a Fraction, "-3/8" in the files. A floating-point number is a Fraction too, in the files
+in C's hexadecimal form; where the sign of a zero matters its text is kept instead.
+"""
+
+import re
+import sys
+from fractions import Fraction
+from math import gcd, isqrt
+from typing import NamedTuple
+
+
+# Exact numbers are longer than what Python converts by default.
+sys.set_int_max_str_digits(0)
+
+
+class Malformed(Exception):
+    """The file is not what its format says, as opposed to a number that is wrong."""
+
+
+class Format(NamedTuple):
+    """A binary format of IEEE 754: significand bits, least and greatest exponent of a normal number."""
+    name: str
+    precision: int
+    least: int
+    greatest: int
+
+    def quantum(self, exponent):
+        """The exponent of the last place of numbers in [2^exponent, 2^(exponent + 1))."""
+        return max(exponent, self.least) - self.precision + 1
+
+    def limit(self):
+        """The greatest finite number."""
+        return Fraction(2)**(self.greatest + 1) - Fraction(2)**(self.greatest + 1 - self.precision)
+
+    def holds(self, x):
+        """Whether the finite x is a number of this format."""
+        return x == 0 or (abs(x) <= self.limit() and (x / power(self.quantum(exponent(x)))).denominator == 1)
+
+
+BINARY32 = Format("binary32", 24, -126, 127)
+BINARY64 = Format("binary64", 53, -1022, 1023)
+LEAST_NORMAL = Fraction(1, 2**126)
+
+_HEXADECIMAL = re.compile(r"(-?)0x1(?:\.([0-9a-f]*[1-9a-f]))?p(\+|-)(0|[1-9][0-9]*)")
+_RATIONAL = re.compile(r"(0|-?[1-9][0-9]*)/([1-9][0-9]*)")
+_ZEROS = ("0x0p+0", "-0x0p+0")
+
+
+def power(e):
+    """2^e."""
+    return Fraction(1 << e) if e >= 0 else Fraction(1, 1 << -e)
+
+
+def exponent(x):
+    """The e with 2^e <= |x| < 2^(e + 1)."""
+    n, d = abs(x.numerator), x.denominator
+    e = n.bit_length() - d.bit_length()
+    below = n < d << e if e >= 0 else n << -e < d
+    return e - 1 if below else e
+
+
+# Text
+
+def rational_text(x):
+    return f"{x.numerator}/{x.denominator}"
+
+
+def read_rational(text):
+    """The value of a rational number in its one permitted form."""
+    match = isinstance(text, str) and _RATIONAL.fullmatch(text)
+    if not match:
+        raise Malformed(f"{show(text)} is not a rational number in canonical form")
+    n, d = int(match[1]), int(match[2])
+    if gcd(n, d) != 1:
+        raise Malformed(f"{show(text)} is not in lowest terms")
+    return Fraction(n, d)
+
+
+def float_text(x, negative_zero=False):
+    """The finite floating-point number x in hexadecimal form."""
+    if x == 0:
+        return _ZEROS[negative_zero]
+    e = exponent(x)
+    significand = abs(x) / power(e) - 1
+    bits = significand.denominator.bit_length() - 1
+    digits = -(-bits // 4)
+    fraction = f".{int(significand * 16**digits):0{digits}x}" if digits else ""
+    return f"{'-' if x < 0 else ''}0x1{fraction}p{e:+d}"
+
+
+def read_float(text, form):
+    """The value of a finite floating-point number in its one permitted form."""
+    if text in _ZEROS:
+        return Fraction(0)
+    match = isinstance(text, str) and _HEXADECIMAL.fullmatch(text)
+    if not match or match[3] + match[4] == "-0":
+        raise Malformed(f"{show(text)} is not a finite hexadecimal number in canonical form")
+    if len(match[4]) > 5:
+        raise Malformed(f"{show(text)} is not a {form.name} number")
+    fraction = match[2] or ""
+    x = int("1" + fraction, 16) * power(int(match[3] + match[4]) - 4 * len(fraction))
+    if not form.holds(x):
+        raise Malformed(f"{show(text)} is not a {form.name} number")
+    return -x if match[1] else x
+
+
+def show(value):
+    """A value for a message: exact numbers may have thousands of digits."""
+    text = str(value)
+    return text if len(text) <= 120 else f"{text[:60]}...{text[-40:]} ({len(text)} characters)"
+
+
+# Rounding
+
+def nearest(x, form):
+    """The text of x rounded to nearest, ties to even; beyond the greatest number infinity."""
+    if x == 0:
+        return _ZEROS[0]
+    q = form.quantum(exponent(x))
+    n, rest = divmod(abs(x.numerator) * power(-q).numerator, x.denominator * power(q).numerator)
+    half = 2 * rest - x.denominator * power(q).numerator
+    if half > 0 or (half == 0 and n % 2 == 1):
+        n += 1
+    magnitude = n * power(q)
+    if magnitude > form.limit():
+        return "-inf" if x < 0 else "inf"
+    return float_text(-magnitude if x < 0 else magnitude, negative_zero=x < 0)
+
+
+def greatest_not_above(x, form):
+    """The greatest finite number of the format that is at most x; None if there is none."""
+    if x < -form.limit():
+        return None
+    if x >= form.limit():
+        return form.limit()
+    if x == 0:
+        return Fraction(0)
+    q = power(form.quantum(exponent(x)))
+    return (x / q).__floor__() * q
+
+
+def least_not_below(x, form):
+    below = greatest_not_above(-x, form)
+    return None if below is None else -below
+
+
+def nearest_root(square, sign, form):
+    """The text of sign * sqrt(square), rounded like `nearest`.
+
+    The root is cut off two bits behind the last place that counts; one more bit says whether anything was
+    lost, which is all that rounding to nearest has to know about the rest.
+    """
+    if square == 0:
+        return _ZEROS[0]
+    places = form.precision + 2 - exponent(square) // 2
+    shifted = square * power(2 * places)
+    root = isqrt(shifted.numerator // shifted.denominator)
+    cut = root * root != shifted
+    return nearest(sign * Fraction(2 * root + cut, 2) * power(-places), form)

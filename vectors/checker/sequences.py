@@ -1,0 +1,167 @@
+"""Cases that are sequences of commands: errors, get_map, state."""
+
+from fractions import Fraction
+
+from .gl import Context
+from .gl_commands import command_named
+from .number import (BINARY32, BINARY64, Malformed, float_text, greatest_not_above, least_not_below,
+                     read_float, show)
+from .report import members
+from .values import check_component, check_normal
+
+OUTPUTS = {"Boolean": "u8", "Integer": "i32", "Float": "f32", "Double": "f64",
+           "i": "i32", "f": "f32", "d": "f64"}
+HALF = Fraction(1, 2)
+EMITTERS = ("End", "EvalMesh1", "EvalMesh2", "CallList", "CallLists")
+
+
+def check_sequence(kind, case, report):
+    members(case, "case", "id requirements flags steps")
+    if not isinstance(case["steps"], list) or not case["steps"]:
+        raise Malformed("steps: not a list with something in it")
+    context = Context()
+    rounded_only = "normalized-reading" in case["flags"]
+    for i, step in enumerate(case["steps"]):
+        where = f"steps[{i}]"
+        members(step, where, "call", "errors answers emits")
+        call = step["call"]
+        if not isinstance(call, list) or not call:
+            raise Malformed(f"{where}.call: {show(call)}")
+        try:
+            answer = context.issue(call[0], call[1:])
+        except Malformed as fault:
+            raise Malformed(f"{where}: {show(call[0])}: {fault}") from None
+        _check_errors(f"{where}.errors", context, step, report)
+        _check_answers(f"{where}.answers", call, answer, step, report, rounded_only)
+        _check_emits(f"{where}.emits", context, step, report)
+
+
+def _check_errors(where, context, step, report):
+    """Codes may be asked for outside Begin and End only."""
+    if context.primitive:
+        if "errors" in step:
+            raise Malformed(f"{where}: between Begin and End nobody may ask")
+        return
+    if "errors" not in step:
+        raise Malformed(f"{where}: missing")
+    _check_set(where, context.errors, step["errors"], report)
+    context.errors = set()
+
+
+def _check_set(where, expected, found, report):
+    """Lists whose order means nothing; -0 counts as 0."""
+    if not isinstance(found, list) or any(type(x) not in (int, str) for x in found):
+        raise Malformed(f"{where}: {show(found)} should be a list of integers or texts")
+    if len(set(found)) != len(found):
+        raise Malformed(f"{where}: {show(found)} has something twice")
+    report.numbers += 1
+    if set(expected) != {"0x0p+0" if x == "-0x0p+0" else x for x in found}:
+        report.differ(where, sorted(expected, key=str), found)
+
+
+def _check_answers(where, call, answer, step, report, rounded_only):
+    """Colours and normals may be mapped to the whole range of int, unless the case is about rounding them."""
+    if not isinstance(answer, list):
+        if "answers" in step:
+            raise Malformed(f"{where}: {call[0]} answers nothing")
+        return
+    if "answers" not in step:
+        raise Malformed(f"{where}: missing")
+    _, form = command_named(call[0])
+    kind = _kind_of_answer(call, form)
+    if kind in OUTPUTS.values():
+        _check_room(where, call[-1], kind, len(answer))
+    if rounded_only:
+        answer = [value._replace(kind="float") if value.kind == "either" else value for value in answer]
+    accepted = [accepted_answers(value, kind) for value in answer]
+    for member, values, found in report.pairs(where, accepted, step["answers"]):
+        if values is None:
+            report.differ(member, "not to be asked, since no answer is certain", found)
+        else:
+            _check_set(member, values, found, report)
+
+
+def _kind_of_answer(call, form):
+    """f32, f64, i32, u8; or "return" where the command returns it."""
+    if call[0].startswith("Get") and form:
+        return OUTPUTS[form[-1]]
+    return "return"
+
+
+def _check_room(where, room, kind, count):
+    members(room, f"{where}: room", "out count")
+    if room["out"] != kind or type(room["count"]) is not int or room["count"] < count:
+        raise Malformed(f"{where}: {show(room)} is no room for {count} values of {kind}")
+
+
+def accepted_answers(value, kind):
+    """Every answer that is right for a Value when asked for in this type; None where none is sure to be."""
+    whole = value.kind in ("flag", "integer")
+    x = Fraction(int(value.value)) if whole else read_float(value.value, BINARY64)
+    if kind in ("f32", "f64"):
+        return _stored(x, kind)
+    if kind == "u8":
+        return {int(x != 0)}
+    if value.kind in ("scaled", "either"):
+        return None if abs(x) > 1 else _scaled(x) | (_rounded(x) if value.kind == "either" else set())
+    return _rounded(x)
+
+
+def _stored(x, kind):
+    """An implementation in single precision has one of the two numbers beside x."""
+    if abs(x) > BINARY32.limit():
+        return None
+    singles = {float_text(y) for y in (greatest_not_above(x, BINARY32), least_not_below(x, BINARY32))}
+    return singles | {float_text(x)} if kind == "f64" else singles
+
+
+def _rounded(x):
+    """The nearest integers, of those that an int can hold."""
+    floor = x.__floor__()
+    rest = x - floor
+    nearby = {floor} if rest < HALF else {floor + 1} if rest > HALF else {floor, floor + 1}
+    return {min(max(n, -2**31), 2**31 - 1) for n in nearby}
+
+
+def _scaled(x):
+    """A number in [-1, 1] scaled to the range of an int, by the older rule or the newer one; 0 remains 0."""
+    return {0} if x == 0 else _rounded(((2**32 - 1) * x - 1) / 2) | _rounded((2**31 - 1) * x)
+
+
+def _check_emits(where, context, step, report):
+    emitted, context.emitted = context.emitted, []
+    if ("emits" in step) != (step["call"][0] in EMITTERS):
+        raise Malformed(f"{where}: {'not here' if 'emits' in step else 'missing'}")
+    if "emits" not in step:
+        return
+    for member, primitive, found in report.pairs(where, emitted, step["emits"]):
+        members(found, member, "mode vertices")
+        report.same(f"{member}.mode", primitive.mode, found["mode"])
+        for place, vertex, entry in report.pairs(f"{member}.vertices", primitive.vertices, found["vertices"]):
+            _check_vertex(place, vertex, entry, report)
+
+
+def _check_vertex(where, vertex, found, report):
+    members(found, where, "position", "color normal automatic_normal texture_coordinates")
+    for name, entry in found.items():
+        member = f"{where}.{name}"
+        if name not in vertex:
+            report.differ(member, "no such member", "one")
+        elif name == "automatic_normal":
+            members(entry, member, "m normal accept")
+            check_normal(entry, vertex[name], report, f"{member}.")
+        elif name == "texture_coordinates":
+            if not isinstance(entry, list) or not 1 <= len(entry) <= len(vertex[name]):
+                raise Malformed(f"{member}: not a list of units")
+            for i, coordinates in enumerate(entry):
+                _check_attribute(f"{member}[{i}]", vertex[name][i], coordinates, report)
+        else:
+            _check_attribute(member, vertex[name], entry, report)
+
+
+def _check_attribute(where, expected, found, report):
+    for member, x, entry in report.pairs(where, expected, found):
+        if isinstance(x, str):
+            report.number(member, x, entry, BINARY32)
+        else:
+            check_component(member, x, entry, report)

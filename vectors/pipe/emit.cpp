@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "vectors/pipe/pipe.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using nlohmann::json;
+
+void append(std::string& line, const json& number) {
+  line += ' ';
+  line += number.is_string() ? number.get_ref<const std::string&>() : number.dump();
+}
+
+// All numbers of nested lists, in order.
+void append_all(std::string& line, const json& list) {
+  for (const json& entry : list) {
+    if (entry.is_array())
+      append_all(line, entry);
+    else
+      append(line, entry);
+  }
+}
+
+void append_argument(std::string& line, const json& argument) {
+  if (!argument.is_object()) return append(line, argument);
+  for (const char* member : {"segments", "first", "last", "index"}) append(line, argument[member]);
+}
+
+std::string question(const json& entry, const std::string& kind) {
+  const json& map = entry["map"];
+  const json& points = map["points"];
+  const bool two = points[0][0].is_array();
+  const bool on_grid = entry["u"].is_object();
+  std::string line = on_grid ? "grid" : kind == "auto_normal" ? "" : "map";
+  if (kind == "auto_normal")
+    line += "normal";
+  else
+    line += two ? '2' : '1';
+  append(line, entry["id"]);
+  append(line, map["type"]);
+  append(line, two ? points[0][0].size() : points[0].size());
+  append(line, points.size());
+  if (two) append(line, points[0].size());
+  append_all(line, map["domain"]);
+  append_argument(line, entry["u"]);
+  if (two) append_argument(line, entry["v"]);
+  append_all(line, points);
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string emit(const json& file) {
+  std::string lines;
+  const std::string kind = file["kind"];
+  if (kind == "errors" || kind == "get_map" || kind == "state") return lines;
+  for (const json& entry : file["cases"]) lines += question(entry, kind);
+  return lines;
+}
+
+}  // namespace evalcts::vectors
