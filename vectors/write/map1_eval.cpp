@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "harness/gl/tokens.h"
+#include "vectors/write/hardest.h"
 #include "vectors/write/kinds.h"
 #include "vectors/write/values.h"
 
@@ -544,6 +545,26 @@ void rational(Document& document) {
   }
 }
 
+// --- found by search
+
+void hardest(Document& document) {
+  Theme theme(
+      document, "hardest",
+      "of all binary32 from 1/4 to 1 the arguments at which the value lies nearest to the middle of two "
+      "binary32, found by trying all",
+      {"EV-NUM-ACCURACY"});
+  for (const int order : {2, 3, 4, 5, 8, 10}) {
+    for (int i = 0; i < 2; ++i) {
+      Values values;
+      for (int k = 0; k < order; ++k) values.push_back(full(theme.dice(), Type::single));
+      const Map map = index_curve(0, 1, values);
+      for (const float argument : hardest_arguments(map.curve(0), 0x1p-2f, 1, 4)) {
+        theme.add(value_case({map, Type::single, at(argument)}));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Document map1_eval() {
@@ -566,6 +587,7 @@ Document map1_eval() {
   cancellation(document);
   special_nets(document);
   rational(document);
+  hardest(document);
   return document;
 }
 
