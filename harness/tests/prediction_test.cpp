@@ -49,6 +49,18 @@ TEST(Prediction, KnowsTheFirstErrorOfAList) {
   EXPECT_EQ(predict(c, 8).error, static_cast<GLenum>(GL_INVALID_VALUE));
 }
 
+TEST(Specified, SaysWhenPrimitivesAreOpenAndComplete) {
+  gl::Case c = with_a_line();
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  c.EvalMesh1(GL_POINT, 0, 1);
+  const Specified specified = specify(c, 8);
+  EXPECT_EQ(specified.inside, (std::vector<bool>{false, false, true, true, false, false}));
+  EXPECT_EQ(specified.completed, (std::vector<std::size_t>{0, 0, 0, 0, 1, 2}));
+  EXPECT_EQ(specified.prediction.primitives.size(), 2u);
+}
+
 TEST(Prediction, TakesNamesFromEarlierCommands) {
   gl::Case c = with_a_line();
   c.LoadIdentity();  // left out, so that the others move

@@ -3,17 +3,31 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <string_view>
 
 namespace evalcts::vectors {
 
 using nlohmann::json;
+
+namespace {
+
+// The case that holds the byte, as "id: "; a case is a line. Empty in front of the cases.
+std::string place_of(const std::string& text, std::size_t byte) {
+  constexpr std::string_view kBegin = "{\"id\":\"";
+  const std::size_t begin = text.rfind(kBegin, byte);
+  if (begin == std::string::npos) return "";
+  const std::size_t id = begin + kBegin.size(), end = text.find('"', id);
+  return end == std::string::npos ? "" : text.substr(id, end - id) + ": ";
+}
+
+}  // namespace
 
 Report lint(const std::string& text, const std::set<std::string>& requirements) {
   json file;
   try {
     file = json::parse(text);
   } catch (const json::parse_error& error) {
-    throw Malformed(fmt::format("no JSON: {}", error.what()));
+    throw Malformed(fmt::format("{}no JSON: {}", place_of(text, error.byte), error.what()));
   }
   check_structure(file);
 

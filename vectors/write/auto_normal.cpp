@@ -214,7 +214,7 @@ void rational(Document& document) {
     Dice& dice = theme.dice();
     for (int i = 0; i < 30; ++i) {
       const Direction u = along(dice.between(2, 4)), v = along(dice.between(2, 4));
-      const Map map = four(u, v, [&](int j, int k, int c) {
+      const Map map = four(u, v, [&, weight = weight](int j, int k, int c) {
         if (c == 3) return weight(dice, j, k);
         const double height = simple(dice);
         return c == 0 ? 2 * j : c == 1 ? 2 * k : height;

@@ -310,10 +310,11 @@ void underflow(Document& document) {
     const Type type = kTypes[i % 2];
     const int degree = dice.between(1, 6);
     // Only the last control value is not zero: V = R * u^n.
-    const double u = std::ldexp(dice.significand(6), -dice.between(126, degree == 1 ? 144 : 160) / degree);
+    const int exponent = -dice.between(126, degree == 1 ? 144 : 160) / degree;
+    const double u = std::abs(std::ldexp(dice.significand(6), exponent));
     Values values(static_cast<std::size_t>(degree) + 1, 0.0);
     values.back() = dice.significand(8);
-    theme.add(value_case({index_curve(0, 1, values), type, at(std::abs(u))}));
+    theme.add(value_case({index_curve(0, 1, values), type, at(u)}));
   }
   // Half the least subnormal number, and a little more: 0, and that number.
   for (const double least : {kFloatLeast, kDoubleLeast}) {

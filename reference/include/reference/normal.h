@@ -48,9 +48,9 @@ struct Interval {
 // is negative.
 std::array<Interval, 3> unit_vector(const Vector& m, int bits);
 
-// m/|m|, each component rounded to the nearest binary32 or binary64. There are no ties to break: x^2 + y^2 + z^2 = n^2
-// has no solution in integers without a common factor where n is even, so a component that is a binary
-// fraction is 0 or +-1.
+// m/|m|, each component rounded to the nearest binary32 or binary64. There are no ties to break: x^2 + y^2 +
+// z^2 = n^2 has no solution in integers without a common factor where n is even, so a component that is a
+// binary fraction is 0 or +-1.
 std::array<float, 3> rounded_unit_vector(const Vector& m);
 std::array<double, 3> rounded_unit_vector_to_double(const Vector& m);
 
