@@ -380,9 +380,14 @@ void queries(Document& document) {
       if (form == 1) c.GetnMapdv(of, what, size, gl::out<GLdouble>(24));
       if (form == 2) c.GetnMapiv(of, what, size, gl::out<GLint>(24));
     };
+    // As integers colours and normals have no certain answer (C-GETMAPIV-NORM).
     const std::tuple<GLenum, GLenum, int> kAnswers[] = {
-        {GL_MAP1_COLOR_4, GL_COEFF, 12}, {GL_MAP2_NORMAL, GL_COEFF, 18}, {GL_MAP1_INDEX, GL_ORDER, 1},
-        {GL_MAP2_INDEX, GL_ORDER, 2},    {GL_MAP1_INDEX, GL_DOMAIN, 2},  {GL_MAP2_INDEX, GL_DOMAIN, 4}};
+        {form == 2 ? GL_MAP1_VERTEX_4 : GL_MAP1_COLOR_4, GL_COEFF, 12},
+        {form == 2 ? GL_MAP2_VERTEX_3 : GL_MAP2_NORMAL, GL_COEFF, 18},
+        {GL_MAP1_INDEX, GL_ORDER, 1},
+        {GL_MAP2_INDEX, GL_ORDER, 2},
+        {GL_MAP1_INDEX, GL_DOMAIN, 2},
+        {GL_MAP2_INDEX, GL_DOMAIN, 4}};
     for (const auto& [of, what, count] : kAnswers) {
       const auto add = [&, of = of, what = what](Theme& theme, int size) {
         gl::Case c;
