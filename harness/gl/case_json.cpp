@@ -112,19 +112,31 @@ std::int64_t integer_from(const json& data) {
   return data.get<std::int64_t>();
 }
 
+// More than any command writes, and no danger to memory.
+constexpr std::size_t kMostWritten = std::size_t{1} << 24;
+
+Output output_from(const json& data) {
+  const json count = data.value("count", json());
+  if (!data["out"].is_string() || !count.is_number_unsigned() || count.get<std::uint64_t>() > kMostWritten)
+    throw std::invalid_argument(fmt::format("{} is no room for an answer", data.dump()));
+  return {type_named(data["out"].get<std::string>()), count.get<std::size_t>()};
+}
+
 template <class Parameter>
 Value value_from(const json& data) {
   if constexpr (std::is_pointer_v<Parameter>) {
     if (data.is_null()) return nullptr;
     if (!data.is_object()) throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
-    if (data.contains("out"))
-      return Output{type_named(data["out"].get<std::string>()), data.at("count").get<std::size_t>()};
+    if (data.contains("out")) return output_from(data);
     if (data.size() != 1 || !data.begin()->is_array())
       throw std::invalid_argument(fmt::format("{} is no array", data.dump()));
     const Scalar type = type_named(data.begin().key());
     return with_type(type, [&](auto zero) -> Value {
       std::vector<decltype(zero)> values;
-      for (const json& element : data.begin().value()) values.push_back(element.get<decltype(zero)>());
+      for (const json& element : data.begin().value()) {
+        if (!element.is_number()) throw std::invalid_argument(fmt::format("{} is no number", element.dump()));
+        values.push_back(element.get<decltype(zero)>());
+      }
       return array(values);
     });
   } else if constexpr (std::is_floating_point_v<Parameter>) {

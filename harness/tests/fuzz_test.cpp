@@ -112,8 +112,12 @@ TEST(CaseJson, SaysWhatIsWrong) {
   for (const char* wrong :
        {"{}", "[[]]", "[[1]]", R"([["NoSuchCommand"]])", R"([["EvalCoord1f"]])", R"([["EvalCoord1f", "x"]])",
         R"([["Enable", "GL_NO_SUCH_TOKEN"]])", R"([["Enable", 1.5]])", R"([["EvalCoord1fv", [0.5]]])",
-        R"([["EvalCoord1fv", {"f99": [0.5]}]])", R"([["EvalCoord1fv", {}]])"})
-    EXPECT_ANY_THROW(read(wrong)) << wrong;
+        R"([["EvalCoord1fv", {"f99": [0.5]}]])", R"([["EvalCoord1fv", {}]])",
+        R"([["EvalCoord1fv", {"f32": ["x"]}]])", R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32"}]])",
+        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": 4}]])",
+        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": -1}]])",
+        R"([["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 1000000000000}]])"})
+    EXPECT_THROW(read(wrong), std::invalid_argument) << wrong;
   gl::Case strings;
   strings.ShaderSource(1, 1, gl::Strings{{"void main() {}"}}, nullptr);
   EXPECT_THROW(gl::to_json(strings), std::invalid_argument);
