@@ -352,7 +352,8 @@ Values tied(Dice& dice, int n, int more) {
     binomial = binomial * (n - i) / (i + 1);
   }
   const std::int64_t whole = std::int64_t{1} << n;
-  values.back() += static_cast<double>(whole / 2 - sum % whole + more);
+  const std::int64_t missing = whole / 2 - sum % whole + more;
+  values.back() += static_cast<double>(missing);
   return values;
 }
 

@@ -330,7 +330,8 @@ void ties(Document& document) {
       }
       const std::int64_t whole = std::int64_t{1} << (n + m);
       const int more = !is_near ? 0 : dice.one_in(2) ? 1 : -1;
-      values.back() += static_cast<double>(whole / 2 - sum % whole + more);
+      const std::int64_t missing = whole / 2 - sum % whole + more;
+      values.back() += static_cast<double>(missing);
       const double scale = dice.power(-30, 8);
       for (double& value : values) value *= scale;
       theme.add(
