@@ -16,7 +16,7 @@ constexpr int polynomial_error(int n, int m) {
 }
 
 // Where the filter says nothing.
-inline constexpr double kLargestGrowth = 0x1p300;  // of E
+inline constexpr double kLargestGrowth = 0x1p300;  // of the powers in E, without M
 inline constexpr double kLargestTau = 0x1p-60;
 inline constexpr double kLargestArgument = 0x1p600;
 inline constexpr int kLargestDomainExponent = 500;  // of |D| and 1/|D|

@@ -172,16 +172,17 @@ void Enclose(const KernelPlan& plan, const double* HWY_RESTRICT u, const double*
         sum = i == 0 ? term : add(sum, term);
       }
     }
-    const Vector growth = hn::Mul(hn::Set(kTag, plan.largest), hn::Mul(along_u.growth, along_v.growth));
+    const Vector growth = hn::Mul(along_u.growth, along_v.growth);
     const Vector taus =
         hn::Add(hn::Mul(along_u.tau, hn::Set(kTag, 4.0 * n)), hn::Mul(along_v.tau, hn::Set(kTag, 4.0 * m)));
-    Vector error = hn::Add(hn::Mul(growth, hn::Add(theta, taus)), hn::Set(kTag, kTiny));
+    const Vector relative = hn::Mul(hn::Mul(hn::Set(kTag, plan.largest), growth), hn::Add(theta, taus));
+    Vector error = hn::Add(relative, hn::Set(kTag, kTiny));
     error = hn::Mul(error, hn::Set(kTag, 1 + kBoundRoundings));
     const Vector largest_argument = hn::Set(kTag, kLargestArgument);
     error = if_or_infinite(hn::Le(hn::Abs(x), largest_argument), error);
     error = if_or_infinite(hn::Le(hn::Abs(y), largest_argument), error);
     error = if_or_infinite(hn::Le(growth, hn::Set(kTag, kLargestGrowth)), error);
-    error = if_or_infinite(hn::Le(hn::Max(along_u.tau, along_v.tau), hn::Set(kTag, kLargestTau)), error);
+    error = if_or_infinite(hn::Le(hn::Add(along_u.tau, along_v.tau), hn::Set(kTag, kLargestTau)), error);
     hn::StoreU(sum.high, kTag, results.high + k);
     hn::StoreU(sum.low, kTag, results.low + k);
     hn::StoreU(error, kTag, results.error + k);
@@ -214,8 +215,8 @@ void ToFloat(const EnclosureArrays& enclosures, double scale, std::size_t count,
   for (std::size_t k = 0; k < count; k += hn::Lanes(kTag)) {
     const Vector high = hn::LoadU(kTag, enclosures.high + k), low = hn::LoadU(kTag, enclosures.low + k),
                  error = hn::LoadU(kTag, enclosures.error + k);
-    const Vector most = above(hn::Add(high, hn::Add(low, error)));
-    const Vector least = below(hn::Add(high, hn::Sub(low, error)));
+    const Vector most = above(hn::Add(high, above(hn::Add(low, error))));
+    const Vector least = below(hn::Add(high, below(hn::Sub(low, error))));
     const auto rounded_most = to_float(hn::Mul(most, factor));
     const auto rounded_least = to_float(hn::Mul(least, factor));
     const auto one_sign = hn::Or(hn::Lt(zero, least), hn::Lt(most, zero));
