@@ -6,30 +6,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "production/src/binomials.h"
 #include "production/src/fault.h"
-#include "production/src/target.h"
 
 namespace glev {
 namespace {
-
-// Row n of Pascal's triangle begins at n * (n + 1) / 2. All entries up to C(63, 31) < 2^60 are exact as
-// integers.
-constexpr std::size_t kTriangle = kMaxOrder * (kMaxOrder + 1) / 2;
-
-constexpr std::size_t RowOf(int n) { return static_cast<std::size_t>(n) * (n + 1) / 2; }
-
-constexpr std::array<std::uint64_t, kTriangle> PascalsTriangle() {
-  std::array<std::uint64_t, kTriangle> triangle{};
-  for (int n = 0; n < kMaxOrder; ++n) {
-    for (int i = 0; i <= n; ++i) {
-      const std::uint64_t* above = n == 0 ? nullptr : triangle.data() + RowOf(n - 1);
-      triangle[RowOf(n) + i] = i == 0 || i == n ? 1 : above[i - 1] + above[i];
-    }
-  }
-  return triangle;
-}
-
-constexpr auto kBinomials = PascalsTriangle();
 
 double Power(double base, int exponent) {
   double power = 1;
@@ -115,9 +96,9 @@ void EvaluateCurves(const double* first, int components, int count, int degree, 
 }  // namespace
 
 void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
-  const std::uint64_t* const row_u = kBinomials.data() + RowOf(order[0] - 1);
+  const std::uint64_t* const row_u = Binomials(order[0] - 1);
   const std::uint64_t* const row_v =
-      kBinomials.data() + RowOf(order[GLEV_FAULTY(BinomialsOfUForV) && order[0] > order[1] ? 0 : 1] - 1);
+      Binomials(order[GLEV_FAULTY(BinomialsOfUForV) && order[0] > order[1] ? 0 : 1] - 1);
   const auto weight = [](std::uint64_t binomial) {
     if (GLEV_FAULTY(BinomialMisprinted) && binomial == 462) return 426.0;  // 11 over 5
     return static_cast<double>(GLEV_FAULTY(BinomialsIn32Bits) ? binomial & 0xFFFFFFFF : binomial);

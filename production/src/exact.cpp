@@ -1,0 +1,279 @@
+// Everything becomes an integer. With t = a / (a + b) for integers a and b, V (a_u + b_u)^n (a_v + b_v)^m is
+//   sum of C(n, i) a_u^i b_u^(n - i) sum of C(m, j) a_v^j b_v^(m - j) R_ij,
+// an integer times the power of two that all control points share. The sums go by Horner's rule from the last
+// point,
+//   sum = sum * a + C R_i * b^(n - i),
+// with a running power of b, modulo a power of two that holds the result: so intermediate values need no
+// bounds, nor subtraction a sign.
+#include "production/src/exact.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "production/src/binomials.h"
+#include "production/src/quotient.h"
+#include "production/src/ratio.h"
+
+namespace glev {
+namespace {
+
+// The sum of one direction.
+struct Direction {
+  int degree = 0;
+  std::ptrdiff_t step = 0;  // from a control point to the next
+  const RatioPart* a = nullptr;
+  const RatioPart* b = nullptr;
+  IntegerPower whole = {nullptr, 0, 0};  // (a + b)^degree
+  int bits = 0;                          // |a| + |b| <= 2^bits
+
+  int BinomialBits() const { return BitWidth(Binomials(degree)[degree / 2]); }
+};
+
+struct Net {
+  const double* points;
+  Direction outer, inner;
+  int low = 0, bits = 0;  // |R| < 2^(low + bits), and a multiple of 2^low
+
+  // Of the inner sums and of the whole one, in two's complement.
+  int RowBits() const { return bits + inner.degree * inner.bits + 1; }
+  int AllBits() const { return RowBits() + outer.degree * outer.bits; }
+};
+
+// ceil(log2(|a| + |b|)), at most one more if their signs differ
+int BitsOfSum(const Ratio& ratio) {
+  const auto bits = [](const RatioPart& part) { return BitWidth(part.limbs.data(), part.size); };
+  if (ratio.a.negative || ratio.b.negative) return std::max(bits(ratio.a), bits(ratio.b)) + 1;
+  const int whole = bits(ratio.whole);
+  return whole - (TrailingZeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
+}
+
+// A direction of degree 0 if the argument is at an end of the domain: then `points` are those there.
+Direction DirectionAt(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
+                      const double*& points, Ratio& ratio) {
+  if (order == 1) return {};
+  const int degree = order - 1;
+  const Parameter::End end = ToRatio(domain, argument, ratio);
+  if (end == Parameter::End::kLast) points += degree * step;
+  if (end != Parameter::End::kNeither) return {};
+  const IntegerPower whole = {ratio.whole.limbs.data(), ratio.whole.size, degree};
+  const int bits = BitsOfSum(ratio);
+  // Powers are taken of the shorter one.
+  const auto width = [](const RatioPart& part) { return BitWidth(part.limbs.data(), part.size); };
+  if (width(ratio.b) <= width(ratio.a)) return {degree, step, &ratio.a, &ratio.b, whole, bits};
+  points += degree * step;
+  return {degree, -step, &ratio.b, &ratio.a, whole, bits};
+}
+
+// False if all control points are zero.
+bool FindRange(Net& net) {
+  int low = 1024, high = -1075;
+  for (int i = 0; i <= net.outer.degree; ++i) {
+    const double* point = net.points + i * net.outer.step;
+    for (int j = 0; j <= net.inner.degree; ++j, point += net.inner.step) {
+      const Decoded decoded = Decode(*point);
+      if (decoded.mantissa == 0) continue;
+      low = std::min(low, decoded.exponent);
+      high = std::max(high, decoded.exponent + BitWidth(decoded.mantissa));
+    }
+  }
+  net.low = low;
+  net.bits = high - low;
+  return high >= low;
+}
+
+// ---- In 128 bits
+
+Limb2 SignedNarrow(const RatioPart& part) {
+  const Limb2 magnitude = part.size == 1 ? part.limbs[0] : Limb2{part.limbs[1]} << kLimbBits | part.limbs[0];
+  return part.negative ? 0 - magnitude : magnitude;
+}
+
+// term(i) for i from degree to 0
+template <class Term>
+Limb2 HornerNarrow(const Direction& direction, const Term& term) {
+  if (direction.degree == 0) return term(0);
+  const std::uint64_t* const binomials = Binomials(direction.degree);
+  const Limb2 a = SignedNarrow(*direction.a), b = SignedNarrow(*direction.b);
+  Limb2 sum = term(direction.degree), power = b;
+  for (int i = direction.degree - 1;; --i) {
+    sum = sum * a + term(i) * binomials[i] * power;
+    if (i == 0) return sum;
+    power *= b;
+  }
+}
+
+Limb2 SumNarrow(const Net& net) {
+  return HornerNarrow(net.outer, [&net](int i) {
+    const double* const row = net.points + i * net.outer.step;
+    return HornerNarrow(net.inner, [&net, row](int j) -> Limb2 {
+      const Decoded decoded = Decode(row[j * net.inner.step]);
+      if (decoded.mantissa == 0) return 0;
+      const Limb2 magnitude = Limb2{decoded.mantissa} << (decoded.exponent - net.low);
+      return decoded.negative ? 0 - magnitude : magnitude;
+    });
+  });
+}
+
+// ---- In limbs
+
+// sum += +-power * term * 2^(64 * position), modulo what it holds
+void AddTerm(Limb* sum, int size, const Limb* power, int power_size, Limb term, int position, bool negative) {
+  if (term == 0 || position >= size) return;
+  if (negative) {
+    SubtractProduct(sum + position, size - position, power, power_size, term);
+  } else {
+    AddProduct(sum + position, size - position, power, power_size, term);
+  }
+}
+
+// The running power of b.
+struct RunningPower {
+  explicit RunningPower(Limb* room) : limbs(room), size(1) { limbs[0] = 1; }
+  void operator*=(const RatioPart& b) { size = MultiplyAndGrow(limbs, size, b.limbs.data(), b.size); }
+
+  Limb* limbs;
+  int size;
+};
+
+int PowerRoom(const Direction& direction) {
+  if (direction.degree == 0) return 1;
+  const RatioPart& b = *direction.b;
+  return LimbsFor(direction.degree * BitWidth(b.limbs.data(), b.size)) + b.size;
+}
+
+// sum = sum of C(degree, i) a^i b^(degree - i) term_i, in `bits` bits with the sign; a term has term_bits
+// with its own. add(i, size, power, negative) adds +-C(degree, i) * term_i * power to the sum, modulo 2^(64 *
+// size).
+template <class Add>
+void Horner(const Direction& direction, int term_bits, int bits, Limb* sum, Limb* room, const Add& add) {
+  RunningPower power(room);
+  const int all = LimbsFor(bits);
+  // As long as it is shorter the sum grows with the degree.
+  const int first_bits = term_bits + direction.BinomialBits();
+  int size = std::min(all, LimbsFor(first_bits));
+  std::fill_n(sum, size, Limb{0});
+  for (int k = 0;; ++k) {
+    const int i = direction.degree - k;
+    const bool negative = direction.degree != 0 && ((direction.a->negative && (i & 1) != 0) ||
+                                                    (direction.b->negative && (k & 1) != 0));
+    add(i, size, power, negative);
+    if (i == 0) break;
+    const int next = std::min(all, LimbsFor(first_bits + (k + 1) * direction.bits));
+    SignExtend(sum, size, next);
+    size = next;
+    Multiply(sum, size, direction.a->limbs.data(), direction.a->size);
+    power *= *direction.b;
+  }
+  SignExtend(sum, size, all);
+}
+
+void SumOfRow(const Net& net, const double* row, Limb* sum, Limb* room) {
+  const std::uint64_t* const binomials = Binomials(net.inner.degree);
+  Horner(net.inner, net.bits + 1, net.RowBits(), sum, room,
+         [&](int j, int size, const RunningPower& power, bool negative) {
+           const Decoded decoded = Decode(row[j * net.inner.step]);
+           if (decoded.mantissa == 0) return;
+           const Limb2 factor = Limb2{decoded.mantissa} * binomials[j];
+           const int shift = decoded.exponent - net.low, position = shift / kLimbBits;
+           const int left = shift % kLimbBits, right = kLimbBits - 1 - left;
+           const Limb low = static_cast<Limb>(factor), high = High(factor);
+           const bool minus = negative != decoded.negative;
+           AddTerm(sum, size, power.limbs, power.size, low << left, position, minus);
+           AddTerm(sum, size, power.limbs, power.size, low >> 1 >> right | high << left, position + 1, minus);
+           AddTerm(sum, size, power.limbs, power.size, high >> 1 >> right, position + 2, minus);
+         });
+}
+
+struct Layout {
+  explicit Layout(const Net& net)
+      : sum(LimbsFor(net.AllBits())),
+        row(net.outer.degree == 0 ? 0 : LimbsFor(net.RowBits()) + 1),
+        inner_power(PowerRoom(net.inner)),
+        outer_power(PowerRoom(net.outer)),
+        all(sum +
+            std::max(row + inner_power + outer_power, RoundingRoom({net.outer.whole, net.inner.whole}))) {}
+
+  // Limbs. The rounding takes the place of all but the sum.
+  int sum, row, inner_power, outer_power, all;
+};
+
+void Sum(const Net& net, const Layout& layout, Limb* room) {
+  Limb* const sum = room;
+  Limb* const inner_power = sum + layout.sum;
+  if (net.outer.degree == 0) return SumOfRow(net, net.points, sum, inner_power);
+  Limb* const outer_power = inner_power + layout.inner_power;
+  Limb* const row = outer_power + layout.outer_power;
+  const std::uint64_t* const binomials = Binomials(net.outer.degree);
+  Horner(net.outer, net.RowBits(), net.AllBits(), sum, outer_power,
+         [&](int i, int size, const RunningPower& power, bool negative) {
+           SumOfRow(net, net.points + i * net.outer.step, row, inner_power);
+           int row_size = LimbsFor(net.RowBits());
+           const bool row_negative = IsNegative(row, row_size);
+           if (row_negative) Negate(row, row_size);
+           row[row_size] = Multiply(row, row_size, binomials[i]);
+           row_size = Trimmed(row, row_size + 1);
+           for (int k = 0; k < row_size; ++k) {
+             AddTerm(sum, size, power.limbs, power.size, row[k], k, negative != row_negative);
+           }
+         });
+}
+
+// ---- The result
+
+// Of a sum of two's complement at the beginning of the room.
+float RoundSum(const Net& net, Limb* room, int size) {
+  const bool negative = IsNegative(room, size);
+  if (negative) Negate(room, size);
+  const int trimmed = Trimmed(room, size);
+  if (trimmed == 0) return 0;
+  return Round({room, trimmed, negative, net.low, {net.outer.whole, net.inner.whole}}, room + size);
+}
+
+// Functions of their own, so that only those who need much of the stack take it.
+template <int kLimbs>
+[[gnu::noinline]] float RoundIn(const Net& net, const Layout& layout) {
+  std::array<Limb, kLimbs> room;
+  Sum(net, layout, room.data());
+  return RoundSum(net, room.data(), layout.sum);
+}
+
+constexpr int kSmallRoom = 192;
+constexpr int kMediumRoom = 1536;
+
+// The largest: of order 64 in both directions, with the widest control points, domain and grid.
+constexpr int kPointBits = 1074 + 1024, kMaxDegree = kMaxOrder - 1, kBinomialLimb = 1;
+constexpr int kRatioLimbs = LimbsFor(kRatioBits);
+constexpr int kLargestSum = LimbsFor(kPointBits + 2 * kMaxDegree * kRatioBits + 1);
+constexpr int kLargestRow = LimbsFor(kPointBits + kMaxDegree * kRatioBits + 1) + kBinomialLimb;
+constexpr int kLargestPower = LimbsFor(kMaxDegree * kRatioBits) + kRatioLimbs;
+constexpr int kLargestRoom = kLargestSum + kLargestRow + 2 * kLargestPower;
+static_assert(2 * kLargestPower + kLargestRow >= LimbsFor(25 + 2 * kMaxDegree * kRatioBits) + kRatioLimbs,
+              "room to round in");
+static_assert(kLargestRoom * sizeof(Limb) < 90000, "the documented use of the stack");
+
+}  // namespace
+
+float RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v) {
+  const std::array<int, 2>& order = component.order;
+  Ratio ratio_u, ratio_v;
+  Net net = {component.points, {}, {}};
+  net.outer = DirectionAt(order[0], order[1] * component.stride, component.domain[0], u, net.points, ratio_u);
+  net.inner = DirectionAt(order[1], component.stride, component.domain[1], v, net.points, ratio_v);
+  if (net.inner.degree == 0) std::swap(net.inner, net.outer);
+  if (!FindRange(net)) return 0;
+
+  if (net.AllBits() <= 2 * kLimbBits) {
+    const Limb2 sum = SumNarrow(net);
+    constexpr int kSize = 2;
+    std::array<Limb, kSize + LimbsFor(2 * kLimbBits + 25) + kSize> room;
+    room[0] = static_cast<Limb>(sum);
+    room[1] = High(sum);
+    return RoundSum(net, room.data(), kSize);
+  }
+  const Layout layout(net);
+  if (layout.all <= kSmallRoom) return RoundIn<kSmallRoom>(net, layout);
+  if (layout.all <= kMediumRoom) return RoundIn<kMediumRoom>(net, layout);
+  return RoundIn<kLargestRoom>(net, layout);
+}
+
+}  // namespace glev

@@ -1,0 +1,137 @@
+#include "production/src/quotient.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+namespace glev {
+namespace {
+
+constexpr int kMaxExponent = 127, kLowestBit = -149, kFractionBits = 23;
+constexpr std::uint32_t kInfinityBits = 0x7F800000;
+
+// The bits of the float nearest x * 2^exponent, x != 0; `more`: plus something less than 2^exponent, in which
+// case x has all of its 128 bits.
+std::uint32_t NearestBits(Limb2 x, int exponent, bool more) {
+  const int top = BitWidth(x) - 1 + exponent;
+  if (top > kMaxExponent) return kInfinityBits;
+  const int last = std::max(top - kFractionBits, kLowestBit), dropped = last - exponent;
+  if (dropped > 128) return 0;  // less than half of the smallest float
+  Limb2 significand = x << std::max(-dropped, 0);
+  if (dropped > 0) {
+    significand = dropped == 128 ? 0 : x >> dropped;
+    const Limb2 half = Limb2{1} << (dropped - 1), rest = x & (half + (half - 1));
+    if (rest > half || (rest == half && (more || (significand & 1) != 0))) ++significand;
+  }
+  // A carry into the next binade, the first normal one or infinity is a carry into the exponent.
+  return (static_cast<std::uint32_t>(last - kLowestBit) << kFractionBits) +
+         static_cast<std::uint32_t>(significand);
+}
+
+Limb2 LeadingBits(const Limb* x, int size, int position) {
+  return Limb2{BitsAt(x, size, position + kLimbBits)} << kLimbBits | BitsAt(x, size, position);
+}
+
+bool IsPowerOfTwo(const IntegerPower& power) {
+  return power.exponent == 0 || TrailingZeros(power.base) == BitWidth(power.base, power.size) - 1;
+}
+
+// A number of at least mantissa * 2^exponent and at most (mantissa + kUlps * errors) * 2^exponent, where
+// 2^62 <= mantissa < 2^63. As each error is a factor below 1 + 2^-62, and there are few, two units hold them
+// and one more the products of errors.
+struct Approximation {
+  static constexpr int kBits = 63;
+  Limb mantissa = Limb{1} << (kBits - 1);
+  int exponent = 1 - kBits;
+  int errors = 0;
+
+  Limb Upper() const { return errors == 0 ? mantissa : mantissa + 2 * static_cast<Limb>(errors) + 1; }
+};
+
+Approximation operator*(const Approximation& x, const Approximation& y) {
+  const Limb2 product = Limb2{x.mantissa} * y.mantissa;
+  const int dropped = BitWidth(product) - Approximation::kBits;
+  const auto mantissa = static_cast<Limb>(product >> dropped);
+  const bool exact = Limb2{mantissa} << dropped == product;
+  return {mantissa, x.exponent + y.exponent + dropped, x.errors + y.errors + (exact ? 0 : 1)};
+}
+
+Approximation Approximate(const IntegerPower& power) {
+  Approximation result;
+  if (power.exponent == 0) return result;
+  const int exponent = BitWidth(power.base, power.size) - Approximation::kBits;
+  Approximation base = {BitsAt(power.base, power.size, exponent), exponent, 0};
+  if (exponent > TrailingZeros(power.base)) base.errors = 1;
+  for (int n = power.exponent; n != 0; n >>= 1) {
+    if (n & 1) result = result * base;
+    if (n > 1) base = base * base;
+  }
+  return result;
+}
+
+// The sign of x * 2^x_exponent - y * 2^y_exponent
+int Compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size, int y_exponent) {
+  int x_bits = BitWidth(x, x_size), y_bits = BitWidth(y, y_size);
+  if (x_bits + x_exponent != y_bits + y_exponent) return x_bits + x_exponent < y_bits + y_exponent ? -1 : 1;
+  while (x_bits > 0 || y_bits > 0) {
+    x_bits -= kLimbBits;
+    y_bits -= kLimbBits;
+    const Limb in_x = BitsAt(x, x_size, x_bits), in_y = BitsAt(y, y_size, y_bits);
+    if (in_x != in_y) return in_x < in_y ? -1 : 1;
+  }
+  return 0;
+}
+
+// The sign of quotient - m, m the middle between the float of these bits and the next
+int CompareWithMiddle(const Quotient& quotient, std::uint32_t bits, Limb* room) {
+  const std::uint32_t field = bits >> kFractionBits, fraction = bits & ((1U << kFractionBits) - 1);
+  const Limb significand = field == 0 ? fraction : fraction | 1U << kFractionBits;
+  const int exponent = kLowestBit + std::max(static_cast<int>(field), 1) - 1;
+  room[0] = 2 * significand + 1;
+  int size = 1;
+  for (const IntegerPower& power : quotient.denominator) {
+    for (int i = 0; i < power.exponent; ++i) size = MultiplyAndGrow(room, size, power.base, power.size);
+  }
+  return Compare(quotient.numerator, quotient.size, quotient.exponent, room, size, exponent - 1);
+}
+
+}  // namespace
+
+int RoundingRoom(const std::array<IntegerPower, 2>& denominator) {
+  int bits = kFractionBits + 2, largest = 0;
+  for (const IntegerPower& power : denominator) {
+    if (power.exponent == 0) continue;
+    bits += power.exponent * BitWidth(power.base, power.size);
+    largest = std::max(largest, power.size);
+  }
+  return LimbsFor(bits) + largest;
+}
+
+float Round(const Quotient& quotient, Limb* room) {
+  const int cut = BitWidth(quotient.numerator, quotient.size) - 128;
+  const Limb2 leading = LeadingBits(quotient.numerator, quotient.size, cut);
+  const int exponent = quotient.exponent + cut;
+  const auto& [first, second] = quotient.denominator;
+
+  std::uint32_t bits;
+  if (IsPowerOfTwo(first) && IsPowerOfTwo(second)) {
+    int shift = 0;
+    for (const IntegerPower& power : quotient.denominator) {
+      if (power.exponent != 0) shift += power.exponent * (BitWidth(power.base, power.size) - 1);
+    }
+    bits = NearestBits(leading, exponent - shift, cut > TrailingZeros(quotient.numerator));
+  } else {
+    const Approximation denominator = Approximate(first) * Approximate(second);
+    // leading <= numerator < leading + 1, in units of 2^cut, and the largest quotient of the latter by an
+    // integer is at most one more than the quotient rounded down.
+    const Limb2 below = leading / denominator.Upper(), above = leading / denominator.mantissa + 1;
+    bits = NearestBits(below, exponent - denominator.exponent, false);
+    if (bits != NearestBits(above, exponent - denominator.exponent, false)) {
+      const int side = CompareWithMiddle(quotient, bits, room);
+      if (side > 0 || (side == 0 && (bits & 1) != 0)) ++bits;
+    }
+  }
+  return std::bit_cast<float>(bits | static_cast<std::uint32_t>(quotient.negative) << 31);
+}
+
+}  // namespace glev

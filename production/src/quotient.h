@@ -1,0 +1,33 @@
+// The float nearest a quotient of integers.
+#pragma once
+
+#include <array>
+
+#include "production/src/wide_integer.h"
+
+namespace glev {
+
+struct IntegerPower {
+  const Limb* base;  // positive, without leading zero limbs
+  int size;          // of the base
+  int exponent;      // 0..63
+};
+
+// +-numerator * 2^exponent / (denominator[0] * denominator[1])
+struct Quotient {
+  const Limb* numerator;  // positive, without leading zero limbs
+  int size;
+  bool negative;
+  int exponent;
+  std::array<IntegerPower, 2> denominator;
+};
+
+// What Round needs to work in.
+int RoundingRoom(const std::array<IntegerPower, 2>& denominator);
+
+// To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading
+// 128 bits of the numerator and 63 of the denominator decide, unless the quotient is within about 2^-61 *
+// (sum of exponents) of the middle between two floats: then everything is multiplied out.
+float Round(const Quotient& quotient, Limb* room);
+
+}  // namespace glev

@@ -1,0 +1,172 @@
+#include "production/src/ratio.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+namespace glev {
+namespace {
+
+// Bits, because a processor may be told to take the smallest doubles for zero.
+bool Same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
+
+// multiplier * value
+struct Product {
+  std::int64_t multiplier;
+  Decoded value;
+};
+
+// The argument times the segments is from + to; u1 and u2 are times the segments, too.
+struct Products {
+  Product from, to, u1, u2;
+};
+
+// |multiplier * mantissa|, below 2^88
+Limb2 MagnitudeOf(const Product& product) {
+  const auto multiplier = static_cast<Limb>(product.multiplier);
+  return Limb2{product.multiplier < 0 ? 0 - multiplier : multiplier} * product.value.mantissa;
+}
+
+// Whether it is negative.
+bool SignOf(const Product& product) { return (product.multiplier < 0) != product.value.negative; }
+
+Limb OddGcd(Limb x, Limb y) {  // of x != 0 and an odd y
+  while (true) {
+    x >>= std::countr_zero(x);
+    if (x == y) return x;
+    if (x < y) std::swap(x, y);
+    x -= y;
+  }
+}
+
+void Set(RatioPart& part, Limb2 magnitude, bool negative) {
+  part.limbs[0] = static_cast<Limb>(magnitude);
+  part.limbs[1] = High(magnitude);
+  part.size = part.limbs[1] != 0 ? 2 : 1;
+  part.negative = negative;
+}
+
+// a, b != 0
+void SetReduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negative) {
+  const int zeros = TrailingZeros(a | b);
+  a >>= zeros;
+  b >>= zeros;
+  const Limb2 whole = a_negative ? b - a : b_negative ? a - b : a + b;
+  // A whole that is a power of two has nothing in common with a or b any more.
+  const bool power_of_two = (whole & (whole - 1)) == 0;
+  if (!power_of_two && High(a | b | whole) == 0) {
+    const Limb gcd = (a & 1) != 0 ? OddGcd(static_cast<Limb>(b), static_cast<Limb>(a))
+                                  : OddGcd(static_cast<Limb>(a), static_cast<Limb>(b));
+    if (gcd != 1) {
+      Set(ratio.a, static_cast<Limb>(a) / gcd, a_negative);
+      Set(ratio.b, static_cast<Limb>(b) / gcd, b_negative);
+      Set(ratio.whole, static_cast<Limb>(whole) / gcd, false);
+      return;
+    }
+  }
+  Set(ratio.a, a, a_negative);
+  Set(ratio.b, b, b_negative);
+  Set(ratio.whole, whole, false);
+}
+
+// What of the products fits into 127 bits above 2^low.
+Parameter::End ToRatioNarrow(const Products& products, int low, Ratio& ratio) {
+  const auto integer = [low](const Product& product) {
+    const Limb2 magnitude = MagnitudeOf(product);
+    if (magnitude == 0) return magnitude;
+    const Limb2 shifted = magnitude << (product.value.exponent - low);
+    return SignOf(product) ? 0 - shifted : shifted;
+  };
+  const Limb2 argument = integer(products.from) + integer(products.to);
+  const Limb2 a = argument - integer(products.u1), b = integer(products.u2) - argument;
+  if (a == 0) return Parameter::End::kFirst;
+  if (b == 0) return Parameter::End::kLast;
+  const auto negative = [](Limb2 x) { return x >> 127 != 0; };
+  const bool flip = negative(a + b);
+  SetReduced(ratio, negative(a) ? 0 - a : a, negative(b) ? 0 - b : b, negative(a) != flip,
+             negative(b) != flip);
+  return Parameter::End::kNeither;
+}
+
+// part += product * 2^-low, or -=
+void Accumulate(RatioPart& part, const Product& product, int low, bool subtract) {
+  const Limb2 magnitude = MagnitudeOf(product);
+  if (magnitude == 0) return;
+  const int shift = product.value.exponent - low;
+  const int size = static_cast<int>(part.limbs.size()), first = shift / kLimbBits;
+  const Limb power = Limb{1} << shift % kLimbBits;
+  const std::array<Limb, 2> limbs = {static_cast<Limb>(magnitude), High(magnitude)};
+  if (SignOf(product) == subtract) {
+    AddProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
+  } else {
+    SubtractProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
+  }
+}
+
+Parameter::End ToRatioWide(const Products& products, int low, Ratio& ratio) {
+  constexpr int kSize = static_cast<int>(std::tuple_size_v<decltype(RatioPart::limbs)>);
+  for (RatioPart* const part : {&ratio.a, &ratio.b}) {
+    const bool is_b = part == &ratio.b;
+    part->limbs.fill(0);
+    Accumulate(*part, products.from, low, is_b);
+    Accumulate(*part, products.to, low, is_b);
+    Accumulate(*part, is_b ? products.u2 : products.u1, low, !is_b);
+    part->size = Trimmed(part->limbs.data(), kSize);
+  }
+  if (ratio.a.size == 0) return Parameter::End::kFirst;
+  if (ratio.b.size == 0) return Parameter::End::kLast;
+
+  constexpr std::array<Limb, 1> kOne = {1};
+  ratio.whole.limbs = ratio.a.limbs;
+  for (int i = 0; i < kSize; ++i) {
+    AddProduct(ratio.whole.limbs.data() + i, kSize - i, kOne.data(), 1, ratio.b.limbs[i]);
+  }
+  const bool flip = IsNegative(ratio.whole.limbs.data(), kSize);
+  const int zeros = std::min(TrailingZeros(ratio.a.limbs.data()), TrailingZeros(ratio.b.limbs.data()));
+  for (RatioPart* const part : {&ratio.a, &ratio.b, &ratio.whole}) {
+    Limb* const limbs = part->limbs.data();
+    part->negative = IsNegative(limbs, kSize);
+    if (part->negative) Negate(limbs, kSize);
+    part->negative = part->negative != flip;
+    ShiftRight(limbs, kSize, zeros);
+    part->size = Trimmed(limbs, kSize);
+  }
+  return Parameter::End::kNeither;
+}
+
+}  // namespace
+
+Parameter::End ToRatio(const Domain& domain, const GridArgument& argument, Ratio& ratio) {
+  const Grid& grid = argument.grid;
+  std::int64_t to = argument.index, from = grid.segments - to, all = grid.segments;
+  if (to == 0 || Same(grid.u1, grid.u2)) {
+    from = all = 1;
+    to = 0;
+  } else if (from == 0) {
+    to = all = 1;
+  } else {
+    const bool along = Same(grid.u1, domain.u1) && Same(grid.u2, domain.u2);
+    const bool against = Same(grid.u1, domain.u2) && Same(grid.u2, domain.u1);
+    if (along || against) {
+      if (against) std::swap(from, to);
+      const auto magnitude = [](std::int64_t x) { return static_cast<Limb2>(x < 0 ? -x : x); };
+      SetReduced(ratio, magnitude(to), magnitude(from), to < 0, from < 0);
+      return Parameter::End::kNeither;
+    }
+  }
+
+  const Products products = {
+      {from, Decode(grid.u1)}, {to, Decode(grid.u2)}, {all, Decode(domain.u1)}, {all, Decode(domain.u2)}};
+  int low = 1024, high = -1074;
+  for (const Product& product : {products.from, products.to, products.u1, products.u2}) {
+    const Limb2 magnitude = MagnitudeOf(product);
+    if (magnitude == 0) continue;
+    low = std::min(low, product.value.exponent);
+    high = std::max(high, product.value.exponent + BitWidth(magnitude));
+  }
+  // Sums of up to four products, and a sign.
+  return high - low + 3 <= 127 ? ToRatioNarrow(products, low, ratio) : ToRatioWide(products, low, ratio);
+}
+
+}  // namespace glev

@@ -1,0 +1,32 @@
+// The exact place of an argument in its domain, as a ratio of integers.
+#pragma once
+
+#include <array>
+
+#include "production/src/parameter.h"
+#include "production/src/wide_integer.h"
+
+namespace glev {
+
+// In units of the smallest double, 2^-1074, with domains and grids below 2^1024, less than 2^31 segments and
+// indices of at most 33 bits, |a| + |b| is less than 2^kRatioBits.
+inline constexpr int kRatioBits = 1074 + 1024 + 37;
+
+// |a|, |b| or a + b, without leading zero limbs.
+struct RatioPart {
+  std::array<Limb, LimbsFor(kRatioBits + 1)> limbs;
+  int size;
+  bool negative;
+};
+
+// t = a / (a + b) and 1 - t = b / (a + b), with a + b > 0 and a and b not both even.
+struct Ratio {
+  RatioPart a, b, whole;
+};
+
+// Where the argument is, exactly. The ratio is set unless that is at an end of the domain. All values are
+// finite and the ends of the domain differ. Factors that a and b share are divided out if all of it fits a
+// limb.
+Parameter::End ToRatio(const Domain& domain, const GridArgument& argument, Ratio& ratio);
+
+}  // namespace glev
