@@ -31,7 +31,7 @@ struct Direction {
 
 struct Net {
   const double* points;
-  Direction outer, inner;
+  const Direction &outer, &inner;
   int low = 0, bits = 0;  // |R| < 2^(low + bits), and a multiple of 2^low
 
   // Of the inner sums and of the whole one, in two's complement.
@@ -47,21 +47,27 @@ int BitsOfSum(const Ratio& ratio) {
   return whole - (TrailingZeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
 }
 
-// A direction of degree 0 if the argument is at an end of the domain: then `points` are those there.
-Direction DirectionAt(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
-                      const double*& points, Ratio& ratio) {
-  if (order == 1) return {};
+// A direction keeps degree 0 if the argument is at an end of the domain: then `points` are those there.
+void SetDirection(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
+                  const double*& points, Ratio& ratio, Direction& direction) {
+  if (order == 1) return;
   const int degree = order - 1;
   const Parameter::End end = ToRatio(domain, argument, ratio);
   if (end == Parameter::End::kLast) points += degree * step;
-  if (end != Parameter::End::kNeither) return {};
-  const IntegerPower whole = {ratio.whole.limbs.data(), ratio.whole.size, degree};
-  const int bits = BitsOfSum(ratio);
-  // Powers are taken of the shorter one.
+  if (end != Parameter::End::kNeither) return;
+  direction.degree = direction.whole.exponent = degree;
+  direction.whole.base = ratio.whole.limbs.data();
+  direction.whole.size = ratio.whole.size;
+  direction.bits = BitsOfSum(ratio);
+  direction.step = step;
+  direction.a = &ratio.a;
+  direction.b = &ratio.b;
   const auto width = [](const RatioPart& part) { return BitWidth(part.limbs.data(), part.size); };
-  if (width(ratio.b) <= width(ratio.a)) return {degree, step, &ratio.a, &ratio.b, whole, bits};
+  if (width(ratio.b) <= width(ratio.a)) return;
+  // From the other end, because powers are taken of b.
   points += degree * step;
-  return {degree, -step, &ratio.b, &ratio.a, whole, bits};
+  direction.step = -step;
+  std::swap(direction.a, direction.b);
 }
 
 // False if all control points are zero.
@@ -190,8 +196,8 @@ struct Layout {
         row(net.outer.degree == 0 ? 0 : LimbsFor(net.RowBits()) + 1),
         inner_power(PowerRoom(net.inner)),
         outer_power(PowerRoom(net.outer)),
-        all(sum +
-            std::max(row + inner_power + outer_power, RoundingRoom({net.outer.whole, net.inner.whole}))) {}
+        all(sum + std::max(row + inner_power + outer_power, RoundingRoom(net.outer.whole, net.inner.whole))) {
+  }
 
   // Limbs. The rounding takes the place of all but the sum.
   int sum, row, inner_power, outer_power, all;
@@ -226,7 +232,7 @@ float RoundSum(const Net& net, Limb* room, int size) {
   if (negative) Negate(room, size);
   const int trimmed = Trimmed(room, size);
   if (trimmed == 0) return 0;
-  return Round({room, trimmed, negative, net.low, {net.outer.whole, net.inner.whole}}, room + size);
+  return Round({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}}, room + size);
 }
 
 // Functions of their own, so that only those who need much of the stack take it.
@@ -255,11 +261,13 @@ static_assert(kLargestRoom * sizeof(Limb) < 90000, "the documented use of the st
 
 float RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v) {
   const std::array<int, 2>& order = component.order;
+  const double* points = component.points;
   Ratio ratio_u, ratio_v;
-  Net net = {component.points, {}, {}};
-  net.outer = DirectionAt(order[0], order[1] * component.stride, component.domain[0], u, net.points, ratio_u);
-  net.inner = DirectionAt(order[1], component.stride, component.domain[1], v, net.points, ratio_v);
-  if (net.inner.degree == 0) std::swap(net.inner, net.outer);
+  Direction in_u, in_v;
+  SetDirection(order[0], order[1] * component.stride, component.domain[0], u, points, ratio_u, in_u);
+  SetDirection(order[1], component.stride, component.domain[1], v, points, ratio_v, in_v);
+  const bool curve_in_u = in_v.degree == 0;
+  Net net = {points, curve_in_u ? in_v : in_u, curve_in_u ? in_u : in_v};
   if (!FindRange(net)) return 0;
 
   if (net.AllBits() <= 2 * kLimbBits) {

@@ -89,20 +89,20 @@ int CompareWithMiddle(const Quotient& quotient, std::uint32_t bits, Limb* room) 
   const int exponent = kLowestBit + std::max(static_cast<int>(field), 1) - 1;
   room[0] = 2 * significand + 1;
   int size = 1;
-  for (const IntegerPower& power : quotient.denominator) {
-    for (int i = 0; i < power.exponent; ++i) size = MultiplyAndGrow(room, size, power.base, power.size);
+  for (const IntegerPower* const power : quotient.denominator) {
+    for (int i = 0; i < power->exponent; ++i) size = MultiplyAndGrow(room, size, power->base, power->size);
   }
   return Compare(quotient.numerator, quotient.size, quotient.exponent, room, size, exponent - 1);
 }
 
 }  // namespace
 
-int RoundingRoom(const std::array<IntegerPower, 2>& denominator) {
+int RoundingRoom(const IntegerPower& first, const IntegerPower& second) {
   int bits = kFractionBits + 2, largest = 0;
-  for (const IntegerPower& power : denominator) {
-    if (power.exponent == 0) continue;
-    bits += power.exponent * BitWidth(power.base, power.size);
-    largest = std::max(largest, power.size);
+  for (const IntegerPower* const power : {&first, &second}) {
+    if (power->exponent == 0) continue;
+    bits += power->exponent * BitWidth(power->base, power->size);
+    largest = std::max(largest, power->size);
   }
   return LimbsFor(bits) + largest;
 }
@@ -111,13 +111,13 @@ float Round(const Quotient& quotient, Limb* room) {
   const int cut = BitWidth(quotient.numerator, quotient.size) - 128;
   const Limb2 leading = LeadingBits(quotient.numerator, quotient.size, cut);
   const int exponent = quotient.exponent + cut;
-  const auto& [first, second] = quotient.denominator;
+  const IntegerPower &first = *quotient.denominator[0], &second = *quotient.denominator[1];
 
   std::uint32_t bits;
   if (IsPowerOfTwo(first) && IsPowerOfTwo(second)) {
     int shift = 0;
-    for (const IntegerPower& power : quotient.denominator) {
-      if (power.exponent != 0) shift += power.exponent * (BitWidth(power.base, power.size) - 1);
+    for (const IntegerPower* const power : quotient.denominator) {
+      if (power->exponent != 0) shift += power->exponent * (BitWidth(power->base, power->size) - 1);
     }
     bits = NearestBits(leading, exponent - shift, cut > TrailingZeros(quotient.numerator));
   } else {

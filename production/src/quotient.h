@@ -13,17 +13,17 @@ struct IntegerPower {
   int exponent;      // 0..63
 };
 
-// +-numerator * 2^exponent / (denominator[0] * denominator[1])
+// +-numerator * 2^exponent / (*denominator[0] * *denominator[1])
 struct Quotient {
   const Limb* numerator;  // positive, without leading zero limbs
   int size;
   bool negative;
   int exponent;
-  std::array<IntegerPower, 2> denominator;
+  std::array<const IntegerPower*, 2> denominator;
 };
 
 // What Round needs to work in.
-int RoundingRoom(const std::array<IntegerPower, 2>& denominator);
+int RoundingRoom(const IntegerPower& first, const IntegerPower& second);
 
 // To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading
 // 128 bits of the numerator and 63 of the denominator decide, unless the quotient is within about 2^-61 *

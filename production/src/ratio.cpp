@@ -11,25 +11,23 @@ namespace {
 // Bits, because a processor may be told to take the smallest doubles for zero.
 bool Same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
 
-// multiplier * value
+// +-magnitude * 2^exponent
 struct Product {
-  std::int64_t multiplier;
-  Decoded value;
+  Limb2 magnitude;  // below 2^88
+  int exponent;
+  bool negative;
 };
 
-// The argument times the segments is from + to; u1 and u2 are times the segments, too.
-struct Products {
-  Product from, to, u1, u2;
-};
-
-// |multiplier * mantissa|, below 2^88
-Limb2 MagnitudeOf(const Product& product) {
-  const auto multiplier = static_cast<Limb>(product.multiplier);
-  return Limb2{product.multiplier < 0 ? 0 - multiplier : multiplier} * product.value.mantissa;
+Product Times(std::int64_t multiplier, double x) {
+  const Decoded decoded = Decode(x);
+  const auto factor = static_cast<Limb>(multiplier);
+  return {Limb2{multiplier < 0 ? 0 - factor : factor} * decoded.mantissa, decoded.exponent,
+          (multiplier < 0) != decoded.negative};
 }
 
-// Whether it is negative.
-bool SignOf(const Product& product) { return (product.multiplier < 0) != product.value.negative; }
+// The argument times the segments is from + to; u1 and u2 are times the segments, too.
+enum { kFrom, kTo, kFirst, kLast };
+using Products = std::array<Product, 4>;
 
 Limb OddGcd(Limb x, Limb y) {  // of x != 0 and an odd y
   while (true) {
@@ -73,13 +71,12 @@ void SetReduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negative
 // What of the products fits into 127 bits above 2^low.
 Parameter::End ToRatioNarrow(const Products& products, int low, Ratio& ratio) {
   const auto integer = [low](const Product& product) {
-    const Limb2 magnitude = MagnitudeOf(product);
-    if (magnitude == 0) return magnitude;
-    const Limb2 shifted = magnitude << (product.value.exponent - low);
-    return SignOf(product) ? 0 - shifted : shifted;
+    if (product.magnitude == 0) return product.magnitude;
+    const Limb2 shifted = product.magnitude << (product.exponent - low);
+    return product.negative ? 0 - shifted : shifted;
   };
-  const Limb2 argument = integer(products.from) + integer(products.to);
-  const Limb2 a = argument - integer(products.u1), b = integer(products.u2) - argument;
+  const Limb2 argument = integer(products[kFrom]) + integer(products[kTo]);
+  const Limb2 a = argument - integer(products[kFirst]), b = integer(products[kLast]) - argument;
   if (a == 0) return Parameter::End::kFirst;
   if (b == 0) return Parameter::End::kLast;
   const auto negative = [](Limb2 x) { return x >> 127 != 0; };
@@ -91,13 +88,12 @@ Parameter::End ToRatioNarrow(const Products& products, int low, Ratio& ratio) {
 
 // part += product * 2^-low, or -=
 void Accumulate(RatioPart& part, const Product& product, int low, bool subtract) {
-  const Limb2 magnitude = MagnitudeOf(product);
-  if (magnitude == 0) return;
-  const int shift = product.value.exponent - low;
+  if (product.magnitude == 0) return;
+  const int shift = product.exponent - low;
   const int size = static_cast<int>(part.limbs.size()), first = shift / kLimbBits;
   const Limb power = Limb{1} << shift % kLimbBits;
-  const std::array<Limb, 2> limbs = {static_cast<Limb>(magnitude), High(magnitude)};
-  if (SignOf(product) == subtract) {
+  const std::array<Limb, 2> limbs = {static_cast<Limb>(product.magnitude), High(product.magnitude)};
+  if (product.negative == subtract) {
     AddProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
   } else {
     SubtractProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
@@ -109,9 +105,9 @@ Parameter::End ToRatioWide(const Products& products, int low, Ratio& ratio) {
   for (RatioPart* const part : {&ratio.a, &ratio.b}) {
     const bool is_b = part == &ratio.b;
     part->limbs.fill(0);
-    Accumulate(*part, products.from, low, is_b);
-    Accumulate(*part, products.to, low, is_b);
-    Accumulate(*part, is_b ? products.u2 : products.u1, low, !is_b);
+    Accumulate(*part, products[kFrom], low, is_b);
+    Accumulate(*part, products[kTo], low, is_b);
+    Accumulate(*part, products[is_b ? kLast : kFirst], low, !is_b);
     part->size = Trimmed(part->limbs.data(), kSize);
   }
   if (ratio.a.size == 0) return Parameter::End::kFirst;
@@ -156,14 +152,13 @@ Parameter::End ToRatio(const Domain& domain, const GridArgument& argument, Ratio
     }
   }
 
-  const Products products = {
-      {from, Decode(grid.u1)}, {to, Decode(grid.u2)}, {all, Decode(domain.u1)}, {all, Decode(domain.u2)}};
+  const Products products = {Times(from, grid.u1), Times(to, grid.u2), Times(all, domain.u1),
+                             Times(all, domain.u2)};
   int low = 1024, high = -1074;
-  for (const Product& product : {products.from, products.to, products.u1, products.u2}) {
-    const Limb2 magnitude = MagnitudeOf(product);
-    if (magnitude == 0) continue;
-    low = std::min(low, product.value.exponent);
-    high = std::max(high, product.value.exponent + BitWidth(magnitude));
+  for (const Product& product : products) {
+    if (product.magnitude == 0) continue;
+    low = std::min(low, product.exponent);
+    high = std::max(high, product.exponent + BitWidth(product.magnitude));
   }
   // Sums of up to four products, and a sign.
   return high - low + 3 <= 127 ? ToRatioNarrow(products, low, ratio) : ToRatioWide(products, low, ratio);
