@@ -1,0 +1,210 @@
+// The control points of a curve of degree n, times their binomials, are the coefficients of a polynomial
+//   P(x) = sum of C(n, i) R_i x^i,
+// and to elevate the degree by one is to multiply P by 1 + x. So the degree is n - k where (1 + x)^k divides
+// P, and all of it happens in integers: only at the end the binomials must divide.
+#include "production/src/reduction.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "production/src/binomials.h"
+#include "production/src/wide_integer.h"
+
+namespace glev {
+namespace {
+
+// A row or a column of control points.
+struct Line {
+  double* points;
+  std::ptrdiff_t step;
+  int degree;
+
+  double& operator[](int i) const { return points[i * step]; }
+};
+
+// All of the points are multiples of 2^low and below 2^high in magnitude; low > high if they are all zero.
+struct Range {
+  int low = 1024, high = -1074;
+};
+
+Range RangeOf(const Line& line) {
+  Range range;
+  for (int i = 0; i <= line.degree; ++i) {
+    const Decoded decoded = Decode(line[i]);
+    if (decoded.mantissa == 0) continue;
+    range.low = std::min(range.low, decoded.exponent);
+    range.high = std::max(range.high, decoded.exponent + BitWidth(decoded.mantissa));
+  }
+  return range;
+}
+
+// False if P(-1) is not 0 modulo 2^64, and then not at all.
+bool MayReduce(const Line& line) {
+  const std::uint64_t* const binomials = Binomials(line.degree);
+  const Range range = RangeOf(line);
+  Limb sum = 0;
+  for (int i = 0; i <= line.degree; ++i) {
+    const Decoded decoded = Decode(line[i]);
+    const int shift = decoded.exponent - range.low;
+    if (decoded.mantissa == 0 || shift >= kLimbBits) continue;
+    const Limb term = decoded.mantissa * binomials[i] << shift;
+    sum = decoded.negative == (i % 2 == 0) ? sum - term : sum + term;
+  }
+  return sum == 0;
+}
+
+// +-magnitude / divisor * 2^exponent as a double if it is one. Overwrites the magnitude.
+bool ToDouble(bool negative, Limb* magnitude, int size, Limb divisor, int exponent, double& result) {
+  constexpr int kPrecision = 53, kLowest = -1074, kHighest = 1024;
+  result = 0;
+  size = Trimmed(magnitude, size);
+  if (size == 0) return true;
+  const int twos = std::countr_zero(divisor);
+  Limb remainder = 0;
+  for (int i = size - 1; i >= 0; --i) {
+    const Limb2 dividend = Limb2{remainder} << kLimbBits | magnitude[i];
+    magnitude[i] = static_cast<Limb>(dividend / (divisor >> twos));
+    remainder = static_cast<Limb>(dividend % (divisor >> twos));
+  }
+  if (remainder != 0) return false;
+  size = Trimmed(magnitude, size);
+  const int zeros = TrailingZeros(magnitude), width = BitWidth(magnitude, size) - zeros;
+  exponent += zeros - twos;
+  if (width > kPrecision || exponent < kLowest || exponent + width > kHighest) return false;
+  // The place of the lowest bit, normal or not.
+  const int last = std::max(exponent + width - kPrecision, kLowest);
+  const Limb significand = BitsAt(magnitude, size, zeros) << (exponent - last);
+  const Limb bits = (static_cast<Limb>(last - kLowest) << (kPrecision - 1)) + significand;
+  result = std::bit_cast<double>(bits | static_cast<Limb>(negative) << (kLimbBits - 1));
+  return true;
+}
+
+// P of one line, divided by 1 + x as often as wanted.
+class Polynomial {
+ public:
+  // False if it is too wide.
+  bool Load(const Line& line) {
+    const Range range = RangeOf(line);
+    if (range.high - range.low > kMaxRange) return false;
+    degree_ = line.degree;
+    low_ = range.low;
+    const std::uint64_t* const binomials = Binomials(degree_);
+    for (int i = 0; i <= degree_; ++i) {
+      coefficients_[i] = {};
+      const Decoded decoded = Decode(line[i]);
+      if (decoded.mantissa == 0) continue;
+      const Limb2 product = Limb2{decoded.mantissa} * binomials[i];
+      const std::array<Limb, 2> limbs = {static_cast<Limb>(product), High(product)};
+      const int shift = decoded.exponent - low_, first = shift / kLimbBits;
+      const Limb power = Limb{1} << shift % kLimbBits;
+      AddProduct(coefficients_[i].data() + first, kLimbs - first, limbs.data(), 2, power);
+      if (decoded.negative) Negate(coefficients_[i].data(), kLimbs);
+    }
+    return true;
+  }
+
+  int degree() const { return degree_; }
+
+  // By 1 + x, or else false and nothing changed.
+  bool Divide() {
+    if (degree_ == 0) return false;
+    for (int i = 1; i <= degree_; ++i) {
+      SubtractProduct(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
+    }
+    --degree_;
+    if (Trimmed(coefficients_[degree_ + 1].data(), kLimbs) == 0) return true;
+    Multiply();
+    return false;
+  }
+
+  void Multiply() {
+    ++degree_;
+    for (int i = degree_; i > 0; --i) {
+      AddProduct(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
+    }
+  }
+
+  // The control points of this degree. False if not all of them are doubles.
+  bool Points(std::array<double, kMaxOrder>& points) const {
+    const std::uint64_t* const binomials = Binomials(degree_);
+    for (int i = 0; i <= degree_; ++i) {
+      Coefficient magnitude = coefficients_[i];
+      const bool negative = IsNegative(magnitude.data(), kLimbs);
+      if (negative) Negate(magnitude.data(), kLimbs);
+      if (!ToDouble(negative, magnitude.data(), kLimbs, binomials[i], low_, points[i])) return false;
+    }
+    return true;
+  }
+
+ private:
+  // After k divisions a coefficient, or the remainder, is a sum of C(n, j) R_j times binomials of rows up to
+  // n, so below 2^(2n) * max |R|.
+  static constexpr int kLimbs = 7, kMaxRange = 320;
+  static_assert(kMaxRange + 2 * (kMaxOrder - 1) + 1 <= kLimbs * kLimbBits);
+  using Coefficient = std::array<Limb, kLimbs>;  // in two's complement, times 2^low
+
+  std::array<Coefficient, kMaxOrder> coefficients_;
+  int degree_;
+  int low_;
+};
+
+// In place; the new degree of the lines i * line_step, i < count.
+int ReduceLines(double* points, std::ptrdiff_t line_step, int count, std::ptrdiff_t step, int degree) {
+  const auto line = [=](int i) { return Line{points + i * line_step, step, degree}; };
+  for (int i = 0; i < count; ++i) {
+    if (!MayReduce(line(i))) return degree;
+  }
+
+  Polynomial polynomial;
+  int lowest = 0;
+  for (int i = 0; i < count && lowest < degree; ++i) {
+    if (!polynomial.Load(line(i))) return degree;
+    while (polynomial.degree() > lowest && polynomial.Divide()) continue;
+    lowest = polynomial.degree();
+  }
+
+  // A degree at which all lines have doubles: a line may have them at some degree and not at one above, so
+  // that whenever a line asks for a higher one all others are asked again.
+  std::array<double, kMaxOrder> reduced;
+  for (int i = 0, agreed = 0; agreed < count; i = (i + 1) % count) {
+    polynomial.Load(line(i));
+    while (polynomial.degree() > lowest) polynomial.Divide();
+    while (!polynomial.Points(reduced)) polynomial.Multiply();
+    agreed = polynomial.degree() == lowest ? agreed + 1 : 1;
+    lowest = polynomial.degree();
+    if (lowest == degree) return degree;
+  }
+
+  // Rows move together, each after it has been read.
+  const std::ptrdiff_t new_step = step == 1 ? lowest + 1 : line_step;
+  for (int i = 0; i < count; ++i) {
+    polynomial.Load(line(i));
+    while (polynomial.degree() > lowest) polynomial.Divide();
+    polynomial.Points(reduced);
+    const Line to = {points + i * new_step, step, lowest};
+    for (int j = 0; j <= lowest; ++j) to[j] = reduced[j];
+  }
+  return lowest;
+}
+
+}  // namespace
+
+std::array<int, 2> Reduce(const Component& component, double* reduced) {
+  std::array<int, 2> order = component.order;
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
+  for (std::ptrdiff_t i = 0; i < count; ++i) reduced[i] = component.points[i * component.stride];
+  for (int unchanged = 0, direction = 1; unchanged < 2; direction = 1 - direction) {
+    const int before = order[direction];
+    if (before > 1) {
+      const std::ptrdiff_t row = order[1];
+      order[direction] = 1 + (direction == 1 ? ReduceLines(reduced, row, order[0], 1, before - 1)
+                                             : ReduceLines(reduced, 1, order[1], row, before - 1));
+    }
+    unchanged = order[direction] == before ? unchanged + 1 : 0;
+  }
+  return order;
+}
+
+}  // namespace glev
