@@ -6,10 +6,8 @@
  *      with the prefix glev and the context as first argument, and behave as GL 4.6 (compatibility
  *      profile) says, errors included. Vertices come out through a sink: three callbacks.
  *   2. Batches. A glev_plan is an immutable snapshot of what the enabled maps of a context evaluate to;
- *      glevEvaluate1 runs an array of arguments through it into memory of the caller.
- *
- * Today: the GL commands for maps of both dimensions, grids and meshes, with display lists and the attribute
- * stack; batches of one-dimensional maps.
+ *      glevEvaluate runs arrays of arguments, glevEvaluateMesh points of the grid through it into memory of the
+ *      caller, glevGetIndices says how these make primitives.
  *
  * Conventions
  *   - C99 and C++. No globals: everything hangs on a context or a plan.
@@ -203,13 +201,19 @@ typedef struct glev_allocator {
 typedef struct glev_context_info {
   size_t size;
   const glev_allocator* allocator; /* copied; null for the heap */
+  const char* target;              /* one of glevGetTargetName; null for the best */
 } glev_context_info;
+
+/* The names of the instruction sets ("AVX2" and the like) that this library can use on this machine, best first;
+ * null for an index beyond the last. A context and its plans use one of them. Correctly rounded results do not
+ * depend on which. */
+GLEV_API const char* glevGetTargetName(size_t index);
 
 /* Makes a context in the GL's initial state (GL §21.1 last paragraph, tables 23.4, 23.40): every map
  * disabled, of order 1 over (0,1) with GL's initial control point, AUTO_NORMAL off, grids of one segment over
  * (0,1), current colour (1,1,1,1), index 1, normal (0,0,1), texture coordinates (0,0,0,1), edge flag TRUE.
  * info: null for the defaults. *context is null on failure.
- * Returns SUCCESS, INVALID_ARGUMENT or OUT_OF_MEMORY. */
+ * Returns SUCCESS, INVALID_ARGUMENT (also for an unknown target) or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreateContext(const glev_context_info* info, glev_context** context);
 
 /* Frees the context; null is ignored. Its plans live on. Not from within a callback of its sink. */
@@ -576,19 +580,19 @@ GLEV_API const glev_ubyte* glevGetString(glev_context* context, glev_enum name);
 
 /* ---- Plans ---- */
 
-/* An immutable snapshot of what evaluation needs: the maps that are enabled and not outranked, and the grid;
- * in this version the one-dimensional ones only. It is reference-counted: who creates or retains it releases
- * it. Later changes of the context do not reach it, and it may outlive the context. Evaluation never
- * allocates. All calls on plans are safe from any thread. */
+/* An immutable snapshot of what evaluation needs: the maps of one dimension that are enabled and not
+ * outranked, AUTO_NORMAL, and the grid. It is reference-counted: who creates or retains it releases it. Later
+ * changes of the context do not reach it, and it may outlive the context. Evaluation never allocates. All
+ * calls on plans are safe from any thread. */
 
 typedef struct glev_plan_info {
   size_t size;
-  size_t dimension; /* 1: the MAP1 maps */
+  size_t dimension; /* 1: the MAP1 maps, 2: the MAP2 maps */
 } glev_plan_info;
 
 /* Takes a snapshot of the context; legal between Begin and End, too. *plan is null on failure. Two calls
  * without a change of state between them return the same plan with one more reference.
- * Returns SUCCESS, INVALID_ARGUMENT, UNSUPPORTED (dimension is not 1) or OUT_OF_MEMORY. */
+ * Returns SUCCESS, INVALID_ARGUMENT, UNSUPPORTED (dimension is neither 1 nor 2) or OUT_OF_MEMORY. */
 GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info* info, glev_plan** plan);
 
 GLEV_API void glevRetainPlan(glev_plan* plan);
@@ -597,62 +601,137 @@ GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
-  GLEV_ATTRIBUTE_NORMAL = 2,
+  GLEV_ATTRIBUTE_NORMAL = 2, /* of a normal map, or automatic */
   GLEV_ATTRIBUTE_TEXCOORD = 3
 } glev_attribute;
 
-/* Number of values (1 to 4) the map for an attribute gives, 0 if the plan has no map for it or there is no
- * such attribute. */
+/* Number of values (1 to 4) a plan gives for an attribute, 0 if it has no map for it or there is no such
+ * attribute. */
 GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attribute);
 
-/* Where one attribute goes: element i is `components` floats at data + i*stride bytes.
+/* ---- Batches ---- */
+
+/* How exact the results are.
+ * CORRECTLY_ROUNDED: those of EvalCoord and EvalPoint, bit for bit.
+ * FAST: of what a map gives, each component of a float result differs from the exact value V by at most
+ *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the largest
+ *   magnitude of that component of a control point, as long as that is between 2^-80 and 2^80; otherwise, and
+ *   outside the domain, it is the correctly rounded one. Automatic normals, tangents and double results are
+ *   the same in both. */
+typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
+
+/* Where one attribute goes: element i is `components` values at data + i*stride bytes; in a mesh of two
+ * dimensions, element (i, j) lies at data + i*stride + j*row_stride, counted from (i1, j1).
  * components: at least what glevGetPlanComponents says, at most 4 (3 for normals); the missing ones are
- *   (0,0,0,1)'s.
- * stride: at least components * 4.
+ *   (0,0,0,1)'s, for tangents 0.
+ * stride: at least the bytes of the components.
  * data_size: bytes at data that may be written.
- * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved. */
+ * type: GLEV_FLOAT, also 0, or GLEV_DOUBLE.
+ * row_stride: meshes of two dimensions only. At least the bytes from the first to the end of the last element
+ *   of a row; 0: rows follow one another.
+ * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved.
+ *
+ * Double results of maps are within one ULP of V wherever |V| >= 2^-40 * sum |B_i R_i|, otherwise within
+ * (64 (n + m) + 64) * 2^-105 * sum |B_i R_i| of it; this holds for finite maps, domains and arguments of
+ * magnitudes from 2^-400 to 2^400 or zero. Beyond them they are floats' values. */
 typedef struct glev_output {
   size_t size;
   void* data;
   size_t data_size;
   size_t stride;
   size_t components;
+  glev_enum type;
+  size_t row_stride;
 } glev_output;
 
-/* `count` arguments of type u_type (GLEV_FLOAT or GLEV_DOUBLE); argument i lies at u + i*u_stride bytes.
- * u_stride: any, 0 included. u_size: bytes at u that may be read. An output that is null is not computed.
- * scratch: scratch_size bytes of the caller's, at least what glevGetScratchSize1 says; contents do not
- * matter. Null with size 0 where none is needed. Concurrent calls need scratch of their own. */
-typedef struct glev_batch1 {
-  size_t size;
-  size_t count;
-  const void* u;
-  size_t u_size;
-  size_t u_stride;
-  glev_enum u_type;
+/* The outputs of a batch; one that is null is not computed. tangent_u and tangent_v, of plans of dimension 2
+ * with a vertex map: the derivatives of its components by u and v (of homogeneous coordinates, not of their
+ * quotient). */
+typedef struct glev_outputs {
   const glev_output* vertex;
   const glev_output* color;
   const glev_output* normal;
   const glev_output* texcoord;
+  const glev_output* tangent_u;
+  const glev_output* tangent_v;
+} glev_outputs;
+
+/* An array of arguments: number i lies at data + i*stride bytes. stride: any, 0 included. data_size: bytes at
+ * data that may be read. */
+typedef struct glev_input {
+  const void* data;
+  size_t data_size;
+  size_t stride;
+} glev_input;
+
+/* `count` arguments u, or (u, v), of type `type` (GLEV_FLOAT or GLEV_DOUBLE). v: for plans of dimension 2 only,
+ * all zero else. */
+typedef struct glev_batch {
+  size_t size;
+  size_t count;
+  glev_enum type;
+  glev_precision precision;
+  glev_input u;
+  glev_input v;
+  glev_outputs outputs;
+} glev_batch;
+
+/* Evaluates the maps of a plan at each argument. Unlike in the GL, no vertex map is needed for the others to be
+ * evaluated. Everything is checked before anything is written. With count 0 nothing is read or written, and all
+ * data may be null.
+ * Returns SUCCESS or
+ * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride, precision or number of components.
+ * NO_MAP: an output for an attribute without a map.
+ * BUFFER_TOO_SMALL: a data_size.
+ * OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one block is
+ *   recognised if the strides are equal; with different strides the blocks must be apart. */
+GLEV_API glev_result glevEvaluate(const glev_plan* plan, const glev_batch* batch);
+
+/* The points i1..i2 of the plan's grid, for plans of dimension 2 i1..i2 times j1..j2; j1 = j2 = 0 else. Any
+ * index is legal, as in EvalMesh. i1 > i2 or j1 > j2: no point.
+ * scratch: scratch_size bytes of the caller's, at least what glevGetMeshScratchSize says; contents do not
+ * matter, nor does alignment. Concurrent calls need scratch of their own. */
+typedef struct glev_mesh {
+  size_t size;
+  glev_int i1, i2, j1, j2;
+  glev_precision precision;
+  glev_outputs outputs;
   void* scratch;
   size_t scratch_size;
-} glev_batch1;
+} glev_mesh;
 
-/* The bytes of scratch memory that glevEvaluate1 needs for this batch: evaluation never allocates. 0 for a
- * batch that glevEvaluate1 refuses. Scalar evaluation works in registers, so this version answers 0 for every
- * batch; ask all the same, later versions need some. */
-GLEV_API size_t glevGetScratchSize1(const glev_plan* plan, const glev_batch1* batch);
+/* The bytes of scratch memory that glevEvaluateMesh needs for the columns, i1 to i2, of this mesh: evaluation
+ * never allocates. 0 for a mesh that it refuses. May be 0. */
+GLEV_API size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* mesh);
 
-/* Evaluates the maps of a one-dimensional plan at each argument. The values are those of EvalCoord1, bit for
- * bit. Unlike there, no vertex map is needed for the others to be evaluated. Everything is checked before
- * anything is written. With count 0 nothing is read or written, and u and data may be null.
+/* Evaluates the maps of a plan at points of its grid. Values, checks and results as glevEvaluate; scratch counts
+ * as an output. */
+GLEV_API glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* mesh);
+
+/* ---- Indices ---- */
+
+/* How the vertices of a mesh of columns * rows points, numbered along u first, make primitives for glDrawElements:
+ * POINT: POINTS, in the order of EvalMesh2. LINE: LINES, first those along u, then those along v, each as EvalMesh
+ * draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs, (i,j) (i,j+1) (i+1,j) and
+ * (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows = 1, and no FILL. */
+typedef struct glev_indices {
+  size_t size;
+  glev_enum mode;
+  size_t columns, rows;
+  size_t first;   /* number of the first vertex */
+  glev_enum type; /* GLEV_UNSIGNED_BYTE, GLEV_UNSIGNED_SHORT or GLEV_UNSIGNED_INT */
+  void* data;
+  size_t data_size;
+} glev_indices;
+
+/* How many indices there are; 0 for what glevGetIndices refuses, whatever data is. */
+GLEV_API size_t glevGetIndexCount(const glev_indices* indices);
+
+/* Writes them, without gaps.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride or number of components.
- * NO_MAP: an output for an attribute without a map.
- * BUFFER_TOO_SMALL: u_size, a data_size or scratch_size.
- * OVERLAP: bytes of an output belong to another output or to the input as well. Interleaving in one block is
- *   recognised if the strides are equal; with different strides the blocks must be apart. */
-GLEV_API glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* batch);
+ * INVALID_ARGUMENT: a null pointer, a wrong size, mode or type, or a vertex whose number the type cannot hold.
+ * BUFFER_TOO_SMALL: data_size. */
+GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 
 #ifdef __cplusplus
 }

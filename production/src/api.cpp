@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <utility>
@@ -49,9 +50,22 @@ void TexCoord(glev_context* context, glev_enum texture, const Real* v) {
   context->Issue(glev::MultiTexCoordCommand{texture, Load<kCount>(std::array<float, 4>{0, 0, 0, 1}, v)});
 }
 
+// The best ones for a null name, null for an unknown one.
+const glev::Kernels* FindKernels(const char* name) {
+  for (std::size_t i = 0;; ++i) {
+    const glev::Kernels* kernels = glev::KernelsOf(i);
+    if (kernels == nullptr || name == nullptr || std::strcmp(name, kernels->name) == 0) return kernels;
+  }
+}
+
 }  // namespace
 
 // ---- Contexts, sink, errors
+
+const char* glevGetTargetName(size_t index) {
+  const glev::Kernels* kernels = glev::KernelsOf(index);
+  return kernels != nullptr ? kernels->name : nullptr;
+}
 
 glev_result glevCreateContext(const glev_context_info* given, glev_context** context) {
   if (context == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -67,9 +81,11 @@ glev_result glevCreateContext(const glev_context_info* given, glev_context** con
     }
     allocator = glev::Allocator(functions);
   }
+  const glev::Kernels* kernels = FindKernels(info.target);
+  if (kernels == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
   void* memory = allocator.Allocate(sizeof(glev_context), alignof(glev_context));
   if (memory == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;
-  *context = new (memory) glev_context(allocator);
+  *context = new (memory) glev_context(allocator, kernels);
   return GLEV_SUCCESS;
 }
 
@@ -436,8 +452,8 @@ glev_result glevCreatePlan(glev_context* context, const glev_plan_info* given, g
   *plan = nullptr;
   glev_plan_info info;
   if (!glev::ReadStruct(given, &info)) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (info.dimension != 1) return GLEV_ERROR_UNSUPPORTED;
-  glev_plan* current = context->CurrentPlan(1);
+  if (info.dimension != 1 && info.dimension != 2) return GLEV_ERROR_UNSUPPORTED;
+  glev_plan* current = context->CurrentPlan(static_cast<int>(info.dimension));
   if (current == nullptr) return GLEV_ERROR_OUT_OF_MEMORY;
   current->Retain();
   *plan = current;
@@ -452,5 +468,6 @@ void glevReleasePlan(glev_plan* plan) {
 
 size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attribute) {
   const auto index = static_cast<unsigned>(attribute);
+  if (attribute == GLEV_ATTRIBUTE_NORMAL && plan->automatic_normals()) return 3;
   return index < glev::kAttributes ? plan->components(static_cast<glev::Attribute>(index)) : 0;
 }

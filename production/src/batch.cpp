@@ -1,125 +1,320 @@
-// Batches: arrays of arguments through a plan into memory of the caller.
+// Batches: arrays of arguments, or points of a grid, through a plan into memory of the caller.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
+#include "production/src/environment.h"
+#include "production/src/kernels.h"
 #include "production/src/plan.h"
+#include "production/src/resolve.h"
 #include "production/src/row.h"
 
 namespace {
 
-using glev::Attribute;
-using glev::kAttributes;
+using glev::Attribute, glev::GridArgument, glev::kAttributes, glev::kCacheLine;
 
-// `count` > 0 elements of `element` bytes, `stride` bytes from one to the next.
+// rows * columns > 0 elements of `element` bytes, `stride` bytes from one to the next, `row_stride` from row
+// to row.
 struct Stream {
   const std::byte* begin = nullptr;
-  std::size_t count = 0, stride = 0, element = 0;
+  std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
 
   // In so many bytes, and in the address space, whatever the caller claims.
   bool FitsInto(std::size_t bytes) const {
     const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
     if (element > room) return false;
-    return stride == 0 || count - 1 <= (room - element) / stride;
+    const std::size_t left = room - element;
+    if (stride != 0 && columns - 1 > left / stride) return false;
+    return row_stride == 0 || rows - 1 <= (left - (columns - 1) * stride) / row_stride;
   }
   // Only after FitsInto: nothing overflows then.
   std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
-  std::uintptr_t past_last_byte() const { return first_byte() + (count - 1) * stride + element; }
+  std::uintptr_t past_last_byte() const {
+    return first_byte() + (rows - 1) * row_stride + (columns - 1) * stride + element;
+  }
 };
 
 // b is an output, so its stride is positive. With different strides any overlap of the extents counts.
 bool ShareBytes(const Stream& a, const Stream& b) {
   if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
-  if (a.stride != b.stride) return true;
+  if (a.stride != b.stride || a.rows != b.rows || a.row_stride != b.row_stride) return true;
   // Interleaved: compare offsets within one stride.
   const Stream& low = a.first_byte() <= b.first_byte() ? a : b;
   const Stream& high = &low == &a ? b : a;
-  const std::size_t offset = (high.first_byte() - low.first_byte()) % a.stride;
+  std::size_t offset = high.first_byte() - low.first_byte();
+  if (a.rows == 1 || a.row_stride % a.stride == 0) {
+    offset %= a.stride;
+  } else if ((a.columns - 1) * a.stride + offset + high.element > a.row_stride) {
+    return true;
+  }
   return offset < low.element || offset + high.element > a.stride;
 }
 
+// ---- Outputs
+
+constexpr int kTangentU = kAttributes, kOutputs = kAttributes + 2;
+
 struct Output {
-  bool wanted = false;
+  bool is_wanted = false, is_double = false;
+  int components = 0;
   std::byte* data = nullptr;
+  std::size_t bytes = 0;
   Stream stream;
+
+  std::byte* At(std::size_t column, std::size_t row) const {
+    return data + column * stream.stride + row * stream.row_stride;
+  }
 };
 
-glev_result ReadOutput(const glev_output* given, std::size_t count, std::size_t map_components,
-                       std::size_t most_components, Output* output, std::size_t* bytes) {
+using Outputs = std::array<Output, kOutputs>;
+
+std::size_t ComponentsOf(const glev_plan& plan, int output) {
+  if (output >= kTangentU) return plan.tangent_components();
+  return glevGetPlanComponents(&plan, static_cast<glev_attribute>(output));
+}
+
+glev_result ReadOutput(const glev_output* given, std::size_t columns, std::size_t rows, bool has_rows,
+                       std::size_t map_components, std::size_t most_components, Output* output) {
   glev_output copy;
   if (!glev::ReadStruct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (map_components == 0) return GLEV_ERROR_NO_MAP;
   if (copy.components < map_components || copy.components > most_components)
     return GLEV_ERROR_INVALID_ARGUMENT;
-  const std::size_t element = copy.components * sizeof(float);
-  if (copy.stride < element || (copy.data == nullptr && count != 0)) return GLEV_ERROR_INVALID_ARGUMENT;
-  *bytes = copy.data_size;
-  *output = {true,
-             static_cast<std::byte*>(copy.data),
-             {static_cast<std::byte*>(copy.data), count, copy.stride, element}};
+  if (copy.type != 0 && copy.type != GLEV_FLOAT && copy.type != GLEV_DOUBLE)
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  const bool is_double = copy.type == GLEV_DOUBLE;
+  const std::size_t element = copy.components * (is_double ? sizeof(double) : sizeof(float));
+  const bool is_empty = columns == 0 || rows == 0;
+  if (copy.stride < element || (copy.data == nullptr && !is_empty)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!has_rows && copy.row_stride != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  std::size_t row_stride = 0;
+  if (has_rows && !is_empty) {
+    // Of more than the address space there is no row.
+    if (columns > SIZE_MAX / copy.stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
+    row_stride = copy.row_stride != 0 ? copy.row_stride : columns * copy.stride;
+    if (row_stride < (columns - 1) * copy.stride + element) return GLEV_ERROR_INVALID_ARGUMENT;
+  }
+  auto* const data = static_cast<std::byte*>(copy.data);
+  *output = {true, is_double,      static_cast<int>(copy.components),
+             data, copy.data_size, {data, columns, rows, copy.stride, row_stride, element}};
   return GLEV_SUCCESS;
 }
 
-template <class Real>
-void EvaluateAll(const glev_plan& plan, const Stream& u, const std::array<Output, kAttributes>& outputs) {
-  const glev::Row row(plan, 0.0);
-  for (int a = 0; a < kAttributes; ++a) {
-    const Output& output = outputs[a];
-    if (!output.wanted) continue;
-    for (std::size_t i = 0; i < u.count; ++i) {
-      Real argument;
-      std::memcpy(&argument, u.begin + i * u.stride, sizeof argument);
-      std::array<float, 4> value;
-      glev::RoundTo(value, row.At(static_cast<Attribute>(a), static_cast<double>(argument)));
-      std::memcpy(output.data + i * output.stream.stride, value.data(), output.stream.element);
+glev_result ReadOutputs(const glev_plan& plan, const glev_outputs& given, std::size_t columns,
+                        std::size_t rows, bool has_rows, Outputs* outputs) {
+  const std::array<const glev_output*, kOutputs> wanted = {given.vertex,   given.color,     given.normal,
+                                                           given.texcoord, given.tangent_u, given.tangent_v};
+  for (int o = 0; o < kOutputs; ++o) {
+    if (wanted[o] == nullptr) continue;
+    const bool is_normal = o == static_cast<int>(Attribute::kNormal);
+    const glev_result result = ReadOutput(wanted[o], columns, rows, has_rows, ComponentsOf(plan, o),
+                                          is_normal ? 3 : 4, &(*outputs)[o]);
+    if (result != GLEV_SUCCESS) return result;
+  }
+  return GLEV_SUCCESS;
+}
+
+// Sizes and overlaps, with what else is read or written.
+template <std::size_t kOthers>
+glev_result CheckMemory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
+  for (const Output& output : outputs) {
+    if (output.is_wanted && !output.stream.FitsInto(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  }
+  for (int a = 0; a < kOutputs; ++a) {
+    if (!outputs[a].is_wanted) continue;
+    for (const Stream& other : others) {
+      if (other.columns != 0 && ShareBytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
+    }
+    for (int b = 0; b < a; ++b) {
+      if (outputs[b].is_wanted && ShareBytes(outputs[b].stream, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     }
   }
+  return GLEV_SUCCESS;
+}
+
+bool IsPrecision(glev_precision precision) {
+  return precision == GLEV_CORRECTLY_ROUNDED || precision == GLEV_FAST;
+}
+
+// ---- What has no kernel
+
+void Put(const Output& output, std::byte* to, const std::array<double, 4>& values) {
+  std::array<float, 4> floats;
+  if (output.is_double) {
+    std::memcpy(to, values.data(), output.stream.element);
+    return;
+  }
+  for (std::size_t k = 0; k < 4; ++k) floats[k] = static_cast<float>(values[k]);
+  std::memcpy(to, floats.data(), output.stream.element);
+}
+
+// u(i) and v(j) of the columns and rows: one of both is constant in a batch of scattered arguments.
+template <class U, class V, class Function>
+void ForEach(const Output& output, const U& u, const V& v, const Function& function) {
+  for (std::size_t j = 0; j < output.stream.rows; ++j) {
+    for (std::size_t i = 0; i < output.stream.columns; ++i)
+      Put(output, output.At(i, j), function(u(i), v(i, j)));
+  }
+}
+
+template <class U, class V>
+void EvaluateInDouble(const glev::PreparedMap& map, const Output& output, const U& u, const V& v) {
+  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+    std::array<double, 4> values = {0, 0, 0, 1};
+    for (int k = 0; k < map.surface.components; ++k) values[k] = glev::InDouble(map, k, at_u, at_v);
+    return values;
+  });
+}
+
+template <class U, class V>
+void EvaluateNormals(const glev_plan& plan, const Output& output, const U& u, const V& v) {
+  glev::Row row(plan);
+  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+    row.MoveTo(at_v);
+    const std::array<float, 3> normal = row.NormalAt(at_u);
+    return std::array<double, 4>{normal[0], normal[1], normal[2], 0};
+  });
+}
+
+template <class U, class V>
+void EvaluateTangents(const glev_plan& plan, int direction, const Output& output, const U& u, const V& v) {
+  const glev::Surface& tangent = plan.tangent(direction);
+  const double factor = plan.tangent_factor(direction);
+  std::array<double, glev::kMaxOrder * 4> room;
+  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+    std::array<double, 4> values{};
+    if (tangent.components == 0) return values;
+    const glev::Curve curve = CurveAt(tangent, Locate(tangent.domain[1], at_v), room.data());
+    Evaluate(curve, Locate(tangent.domain[0], at_u), values.data());
+    for (double& value : values) value *= factor;
+    return values;
+  });
+}
+
+// All outputs: `evaluate` those that have a kernel.
+template <class U, class V, class Evaluate>
+void EvaluateAll(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
+                 const Evaluate& evaluate) {
+  const glev::DefaultEnvironment environment;
+  for (int o = 0; o < kOutputs; ++o) {
+    const Output& output = outputs[o];
+    if (!output.is_wanted) continue;
+    if (o >= kTangentU) {
+      EvaluateTangents(plan, o - kTangentU, output, u, v);
+    } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
+      EvaluateNormals(plan, output, u, v);
+    } else if (output.is_double) {
+      EvaluateInDouble(plan.map(static_cast<Attribute>(o)), output, u, v);
+    } else {
+      evaluate(
+          plan.map(static_cast<Attribute>(o)),
+          glev::Destination{output.data, output.stream.stride, output.stream.row_stride, output.components});
+    }
+  }
+}
+
+// ---- Meshes
+
+// Count of i1..i2; an int's range always fits.
+std::size_t CountOf(glev_int i1, glev_int i2) {
+  return i1 > i2 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(i2) - i1 + 1);
+}
+
+// Well formed, but for its outputs and scratch.
+bool ReadMesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
+  if (plan == nullptr || !glev::ReadStruct(given, mesh) || !IsPrecision(mesh->precision)) return false;
+  return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
+}
+
+std::size_t ScratchOf(const glev_plan& plan, std::size_t columns) {
+  std::size_t bytes = 0;
+  for (int a = 0; a < kAttributes; ++a) {
+    const glev::Surface& surface = plan.surface(static_cast<Attribute>(a));
+    if (surface.components != 0) bytes = std::max(bytes, glev::MeshScratch(surface.degree[0], columns));
+  }
+  return bytes + kCacheLine;
 }
 
 }  // namespace
 
-size_t glevGetScratchSize1(const glev_plan*, const glev_batch1*) { return 0; }
-
-glev_result glevEvaluate1(const glev_plan* plan, const glev_batch1* given) {
-  glev_batch1 batch;
+glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
+  glev_batch batch;
   if (plan == nullptr || !glev::ReadStruct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (batch.u_type != GLEV_FLOAT && batch.u_type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (batch.u == nullptr && batch.count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (batch.scratch == nullptr && batch.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
-  const Stream u = {static_cast<const std::byte*>(batch.u), batch.count, batch.u_stride,
-                    batch.u_type == GLEV_FLOAT ? sizeof(float) : sizeof(double)};
+  if (batch.type != GLEV_FLOAT && batch.type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!IsPrecision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const bool has_v = plan->dimension() == 2, is_double = batch.type == GLEV_DOUBLE;
+  if (batch.count != 0 && (batch.u.data == nullptr || (has_v && batch.v.data == nullptr)))
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
+    return GLEV_ERROR_INVALID_ARGUMENT;
+  Outputs outputs;
+  const glev_result result = ReadOutputs(*plan, batch.outputs, batch.count, 1, false, &outputs);
+  if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
-  const std::array<const glev_output*, kAttributes> wanted = {batch.vertex, batch.color, batch.normal,
-                                                              batch.texcoord};
-  std::array<Output, kAttributes> outputs;
-  std::array<std::size_t, kAttributes> bytes{};
-  for (int a = 0; a < kAttributes; ++a) {
-    if (wanted[a] == nullptr) continue;
-    const auto attribute = static_cast<Attribute>(a);
-    const glev_result result = ReadOutput(wanted[a], batch.count, plan->components(attribute),
-                                          attribute == Attribute::kNormal ? 3 : 4, &outputs[a], &bytes[a]);
-    if (result != GLEV_SUCCESS) return result;
+  const auto stream_of = [&](const glev_input& input) {
+    const std::size_t element = is_double ? sizeof(double) : sizeof(float);
+    return Stream{static_cast<const std::byte*>(input.data), batch.count, 1, input.stride, 0, element};
+  };
+  std::array<Stream, 2> inputs = {stream_of(batch.u)};
+  if (!inputs[0].FitsInto(batch.u.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  if (has_v) {
+    inputs[1] = stream_of(batch.v);
+    if (!inputs[1].FitsInto(batch.v.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  if (batch.count == 0) return GLEV_SUCCESS;
+  const glev_result memory = CheckMemory(outputs, inputs);
+  if (memory != GLEV_SUCCESS) return memory;
 
-  if (!u.FitsInto(batch.u_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
-  for (int a = 0; a < kAttributes; ++a) {
-    if (outputs[a].wanted && !outputs[a].stream.FitsInto(bytes[a])) return GLEV_ERROR_BUFFER_TOO_SMALL;
-  }
-  for (int a = 0; a < kAttributes; ++a) {
-    if (!outputs[a].wanted) continue;
-    if (ShareBytes(u, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
-    for (int b = 0; b < a; ++b) {
-      if (outputs[b].wanted && ShareBytes(outputs[b].stream, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
-    }
-  }
+  const glev::Input u = {inputs[0].begin, inputs[0].stride, is_double},
+                    v = {inputs[1].begin, inputs[1].stride, is_double};
+  EvaluateAll(
+      *plan, outputs, [&](std::size_t i) { return glev::At(u[i]); },
+      [&](std::size_t i, std::size_t) { return has_v ? glev::At(v[i]) : GridArgument{}; },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        if (has_v) {
+          plan->kernels().surface(map, u, v, batch.count, to);
+        } else {
+          plan->kernels().curve(map, u, batch.count, to);
+        }
+      });
+  return GLEV_SUCCESS;
+}
 
-  if (batch.u_type == GLEV_FLOAT) {
-    EvaluateAll<float>(*plan, u, outputs);
-  } else {
-    EvaluateAll<double>(*plan, u, outputs);
-  }
+size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* given) {
+  glev_mesh mesh;
+  return ReadMesh(plan, given, &mesh) ? ScratchOf(*plan, CountOf(mesh.i1, mesh.i2)) : 0;
+}
+
+glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
+  glev_mesh mesh;
+  if (!ReadMesh(plan, given, &mesh)) return GLEV_ERROR_INVALID_ARGUMENT;
+  const bool has_rows = plan->dimension() == 2;
+  const std::size_t columns = CountOf(mesh.i1, mesh.i2), rows = CountOf(mesh.j1, mesh.j2);
+  if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  Outputs outputs;
+  const glev_result result = ReadOutputs(*plan, mesh.outputs, columns, rows, has_rows, &outputs);
+  if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
+
+  if (mesh.scratch_size < ScratchOf(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  auto* const scratch = static_cast<std::byte*>(mesh.scratch);
+  const std::array<Stream, 1> others = {Stream{scratch, 1, 1, 1, 0, mesh.scratch_size}};
+  const glev_result memory = CheckMemory(outputs, others);
+  if (memory != GLEV_SUCCESS) return memory;
+
+  const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(scratch) % kCacheLine;
+  std::byte* const aligned = scratch + (unaligned == 0 ? 0 : kCacheLine - unaligned);
+  const glev::MeshRange range = {plan->grid(0), plan->grid(1), mesh.i1, mesh.j1, columns, rows};
+  EvaluateAll(
+      *plan, outputs,
+      [&](std::size_t i) {
+        return GridArgument{range.u, range.i1 + static_cast<std::int64_t>(i)};
+      },
+      [&](std::size_t, std::size_t j) {
+        return GridArgument{range.v, range.j1 + static_cast<std::int64_t>(j)};
+      },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        plan->kernels().mesh(map, range, mesh.precision == GLEV_FAST, to, aligned);
+      });
   return GLEV_SUCCESS;
 }

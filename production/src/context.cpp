@@ -6,6 +6,7 @@
 
 #include "production/src/command.h"
 #include "production/src/convert.h"
+#include "production/src/environment.h"
 #include "production/src/fault.h"
 
 using glev::Attribute;
@@ -34,7 +35,8 @@ glev::StateValues FromFloats(const float (&from)[kCount], bool normalized) {
 
 }  // namespace
 
-glev_context::glev_context(const glev::Allocator& allocator) : allocator_(allocator) {
+glev_context::glev_context(const glev::Allocator& allocator, const glev::Kernels* kernels)
+    : allocator_(allocator), kernels_(kernels) {
   current_.size = sizeof current_;
   Color({1, 1, 1, 1});
   Normal({0, 0, 1});
@@ -213,9 +215,10 @@ bool glev_context::IsEnabled(glev_enum cap) {
 glev_plan* glev_context::CurrentPlan(int dimension) {
   glev_plan*& plan = plans_[dimension - 1];
   if (plan == nullptr) {
-    plan = glev_plan::Create(allocator_,
-                             {maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
-                              (dimension == 2 || GLEV_FAULTY(AutoNormalsOfCurves)) && eval_.auto_normal});
+    const glev::DefaultEnvironment environment;
+    plan = glev_plan::Create(
+        allocator_, {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
+                     (dimension == 2 || GLEV_FAULTY(AutoNormalsOfCurves)) && eval_.auto_normal, kernels_});
   }
   return plan;
 }
@@ -235,19 +238,22 @@ const glev_plan* glev_context::PlanToDraw(int dimension) {
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
-template <class Argument>
-void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
+void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
   const glev_plan& plan = row.plan();
   glev_vertex vertex = current_;
-  const glev::Row::Values position = row.At(Attribute::kVertex, u);
-  glev::RoundTo(vertex.position, position);
-  if (plan.components(Attribute::kColor) != 0) glev::RoundTo(vertex.color, row.At(Attribute::kColor, u));
-  if (plan.components(Attribute::kTexcoord) != 0)
-    glev::RoundTo(vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0],
-                  row.At(Attribute::kTexcoord, u));
+  {
+    const glev::DefaultEnvironment environment;
+    row.At(Attribute::kVertex, u, vertex.position);
+    if (plan.components(Attribute::kColor) != 0) row.At(Attribute::kColor, u, vertex.color);
+    if (plan.components(Attribute::kTexcoord) != 0)
+      row.At(Attribute::kTexcoord, u, vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0]);
+    if (plan.automatic_normals()) {
+      CopyTo(vertex.normal, row.NormalAt(u));
+    } else if (plan.components(Attribute::kNormal) != 0) {
+      row.At(Attribute::kNormal, u, vertex.normal);
+    }
+  }
   if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.texcoord[0][3] = vertex.texcoord[0][3];
-  if (plan.components(Attribute::kNormal) != 0) glev::RoundTo(vertex.normal, row.At(Attribute::kNormal, u));
-  if (plan.automatic_normals()) glev::RoundTo(vertex.normal, row.NormalAt(position, u));
   if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0) current_.texcoord[0][1] = vertex.texcoord[0][1];
   if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.color[3] = vertex.color[3];
   if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.normal[0] = vertex.normal[0];
@@ -255,14 +261,23 @@ void glev_context::EmitRow(const glev::Row& row, const Argument& u) {
   Emit(vertex);
 }
 
-template <class Argument>
-void glev_context::EvaluateAt(int dimension, const Argument& u, const Argument& v) {
-  if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
-  const glev_plan* plan = PlanToDraw(dimension);
-  if (plan != nullptr) EmitRow(glev::Row(*plan, v), u);
+void glev_context::MoveTo(const GridArgument& v, glev::Row* row) {
+  const glev::DefaultEnvironment environment;
+  row->MoveTo(v);
 }
 
-void glev_context::EvalCoord(int dimension, double u, double v) { EvaluateAt(dimension, u, v); }
+void glev_context::EvaluateAt(int dimension, const GridArgument& u, const GridArgument& v) {
+  if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
+  const glev_plan* plan = PlanToDraw(dimension);
+  if (plan == nullptr) return;
+  glev::Row row(*plan);
+  MoveTo(v, &row);
+  EmitRow(row, u);
+}
+
+void glev_context::EvalCoord(int dimension, double u, double v) {
+  EvaluateAt(dimension, glev::At(u), glev::At(v));
+}
 
 void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   for (const Grid& direction : grid) {
@@ -300,7 +315,8 @@ void glev_context::EvalMesh1(glev_enum mode, glev_int i1, glev_int i2) {
   const glev_plan* plan = PlanToDraw(1);
   if (plan == nullptr) return;
 
-  const glev::Row row(*plan, 0.0);
+  glev::Row row(*plan);
+  MoveTo({}, &row);
   MeshPrimitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
     for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, GridArgument{plan->grid(0), i});
   });
@@ -318,13 +334,13 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
   if (mode == GLEV_POINT) {
     MeshPrimitive(GLEV_POINTS, [&] {
       for (std::int64_t j = j1; j <= j2; ++j) {
-        row.MoveTo(v(j));
+        MoveTo(v(j), &row);
         for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
       }
     });
   } else if (mode == GLEV_LINE) {
     for (std::int64_t j = j1; j <= j2; ++j) {
-      row.MoveTo(v(j));
+      MoveTo(v(j), &row);
       MeshPrimitive(GLEV_LINE_STRIP, [&] {
         for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
       });
@@ -332,7 +348,7 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
     for (std::int64_t i = i1; i <= i2; ++i) {
       MeshPrimitive(GLEV_LINE_STRIP, [&] {
         for (std::int64_t j = j1; j <= j2; ++j) {
-          row.MoveTo(v(j));
+          MoveTo(v(j), &row);
           EmitRow(row, u(i));
         }
       });
@@ -340,9 +356,9 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
   } else {
     glev::Row next(*plan);
     glev::Row *lower = &row, *upper = &next;
-    lower->MoveTo(v(j1));
+    MoveTo(v(j1), lower);
     for (std::int64_t j = j1; j < j2; ++j) {
-      upper->MoveTo(v(j + 1));
+      MoveTo(v(j + 1), upper);
       MeshPrimitive(GLEV_QUAD_STRIP, [&] {
         for (std::int64_t i = i1; i <= i2; ++i) {
           EmitRow(*lower, u(i));
@@ -504,7 +520,7 @@ template void glev_context::Get(glev_enum, glev_double*);
 
 const char* glev_context::GetString(glev_enum name) {
   const char* answer = name == GLEV_VENDOR     ? "evalcts"
-                       : name == GLEV_RENDERER ? "glevaluator, scalar double"
+                       : name == GLEV_RENDERER ? "glevaluator, correctly rounded"
                        : name == GLEV_VERSION  ? "4.6 glevaluator " GLEV_VERSION_STRING
                                                : nullptr;
   if (answer == nullptr) {

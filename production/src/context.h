@@ -45,7 +45,7 @@ struct StateValues {
 // arguments alone come first, then those that depend on state (GL §2.3.1).
 struct glev_context {
  public:
-  explicit glev_context(const glev::Allocator& allocator);
+  glev_context(const glev::Allocator& allocator, const glev::Kernels* kernels);
   ~glev_context();
   glev_context(const glev_context&) = delete;
   glev_context& operator=(const glev_context&) = delete;
@@ -148,10 +148,9 @@ struct glev_context {
   // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
   const glev_plan* PlanToDraw(int dimension);
   // The evaluated vertex at u of the row.
-  template <class Argument>
-  void EmitRow(const glev::Row& row, const Argument& u);
-  template <class Argument>
-  void EvaluateAt(int dimension, const Argument& u, const Argument& v);
+  void EmitRow(const glev::Row& row, const glev::GridArgument& u);
+  static void MoveTo(const glev::GridArgument& v, glev::Row* row);
+  void EvaluateAt(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.
   template <class Body>
   void MeshPrimitive(glev_enum mode, const Body& body);
@@ -165,6 +164,7 @@ struct glev_context {
   }
 
   glev::Allocator allocator_;
+  const glev::Kernels* kernels_;
   glev_enum error_ = GLEV_NO_ERROR;
   std::array<std::array<glev::Map, glev::kSlots>, 2> maps_;  // [dimension - 1]
   glev::EvalAttributes eval_;

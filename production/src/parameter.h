@@ -6,6 +6,7 @@
 
 #include <glevaluator.h>
 
+#include "production/src/double_double.h"
 #include "production/src/fault.h"
 
 namespace glev {
@@ -29,12 +30,16 @@ struct GridArgument {
   std::int64_t index;
 };
 
-// Barycentric coordinates of an argument: t = (u - u1) / (u2 - u1) and s = 1 - t, each with a small relative
-// error of its own, which 1 - t would not have.
+// A real argument as one.
+inline GridArgument At(double u) { return {{u, u, 1}, 0}; }
+
+// Barycentric coordinates of an argument: t = (u - u1) / (u2 - u1) and s = 1 - t, each with a relative error
+// of its own of three roundings, which 1 - t would not have.
 struct Parameter {
   enum class End { kNeither, kFirst, kLast };
   double s, t;
-  End end;  // the argument is the first or last end of the domain
+  End end;              // the argument is the first or last end of the domain
+  bool is_sure = true;  // or cancellation has spoilt the relative errors
 };
 
 // A real argument.
@@ -62,17 +67,22 @@ inline Parameter Locate(const Domain& domain, double u) {
 // every index is.
 inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
   const Grid& grid = argument.grid;
-  const std::int64_t i = argument.index;
+  const double i = static_cast<double>(argument.index), n = grid.segments;
   if (i == 0 || grid.u1 == grid.u2) return Locate(domain, grid.u1);
-  if (i == grid.segments) return Locate(domain, grid.u2);
-  // Affine in i between the coordinates of the grid's ends. If the grid spans the domain these are 0 and 1,
-  // and t is i/n correctly rounded.
-  if (GLEV_FAULTY(GridSpansDomain))
-    return {1 - double(i) / grid.segments, double(i) / grid.segments, Parameter::End::kNeither};
-  const Parameter first = Locate(domain, grid.u1), last = Locate(domain, grid.u2);
-  const double a = static_cast<double>(grid.segments - i), b = static_cast<double>(i);
-  const auto between = [&](double from, double to) { return (a * from + b * to) / grid.segments; };
-  return {between(first.s, last.s), between(first.t, last.t), Parameter::End::kNeither};
+  if (i == n) return Locate(domain, grid.u2);
+  if (GLEV_FAULTY(GridSpansDomain)) return {1 - i / n, i / n, Parameter::End::kNeither};
+  if (grid.u1 == domain.u1 && grid.u2 == domain.u2) return {(n - i) / n, i / n, Parameter::End::kNeither};
+  if (grid.u2 == domain.u1 && grid.u1 == domain.u2) return {i / n, (n - i) / n, Parameter::End::kNeither};
+  // n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. Each of the differences is
+  // exact.
+  const DoubleDouble run = TwoSum(grid.u2, -grid.u1) * i;
+  const DoubleDouble start = TwoSum(grid.u1, -domain.u1) * n, rest = TwoSum(domain.u2, -grid.u1) * n;
+  const DoubleDouble a = start + run, b = rest - run, width = TwoSum(domain.u2, -domain.u1) * n;
+  const auto is_sure = [&](const DoubleDouble& part, const DoubleDouble& sum) {
+    return std::fabs(sum.high) >= 0x1p-40 * (std::fabs(part.high) + std::fabs(run.high));
+  };
+  return {b.high / width.high, a.high / width.high, Parameter::End::kNeither,
+          is_sure(start, a) && is_sure(rest, b)};
 }
 
 }  // namespace glev

@@ -22,9 +22,12 @@ constexpr std::size_t RoundUp(std::size_t bytes) {
   return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
 
-std::size_t BytesOf(std::array<int, 2> order, int components) {
-  return RoundUp(sizeof(double) * order[0] * order[1] * components);
+std::size_t ValuesOf(std::array<int, 2> order, int components) {
+  return static_cast<std::size_t>(order[0]) * order[1] * components;
 }
+
+// Of an array of values after which vectors may read on.
+std::size_t BytesOf(std::size_t values) { return RoundUp(sizeof(double) * (values + 3)); }
 
 // The orders of the derivative in one direction: 0 there if it is zero.
 std::array<int, 2> TangentOrder(const Map& map, int direction) {
@@ -60,22 +63,24 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   for (const int slot : winners) {
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    bytes += BytesOf({map.order(0), map.order(1)}, kSlotTable[slot].components);
+    bytes += 2 * BytesOf(ValuesOf({map.order(0), map.order(1)}, kSlotTable[slot].components));
   }
-  if (automatic_normals) {
+  const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
+  if (has_tangents) {
     for (const int direction : {0, 1}) {
-      bytes += BytesOf(TangentOrder(source.maps[normal_slot], direction), kSlotTable[normal_slot].components);
+      const std::array<int, 2> order = TangentOrder(source.maps[normal_slot], direction);
+      bytes += BytesOf(ValuesOf(order, kSlotTable[normal_slot].components));
     }
   }
 
   void* memory = allocator.Allocate(bytes, kCacheLine);
   if (memory == nullptr) return nullptr;
-  auto* plan = new (memory) glev_plan(allocator, bytes, source.grid);
+  auto* plan = new (memory) glev_plan(allocator, bytes, source);
 
   auto* block = static_cast<std::byte*>(memory) + RoundUp(sizeof(glev_plan));
   const auto take = [&block](std::array<int, 2> order, int components) {
     auto* net = reinterpret_cast<double*>(block);
-    block += BytesOf(order, components);
+    block += BytesOf(ValuesOf(order, components));
     return net;
   };
   for (int a = 0; a < kAttributes; ++a) {
@@ -84,20 +89,19 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const Map& map = source.maps[slot];
     const int components = kSlotTable[slot].components;
     const std::array<int, 2> order = {map.order(0), map.order(1)};
-    double* net = take(order, components);
     const double* points = map.points(GLEV_FAULTY(UndefinedTextureOfColor) && slot == 6 ? 0 : slot);
-    glev::ScaleByBinomials(points, order, components, net);
     const int first = glev::SlotsOf(static_cast<Attribute>(a)).first;
     const bool loser = GLEV_FAULTY(LoserGivesTheDomain) && source.enabled[first];
     const Map& placed = source.maps[loser ? first : slot];
-    plan->surfaces_[a] = {
-        {order[0] - 1, order[1] - 1}, components, {placed.domain(0), placed.domain(1)}, net};
-    if (GLEV_FAULTY(OneDomainForAllMaps)) plan->surfaces_[a].domain = plan->surfaces_[0].domain;
+    std::array<glev::Domain, 2> domain = {placed.domain(0), placed.domain(1)};
+    if (GLEV_FAULTY(OneDomainForAllMaps) && a > 0) domain = plan->maps_[0].surface.domain;
+    double* const scaled = take(order, components);
+    plan->maps_[a] = glev::PrepareMap(points, order, components, domain, scaled, take(order, components));
   }
 
   plan->automatic_normals_ = automatic_normals;
   for (const int direction : {0, 1}) {
-    if (!automatic_normals) break;
+    if (!has_tangents) break;
     const Map& map = source.maps[normal_slot];
     const std::array<int, 2> order = TangentOrder(map, direction);
     if (order[direction] == 0) continue;
@@ -109,6 +113,12 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
   return plan;
+}
+
+double glev_plan::tangent_factor(int direction) const {
+  const glev::Surface& vertex = surface(Attribute::kVertex);
+  const glev::Domain& domain = vertex.domain[direction];
+  return vertex.degree[direction] / (domain.u2 - domain.u1);
 }
 
 void glev_plan::Release() const {

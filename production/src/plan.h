@@ -8,8 +8,10 @@
 
 #include "production/src/allocator.h"
 #include "production/src/bernstein.h"
+#include "production/src/kernels.h"
 #include "production/src/map.h"
 #include "production/src/parameter.h"
+#include "production/src/prepared_map.h"
 #include "production/src/target.h"
 
 // One for each dimension: a one-dimensional map is a surface of degree 0 in v.
@@ -17,10 +19,12 @@ struct glev_plan {
  public:
   // The state of one dimension.
   struct Source {
+    int dimension;
     std::span<const glev::Map, glev::kSlots> maps;
     std::span<const bool, glev::kSlots> enabled;
     std::array<glev::Grid, 2> grid;  // u, v
     bool automatic_normals;          // where there is a vertex map
+    const glev::Kernels* kernels;
   };
 
   // Of the enabled maps, those that are not outranked. Null without memory. One reference.
@@ -31,27 +35,43 @@ struct glev_plan {
 
   // 0 without a map.
   int components(glev::Attribute attribute) const { return surface(attribute).components; }
-  const glev::Surface& surface(glev::Attribute attribute) const {
-    return surfaces_[static_cast<std::size_t>(attribute)];
+  const glev::Surface& surface(glev::Attribute attribute) const { return map(attribute).surface; }
+  const glev::PreparedMap& map(glev::Attribute attribute) const {
+    return maps_[static_cast<std::size_t>(attribute)];
   }
 
   // Normals are computed from the vertex map; there is no normal map then.
   bool automatic_normals() const { return automatic_normals_; }
-  // The derivative of the vertex map by the normalised coordinate of a direction, up to a positive factor.
+  // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
   // Absent in a direction of degree 0, where it is zero.
   const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
+  // The derivative by u or v is that times this.
+  double tangent_factor(int direction) const;
+  // 0 without tangents.
+  std::size_t tangent_components() const {
+    return dimension_ == 2 ? components(glev::Attribute::kVertex) : 0;
+  }
+
+  int dimension() const { return dimension_; }
 
   const glev::Grid& grid(int direction) const { return grid_[direction]; }
+  const glev::Kernels& kernels() const { return *kernels_; }
 
  private:
-  glev_plan(const glev::Allocator& allocator, std::size_t bytes, const std::array<glev::Grid, 2>& grid)
-      : allocator_(allocator), bytes_(bytes), grid_(grid) {}
+  glev_plan(const glev::Allocator& allocator, std::size_t bytes, const Source& source)
+      : allocator_(allocator),
+        bytes_(bytes),
+        dimension_(source.dimension),
+        grid_(source.grid),
+        kernels_(source.kernels) {}
 
   mutable std::atomic<std::size_t> references_{1};
   glev::Allocator allocator_;
   std::size_t bytes_;  // of the one block that holds the plan and its coefficients
+  int dimension_;
   std::array<glev::Grid, 2> grid_;
-  std::array<glev::Surface, glev::kAttributes> surfaces_;
+  const glev::Kernels* kernels_;
+  std::array<glev::PreparedMap, glev::kAttributes> maps_;
   bool automatic_normals_ = false;
   std::array<glev::Surface, 2> tangents_;
 };

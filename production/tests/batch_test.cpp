@@ -1,4 +1,4 @@
-// glevEvaluate1: values, layouts, and every kind of misuse.
+// glevEvaluate: values, layouts, and every kind of misuse.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -37,18 +37,18 @@ class Batch : public ContextTest {
     ASSERT_EQ(glevCreatePlan(gl, &info, &plan_), GLEV_SUCCESS);
   }
 
-  glev_batch1 Arguments() const {
-    glev_batch1 batch{};
+  glev_batch Arguments() const {
+    glev_batch batch{};
     batch.size = sizeof batch;
     batch.count = kCount;
-    batch.u = u_;
-    batch.u_size = sizeof u_;
-    batch.u_stride = sizeof(float);
-    batch.u_type = GLEV_FLOAT;
+    batch.u.data = u_;
+    batch.u.data_size = sizeof u_;
+    batch.u.stride = sizeof(float);
+    batch.type = GLEV_FLOAT;
     return batch;
   }
   glev_output Output(std::size_t offset, std::size_t stride, std::size_t components) {
-    return {sizeof(glev_output), buffer_.data() + offset, buffer_.size() - offset, stride, components};
+    return {sizeof(glev_output), buffer_.data() + offset, buffer_.size() - offset, stride, components, 0, 0};
   }
   Floats Element(std::size_t offset, std::size_t components) const {
     Floats values(components);
@@ -58,8 +58,8 @@ class Batch : public ContextTest {
   void ExpectUntouched() const {
     EXPECT_EQ(std::count(buffer_.begin(), buffer_.end(), kPoison), static_cast<long>(buffer_.size()));
   }
-  void ExpectMisuse(glev_result expected, const glev_batch1& batch) const {
-    EXPECT_EQ(glevEvaluate1(plan_, &batch), expected);
+  void ExpectMisuse(glev_result expected, const glev_batch& batch) const {
+    EXPECT_EQ(glevEvaluate(plan_, &batch), expected);
     ExpectUntouched();
   }
 
@@ -76,15 +76,15 @@ TEST_F(Batch, InterleavedAttributesAreThoseOfEvalCoordBitForBit) {
   for (std::size_t i = 0; i < kCount; ++i) std::memcpy(buffer_.data() + kStart + i * kStride, &u_[i], 4);
   const glev_output vertex = Output(kStart + 4, kStride, 4), color = Output(kStart + 20, kStride, 4),
                     normal = Output(kStart + 38, kStride, 3), texcoord = Output(kStart + 50, kStride, 2);
-  glev_batch1 batch = Arguments();
-  batch.u = buffer_.data() + kStart;
-  batch.u_size = buffer_.size() - kStart;
-  batch.u_stride = kStride;
-  batch.vertex = &vertex;
-  batch.color = &color;
-  batch.normal = &normal;
-  batch.texcoord = &texcoord;
-  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  glev_batch batch = Arguments();
+  batch.u.data = buffer_.data() + kStart;
+  batch.u.data_size = buffer_.size() - kStart;
+  batch.u.stride = kStride;
+  batch.outputs.vertex = &vertex;
+  batch.outputs.color = &color;
+  batch.outputs.normal = &normal;
+  batch.outputs.texcoord = &texcoord;
+  ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   for (std::size_t i = 0; i < kCount; ++i) {
     const glev_vertex expected = OneVertex([&] { glevEvalCoord1f(gl, u_[i]); });
     const std::size_t at = kStart + i * kStride;
@@ -104,9 +104,9 @@ TEST_F(Batch, InterleavedAttributesAreThoseOfEvalCoordBitForBit) {
 TEST_F(Batch, MissingComponentsAreDefaults) {
   for (std::size_t components : {2, 3, 4}) {
     const glev_output texcoord = Output(0, 16, components);
-    glev_batch1 batch = Arguments();
-    batch.texcoord = &texcoord;
-    ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+    glev_batch batch = Arguments();
+    batch.outputs.texcoord = &texcoord;
+    ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
     for (std::size_t i = 0; i < kCount; ++i) {
       const glev_vertex expected = OneVertex([&] { glevEvalCoord1f(gl, u_[i]); });
       Floats values = {expected.texcoord[0][0], expected.texcoord[0][1], 0, 1};
@@ -124,24 +124,24 @@ TEST_F(Batch, DoubleArgumentsAreNotRoundedFirst) {
   NewPlan();
   const double u[] = {1 + 0x1p-42, 0, 1 + 0x1p-41};
   const glev_output texcoord = Output(0, 4, 1);
-  glev_batch1 batch = Arguments();
+  glev_batch batch = Arguments();
   batch.count = 2;
-  batch.u = u;
-  batch.u_size = sizeof u;
-  batch.u_stride = 2 * sizeof(double);
-  batch.u_type = GLEV_DOUBLE;
-  batch.texcoord = &texcoord;
-  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  batch.u.data = u;
+  batch.u.data_size = sizeof u;
+  batch.u.stride = 2 * sizeof(double);
+  batch.type = GLEV_DOUBLE;
+  batch.outputs.texcoord = &texcoord;
+  ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_EQ(Element(0, 2), (Floats{0.25f, 0.5f}));
 }
 
 TEST_F(Batch, AStrideOfZeroRepeatsOneArgument) {
   const glev_output vertex = Output(0, 12, 3);
-  glev_batch1 batch = Arguments();
-  batch.u_size = 4;
-  batch.u_stride = 0;
-  batch.vertex = &vertex;
-  ASSERT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  glev_batch batch = Arguments();
+  batch.u.data_size = 4;
+  batch.u.stride = 0;
+  batch.outputs.vertex = &vertex;
+  ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   for (std::size_t i = 1; i < kCount; ++i) EXPECT_EQ(Element(12 * i, 3), Element(0, 3));
   EXPECT_EQ(buffer_[12 * kCount], kPoison);
 }
@@ -150,23 +150,23 @@ TEST_F(Batch, NoVertexMapIsNeeded) {
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   NewPlan();
   const glev_output color = Output(0, 16, 4);
-  glev_batch1 batch = Arguments();
-  batch.color = &color;
-  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  glev_batch batch = Arguments();
+  batch.outputs.color = &color;
+  EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_NE(buffer_[0], kPoison);
 }
 
 TEST_F(Batch, TheExactNumberOfBytesIsEnoughAndOneLessIsNot) {
   glev_output vertex = Output(0, 20, 3);
-  glev_batch1 batch = Arguments();
-  batch.vertex = &vertex;
+  glev_batch batch = Arguments();
+  batch.outputs.vertex = &vertex;
   vertex.data_size = (kCount - 1) * 20 + 11;
   ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
-  batch.u_size = kCount * 4 - 1;
+  batch.u.data_size = kCount * 4 - 1;
   vertex.data_size += 1;
   ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
-  batch.u_size += 1;
-  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  batch.u.data_size += 1;
+  EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_EQ(buffer_[(kCount - 1) * 20 + 12], kPoison);
   // one element, no room
   vertex.data_size = 11;
@@ -182,31 +182,31 @@ TEST_F(Batch, SizesThatOverflowAreTooLarge) {
       for (std::size_t size : {buffer_.size(), SIZE_MAX}) {
         glev_output vertex = Output(0, stride, 3);
         vertex.data_size = size;
-        glev_batch1 batch = Arguments();
+        glev_batch batch = Arguments();
         batch.count = count;
-        batch.u_stride = 0;
-        batch.vertex = &vertex;
+        batch.u.stride = 0;
+        batch.outputs.vertex = &vertex;
         ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
       }
     }
     glev_output vertex = Output(0, 12, 3);
-    glev_batch1 batch = Arguments();
+    glev_batch batch = Arguments();
     batch.count = count;
-    batch.vertex = &vertex;
+    batch.outputs.vertex = &vertex;
     ExpectMisuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
   }
 }
 
 TEST_F(Batch, CountZeroReadsAndWritesNothing) {
-  glev_output vertex = {sizeof(glev_output), nullptr, 0, 12, 3};
-  glev_batch1 batch = Arguments();
+  glev_output vertex = {sizeof(glev_output), nullptr, 0, 12, 3, 0, 0};
+  glev_batch batch = Arguments();
   batch.count = 0;
-  batch.u = nullptr;
-  batch.u_size = 0;
-  batch.vertex = &vertex;
-  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  batch.u.data = nullptr;
+  batch.u.data_size = 0;
+  batch.outputs.vertex = &vertex;
+  EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   vertex.data = buffer_.data();
-  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+  EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   ExpectUntouched();
   vertex.components = 2;  // wrong all the same
   ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
@@ -214,31 +214,31 @@ TEST_F(Batch, CountZeroReadsAndWritesNothing) {
 
 TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
   glev_output good = Output(0, 12, 3);
-  glev_batch1 batch = Arguments();
-  batch.vertex = &good;
-  EXPECT_EQ(glevEvaluate1(nullptr, &batch), GLEV_ERROR_INVALID_ARGUMENT);
-  EXPECT_EQ(glevEvaluate1(plan_, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
+  glev_batch batch = Arguments();
+  batch.outputs.vertex = &good;
+  EXPECT_EQ(glevEvaluate(nullptr, &batch), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevEvaluate(plan_, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
   const auto with = [&](auto change) {
     glev_output vertex = good;
-    glev_batch1 changed = batch;
-    changed.vertex = &vertex;
+    glev_batch changed = batch;
+    changed.outputs.vertex = &vertex;
     change(changed, vertex);
     ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, changed);
   };
-  with([](glev_batch1& b, glev_output&) { b.size = sizeof b - 1; });
-  with([](glev_batch1& b, glev_output&) { b.u = nullptr; });
-  with([](glev_batch1& b, glev_output&) { b.u_type = 0x1404; });
-  with([](glev_batch1&, glev_output& v) { v.size = sizeof v - 1; });
-  with([](glev_batch1&, glev_output& v) { v.data = nullptr; });
-  with([](glev_batch1&, glev_output& v) { v.components = 0; });
-  with([](glev_batch1&, glev_output& v) { v.components = 2; });
-  with([](glev_batch1&, glev_output& v) { v.components = 5, v.stride = 20; });
-  with([](glev_batch1&, glev_output& v) { v.components = SIZE_MAX / 4 + 2; });
-  with([](glev_batch1&, glev_output& v) { v.stride = 11; });
-  with([](glev_batch1&, glev_output& v) { v.stride = 0; });
+  with([](glev_batch& b, glev_output&) { b.size = sizeof b - 1; });
+  with([](glev_batch& b, glev_output&) { b.u.data = nullptr; });
+  with([](glev_batch& b, glev_output&) { b.type = 0x1404; });
+  with([](glev_batch&, glev_output& v) { v.size = sizeof v - 1; });
+  with([](glev_batch&, glev_output& v) { v.data = nullptr; });
+  with([](glev_batch&, glev_output& v) { v.components = 0; });
+  with([](glev_batch&, glev_output& v) { v.components = 2; });
+  with([](glev_batch&, glev_output& v) { v.components = 5, v.stride = 20; });
+  with([](glev_batch&, glev_output& v) { v.components = SIZE_MAX / 4 + 2; });
+  with([](glev_batch&, glev_output& v) { v.stride = 11; });
+  with([](glev_batch&, glev_output& v) { v.stride = 0; });
   glev_output normal = Output(0, 16, 4);
-  batch.vertex = nullptr;
-  batch.normal = &normal;
+  batch.outputs.vertex = nullptr;
+  batch.outputs.normal = &normal;
   ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
 }
 
@@ -250,9 +250,9 @@ TEST_F(Batch, AnAttributeWithoutAMapIsRefused) {
   }
   NewPlan();
   for (auto member :
-       {&glev_batch1::vertex, &glev_batch1::color, &glev_batch1::normal, &glev_batch1::texcoord}) {
-    glev_batch1 batch = Arguments();
-    batch.*member = &other;
+       {&glev_outputs::vertex, &glev_outputs::color, &glev_outputs::normal, &glev_outputs::texcoord}) {
+    glev_batch batch = Arguments();
+    batch.outputs.*member = &other;
     ExpectMisuse(GLEV_ERROR_NO_MAP, batch);
   }
 }
@@ -260,12 +260,12 @@ TEST_F(Batch, AnAttributeWithoutAMapIsRefused) {
 TEST_F(Batch, OverlapsAreRefused) {
   const auto expect = [&](glev_result expected, std::size_t count, const glev_output& vertex,
                           const glev_output& color) {
-    glev_batch1 batch = Arguments();
+    glev_batch batch = Arguments();
     batch.count = count;
-    batch.vertex = &vertex;
-    batch.color = &color;
+    batch.outputs.vertex = &vertex;
+    batch.outputs.color = &color;
     if (expected == GLEV_SUCCESS) {
-      EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
+      EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
       buffer_.assign(4096, kPoison);
     } else {
       ExpectMisuse(expected, batch);
@@ -288,37 +288,16 @@ TEST_F(Batch, OverlapsAreRefused) {
   expect(GLEV_SUCCESS, kCount, Output(16 * kCount, 12, 3), Output(0, 16, 4));
   // the input
   const glev_output vertex = Output(0, 12, 3);
-  glev_batch1 batch = Arguments();
-  batch.vertex = &vertex;
-  batch.u = buffer_.data() + 12 * kCount - 1;
-  batch.u_size = 1000;
+  glev_batch batch = Arguments();
+  batch.outputs.vertex = &vertex;
+  batch.u.data = buffer_.data() + 12 * kCount - 1;
+  batch.u.data_size = 1000;
   ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
-  batch.u = buffer_.data();
-  batch.u_stride = 12;
+  batch.u.data = buffer_.data();
+  batch.u.stride = 12;
   ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
-  batch.u_stride = 0;
+  batch.u.stride = 0;
   ExpectMisuse(GLEV_ERROR_OVERLAP, batch);
-}
-
-TEST_F(Batch, ScratchIsTheCallersAndOfTheSizeAskedFor) {
-  const glev_output vertex = Output(0, 16, 3);
-  glev_batch1 batch = Arguments();
-  batch.vertex = &vertex;
-  std::vector<unsigned char> scratch(glevGetScratchSize1(plan_, &batch) + 1, kPoison);
-  batch.scratch = scratch.data();
-  batch.scratch_size = scratch.size() - 1;
-  EXPECT_EQ(glevEvaluate1(plan_, &batch), GLEV_SUCCESS);
-  EXPECT_EQ(scratch.back(), kPoison);
-  EXPECT_EQ(glevGetScratchSize1(nullptr, nullptr), 0u);
-}
-
-TEST_F(Batch, ScratchWithASizeButNoMemoryIsMisuse) {
-  const glev_output vertex = Output(0, 16, 3);
-  glev_batch1 batch = Arguments();
-  batch.vertex = &vertex;
-  batch.scratch = nullptr;
-  batch.scratch_size = 64;
-  ExpectMisuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
 }
 
 }  // namespace

@@ -91,14 +91,12 @@ int main(void) {
                               .data_size = sizeof positions,
                               .stride = sizeof positions[0],
                               .components = 3};
-  const glev_batch1 batch = {.size = sizeof batch,
-                             .count = COUNT,
-                             .u = u,
-                             .u_size = sizeof u,
-                             .u_stride = sizeof u[0],
-                             .u_type = GLEV_FLOAT,
-                             .vertex = &vertex};
-  CHECK(glevEvaluate1(plan, &batch) == GLEV_SUCCESS);
+  const glev_batch batch = {.size = sizeof batch,
+                            .count = COUNT,
+                            .type = GLEV_FLOAT,
+                            .u = {.data = u, .data_size = sizeof u, .stride = sizeof u[0]},
+                            .outputs = {.vertex = &vertex}};
+  CHECK(glevEvaluate(plan, &batch) == GLEV_SUCCESS);
   CHECK(memcmp(positions, drawn.positions, sizeof positions) == 0);
   glevReleasePlan(plan);
   return EXIT_SUCCESS;

@@ -16,7 +16,7 @@ class ListMemory : public Lists {
   void Create() {
     glevDestroyContext(gl);
     allocator_ = ledger_.Allocator();
-    const glev_context_info info = {sizeof(glev_context_info), &allocator_};
+    const glev_context_info info = {sizeof(glev_context_info), &allocator_, nullptr};
     EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
     const glev_sink sink = recording.Sink();
     glevSetSink(gl, &sink);

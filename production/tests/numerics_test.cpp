@@ -89,7 +89,7 @@ TEST_F(Numerics, AnArgumentNextToAnEnd) {
   }
 }
 
-TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
+TEST_F(Numerics, TheEndsGiveTheEndPoints) {
   for (int order : {2, 3, 4, 17, 64}) {
     for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
@@ -98,8 +98,9 @@ TEST_F(Numerics, TheEndsGiveTheEndPointsBitForBit) {
         points.front() = end;
         points.back() = -end;
         Define(u1, u2, points);
-        const float first = At(u1), last = At(u2), minus = -end;
-        EXPECT_EQ(std::memcmp(&first, &end, sizeof end), 0) << first << " for " << end;
+        // 0 is +0 wherever it is the value of a map.
+        const float plus = end + 0.0f, first = At(u1), last = At(u2), minus = -end + 0.0f;
+        EXPECT_EQ(std::memcmp(&first, &plus, sizeof plus), 0) << first << " for " << end;
         EXPECT_EQ(std::memcmp(&last, &minus, sizeof end), 0) << last << " for " << minus;
       }
     }

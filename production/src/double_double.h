@@ -1,0 +1,66 @@
+// Double-double arithmetic: unevaluated sums of two doubles, high the nearest double to both.
+//
+// Algorithms of Knuth, Dekker and Veltkamp; see Joldes, Muller, Popescu, "Tight and rigorous error bounds for
+// basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017). Errors are in units of u^2 = 2^-106
+// and hold as long as nothing overflows and no product is below 2^-960; all need rounding to nearest.
+#pragma once
+
+#include <cmath>
+
+namespace glev {
+
+struct DoubleDouble {
+  double high = 0, low = 0;
+
+  DoubleDouble operator-() const { return {-high, -low}; }
+};
+
+inline DoubleDouble FastTwoSum(double x, double y) {  // |x| >= |y|, or x = 0; exact
+  const double sum = x + y;
+  return {sum, y - (sum - x)};
+}
+
+inline DoubleDouble TwoSum(double x, double y) {  // exact
+  const double sum = x + y, part = sum - x;
+  return {sum, (x - (sum - part)) + (y - part)};
+}
+
+inline DoubleDouble TwoProduct(double x, double y) {  // exact up to 2^995
+  const auto split = [](double z) {
+    const double shifted = z * (0x1p27 + 1), high = shifted - (shifted - z);
+    return DoubleDouble{high, z - high};
+  };
+  const double product = x * y;
+  const DoubleDouble a = split(x), b = split(y);
+  const double rest = ((a.high * b.high - product) + a.high * b.low) + a.low * b.high;
+  return {product, rest + a.low * b.low};
+}
+
+// |error| <= 4 units of |x| + |y|.
+inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
+  const DoubleDouble sum = TwoSum(x.high, y.high);
+  return TwoSum(sum.high, sum.low + (x.low + y.low));
+}
+
+inline DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
+
+// |error| <= 9 units of |x * y|.
+inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
+  const DoubleDouble product = TwoProduct(x.high, y.high);
+  return FastTwoSum(product.high, product.low + (x.high * y.low + x.low * y.high));
+}
+
+// |error| <= 4 units of |x * y|.
+inline DoubleDouble operator*(const DoubleDouble& x, double y) {
+  const DoubleDouble product = TwoProduct(x.high, y);
+  return FastTwoSum(product.high, product.low + x.low * y);
+}
+
+// |error| <= 32 units of |x / y|.
+inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
+  const double quotient = x.high / y.high;
+  const DoubleDouble rest = x - y * quotient;
+  return FastTwoSum(quotient, rest.high / y.high);
+}
+
+}  // namespace glev

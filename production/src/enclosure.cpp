@@ -1,0 +1,121 @@
+#include "production/src/enclosure.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "production/src/binomials.h"
+
+namespace glev {
+namespace {
+
+bool IsOrdinary(double x) { return x == 0 || (std::fabs(x) >= 0x1p-300 && std::fabs(x) <= 0x1p300); }
+
+// One direction: V is power times a Horner sum in ratio.
+struct PreparedDirection {
+  bool from_last = false;
+  DoubleDouble ratio, power{1, 0};
+  double growth = 1;  // infinite where nothing is claimed
+  double argument_error = 0;
+};
+
+DoubleDouble PowerOf(DoubleDouble base, int exponent) {
+  DoubleDouble power = {1, 0};
+  for (;; base = base * base) {
+    if (exponent & 1) power = power * base;
+    exponent >>= 1;
+    if (exponent == 0) return power;
+  }
+}
+
+PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, int degree) {
+  PreparedDirection direction;
+  if (degree == 0) return direction;
+  const Grid& grid = argument.grid;
+  const double i = static_cast<double>(argument.index), n = grid.segments;
+  DoubleDouble a, b, width;
+  if (grid.u1 == domain.u1 && grid.u2 == domain.u2) {
+    a = {i}, b = {n - i}, width = {n};
+  } else if (grid.u1 == domain.u2 && grid.u2 == domain.u1) {
+    a = {n - i}, b = {i}, width = {n};
+  } else {
+    const DoubleDouble start = TwoSum(grid.u1, -domain.u1), rest = TwoSum(domain.u2, -grid.u1);
+    width = TwoSum(domain.u2, -domain.u1);
+    if (i == 0 || grid.u1 == grid.u2) {
+      a = start, b = rest;
+    } else {
+      const DoubleDouble run = TwoSum(grid.u2, -grid.u1) * i, from = start * n, to = rest * n;
+      width = width * n;
+      a = from + run, b = to - run;
+      const auto cancels = [&](const DoubleDouble& part, const DoubleDouble& sum) {
+        return !(std::fabs(sum.high) >= 0x1p-6 * (std::fabs(part.high) + std::fabs(run.high)));
+      };
+      direction.argument_error = cancels(from, a) || cancels(to, b) ? HUGE_VAL : 0x1p10;
+    }
+  }
+  for (const DoubleDouble* x : {&a, &b, &width}) {
+    if (!IsOrdinary(x->high) || !(direction.argument_error < HUGE_VAL)) {
+      direction.growth = HUGE_VAL;
+      return direction;
+    }
+  }
+  direction.from_last = std::fabs(a.high) <= std::fabs(b.high);
+  const DoubleDouble &smaller = direction.from_last ? a : b, &larger = direction.from_last ? b : a;
+  direction.ratio = smaller / larger;
+  direction.power = PowerOf(larger / width, degree);
+  const double base = (std::fabs(a.high) + std::fabs(b.high)) / std::fabs(width.high) * (1 + 0x1p-50);
+  direction.growth = std::pow(base, degree) * (1 + 0x1p-40);
+  if (!(direction.growth <= 0x1p300)) direction.growth = HUGE_VAL;
+  return direction;
+}
+
+// Horner's rule, from the last point with ratio t / s or from the first with s / t.
+template <class Coefficient>
+DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
+  const std::uint64_t* binomials = Binomials(degree);
+  const auto term = [&](int i) {
+    // Below 2^60: the sum of two doubles.
+    const double high = static_cast<double>(binomials[i] & ~0xFFFull),
+                 low = static_cast<double>(binomials[i] & 0xFFF);
+    return coefficient(i) * FastTwoSum(high, low);
+  };
+  const int last = direction.from_last ? degree : 0, step = direction.from_last ? -1 : 1;
+  DoubleDouble sum = term(last);
+  for (int k = 1; k <= degree; ++k) sum = sum * direction.ratio + term(last + k * step);
+  return sum;
+}
+
+}  // namespace
+
+Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
+  const int n = component.order[0] - 1, m = component.order[1] - 1;
+  const PreparedDirection in_u = Prepare(component.domain[0], u, n),
+                          in_v = Prepare(component.domain[1], v, m);
+  const double growth = in_u.growth * in_v.growth;
+  if (!(growth <= 0x1p300) || !IsOrdinary(largest)) return {{}, HUGE_VAL};
+  const DoubleDouble sum = Horner(n, in_u, [&](int i) {
+    return Horner(m, in_v, [&](int j) {
+      return DoubleDouble{component.points[(static_cast<std::ptrdiff_t>(i) * (m + 1) + j) * component.stride],
+                          0};
+    });
+  });
+  const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
+  return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
+}
+
+bool Settle(const DoubleDouble& value, double error, float* result) {
+  if (!(error < HUGE_VAL)) return false;
+  // The roundings of these sums are contained in what they are moved outward by.
+  const auto outward = [](double x, double direction) { return x + direction * 0x1p-51 * std::fabs(x); };
+  const double least = outward(value.high + outward(value.low - error, -1), -1);
+  const double most = outward(value.high + outward(value.low + error, 1), 1);
+  const float low = static_cast<float>(least), high = static_cast<float>(most);
+  *result = high;
+  // NaN is not claimed either.
+  return std::bit_cast<std::uint32_t>(low) == std::bit_cast<std::uint32_t>(high) && low == high;
+}
+
+}  // namespace glev

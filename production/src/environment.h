@@ -1,0 +1,42 @@
+// The floating-point environment that the arithmetic here relies on.
+#pragma once
+
+#if defined(__x86_64__) || defined(_M_X64)
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
+
+namespace glev {
+
+// Rounding to nearest, gradual underflow, no traps, while it lives; then what the caller had, whose flags
+// never change if it differed. Reading costs next to nothing, so calls for a single point may afford it.
+class DefaultEnvironment {
+ public:
+  DefaultEnvironment(const DefaultEnvironment&) = delete;
+  DefaultEnvironment& operator=(const DefaultEnvironment&) = delete;
+#if defined(__x86_64__) || defined(_M_X64)
+  DefaultEnvironment() : callers_(_mm_getcsr()) {
+    if ((callers_ & kControl) != kDefault) _mm_setcsr(kDefault);
+  }
+  ~DefaultEnvironment() {
+    if ((callers_ & kControl) != kDefault) _mm_setcsr(callers_);
+  }
+
+ private:
+  static constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80, kControl = 0xFFFF & ~kFlags;
+  unsigned callers_;
+#else
+  // Flush-to-zero is part of the environment, and off in the default one, wherever the C library knows of it.
+  DefaultEnvironment() {
+    std::fegetenv(&callers_);
+    std::fesetenv(FE_DFL_ENV);
+  }
+  ~DefaultEnvironment() { std::fesetenv(&callers_); }
+
+ private:
+  std::fenv_t callers_;
+#endif
+};
+
+}  // namespace glev

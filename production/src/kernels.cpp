@@ -1,0 +1,734 @@
+// Compiled once for each instruction set. The bounds of what is computed in double: prepared_map.cpp; all
+// else follows from results being correctly rounded.
+#include "production/src/kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "production/src/binomials.h"
+#include "production/src/resolve.h"
+
+// Assertions of Highway need its library, which has nothing else that is needed here.
+#define HWY_IS_DEBUG_BUILD 0
+// Without fused operations these would be one more way to do the same; scalable vectors cannot be in arrays.
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "production/src/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, 8>;
+using Vector = hn::Vec<Doubles>;
+using Mask = hn::Mask<Doubles>;
+constexpr Doubles kDoubles;
+constexpr std::size_t kLanes = hn::MaxLanes(kDoubles);
+constexpr hn::Rebind<float, Doubles> kHalves;  // as many floats
+
+// ---- The test of prepared_map.h
+
+template <class D>
+HWY_INLINE hn::Mask<D> IsSettled(D d, hn::Vec<D> value, hn::Vec<D> threshold) {
+  // The 29 bits that a float has not, on top: the middle between two floats is the smallest integer.
+  // Unsigned, a distance from it of at most kSlack plus kSlack is at most 2 * kSlack; adding 2^63 makes
+  // comparisons signed.
+  const hn::RebindToSigned<D> integers;
+  constexpr std::int64_t kUnit = std::int64_t{1} << 35;
+  const auto shifted = hn::ShiftLeft<35>(hn::BitCast(integers, value));
+  const auto distance = hn::Add(shifted, hn::Set(integers, kSlack * kUnit));
+  const auto limit = hn::Set(integers, std::numeric_limits<std::int64_t>::min() + 2 * kSlack * kUnit);
+  return hn::And(hn::RebindMask(d, hn::Gt(distance, limit)), hn::Ge(hn::Abs(value), threshold));
+}
+
+// ---- Results of a few points, lane by lane
+
+constexpr std::size_t kUnroll = 2;
+constexpr std::size_t kStep = kUnroll * kLanes;
+
+template <int kComponents>
+struct Block {
+  Vector value[kComponents][kUnroll];
+};
+
+// A row of the results of a map.
+template <int kComponents>
+class Writer {
+ public:
+  Writer(const PreparedMap& map, const Destination& to, std::byte* data) : map_(map), to_(to), data_(data) {
+    for (int k = 0; k < kComponents; ++k) threshold_[k] = hn::Set(kDoubles, map.component[k].threshold);
+    is_packed_ = to.components == kComponents && to.stride == kComponents * sizeof(float);
+  }
+
+  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled, or its lane is not
+  // sure, the arguments decide: resolve(lane, component, value).
+  template <class Resolver>
+  HWY_INLINE void Write(const Block<kComponents>& block, const Mask (&sure)[kUnroll], std::size_t begin,
+                        std::size_t count, const Resolver& resolve) const {
+    Mask settled[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      settled[part] = sure[part];
+      for (int k = 0; k < kComponents; ++k)
+        settled[part] = hn::And(settled[part], IsSettled(kDoubles, block.value[k][part], threshold_[k]));
+    }
+    if (HWY_LIKELY(is_packed_ && count == kStep)) {
+      Interleave(block, reinterpret_cast<float*>(data_ + begin * to_.stride));
+    } else {
+      WriteApart(block, begin, count);
+    }
+    Mask all = settled[0];
+    for (std::size_t part = 1; part < kUnroll; ++part) all = hn::And(all, settled[part]);
+    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, all))) Repair(block, sure, settled, begin, count, resolve);
+  }
+
+ private:
+  static HWY_INLINE void Interleave(const Block<kComponents>& block, float* to) {
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      hn::Vec<decltype(kHalves)> values[kComponents];
+      for (int k = 0; k < kComponents; ++k) values[k] = hn::DemoteTo(kHalves, block.value[k][part]);
+      if constexpr (kComponents == 1) hn::StoreU(values[0], kHalves, to);
+      if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kHalves, to);
+      if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kHalves, to);
+      if constexpr (kComponents == 4)
+        hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kHalves, to);
+      to += kLanes * kComponents;
+    }
+  }
+
+  HWY_NOINLINE void WriteApart(const Block<kComponents>& block, std::size_t begin, std::size_t count) const {
+    alignas(64) float values[kStep * kComponents];
+    Interleave(block, values);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<float, 4> element = {0, 0, 0, 1};
+      std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
+      std::memcpy(data_ + (begin + i) * to_.stride, element.data(), to_.components * sizeof(float));
+    }
+  }
+
+  template <class Resolver>
+  HWY_NOINLINE void Repair(const Block<kComponents>& block, const Mask (&sure)[kUnroll],
+                           const Mask (&settled)[kUnroll], std::size_t begin, std::size_t count,
+                           const Resolver& resolve) const {
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      alignas(64) double lane_is_sure[kLanes], lane_is_settled[kLanes];
+      const Vector one = hn::Set(kDoubles, 1);
+      hn::Store(hn::IfThenElseZero(sure[part], one), kDoubles, lane_is_sure);
+      hn::Store(hn::IfThenElseZero(settled[part], one), kDoubles, lane_is_settled);
+      for (std::size_t lane = 0; lane < kLanes && part * kLanes + lane < count; ++lane) {
+        if (lane_is_settled[lane] != 0) continue;
+        const std::size_t i = part * kLanes + lane;
+        for (int k = 0; k < kComponents; ++k) {
+          alignas(64) double values[kLanes];
+          hn::Store(block.value[k][part], kDoubles, values);
+          const double error = lane_is_sure[lane] != 0 ? map_.component[k].error : HUGE_VAL;
+          const float result = resolve(begin + i, k, values[lane], error);
+          std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
+        }
+      }
+    }
+  }
+
+  const PreparedMap& map_;
+  const Destination& to_;
+  std::byte* data_;
+  bool is_packed_;
+  Vector threshold_[kComponents];
+};
+
+// ---- Arguments
+
+// What t and s are computed from.
+struct Place {
+  explicit Place(const Domain& domain)
+      : u1(hn::Set(kDoubles, domain.u1)),
+        u2(hn::Set(kDoubles, domain.u2)),
+        width(hn::Set(kDoubles, domain.u2 - domain.u1)) {
+    int exponent = 0;
+    const double fraction = std::frexp(domain.u2 - domain.u1, &exponent);
+    has_inverse = std::fabs(fraction) == 0.5 && std::abs(exponent) < 1000;
+    inverse = hn::Set(kDoubles, has_inverse ? 1 / (domain.u2 - domain.u1) : 0);
+  }
+  HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
+  HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
+  HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
+
+  Vector u1, u2, width, inverse;
+  bool has_inverse;  // that is exact
+};
+
+// The arguments from `begin` on, kStep of them; those from `count` on are the last one.
+HWY_INLINE void Fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
+  if (!input.is_double && input.stride == sizeof(float) && count == kStep) {
+    const auto* floats = reinterpret_cast<const float*>(input.data) + begin;
+    for (std::size_t i = 0; i < kStep; i += kLanes)
+      hn::Store(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + i)), kDoubles, arguments + i);
+    return;
+  }
+  for (std::size_t i = 0; i < kStep; ++i) arguments[i] = input[begin + std::min(i, count - 1)];
+}
+
+HWY_INLINE Mask IsInside(Vector t, Vector s) {
+  const Vector zero = hn::Zero(kDoubles);
+  return hn::And(hn::Ge(t, zero), hn::Ge(s, zero));
+}
+
+HWY_INLINE Vector Power(Vector base, int exponent) {
+  Vector power = hn::Set(kDoubles, 1);
+  for (;; base = hn::Mul(base, base)) {
+    if (exponent & 1) power = hn::Mul(power, base);
+    exponent >>= 1;
+    if (exponent == 0) return power;
+  }
+}
+
+// ---- Curves
+
+// Horner's rule in t / s, which is stable for all of them from 0 on: where it is so large that something
+// could overflow the lane is not sure. Up to degree 3 the sum of products with the weights.
+template <int kComponents, int kDegree>
+void Curves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+  const Place place(map.surface.domain[0]);
+  const int degree = map.surface.degree[0];
+  const double* const points = map.surface.scaled;
+  const Writer<kComponents> writer(map, to, to.data);
+  // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
+  const Vector least = hn::Set(kDoubles, kDegree < 0 ? std::exp2(-800.0 / degree) : 0);
+  for (std::size_t begin = 0; begin < count; begin += kStep) {
+    const std::size_t part_count = std::min(kStep, count - begin);
+    alignas(64) double arguments[kStep];
+    Fetch(input, begin, part_count, arguments);
+    Block<kComponents> block;
+    Mask sure[kUnroll];
+    Vector s[kUnroll], t[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
+      s[part] = place.S(u);
+      t[part] = place.T(u);
+      sure[part] = IsInside(t[part], s[part]);
+    }
+    if constexpr (kDegree >= 0) {
+      Vector weights[kDegree + 1][kUnroll];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        const Vector &sp = s[part], &tp = t[part];
+        if constexpr (kDegree == 1) weights[0][part] = sp, weights[1][part] = tp;
+        if constexpr (kDegree == 2) {
+          weights[0][part] = hn::Mul(sp, sp);
+          weights[1][part] = hn::Mul(sp, tp);
+          weights[2][part] = hn::Mul(tp, tp);
+        }
+        if constexpr (kDegree == 3) {
+          const Vector st = hn::Mul(sp, tp);
+          weights[0][part] = hn::Mul(hn::Mul(sp, sp), sp);
+          weights[1][part] = hn::Mul(st, sp);
+          weights[2][part] = hn::Mul(st, tp);
+          weights[3][part] = hn::Mul(hn::Mul(tp, tp), tp);
+        }
+      }
+      for (int k = 0; k < kComponents; ++k) {
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          block.value[k][part] = hn::Mul(weights[0][part], hn::Set(kDoubles, points[k]));
+        for (int i = 1; i <= kDegree; ++i) {
+          const Vector point = hn::Set(kDoubles, points[i * kComponents + k]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            block.value[k][part] = hn::MulAdd(weights[i][part], point, block.value[k][part]);
+        }
+      }
+    } else {
+      Vector ratio[kUnroll], power[kUnroll];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        sure[part] = hn::And(sure[part], hn::Ge(s[part], least));
+        ratio[part] = hn::Div(t[part], s[part]);
+        power[part] = Power(s[part], degree);
+      }
+      const double* point = points + degree * kComponents;
+      for (int k = 0; k < kComponents; ++k) {
+        for (std::size_t part = 0; part < kUnroll; ++part) block.value[k][part] = hn::Set(kDoubles, point[k]);
+      }
+      for (int i = 0; i < degree; ++i) {
+        point -= kComponents;
+        for (int k = 0; k < kComponents; ++k) {
+          const Vector next = hn::Set(kDoubles, point[k]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            block.value[k][part] = hn::MulAdd(block.value[k][part], ratio[part], next);
+        }
+      }
+      for (int k = 0; k < kComponents; ++k) {
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          block.value[k][part] = hn::Mul(block.value[k][part], power[part]);
+      }
+    }
+    writer.Write(block, sure, begin, part_count, [&](std::size_t i, int k, double value, double error) {
+      return Resolve(map, k, At(input[i]), At(0), value, error);
+    });
+  }
+}
+
+template <int kComponents>
+void CurvesOf(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+  switch (map.surface.degree[0]) {
+    case 1:
+      return Curves<kComponents, 1>(map, input, count, to);
+    case 2:
+      return Curves<kComponents, 2>(map, input, count, to);
+    case 3:
+      return Curves<kComponents, 3>(map, input, count, to);
+    default:
+      return Curves<kComponents, -1>(map, input, count, to);
+  }
+}
+
+// ---- Weights t^i s^(n-i)
+
+HWY_INLINE void WeightsOf(int degree, Vector s, Vector t, Vector* weights) {
+  weights[0] = hn::Set(kDoubles, 1);
+  for (int i = 1; i <= degree; ++i) weights[i] = hn::Mul(weights[i - 1], t);
+  Vector power = s;
+  for (int i = degree - 1; i >= 0; --i, power = hn::Mul(power, s)) weights[i] = hn::Mul(weights[i], power);
+}
+
+void WeightsOf(int degree, double s, double t, double* weights) {
+  weights[0] = 1;
+  for (int i = 1; i <= degree; ++i) weights[i] = weights[i - 1] * t;
+  double power = s;
+  for (int i = degree - 1; i >= 0; --i, power *= s) weights[i] *= power;
+}
+
+// ---- Surfaces at scattered points
+
+template <int kComponents>
+void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v, std::size_t count,
+              const Destination& to) {
+  const Place place_u(map.surface.domain[0]), place_v(map.surface.domain[1]);
+  const auto [n, m] = map.surface.degree;
+  const Writer<kComponents> writer(map, to, to.data);
+  for (std::size_t begin = 0; begin < count; begin += kStep) {
+    const std::size_t part_count = std::min(kStep, count - begin);
+    alignas(64) double arguments_u[kStep], arguments_v[kStep];
+    Fetch(input_u, begin, part_count, arguments_u);
+    Fetch(input_v, begin, part_count, arguments_v);
+    Block<kComponents> block;
+    Mask sure[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
+                   v = hn::Load(kDoubles, arguments_v + part * kLanes);
+      Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
+      const Vector tu = place_u.T(u), su = place_u.S(u), tv = place_v.T(v), sv = place_v.S(v);
+      WeightsOf(n, su, tu, weights_u);
+      WeightsOf(m, sv, tv, weights_v);
+      const Mask all = hn::Eq(su, su);  // of degree 0 every argument is inside
+      sure[part] = hn::And(n == 0 ? all : IsInside(tu, su), m == 0 ? all : IsInside(tv, sv));
+      for (int k = 0; k < kComponents; ++k) block.value[k][part] = hn::Zero(kDoubles);
+      const double* point = map.surface.scaled;
+      for (int i = 0; i <= n; ++i) {
+        Vector sum[kComponents];
+        for (int k = 0; k < kComponents; ++k) sum[k] = hn::Zero(kDoubles);
+        for (int j = 0; j <= m; ++j, point += kComponents) {
+          for (int k = 0; k < kComponents; ++k)
+            sum[k] = hn::MulAdd(weights_v[j], hn::Set(kDoubles, point[k]), sum[k]);
+        }
+        for (int k = 0; k < kComponents; ++k)
+          block.value[k][part] = hn::MulAdd(weights_u[i], sum[k], block.value[k][part]);
+      }
+    }
+    writer.Write(block, sure, begin, part_count, [&](std::size_t i, int k, double value, double error) {
+      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, error);
+    });
+  }
+}
+
+// ---- One point: lanes are components
+
+using Four = hn::CappedTag<double, 4>;
+constexpr Four kFour;
+constexpr std::size_t kParts = 4 / hn::MaxLanes(kFour);
+using FourVector = hn::Vec<Four>;
+
+HWY_INLINE void AddPoint(const double* point, double weight, FourVector (&sum)[kParts]) {
+  const FourVector factor = hn::Set(kFour, weight);
+  for (std::size_t part = 0; part < kParts; ++part) {
+    sum[part] = hn::MulAdd(factor, hn::LoadU(kFour, point + part * hn::MaxLanes(kFour)), sum[part]);
+  }
+}
+
+// sum of weights[j] * points[j]
+HWY_INLINE void AddPoints(const double* points, int components, const double* weights, int degree,
+                          FourVector (&sum)[kParts]) {
+  FourVector odd[kParts];  // a second chain of additions
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = odd[part] = hn::Zero(kFour);
+  int j = 0;
+  for (; j < degree; j += 2, points += 2 * components) {
+    AddPoint(points, weights[j], sum);
+    AddPoint(points + components, weights[j + 1], odd);
+  }
+  if (j == degree) AddPoint(points, weights[j], sum);
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Add(sum[part], odd[part]);
+}
+
+HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
+  const double s = at.s, t = at.t;
+  if (degree == 3) {
+    const double st = s * t;
+    weights[0] = s * s * s, weights[1] = st * s, weights[2] = st * t, weights[3] = t * t * t;
+  } else if (degree == 0) {
+    weights[0] = 1;
+  } else {
+    WeightsOf(degree, s, t, weights);
+  }
+}
+
+void Point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
+           const GridArgument& v, float* result) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  double weights_u[kMaxOrder], weights_v[kMaxOrder];
+  WeightsAt(n, at_u, weights_u);
+  FourVector sum[kParts];
+  const double* points = map.surface.scaled;
+  if (m == 0) {
+    AddPoints(points, components, weights_u, n, sum);
+  } else {
+    WeightsAt(m, at_v, weights_v);
+    for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
+    for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
+      FourVector row[kParts];
+      AddPoints(points, components, weights_v, m, row);
+      for (std::size_t part = 0; part < kParts; ++part)
+        sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
+    }
+  }
+  const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
+  std::uint8_t settled = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    constexpr std::size_t kCount = hn::MaxLanes(kFour);
+    double thresholds[kCount];
+    for (std::size_t k = 0; k < kCount; ++k) thresholds[k] = map.component[part * kCount + k].threshold;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kFour, IsSettled(kFour, sum[part], hn::LoadU(kFour, thresholds)), bits);
+    settled |= static_cast<std::uint8_t>(bits[0] << (part * kCount));
+    const hn::Rebind<float, Four> halves;
+    float values[4];
+    hn::StoreU(hn::DemoteTo(halves, sum[part]), halves, values);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      if (part * kCount + k < static_cast<std::size_t>(components)) result[part * kCount + k] = values[k];
+    }
+  }
+  const unsigned wanted = (1u << components) - 1;
+  if (HWY_LIKELY(growth == 1 && (settled & wanted) == wanted)) return;
+  alignas(64) double values[4];
+  for (std::size_t part = 0; part < kParts; ++part)
+    hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
+  for (int k = 0; k < components; ++k) {
+    if (growth != 1 || (settled >> k & 1) == 0)
+      result[k] = Resolve(map, k, u, v, values[k], map.component[k].error * growth);
+  }
+}
+
+// ---- Meshes: the columns' weights are computed once, then each row is a curve
+
+// t and s of the columns, in place of the weights that are computed from them. Returns the largest growth.
+double PlaceColumns(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
+                    double* s) {
+  const Grid& grid = range.u;
+  const double n = grid.segments;
+  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2;
+  double growth = 1;
+  if (spans && range.i1 >= 0 && range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
+    const Vector segments = hn::Set(kDoubles, n);
+    for (std::size_t c = 0; c < padded; c += kLanes) {
+      const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
+      hn::Store(hn::Div(index, segments), kDoubles, t + c);
+      hn::Store(hn::Div(hn::Sub(segments, index), segments), kDoubles, s + c);
+    }
+    return growth;
+  }
+  for (std::size_t c = 0; c < padded; ++c) {
+    const std::size_t column = std::min(c, range.columns - 1);
+    const Parameter at = Locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
+    const double own = at.is_sure ? Growth(at, degree) : HUGE_VAL;
+    // A lane that is NaN is never settled.
+    t[c] = own < 0x1p40 ? at.t : std::numeric_limits<double>::quiet_NaN();
+    s[c] = at.s;
+    if (own < 0x1p40) growth = std::max(growth, own);
+  }
+  return growth;
+}
+
+template <int kComponents>
+HWY_INLINE void RowOf(const Surface& surface, const double* weights_v, double* row) {
+  const auto [n, m] = surface.degree;
+  const double* points = surface.scaled;
+  for (int i = 0; i <= n; ++i, points += (m + 1) * kComponents, row += 4) {
+    FourVector sum[kParts];
+    AddPoints(points, kComponents, weights_v, m, sum);
+    for (std::size_t part = 0; part < kParts; ++part)
+      hn::StoreU(sum[part], kFour, row + part * hn::MaxLanes(kFour));
+  }
+}
+
+template <int kComponents>
+void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* weights) {
+  const auto [n, m] = map.surface.degree;
+  const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
+  double* const t = weights + (n + 1) * padded;
+  double* const s = t + padded;
+  const double growth_u = PlaceColumns(map.surface.domain[0], range, n, padded, t, s);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    Vector column[kMaxOrder];
+    WeightsOf(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
+    for (int i = 0; i <= n; ++i) hn::Store(column[i], kDoubles, weights + i * padded + c);
+  }
+  for (std::size_t r = 0; r < range.rows; ++r) {
+    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
+    const Parameter at_v = Locate(map.surface.domain[1], v);
+    double weights_v[kMaxOrder], row[4 * kMaxOrder];
+    WeightsAt(m, at_v, weights_v);
+    RowOf<kComponents>(map.surface, weights_v, row);
+    const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
+    PreparedMap grown;
+    const PreparedMap* row_map = &map;
+    if (growth != 1) {
+      grown = map;
+      for (PreparedComponent& component : grown.component) Grow(growth, &component);
+      row_map = &grown;
+    }
+    const Writer<kComponents> writer(*row_map, to, to.data + r * to.row_stride);
+    const Mask all = hn::Eq(hn::Zero(kDoubles), hn::Zero(kDoubles));
+    const Mask sure[kUnroll] = {all, all};
+    for (std::size_t c = 0; c < range.columns; c += kStep) {
+      Block<kComponents> block;
+      for (int k = 0; k < kComponents; ++k) {
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          block.value[k][part] =
+              hn::Mul(hn::Load(kDoubles, weights + c + part * kLanes), hn::Set(kDoubles, row[k]));
+      }
+      const double* column = weights + c + padded;
+      const double* point = row + 4;
+      for (int i = 1; i <= n; ++i, column += padded, point += 4) {
+        Vector weight[kUnroll];
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          weight[part] = hn::Load(kDoubles, column + part * kLanes);
+        for (int k = 0; k < kComponents; ++k) {
+          const Vector value = hn::Set(kDoubles, point[k]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            block.value[k][part] = hn::MulAdd(weight[part], value, block.value[k][part]);
+        }
+      }
+      writer.Write(
+          block, sure, c, std::min(kStep, range.columns - c),
+          [&](std::size_t i, int k, double value, double error) {
+            return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v, value, error);
+          });
+    }
+  }
+}
+
+// ---- Fast meshes, in float
+
+using Floats = hn::CappedTag<float, 16>;
+constexpr Floats kFloats;
+constexpr std::size_t kFloatLanes = hn::MaxLanes(kFloats);
+constexpr std::size_t kFloatStep = kUnroll * kFloatLanes;
+
+template <int kComponents>
+HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float* to) {
+  if constexpr (kComponents == 1) hn::StoreU(values[0], kFloats, to);
+  if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kFloats, to);
+  if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kFloats, to);
+  if constexpr (kComponents == 4)
+    hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kFloats, to);
+}
+
+// False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
+template <int kComponents>
+bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* scratch) {
+  const auto [n, m] = map.surface.degree;
+  for (int k = 0; k < kComponents; ++k) {
+    const double largest = map.component[k].largest;
+    if (largest != 0 && !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
+    if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
+  }
+  const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
+  const auto is_inside = [](const Domain& domain, const Grid& grid, std::int64_t index) {
+    const Parameter at = Locate(domain, GridArgument{grid, index});
+    return at.is_sure && at.t >= 0 && at.s >= 0;
+  };
+  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
+                     j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
+  if (n > 0 && !(is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, i2))) return false;
+  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
+
+  const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
+  double* const t = scratch;
+  double* const s = t + padded;
+  auto* const weights = reinterpret_cast<float*>(s + padded);
+  PlaceColumns(domain_u, range, n, padded, t, s);
+  double inverse[kMaxOrder];
+  for (int i = 0; i <= n; ++i) inverse[i] = 1 / static_cast<double>(Binomials(n)[i]);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    Vector column[kMaxOrder];
+    WeightsOf(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
+    for (int i = 0; i <= n; ++i) {
+      const Vector weight = hn::Mul(column[i], hn::Set(kDoubles, static_cast<double>(Binomials(n)[i])));
+      // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
+      const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
+      hn::StoreU(hn::DemoteTo(kHalves, seen), kHalves, weights + i * padded + c);
+    }
+  }
+  for (std::size_t r = 0; r < range.rows; ++r) {
+    const Parameter at_v = Locate(domain_v, GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)});
+    double weights_v[kMaxOrder], row[4 * kMaxOrder];
+    float points[4 * kMaxOrder];
+    WeightsAt(m, at_v, weights_v);
+    RowOf<kComponents>(map.surface, weights_v, row);
+    for (int i = 0; i <= n; ++i) {
+      for (int k = 0; k < kComponents; ++k)
+        points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse[i]);
+    }
+    std::byte* const data = to.data + r * to.row_stride;
+    const bool is_packed = to.components == kComponents && to.stride == kComponents * sizeof(float);
+    for (std::size_t c = 0; c < range.columns; c += kFloatStep) {
+      hn::Vec<Floats> value[kUnroll][kComponents];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        for (int k = 0; k < kComponents; ++k)
+          value[part][k] =
+              hn::Mul(hn::Load(kFloats, weights + c + part * kFloatLanes), hn::Set(kFloats, points[k]));
+      }
+      const float* column = weights + c + padded;
+      const float* point = points + 4;
+      for (int i = 1; i <= n; ++i, column += padded, point += 4) {
+        for (std::size_t part = 0; part < kUnroll; ++part) {
+          const auto weight = hn::Load(kFloats, column + part * kFloatLanes);
+          for (int k = 0; k < kComponents; ++k)
+            value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
+        }
+      }
+      if (HWY_LIKELY(is_packed && c + kFloatStep <= range.columns)) {
+        for (std::size_t part = 0; part < kUnroll; ++part) {
+          StoreFloats<kComponents>(
+              value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
+        }
+        continue;
+      }
+      alignas(64) float values[kFloatStep * kComponents];
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        StoreFloats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
+      for (std::size_t i = 0; i < std::min(kFloatStep, range.columns - c); ++i) {
+        std::array<float, 4> element = {0, 0, 0, 1};
+        std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
+        std::memcpy(data + (c + i) * to.stride, element.data(), to.components * sizeof(float));
+      }
+    }
+  }
+  return true;
+}
+
+template <int kComponents>
+void MeshOf(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+            std::byte* scratch) {
+  auto* const doubles = reinterpret_cast<double*>(scratch);
+  if (fast && FastMesh<kComponents>(map, range, to, doubles)) return;
+  RoundedMesh<kComponents>(map, range, to, doubles);
+}
+
+// ---- By number of components
+
+void Curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
+  constexpr decltype(&CurvesOf<1>) kOf[] = {CurvesOf<1>, CurvesOf<2>, CurvesOf<3>, CurvesOf<4>};
+  kOf[map.surface.components - 1](map, u, count, to);
+}
+
+void SurfaceAt(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+               const Destination& to) {
+  constexpr decltype(&Surfaces<1>) kOf[] = {Surfaces<1>, Surfaces<2>, Surfaces<3>, Surfaces<4>};
+  kOf[map.surface.components - 1](map, u, v, count, to);
+}
+
+void Mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+          std::byte* scratch) {
+  constexpr decltype(&MeshOf<1>) kOf[] = {MeshOf<1>, MeshOf<2>, MeshOf<3>, MeshOf<4>};
+  kOf[map.surface.components - 1](map, range, fast, to, scratch);
+}
+
+constexpr Kernels MakeKernels(const char* name) { return {name, Point, Curve, SurfaceAt, Mesh}; }
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glev {
+
+double Input::operator[](std::size_t i) const {
+  if (is_double) {
+    double argument;
+    std::memcpy(&argument, data + i * stride, sizeof argument);
+    return argument;
+  }
+  float argument;
+  std::memcpy(&argument, data + i * stride, sizeof argument);
+  return argument;
+}
+
+std::size_t MeshScratch(int degree, std::size_t columns) {
+  constexpr std::size_t kWidest = 64;  // the step of any instruction set divides it
+  const std::size_t padded = (columns + kWidest - 1) / kWidest * kWidest;
+  return padded * sizeof(double) * (static_cast<std::size_t>(degree) + 3);
+}
+
+namespace {
+
+// Highway's own detection is in a library that needs the C++ run time.
+#if HWY_ARCH_X86
+bool HasSse4() {
+  return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
+         __builtin_cpu_supports("aes");
+}
+bool HasAvx2() {
+  return HasSse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("f16c");
+}
+bool HasAvx3() {
+  return HasAvx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
+}
+#endif
+bool HasBaseline() { return true; }
+
+struct Target {
+  bool (*is_supported)();
+  Kernels kernels;
+};
+
+constexpr Target kTargets[] = {
+#if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
+    {HasAvx3, N_AVX3::MakeKernels("AVX3")},
+#endif
+#if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
+    {HasAvx2, N_AVX2::MakeKernels("AVX2")},
+#endif
+#if (HWY_TARGETS & HWY_SSE4) && HWY_STATIC_TARGET != HWY_SSE4
+    {HasSse4, N_SSE4::MakeKernels("SSE4")},
+#endif
+    {HasBaseline, HWY_STATIC_DISPATCH(MakeKernels)("baseline")},
+};
+
+}  // namespace
+
+const Kernels* KernelsOf(std::size_t index) {
+  for (const auto& [is_supported, kernels] : kTargets) {
+    if (is_supported() && index-- == 0) return &kernels;
+  }
+  return nullptr;
+}
+
+}  // namespace glev
+#endif  // HWY_ONCE

@@ -1,0 +1,56 @@
+// Evaluation of many points at a time, for each instruction set.
+#pragma once
+
+#include <cstddef>
+
+#include "production/src/parameter.h"
+#include "production/src/prepared_map.h"
+
+namespace glev {
+
+// Arguments: number i is the float or double at data + i * stride bytes.
+struct Input {
+  const std::byte* data;
+  std::size_t stride;
+  bool is_double;
+
+  double operator[](std::size_t i) const;
+};
+
+// Results: element i is `components` floats at data + i * stride bytes, in meshes of two dimensions element
+// (i, j) at data + i * stride + j * row_stride. Those that a map does not give are (0,0,0,1)'s.
+struct Destination {
+  std::byte* data;
+  std::size_t stride, row_stride;
+  int components;
+};
+
+// Columns i1..., rows j1... of the grids u and v.
+struct MeshRange {
+  Grid u, v;
+  std::int64_t i1, j1;
+  std::size_t columns, rows;
+};
+
+// All results of maps are correctly rounded, but those of fast meshes. The environment is the default one.
+struct Kernels {
+  const char* name;
+  // One point: the components of the map. The arguments are u and v once more.
+  void (*point)(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
+                const GridArgument& v, float* result);
+  // v counts for nets of two dimensions only.
+  void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
+  void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+                  const Destination& to);
+  // scratch: MeshScratch bytes, aligned to a cache line.
+  void (*mesh)(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+               std::byte* scratch);
+};
+
+// Bytes for so many columns of a map of so high a degree in u.
+std::size_t MeshScratch(int degree, std::size_t columns);
+
+// Those that this machine can run, best first; null for an index beyond the last.
+const Kernels* KernelsOf(std::size_t index);
+
+}  // namespace glev

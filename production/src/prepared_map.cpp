@@ -1,0 +1,104 @@
+#include "production/src/prepared_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "production/src/double_double.h"
+#include "production/src/reduction.h"
+
+namespace glev {
+namespace {
+
+// Where evaluation in double neither overflows nor loses to underflow what counts: see Error.
+constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
+
+bool IsOrdinary(const Domain& domain) {
+  const double width = std::fabs(domain.u2 - domain.u1);
+  return std::fabs(domain.u1) <= kLargest && std::fabs(domain.u2) <= kLargest && width >= kSmallest;
+}
+
+bool IsFinite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
+
+// (13 (n + m) + 8) 2^-53 max|R|, the bound of bernstein.h, which the sums of products with weights of
+// kernels.cpp keep as well: a weight C t^i s^(n-i) is made of n factors of 3 roundings each and n products, a
+// control point times binomials of 4 roundings, and n + 1 sums and products in each direction: at most 5 (n +
+// m) + 8. An underflow adds at most 2^-1074, times a coefficient below 2^120 max|R|, for each of some 2^13
+// operations; that is what 2^-20 of the bound contains.
+double Error(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
+  if (!(largest <= kLargest && largest >= kSmallest)) return HUGE_VAL;
+  for (int d : {0, 1}) {
+    if (order[d] > 1 && !IsOrdinary(domain[d])) return HUGE_VAL;
+  }
+  return (13 * (order[0] + order[1] - 2) + 8) * 0x1p-53 * (1 + 0x1p-20) * largest;
+}
+
+// An error of kSlack units in the last place of a double v is more than kSlack * 2^-53 * |v|.
+double Threshold(double error, double largest) {
+  constexpr double kSmallestNormal = 0x1p-125, kNearOverflow = 0x1p127;  // of float
+  if (!(largest < kNearOverflow)) return HUGE_VAL;
+  return std::max(error * (0x1p53 / kSlack) * (1 + 0x1p-20), kSmallestNormal);
+}
+
+}  // namespace
+
+PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
+                       const std::array<Domain, 2>& domain, double* scaled, double* lowest) {
+  PreparedMap map;
+  map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
+  ScaleByBinomials(points, order, components, scaled);
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
+  for (int k = 0; k < components; ++k) {
+    PreparedComponent& component = map.component[k];
+    component.error = component.threshold = HUGE_VAL;
+    bool is_finite = true;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+      const double point = points[i * components + k];
+      is_finite = is_finite && std::isfinite(point);
+      component.largest = std::max(component.largest, std::fabs(point));
+    }
+    for (int d : {0, 1}) is_finite = is_finite && (order[d] == 1 || IsFinite(domain[d]));
+    if (!is_finite) continue;
+
+    component.kind = PreparedComponent::Kind::kGeneral;
+    double* const own = lowest + k * count;
+    const std::array<int, 2> reduced = Reduce({points + k, components, order, domain}, own);
+    component.lowest = {own, 1, reduced, domain};
+    component.error = Error(order, domain, component.largest);
+    component.threshold = Threshold(component.error, component.largest);
+    for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
+      component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
+    }
+    const int degree = reduced[0] + reduced[1] - 2;
+    if (degree == 0) {
+      component.kind = PreparedComponent::Kind::kConstant;
+      component.constant = static_cast<float>(own[0] + 0.0);  // -0 is 0
+    } else if (degree == 1) {
+      const DoubleDouble slope = TwoSum(own[1], -own[0]);
+      const auto ordinary = [](double x) {
+        return x == 0 || (std::fabs(x) > 0x1p-300 && std::fabs(x) < 0x1p300);
+      };
+      if (slope.low != 0 || !ordinary(slope.high) || !ordinary(own[0])) continue;
+      component.kind = PreparedComponent::Kind::kLine;
+      component.line_direction = reduced[0] == 2 ? 0 : 1;
+      component.first = own[0];
+      component.slope = slope.high;
+    }
+  }
+  return map;
+}
+
+double Growth(const Parameter& at, int degree) {
+  if (degree == 0) return 1;
+  const double base = std::fabs(at.s) + std::fabs(at.t);
+  // Inside, s and t are off by 3 roundings each.
+  return base <= 1 + 0x1p-49 ? 1 : std::pow(base * (1 + 0x1p-40), degree) * (1 + 0x1p-20);
+}
+
+void Grow(double growth, PreparedComponent* component) {
+  component->error *= growth;
+  component->threshold = Threshold(component->error, component->largest * growth);
+}
+
+}  // namespace glev

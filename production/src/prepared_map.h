@@ -1,0 +1,55 @@
+// A map made ready: what the routes of evaluation need of it, computed once, when a plan is made.
+#pragma once
+
+#include <array>
+
+#include "production/src/bernstein.h"
+#include "production/src/exact.h"
+#include "production/src/parameter.h"
+
+namespace glev {
+
+// One component of the control points. V is the exact value of its polynomial.
+struct PreparedComponent {
+  enum class Kind {
+    kUnclaimed,  // a control point or the domain is not finite: values are whatever double gives
+    kConstant,
+    kLine,  // in one direction, the other one does not matter
+    kGeneral,
+  };
+  Kind kind = Kind::kUnclaimed;
+  Component lowest;           // of the lowest orders, for the exact routes
+  double lowest_largest = 0;  // max |R| of these
+  float constant = 0;
+  // Of a line: V = first + t * slope, both exact.
+  int line_direction = 0;
+  double first = 0, slope = 0;
+  double largest = 0;  // max |R|
+  // Of an evaluation in double inside the domain: |value - V| <= error, infinite if nothing can be said. In a
+  // vector of values the cheaper test is whether one of magnitude at least `threshold` is farther than kSlack
+  // units in its last place from the middle between two floats.
+  double error = 0, threshold = 0;
+};
+
+inline constexpr int kSlack = 1 << 18;
+
+// No components: no map.
+struct PreparedMap {
+  Surface surface;
+  std::array<PreparedComponent, 4> component;
+};
+
+// Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for as
+// many values, `lowest` for as many again. What follows the last value of `scaled` may be read up to three
+// values on.
+PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
+                       const std::array<Domain, 2>& domain, double* scaled, double* lowest);
+
+// (|t| + |1 - t|)^degree: what an error inside the domain is multiplied with outside; rounded upward. At
+// least 1.
+double Growth(const Parameter& at, int degree);
+
+// What evaluation outside the domain, where errors grow so much, may rely on.
+void Grow(double growth, PreparedComponent* component);
+
+}  // namespace glev

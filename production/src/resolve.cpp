@@ -1,0 +1,89 @@
+#include "production/src/resolve.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "production/src/double_double.h"
+#include "production/src/enclosure.h"
+#include "production/src/exact.h"
+#include "production/src/target.h"
+
+namespace glev {
+namespace {
+
+bool IsFinite(const GridArgument& argument) {
+  return std::isfinite(argument.grid.u1) && std::isfinite(argument.grid.u2);
+}
+
+// In double alone.
+double Plainly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+  std::array<double, kMaxOrder * 4> room;
+  const Curve curve = CurveAt(map.surface, Locate(map.surface.domain[1], v), room.data());
+  std::array<double, 4> result;
+  Evaluate(curve, Locate(curve.domain, u), result.data());
+  return result[k];
+}
+
+// The sum of both parts of x rounded to odd: it stays on the same side of every number of fewer digits.
+double ToOdd(const DoubleDouble& x) {
+  auto bits = std::bit_cast<std::uint64_t>(x.high);
+  if (x.low != 0 && (bits & 1) == 0) bits += (x.low > 0) == (x.high > 0) ? 1 : -1;
+  return std::bit_cast<double>(bits);
+}
+
+// first + t * slope where t is a double, as Boldo and Melquiond emulate the FMA ("Emulation of a FMA and
+// correctly rounded sums", 2008), but for the last rounding, which is to odd, too, and to float after that.
+bool OnLine(const PreparedComponent& line, const GridArgument& argument, float* result) {
+  const Domain& domain = line.lowest.domain[line.line_direction];
+  const Grid& grid = argument.grid;
+  if (grid.u1 != grid.u2 && argument.index != 0) return false;
+  const DoubleDouble a = TwoSum(grid.u1, -domain.u1), width = TwoSum(domain.u2, -domain.u1);
+  int exponent = 0;
+  const double fraction = std::frexp(width.high, &exponent);
+  const bool is_power = std::fabs(fraction) == 0.5 && width.low == 0;
+  const double t = a.high / width.high;
+  if (!is_power || a.low != 0 || !(t == 0 || (std::fabs(t) > 0x1p-300 && std::fabs(t) < 0x1p300)))
+    return false;
+  const DoubleDouble product = TwoProduct(t, line.slope), low = TwoSum(line.first, product.low),
+                     high = TwoSum(product.high, low.high);
+  const double odd = ToOdd(TwoSum(high.high, ToOdd(TwoSum(high.low, low.low))));
+  *result = static_cast<float>(odd + 0.0);  // -0 + 0.0 = 0
+  return true;
+}
+
+}  // namespace
+
+float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
+              double error) {
+  const PreparedComponent& component = map.component[k];
+  float result;
+  switch (component.kind) {
+    case PreparedComponent::Kind::kConstant:
+      return component.constant;
+    case PreparedComponent::Kind::kUnclaimed:
+      return static_cast<float>(Plainly(map, k, u, v) + 0.0);
+    case PreparedComponent::Kind::kLine:
+    case PreparedComponent::Kind::kGeneral:
+      break;
+  }
+  if (Settle({value, 0}, error, &result)) return result;
+  if (!IsFinite(u) || !IsFinite(v)) return static_cast<float>(Plainly(map, k, u, v) + 0.0);
+  if (component.kind == PreparedComponent::Kind::kLine &&
+      OnLine(component, component.line_direction == 0 ? u : v, &result))
+    return result;
+  const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
+  if (Settle(enclosure.value, enclosure.error, &result)) return result;
+  return RoundExactly(component.lowest, u, v);
+}
+
+double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+  const PreparedComponent& component = map.component[k];
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
+    return Plainly(map, k, u, v);
+  const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
+  return std::isfinite(enclosure.error) ? enclosure.value.high + 0.0 : Plainly(map, k, u, v);
+}
+
+}  // namespace glev

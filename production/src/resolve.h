@@ -1,0 +1,18 @@
+// Correct rounding where double cannot tell.
+#pragma once
+
+#include "production/src/parameter.h"
+#include "production/src/prepared_map.h"
+
+namespace glev {
+
+// Component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. A value in double and its
+// bound, as far as they are known (else NaN and infinity), are tried first, then straight lines exactly,
+// double-double, and exact integers. For what is not finite, whatever double gives.
+float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
+              double error);
+
+// The same in double, by double-double: GLEV_DOUBLE of glevaluator.h.
+double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
+
+}  // namespace glev
