@@ -65,6 +65,15 @@ struct FuzzOptions {
   std::string output;  // empty: the usual folder
 };
 
+struct RoundingOptions {
+  std::uint64_t samples = 100'000, exact = 2'000;  // values of each class
+  bool sweep = false;
+  std::string filter;  // of the classes; empty: all
+  std::vector<std::string> targets;
+  std::uint32_t seed = 1;
+  std::optional<int> jobs;
+};
+
 struct VectorsOptions {
   std::string output;              // folder to write into; empty: the usual one
   std::vector<std::string> files;  // to look at; empty: those that are shipped
@@ -81,6 +90,7 @@ int reproduce(const ReproduceOptions& options);
 // `complete`: a requirement that tests decide and no fault breaks is unexpected, too.
 int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
+int rounding(const RoundingOptions& options);
 int write_vectors(const VectorsOptions& options);
 int lint_vectors(const VectorsOptions& options);
 int emit_vectors(const VectorsOptions& options);

@@ -143,6 +143,29 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256));
   fuzz_command->add_option("--output", fuzz_options.output, "folder for what is found");
 
+  RoundingOptions rounding_options;
+  CLI::App* rounding_command = app.add_subcommand(
+      "rounding",
+      "is production correctly rounded? random maps and arguments beside the oracle, bit for bit");
+  rounding_command->add_option(
+      "--samples", rounding_options.samples,
+      "values of each class of maps, against the filter and the exact route behind it");
+  rounding_command->add_option("--exact", rounding_options.exact,
+                               "values of each class, against the exact route alone");
+  rounding_command->add_flag("--sweep", rounding_options.sweep,
+                             "every float from 0 to 1 instead, for one map of each class of curves");
+  rounding_command->add_option("--filter", rounding_options.filter,
+                               "classes: patterns as in GoogleTest, 'curve/order:4/*'");
+  rounding_command
+      ->add_option(
+          "--target", rounding_options.targets,
+          "instruction set; may be repeated (default: all that this machine has; for --sweep the best)")
+      ->expected(1)
+      ->take_all();
+  rounding_command->add_option("--seed", rounding_options.seed, "of maps and arguments");
+  rounding_command->add_option("--jobs", rounding_options.jobs, "threads (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+
   VectorsOptions vectors_options;
   CLI::App* vectors_command = app.add_subcommand("vectors", "golden vectors: right answers as data");
   vectors_command->require_subcommand(1);
@@ -172,6 +195,7 @@ int main(int argc, char** argv) {
     if (*reproduce_command) return reproduce(reproduce_options);
     if (*faults_command) return faults(faults_options);
     if (*fuzz_command) return fuzz(fuzz_options);
+    if (*rounding_command) return rounding(rounding_options);
     if (*write_command) return write_vectors(vectors_options);
     if (*lint_command) return lint_vectors(vectors_options);
     if (*emit_command) return emit_vectors(vectors_options);

@@ -1,0 +1,545 @@
+#include "harness/rounding/check.h"
+
+#include <fmt/format.h>
+#include <glevaluator.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <stdexcept>
+#include <thread>
+
+#include <reference/filter.h>
+
+namespace evalcts::rounding {
+namespace {
+
+using reference::Argument, reference::Arguments;
+
+// ---- Samples
+
+// Reproducible on every machine, which the distributions of the library are not.
+class Random {
+ public:
+  Random(std::uint32_t seed, std::uint64_t item) {
+    std::seed_seq sequence{seed, static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32)};
+    engine_.seed(sequence);
+  }
+  std::uint64_t below(std::uint64_t limit) { return engine_() % limit; }
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0,1)
+  double between(double low, double high) { return low + (high - low) * uniform(); }
+  bool once_in(int n) { return below(n) == 0; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+struct Map {
+  int uorder, vorder;  // vorder 1: of one dimension
+  int components;
+  bool is_float;
+  std::array<double, 4> domain;  // u1, u2, v1, v2
+  std::vector<double> points;    // v fastest, components innermost
+};
+
+std::vector<double> component_points(const Class& what, Random& random) {
+  const int vorder = std::max(what.vorder, 1);
+  const int n = what.uorder - 1, m = vorder - 1;
+  std::vector<double> points(static_cast<std::size_t>(what.uorder) * vorder);
+  const auto each = [&](const auto& value) {
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= m; ++j) points[i * vorder + j] = value(i, j);
+    }
+  };
+  const auto as_float = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  if (what.data == "ordinary") {
+    each([&](int, int) { return as_float(random.between(-1, 1)); });
+  } else if (what.data == "integers") {
+    each([&](int, int) { return static_cast<double>(random.below(19)) - 9; });
+  } else if (what.data == "lines") {
+    // Of degree 1 in one direction, or of 1 in both, and less.
+    const double first = static_cast<double>(random.below(200)) - 100,
+                 a = static_cast<double>(random.below(9)) - 4, b = static_cast<double>(random.below(9)) - 4;
+    each([&](int i, int j) { return first + a * i + b * j; });
+  } else if (what.data == "cancelling") {
+    // (1 - 2u)^n (1 - 2v)^m, scaled.
+    const double scale = as_float(random.between(1, 2));
+    each([&](int i, int j) { return (i + j) % 2 == 0 ? scale : -scale; });
+  } else if (what.data == "wide") {
+    each([&](int, int) {
+      return as_float(std::ldexp(random.between(-1, 1), static_cast<int>(random.below(120)) - 60));
+    });
+  } else if (what.data == "extreme") {
+    // Around both ends of the range of float.
+    const bool large = random.once_in(2);
+    each([&](int, int) {
+      return as_float(std::ldexp(random.between(-1, 1), large ? 128 - static_cast<int>(random.below(3))
+                                                              : -125 - static_cast<int>(random.below(25))));
+    });
+  } else {  // doubles
+    each(
+        [&](int, int) { return std::ldexp(random.between(-1, 1), static_cast<int>(random.below(60)) - 30); });
+  }
+  return points;
+}
+
+std::array<double, 2> random_domain(Random& random) {
+  switch (random.below(6)) {
+    case 0:
+      return {static_cast<double>(random.below(10)), 16};
+    case 1:
+      return {static_cast<float>(random.between(-3, 0)), static_cast<float>(random.between(0.5, 9))};
+    case 2:
+      return {1, 0};
+    default:
+      return {0, 1};
+  }
+}
+
+Map random_map(const Class& what, Random& random) {
+  Map map{what.uorder,
+          std::max(what.vorder, 1),
+          1 + static_cast<int>(random.below(4)),
+          what.data != "doubles",
+          {},
+          {}};
+  const std::array<double, 2> u = random_domain(random), v = random_domain(random);
+  map.domain = {u[0], u[1], v[0], v[1]};
+  map.points.resize(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);
+  for (int k = 0; k < map.components; ++k) {
+    const std::vector<double> own = component_points(what, random);
+    for (std::size_t i = 0; i < own.size(); ++i) map.points[i * map.components + k] = own[i];
+  }
+  return map;
+}
+
+// A float, mostly inside the interval: uniform, dyadic, near an end, or anywhere.
+double random_argument(double u1, double u2, Random& random) {
+  const auto place = [&](double t) { return static_cast<double>(static_cast<float>(u1 + t * (u2 - u1))); };
+  switch (random.below(8)) {
+    case 0:
+      return u1 + static_cast<double>(random.below(1025)) / 1024 * (u2 - u1);
+    case 1:
+      return static_cast<float>(u1 + std::ldexp(random.uniform(), -static_cast<int>(random.below(60))) *
+                                         (u2 - u1));
+    case 2:
+      return place(random.between(-0.5, 1.5));
+    case 3:
+      return place(1 - std::ldexp(random.uniform(), -static_cast<int>(random.below(24))));
+    default:
+      return place(random.uniform());
+  }
+}
+
+// ---- The sides
+
+glev_output output_of(std::vector<float>& results, int components) {
+  glev_output output{};
+  output.size = sizeof output;
+  output.data = results.data();
+  output.data_size = results.size() * sizeof(float);
+  output.stride = components * sizeof(float);
+  output.components = components;
+  return output;
+}
+
+struct Grid {
+  std::int64_t segments;
+  double first, last;
+};
+
+class Production {
+ public:
+  explicit Production(const std::string& target) : target_(target) {
+    glev_context_info info{};
+    info.size = sizeof info;
+    info.target = target.c_str();
+    if (glevCreateContext(&info, &context_) != GLEV_SUCCESS)
+      throw std::invalid_argument("no such instruction set here: " + target);
+    sink_.size = sizeof sink_;
+    sink_.user = &single_;
+    sink_.vertex = [](void* user, const glev_vertex* vertex) {
+      std::copy_n(vertex->texcoord[0], 4, static_cast<float*>(user));
+    };
+    glevSetSink(context_, &sink_);
+  }
+  Production(const Production&) = delete;
+  Production& operator=(const Production&) = delete;
+  ~Production() {
+    glevReleasePlan(plan_);
+    glevDestroyContext(context_);
+  }
+
+  const std::string& target() const { return target_; }
+
+  // Texture coordinates, which come in every number of components.
+  void define(const Map& map, bool two_dimensional, const std::optional<std::array<Grid, 2>>& grid) {
+    const auto dimension_token = [&](glev_enum one) { return one + (two_dimensional ? 0x20 : 0); };
+    for (glev_enum k = 0; k < 4; ++k) glevDisable(context_, dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + k));
+    const glev_enum target = dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + map.components - 1);
+    const auto [u1, u2, v1, v2] = map.domain;
+    if (two_dimensional) {
+      glevMap2d(context_, target, u1, u2, map.vorder * map.components, map.uorder, v1, v2, map.components,
+                map.vorder, map.points.data());
+    } else {
+      glevMap1d(context_, target, u1, u2, map.components, map.uorder, map.points.data());
+    }
+    glevEnable(context_, target);
+    glevEnable(context_, dimension_token(GLEV_MAP1_VERTEX_3));  // a vertex is what shows them in single calls
+    if (grid) {
+      const auto& [u, v] = *grid;
+      if (two_dimensional) {
+        glevMapGrid2d(context_, static_cast<int>(u.segments), u.first, u.last, static_cast<int>(v.segments),
+                      v.first, v.last);
+      } else {
+        glevMapGrid1d(context_, static_cast<int>(u.segments), u.first, u.last);
+      }
+    }
+    if (glevGetError(context_) != GLEV_NO_ERROR) throw std::logic_error("a sample is no legal map");
+    glevReleasePlan(plan_);
+    const glev_plan_info info = {sizeof info, two_dimensional ? std::size_t{2} : std::size_t{1}};
+    if (glevCreatePlan(context_, &info, &plan_) != GLEV_SUCCESS) throw std::bad_alloc();
+  }
+
+  void evaluate(const std::vector<double>& u, const std::vector<double>& v, int components,
+                std::vector<float>& results) const {
+    const glev_output output = output_of(results, components);
+    glev_batch batch{};
+    batch.size = sizeof batch;
+    batch.count = u.size();
+    batch.type = GLEV_DOUBLE;
+    batch.u = {u.data(), u.size() * sizeof(double), sizeof(double)};
+    if (!v.empty()) batch.v = {v.data(), v.size() * sizeof(double), sizeof(double)};
+    batch.outputs.texcoord = &output;
+    if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw std::logic_error("a batch is refused");
+  }
+
+  void mesh(int i1, int i2, int j1, int j2, int components, std::vector<float>& results) {
+    const glev_output output = output_of(results, components);
+    glev_mesh mesh{};
+    mesh.size = sizeof mesh;
+    mesh.i1 = i1, mesh.i2 = i2, mesh.j1 = j1, mesh.j2 = j2;
+    mesh.outputs.texcoord = &output;
+    scratch_.resize(glevGetMeshScratchSize(plan_, &mesh));
+    mesh.scratch = scratch_.data();
+    mesh.scratch_size = scratch_.size();
+    if (glevEvaluateMesh(plan_, &mesh) != GLEV_SUCCESS) throw std::logic_error("a mesh is refused");
+  }
+
+  std::array<float, 4> coord(bool two_dimensional, double u, double v) {
+    glevBegin(context_, GLEV_POINTS);
+    two_dimensional ? glevEvalCoord2d(context_, u, v) : glevEvalCoord1d(context_, u);
+    glevEnd(context_);
+    return single_;
+  }
+  std::array<float, 4> point(bool two_dimensional, int i, int j) {
+    glevBegin(context_, GLEV_POINTS);
+    two_dimensional ? glevEvalPoint2(context_, i, j) : glevEvalPoint1(context_, i);
+    glevEnd(context_);
+    return single_;
+  }
+
+ private:
+  std::string target_;
+  glev_context* context_ = nullptr;
+  glev_plan* plan_ = nullptr;
+  glev_sink sink_{};
+  std::array<float, 4> single_{};
+  std::vector<std::byte> scratch_;
+};
+
+std::vector<std::string> all_targets() {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i) names.emplace_back(glevGetTargetName(i));
+  return names;
+}
+
+// The right values of one component. Grid points where there is a grid: u and v are indices then.
+std::uint64_t right_values(const Map& map, bool two_dimensional, int k, Oracle oracle,
+                           const std::vector<double>& u, const std::vector<double>& v,
+                           const std::optional<std::array<Grid, 2>>& grid, std::vector<float>& results) {
+  const auto [u1, u2, v1, v2] = map.domain;
+  const reference::Surface surface = {map.points.data() + k,
+                                      map.vorder * map.components,
+                                      map.components,
+                                      map.uorder,
+                                      map.vorder,
+                                      u1,
+                                      u2,
+                                      v1,
+                                      v2};
+  const reference::Curve curve = {map.points.data() + k, map.components, map.uorder, u1, u2};
+  if (oracle == Oracle::kExact) {
+    const reference::BernsteinForm form =
+        two_dimensional ? reference::BernsteinForm(surface) : reference::BernsteinForm(curve);
+    const auto argument = [&](double x, int direction) {
+      if (!grid) return Argument::coordinate(x);
+      const Grid& own = (*grid)[direction];
+      return Argument::grid(static_cast<std::int64_t>(x), own.segments, own.first, own.last);
+    };
+    for (std::size_t i = 0; i < u.size(); ++i)
+      results[i] =
+          form.to_float(argument(u[i], 0), two_dimensional ? argument(v[i], 1) : Argument::coordinate(0));
+    return u.size();
+  }
+  const auto arguments = [&](const std::vector<double>& values, int direction) {
+    Arguments result{values};
+    if (grid)
+      result.grid =
+          Arguments::Grid{(*grid)[direction].segments, (*grid)[direction].first, (*grid)[direction].last};
+    return result;
+  };
+  if (two_dimensional)
+    return reference::CorrectlyRounded(surface).to_float(arguments(u, 0), arguments(v, 1), results);
+  return reference::CorrectlyRounded(curve).to_float(arguments(u, 0), results);
+}
+
+bool same(float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }
+
+std::string words(const Class& what, const Map& map, const std::string& target, const char* delivery,
+                  double u, double v, const std::optional<std::array<Grid, 2>>& grid, int k, float got,
+                  float right) {
+  std::string text =
+      fmt::format("{} by {} on {}: component {} at ({:a}, {:a}) of [{:a},{:a}] x [{:a},{:a}]", what.name(),
+                  delivery, target, k, u, v, map.domain[0], map.domain[1], map.domain[2], map.domain[3]);
+  if (grid)
+    text += fmt::format(", indices of a grid of {} x {} segments over [{:a},{:a}] x [{:a},{:a}]",
+                        (*grid)[0].segments, (*grid)[1].segments, (*grid)[0].first, (*grid)[0].last,
+                        (*grid)[1].first, (*grid)[1].last);
+  text += fmt::format(": {:a}, not {:a}; control points", right, got);
+  for (std::size_t i = k; i < map.points.size(); i += map.components)
+    text += fmt::format(" {:a}", map.points[i]);
+  return text;
+}
+
+// ---- One item: one map at some arguments
+
+class Item {
+ public:
+  Item(const Request& request, std::vector<std::unique_ptr<Production>>& sides, std::uint64_t number)
+      : request_(request),
+        sides_(sides),
+        random_(request.seed, number),
+        two_dimensional_(request.what.vorder > 0),
+        map_(random_map(request.what, random_)) {}
+
+  Outcome run(std::size_t count) {
+    if (random_.once_in(3)) {
+      on_grid(count);
+    } else {
+      at_arguments(count);
+    }
+    return outcome_;
+  }
+
+ private:
+  // Right values of all components, one after the other.
+  std::vector<std::vector<float>> right(const std::vector<double>& u, const std::vector<double>& v) {
+    std::vector<std::vector<float>> values(map_.components, std::vector<float>(u.size()));
+    for (int k = 0; k < map_.components; ++k)
+      outcome_.exact += right_values(map_, two_dimensional_, k, request_.oracle, u, v, grid_, values[k]);
+    outcome_.samples += u.size() * map_.components;
+    return values;
+  }
+
+  void compare(const Production& side, const char* delivery, double u, double v, int k, float got,
+               float right) {
+    if (same(got, right) || std::isnan(right)) return;
+    if (outcome_.wrong++ == 0)
+      outcome_.first_wrong = words(request_.what, map_, side.target(), delivery, u, v, grid_, k, got, right);
+  }
+
+  void compare_all(const Production& side, const char* delivery, const std::vector<double>& u,
+                   const std::vector<double>& v, const std::vector<float>& got,
+                   const std::vector<std::vector<float>>& right) {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (int k = 0; k < map_.components; ++k)
+        compare(side, delivery, u[i], two_dimensional_ ? v[i] : 0, k, got[i * map_.components + k],
+                right[k][i]);
+    }
+  }
+
+  void at_arguments(std::size_t count) {
+    std::vector<double> u(count), v(two_dimensional_ ? count : 0);
+    for (double& x : u) x = random_argument(map_.domain[0], map_.domain[1], random_);
+    for (double& x : v) x = random_argument(map_.domain[2], map_.domain[3], random_);
+    const std::vector<std::vector<float>> expected = right(u, v);
+    std::vector<float> got(count * map_.components);
+    for (const auto& side : sides_) {
+      side->define(map_, two_dimensional_, std::nullopt);
+      side->evaluate(u, v, map_.components, got);
+      compare_all(*side, "a batch", u, v, got, expected);
+      for (std::size_t i = 0; i < count; i += 7) {
+        const std::array<float, 4> values = side->coord(two_dimensional_, u[i], two_dimensional_ ? v[i] : 0);
+        for (int k = 0; k < map_.components; ++k)
+          compare(*side, "EvalCoord", u[i], two_dimensional_ ? v[i] : 0, k, values[k], expected[k][i]);
+      }
+    }
+  }
+
+  Grid random_grid(double u1, double u2) {
+    const auto segments =
+        static_cast<std::int64_t>(random_.once_in(2) ? 1 + random_.below(300) : 1u << random_.below(9));
+    if (!random_.once_in(3)) return {segments, u1, u2};
+    if (random_.once_in(3)) return {segments, u2, u1};
+    return {segments, random_argument(u1, u2, random_), random_argument(u1, u2, random_)};
+  }
+
+  void on_grid(std::size_t count) {
+    grid_ = {random_grid(map_.domain[0], map_.domain[1]), random_grid(map_.domain[2], map_.domain[3])};
+    const int columns =
+        two_dimensional_ ? 1 + static_cast<int>(random_.below(count / 8)) : static_cast<int>(count);
+    const int rows = two_dimensional_ ? static_cast<int>(count) / columns : 1;
+    const auto start = [&](const Grid& grid, int span) {
+      return static_cast<int>(random_.below(grid.segments + 3)) - 1 -
+             static_cast<int>(random_.below(span / 8 + 1));
+    };
+    const int i1 = start((*grid_)[0], columns), j1 = two_dimensional_ ? start((*grid_)[1], rows) : 0;
+    std::vector<double> u, v;
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) {
+        u.push_back(i1 + i);
+        if (two_dimensional_) v.push_back(j1 + j);
+      }
+    }
+    const std::vector<std::vector<float>> expected = right(u, v);
+    std::vector<float> got(u.size() * map_.components);
+    for (const auto& side : sides_) {
+      side->define(map_, two_dimensional_, grid_);
+      side->mesh(i1, i1 + columns - 1, j1, two_dimensional_ ? j1 + rows - 1 : 0, map_.components, got);
+      compare_all(*side, "a mesh", u, v, got, expected);
+      for (std::size_t i = 0; i < u.size(); i += 7) {
+        const int row = two_dimensional_ ? static_cast<int>(v[i]) : 0;
+        const std::array<float, 4> values = side->point(two_dimensional_, static_cast<int>(u[i]), row);
+        for (int k = 0; k < map_.components; ++k)
+          compare(*side, "EvalPoint", u[i], row, k, values[k], expected[k][i]);
+      }
+    }
+  }
+
+  const Request& request_;
+  std::vector<std::unique_ptr<Production>>& sides_;
+  Random random_;
+  bool two_dimensional_;
+  Map map_;
+  std::optional<std::array<Grid, 2>> grid_;
+  Outcome outcome_;
+};
+
+std::vector<std::unique_ptr<Production>> make_sides(const Request& request) {
+  std::vector<std::unique_ptr<Production>> sides;
+  for (const std::string& target : request.targets.empty() ? all_targets() : request.targets)
+    sides.push_back(std::make_unique<Production>(target));
+  return sides;
+}
+
+// Items 0, 1, ... in threads of their own. What is first is the wrong value of the smallest item.
+template <class Run>
+Outcome in_threads(int jobs, std::uint64_t items, const std::atomic<bool>& stop, const Run& run) {
+  std::atomic<std::uint64_t> next{0};
+  std::mutex mutex;
+  Outcome total;
+  std::uint64_t first = items;
+  std::exception_ptr problem;
+  const auto work = [&] {
+    try {
+      auto side = run();
+      for (std::uint64_t item; !stop && (item = next++) < items;) {
+        const Outcome outcome = side(item);
+        const std::lock_guard lock(mutex);
+        total.samples += outcome.samples;
+        total.exact += outcome.exact;
+        total.wrong += outcome.wrong;
+        if (outcome.wrong != 0 && item < first) {
+          first = item;
+          total.first_wrong = outcome.first_wrong;
+        }
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!problem) problem = std::current_exception();
+      next = items;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 1; i < jobs; ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (problem) std::rethrow_exception(problem);
+  return total;
+}
+
+}  // namespace
+
+std::string Class::name() const {
+  return vorder == 0 ? fmt::format("curve/order:{}/{}", uorder, data)
+                     : fmt::format("surface/order:{}x{}/{}", uorder, vorder, data);
+}
+
+std::vector<Class> classes() {
+  std::vector<Class> all;
+  const std::vector<std::string> data = {"ordinary", "integers", "lines",  "cancelling",
+                                         "wide",     "extreme",  "doubles"};
+  for (const int order : {2, 3, 4, 6, 10, 30, 64}) {
+    for (const std::string& kind : data) all.push_back({order, 0, kind});
+  }
+  for (const auto& [u, v] : {std::pair{2, 2}, {4, 4}, {3, 8}, {1, 5}, {30, 30}}) {
+    for (const std::string& kind : data) all.push_back({u, v, kind});
+  }
+  return all;
+}
+
+Outcome check(const Request& request, const std::atomic<bool>& stop) {
+  // Few arguments for the large ones, so that there are many maps.
+  const std::size_t count = request.what.uorder * std::max(request.what.vorder, 1) > 200 ? 64 : 512;
+  const std::uint64_t items = (request.samples + count - 1) / count;
+  make_sides(request);  // an unknown instruction set ends it here
+  return in_threads(request.jobs, items, stop, [&] {
+    return [&request, count, sides = make_sides(request)](std::uint64_t item) mutable {
+      return Item(request, sides, item).run(count);
+    };
+  });
+}
+
+Outcome sweep(const Request& request, const std::atomic<bool>& stop,
+              const std::function<void(double done)>& progress) {
+  constexpr std::uint32_t kOne = std::bit_cast<std::uint32_t>(1.0f), kBlock = 1u << 16;
+  Random random(request.seed, 0);
+  Map map = random_map(request.what, random);
+  map.domain = {0, 1, 0, 1};
+  Request one = request;
+  if (one.targets.empty()) one.targets = {all_targets().front()};
+  const std::uint64_t items = kOne / kBlock + 1;
+  return in_threads(request.jobs, items, stop, [&] {
+    auto sides = make_sides(one);
+    sides.front()->define(map, false, std::nullopt);
+    return [&, sides = std::move(sides)](std::uint64_t item) {
+      Outcome outcome;
+      const auto first = static_cast<std::uint32_t>(item) * kBlock;
+      const std::uint32_t count = std::min(kBlock, kOne - first + 1);
+      std::vector<double> u(count);
+      for (std::uint32_t i = 0; i < count; ++i) u[i] = std::bit_cast<float>(first + i);
+      std::vector<float> got(static_cast<std::size_t>(count) * map.components), right(count);
+      sides.front()->evaluate(u, {}, map.components, got);
+      for (int k = 0; k < map.components; ++k) {
+        outcome.exact += right_values(map, false, k, one.oracle, u, {}, std::nullopt, right);
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const float result = got[static_cast<std::size_t>(i) * map.components + k];
+          if (same(result, right[i])) continue;
+          if (outcome.wrong++ == 0)
+            outcome.first_wrong = words(one.what, map, one.targets.front(), "a batch", u[i], 0, std::nullopt,
+                                        k, result, right[i]);
+        }
+        outcome.samples += count;
+      }
+      if (item % 64 == 0) progress(static_cast<double>(item) / static_cast<double>(items));
+      return outcome;
+    };
+  });
+}
+
+}  // namespace evalcts::rounding
