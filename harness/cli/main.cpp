@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   rounding_command->add_flag("--sweep", rounding_options.sweep,
                              "every float from 0 to 1 instead, for one map of each class of curves");
   rounding_command->add_option("--filter", rounding_options.filter,
-                               "classes: patterns as in GoogleTest, 'curve/order:4/*'");
+                               "classes: patterns as in GoogleTest, 'curve/4/*'");
   rounding_command
       ->add_option(
           "--target", rounding_options.targets,

@@ -13,7 +13,8 @@ namespace evalcts::cli {
 namespace {
 
 bool is_chosen(const std::string& name, const std::string& filter) {
-  return !matching({{"tests", {{{"name", name}}}}}, filter).at("tests").empty();
+  const nlohmann::json named = {{"name", name}};
+  return !matching({{"tests", nlohmann::json::array({named})}}, filter).empty();
 }
 
 }  // namespace

@@ -476,8 +476,8 @@ Outcome in_threads(int jobs, std::uint64_t items, const std::atomic<bool>& stop,
 }  // namespace
 
 std::string Class::name() const {
-  return vorder == 0 ? fmt::format("curve/order:{}/{}", uorder, data)
-                     : fmt::format("surface/order:{}x{}/{}", uorder, vorder, data);
+  return vorder == 0 ? fmt::format("curve/{}/{}", uorder, data)
+                     : fmt::format("surface/{}x{}/{}", uorder, vorder, data);
 }
 
 std::vector<Class> classes() {

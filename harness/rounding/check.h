@@ -16,7 +16,7 @@ struct Class {
   int uorder, vorder;
   std::string data;
 
-  std::string name() const;  // "curve/order:4/ordinary", "surface/order:4x4/integers"
+  std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
 };
 std::vector<Class> classes();
 
