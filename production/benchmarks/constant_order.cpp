@@ -1,0 +1,164 @@
+// Bernstein polynomials in float with order and number of components known to the compiler: loops over
+// arguments that it vectorizes. Compiled for this machine, with -O3.
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "production/benchmarks/side.h"
+
+namespace evalcts::bench {
+namespace {
+
+template <int kOrder>
+constexpr std::array<float, kOrder> kBinomials = [] {
+  std::array<float, kOrder> result{};
+  double binomial = 1;
+  for (int i = 0; i < kOrder; ++i) {
+    result[i] = static_cast<float>(binomial);
+    binomial = binomial * (kOrder - 1 - i) / (i + 1);
+  }
+  return result;
+}();
+
+// GCC unrolls loops of 30 only when told to, and loops around loops are not vectorized.
+template <int kOrder, int kComponents>
+void evaluate(const float* __restrict points, const float* __restrict u, std::size_t count,
+              float* __restrict results) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float t = u[i], s = 1 - t;
+    float sum[kComponents], power = 1;
+    for (int k = 0; k < kComponents; ++k) sum[k] = points[k];
+#pragma GCC unroll 64
+    for (int j = 1; j < kOrder; ++j) {
+      power *= t;
+      const float weight = power * kBinomials<kOrder>[j];
+#pragma GCC unroll 4
+      for (int k = 0; k < kComponents; ++k) sum[k] = sum[k] * s + weight * points[j * kComponents + k];
+    }
+    for (int k = 0; k < kComponents; ++k) results[i * kComponents + k] = sum[k];
+  }
+}
+
+// The value at t of each Bernstein polynomial.
+template <int kOrder>
+std::array<float, kOrder> basis(float t) {
+  std::array<float, kOrder> result;
+  float power = 1;
+  for (int j = 0; j < kOrder; ++j, power *= t) result[j] = power * kBinomials<kOrder>[j];
+  power = 1;
+  for (int j = kOrder - 1; j >= 0; --j, power *= 1 - t) result[j] *= power;
+  return result;
+}
+
+template <int kOrder>
+std::array<float, kOrder> derivatives(float t) {
+  const std::array<float, kOrder - 1> lower = basis<kOrder - 1>(t);
+  std::array<float, kOrder> result{};
+  for (int j = 0; j < kOrder - 1; ++j) {
+    result[j] -= lower[j];
+    result[j + 1] += lower[j];
+  }
+  return result;
+}
+
+// The control points of the curve of one row.
+template <int kOrder, int kComponents>
+void contract(const float* points, const std::array<float, kOrder>& weights, float* curve) {
+  for (int i = 0; i < kOrder * kComponents; ++i) curve[i] = 0;
+  for (int j = 0; j < kOrder; ++j) {
+    for (int i = 0; i < kOrder * kComponents; ++i)
+      curve[i] += weights[j] * points[j * kOrder * kComponents + i];
+  }
+}
+
+// A bicubic row of positions and unit normals: B values and D derivatives of the polynomials in u, by
+// columns.
+void normals(const float* __restrict p, const float* __restrict q, const float* __restrict values,
+             const float* __restrict slopes, std::size_t columns, float* __restrict results) {
+  for (std::size_t i = 0; i < columns; ++i) {
+    float at[3] = {}, along_u[3] = {}, along_v[3] = {};
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; ++j) {
+      const float b = values[j * columns + i], d = slopes[j * columns + i];
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) {
+        at[k] += b * p[3 * j + k];
+        along_u[k] += d * p[3 * j + k];
+        along_v[k] += b * q[3 * j + k];
+      }
+    }
+    const float x = along_u[1] * along_v[2] - along_u[2] * along_v[1];
+    const float y = along_u[2] * along_v[0] - along_u[0] * along_v[2];
+    const float z = along_u[0] * along_v[1] - along_u[1] * along_v[0];
+    const float scale = 1 / std::sqrt(x * x + y * y + z * z);
+    for (int k = 0; k < 3; ++k) results[6 * i + k] = at[k];
+    results[6 * i + 3] = x * scale;
+    results[6 * i + 4] = y * scale;
+    results[6 * i + 5] = z * scale;
+  }
+}
+
+MeshSide with_normals(const Mesh& mesh) {
+  const std::size_t columns = mesh.columns;
+  std::vector<float> values(4 * columns), slopes(4 * columns);
+  for (std::size_t i = 0; i < columns; ++i) {
+    const std::array<float, 4> b = basis<4>(mesh.u(static_cast<int>(i)));
+    const std::array<float, 4> d = derivatives<4>(mesh.u(static_cast<int>(i)));
+    for (std::size_t j = 0; j < 4; ++j) {
+      values[j * columns + i] = b[j];
+      slopes[j * columns + i] = d[j];
+    }
+  }
+  return [&mesh, values, slopes, columns](int row, int rows, float* results) {
+    for (int j = row; j < row + rows; ++j, results += columns * 6) {
+      float p[12], q[12];
+      contract<4, 3>(mesh.points.data(), basis<4>(mesh.v(j)), p);
+      contract<4, 3>(mesh.points.data(), derivatives<4>(mesh.v(j)), q);
+      normals(p, q, values.data(), slopes.data(), columns, results);
+    }
+  };
+}
+
+constexpr char kSide[] = "constant_order";
+
+template <int kOrder, int kComponents>
+void add_order() {
+  for (const Curve& curve : curves()) {
+    if (curve.order != kOrder || curve.components != kComponents) continue;
+    add(curve, kSide, [&curve]() -> CurveSide {
+      return [&curve](float* results) {
+        evaluate<kOrder, kComponents>(curve.points.data(), curve.u.data(), curve.u.size(), results);
+      };
+    });
+  }
+  for (const Mesh& mesh : meshes()) {
+    if (mesh.order != kOrder || mesh.components != kComponents || mesh.normals) continue;
+    add(mesh, kSide, Unit::kMesh, [&mesh]() -> MeshSide {
+      std::vector<float> u(mesh.columns);
+      for (int i = 0; i < mesh.columns; ++i) u[i] = mesh.u(i);
+      return [&mesh, u](int row, int rows, float* results) {
+        for (int j = row; j < row + rows; ++j, results += mesh.columns * kComponents) {
+          float curve[kOrder * kComponents];
+          contract<kOrder, kComponents>(mesh.points.data(), basis<kOrder>(mesh.v(j)), curve);
+          evaluate<kOrder, kComponents>(curve, u.data(), u.size(), results);
+        }
+      };
+    });
+  }
+}
+
+[[maybe_unused]] const bool registered = [] {
+  add_order<4, 3>();
+  add_order<4, 4>();
+  add_order<8, 4>();
+  add_order<10, 3>();
+  add_order<30, 3>();
+  add_order<30, 4>();
+  for (const Mesh& mesh : meshes()) {
+    if (mesh.normals) add(mesh, kSide, Unit::kMesh, [&mesh] { return with_normals(mesh); });
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace evalcts::bench
