@@ -24,7 +24,10 @@ machine=$top/machine        # what the scripts below know and note
 required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libhwy-dev
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
-everything="$required libosmesa6 xvfb python3 libmpfi-dev clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev"
+benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
+everything="$required libosmesa6 xvfb python3 libmpfi-dev clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev
+  $benchmarks"
+everything=${everything//$'\n '/}
 
 # --- the machine -------------------------------------------------------------------------------------------
 
@@ -105,14 +108,16 @@ else
   echo "build $preset ${4:-all}" >>"$machine/calls"
   sleep "$(cat "$machine/build-seconds" 2>/dev/null || echo 0.1)"
   [[ -e $machine/no-build-$preset ]] && echo "x.cpp:1: error: no such thing" && exit 1
-  mkdir -p "$2/harness/cli"
-  {
-    echo '#!/usr/bin/env bash'
-    echo 'printf "<%s>" program "$@"; echo; pwd'
-    echo "flock --nonblock '$2/../.lock' true && echo lock is free"
-    echo 'exit 7'
-  } >"$2/harness/cli/evalcts"
-  chmod +x "$2/harness/cli/evalcts"
+  mkdir -p "$2/harness/cli" "$2/harness/benchmarks"
+  for program in cli/evalcts=program benchmarks/evalcts-bench=benchmarks; do
+    {
+      echo '#!/usr/bin/env bash'
+      echo "printf '<%s>' ${program#*=} \"\$@\"; echo; pwd"
+      echo "flock --nonblock '$2/../.lock' true && echo lock is free"
+      echo 'exit 7'
+    } >"$2/harness/${program%=*}"
+    chmod +x "$2/harness/${program%=*}"
+  done
 fi
 X
   script ninja </dev/null
@@ -405,6 +410,25 @@ evalcts run
 chmod u+w "$tree"
 exits 2
 says "cannot write to $tree/build"
+
+scenario "bench: installs its own packages, and builds its own program"
+echo "$required libosmesa6 xvfb" | tr ' ' '\n' >"$machine/installed"
+evalcts bench --benchmark_filter=Exact
+exits 7
+says "installing $benchmarks"
+says "<benchmarks><--benchmark_filter=Exact>"
+called "build release evalcts-bench"
+scenario "bench: without a peer, but not without Google Benchmark"
+echo "$required libosmesa6 xvfb libbenchmark-dev libosd-dev" | tr ' ' '\n' >"$machine/installed"
+evalcts bench --no-install
+exits 7
+says "libsisl-dev is not installed: without SISL, which the evaluator is measured beside"
+says_not libosd-dev
+sed -i /libbenchmark-dev/d "$machine/installed"
+evalcts bench --no-install
+exits 2
+says "libbenchmark-dev"
+called_not apt-get
 
 scenario "test: stages, ctest's words, summary"
 install_all
