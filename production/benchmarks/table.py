@@ -86,13 +86,14 @@ PEERS = [
     ("OpenSubdiv", "OpenSubdiv, same work"),
 ]
 
+LINE = "points 0..3, order 4"
 HARD = [
     ("(1-2u)^3, order 4", "Hard/power/order:4"),
     ("(1-2u)^9, order 10", "Hard/power/order:10"),
     ("(1-2u)^29, order 30", "Hard/power/order:30"),
     ("roots j/30 in (0,1), order 30", "Hard/roots/order:30"),
     ("integers -9..9 at u = i/1024, order 4", "Hard/integers/order:4"),
-    ("points 0..3, order 4", "Hard/line/order:4"),
+    (LINE, "Hard/line/order:4"),
     ("points 0..9, order 10", "Hard/line/order:10"),
     ("points 0..29, order 30", "Hard/line/order:30"),
     ("random x 1e6 + 1e6, order 4", "Hard/offset/order:4"),
@@ -143,14 +144,18 @@ class Results:
         return max(floors, default=None)
 
 
+def three_digits(x):
+    return f"{x:.2f}" if x < 9.995 else f"{x:.1f}" if x < 99.95 else f"{x:.0f}"
+
+
 def number(ns):
-    if ns is None:
-        return "-"
-    return f"{ns:.2f}" if ns < 10 else f"{ns:.1f}" if ns < 100 else f"{ns:.0f}"
+    return "-" if ns is None else three_digits(ns)
 
 
 def ratio(x):
-    return "-" if x is None else f"{x:.1f}x" if x < 10 else f"{x:.0f}x"
+    if x is None:
+        return "-"
+    return f"{x:.2f}x" if x < 0.995 else f"{x:.1f}x" if x < 9.95 else f"{x:.0f}x"
 
 
 def over(a, b):
@@ -229,15 +234,17 @@ def hard(results):
         for width in WIDTHS:
             ns = results.side(work, EXACT, width)
             cells.append(f"{number(ns)} ({ratio(over(horner, ns))})" if ns else "-")
+            if ns and words == LINE and ns > 4 * horner:
+                warn(f"{words}: {width} takes {ns / horner:.1f} times as long as float Horner, may take 4")
         lines.append(line([words] + cells))
     return lines
 
 
 def tables(results):
-    sets = ", ".join(f"{width}: {results.target[width]}" for width in WIDTHS if results.target[width])
-    sets = sets and f"{sets} in the words of Highway. "
-    words = (f"{environment(results.context)}. {sets}ns for a point; in brackets how many times float Horner "
-             "that is, and the share of the floor that is reached.")
+    wide = results.target["AVX-512"]
+    wide = f" AVX-512 is what Highway calls {wide}." if wide else ""
+    words = (f"{environment(results.context)}.{wide} ns for a point; in brackets how many times as fast as "
+             "float Horner that is, and the share of the floor that is reached.")
     hard_words = "Data that is hard to round, the same polynomial in three components, but for the last line:"
     return "\n".join([words, "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
                       *hard(results)]) + "\n"
