@@ -237,7 +237,29 @@ TEST_F(Reduction, RowsMayBeFarApart) {
   ExpectReduced({{4, 1}, {0, 0, 0x1p127, 3 * 0x1p127}});
 }
 
+TEST_F(Reduction, RowsAgreeOnADegree) {
+  // Two curves of degree 4, by their differences at degree 11: the first has doubles at 4, the second at 5,
+  // where the first has none; both have only at 11.
+  Net net = {{2, 12}, {}};
+  for (const std::array<int, 5>& differences : {std::array{0, -1, -3, -1, -2}, std::array{0, 0, 1, 0, -1}}) {
+    for (int j = 0; j < 12; ++j) {
+      Rational point = 0;
+      for (int k = 0; k <= 4; ++k) point += k <= j ? Choose(j, k) * differences[k] : 0;
+      net.points.push_back(point.convert_to<double>());
+    }
+  }
+  EXPECT_EQ(Reduced({{1, 12}, {net.points.begin(), net.points.begin() + 12}}).order, (Orders{1, 5}));
+  EXPECT_EQ(Reduced({{1, 12}, {net.points.begin() + 12, net.points.end()}}).order, (Orders{1, 6}));
+  ExpectUnchanged(net);
+  for (int i = 0; i < 100 && !HasFailure(); ++i) {
+    SCOPED_TRACE(testing::Message() << "case " << i << ", seed " << kSeed);
+    ExpectReduced(Elevated({2, 8 + Below(6)}, {1, 3 + Below(4)}, 0));
+  }
+}
+
 TEST_F(Reduction, WhatIsTooWideStays) {
+  // 0 modulo any 448 bits.
+  ExpectUnchanged({{3, 1}, {0x1p-599, 0x1p-600, 1}});
   ExpectUnchanged({{3, 1}, {-0x1p1000, 0x1p-1000, 0x1p1000}});
   // Not a line only by 2^-1074: the bits that decide are far apart.
   ExpectUnchanged({{3, 1}, {-1, kTiny, 1}});
@@ -255,12 +277,21 @@ TEST_F(Reduction, PointsThatAreNoDoublesAtTheTrueDegree) {
   }
   EXPECT_GT(kept, 20);
   EXPECT_LT(kept, 180);
-  // 2 (0.1, x, y) - ..., where x = (3 R_1 - R_0) / 2 needs 54 bits and more
-  for (int i = 0; i < 50; ++i) {
-    const double first = 1 + static_cast<double>(random_() >> 12) * 0x1p-52;
-    const Net net = {{4, 1}, {first, first, first, first * 4}};
-    ExpectReduced(net);
-  }
+}
+
+TEST_F(Reduction, TheEndsOfTheRangeOfDouble) {
+  // (0, x, x, 0) is (0, 3x/2, 0).
+  const auto order = [](double x) { return Reduced({{4, 1}, {0, x, x, 0}}).order[0]; };
+  EXPECT_EQ(order(2 * 0x1.8p52), 3);
+  EXPECT_EQ(order(2 * (0x1p53 + 1) / 3), 4);  // 2^53 + 1 has 54 bits
+  EXPECT_EQ(order(2 * (0x1p53 - 2) / 3), 3);
+  EXPECT_EQ(order(kTiny), 4);
+  EXPECT_EQ(order(2 * kTiny), 3);
+  EXPECT_EQ(order(0x1p1022), 3);
+  EXPECT_EQ(order(-0x1.5555555555554p1023), 3);
+  EXPECT_EQ(order(0x1.5555555555556p1023), 4);
+  for (double x : {0x1p52, 2 * kTiny, 0x1p1022, -0x1.5555555555554p1023})
+    ExpectReduced({{4, 1}, {0, x, x, 0}});
 }
 
 TEST_F(Reduction, RandomDataIsKept) {
