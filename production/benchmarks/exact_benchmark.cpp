@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "production/src/exact.h"
+#include "production/src/reduction.h"
 
 namespace {
 
@@ -128,5 +129,28 @@ BENCHMARK(ExactWorst)
     ->Args({4, 4})
     ->Args({64, 64})
     ->Unit(benchmark::kMicrosecond);
+
+// ---- When a plan is made
+
+void RunReduce(benchmark::State& state, const Problem& problem) {
+  std::vector<double> reduced(problem.points.size());
+  for ([[maybe_unused]] auto _ : state) {
+    benchmark::DoNotOptimize(glev::Reduce(problem.component, reduced.data()));
+  }
+}
+
+void ReduceRandom(benchmark::State& state) {
+  RunReduce(state, Floats({static_cast<int>(state.range(0)), static_cast<int>(state.range(1))}, 36));
+}
+BENCHMARK(ReduceRandom)->Args({4, 1})->Args({64, 1})->Args({4, 4})->Args({64, 64});
+
+// Planes: i + 3 j.
+void ReducePlane(benchmark::State& state) {
+  const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
+  Problem problem = Floats({order, order_v}, 0);
+  for (int i = 0; i < order * order_v; ++i) problem.points[i] = i / order_v + 3 * (i % order_v);
+  RunReduce(state, problem);
+}
+BENCHMARK(ReducePlane)->Args({4, 1})->Args({64, 1})->Args({4, 4})->Args({64, 64});
 
 }  // namespace

@@ -290,6 +290,7 @@ TEST_F(Reduction, TheEndsOfTheRangeOfDouble) {
   EXPECT_EQ(order(0x1p1022), 3);
   EXPECT_EQ(order(-0x1.5555555555554p1023), 3);
   EXPECT_EQ(order(0x1.5555555555556p1023), 4);
+  EXPECT_EQ(order(0x1.8p1023), 4);
   for (double x : {0x1p52, 2 * kTiny, 0x1p1022, -0x1.5555555555554p1023})
     ExpectReduced({{4, 1}, {0, x, x, 0}});
 }
