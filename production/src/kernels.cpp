@@ -30,25 +30,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, 8>;
 using Vector = hn::Vec<Doubles>;
-using Mask = hn::Mask<Doubles>;
 constexpr Doubles kDoubles;
 constexpr std::size_t kLanes = hn::MaxLanes(kDoubles);
 constexpr hn::Rebind<float, Doubles> kHalves;  // as many floats
-
-// ---- The test of prepared_map.h
-
-template <class D>
-HWY_INLINE hn::Mask<D> IsSettled(D d, hn::Vec<D> value, hn::Vec<D> threshold) {
-  // The 29 bits that a float has not, on top: the middle between two floats is the smallest integer.
-  // Unsigned, a distance from it of at most kSlack plus kSlack is at most 2 * kSlack; adding 2^63 makes
-  // comparisons signed.
-  const hn::RebindToSigned<D> integers;
-  constexpr std::int64_t kUnit = std::int64_t{1} << 35;
-  const auto shifted = hn::ShiftLeft<35>(hn::BitCast(integers, value));
-  const auto distance = hn::Add(shifted, hn::Set(integers, kSlack * kUnit));
-  const auto limit = hn::Set(integers, std::numeric_limits<std::int64_t>::min() + 2 * kSlack * kUnit);
-  return hn::And(hn::RebindMask(d, hn::Gt(distance, limit)), hn::Ge(hn::Abs(value), threshold));
-}
 
 // ---- Results of a few points, lane by lane
 
@@ -60,41 +44,55 @@ struct Block {
   Vector value[kComponents][kUnroll];
 };
 
-// A row of the results of a map.
+// The results of a map. Lanes that are NaN are not settled.
 template <int kComponents>
 class Writer {
  public:
-  Writer(const PreparedMap& map, const Destination& to, std::byte* data) : map_(map), to_(to), data_(data) {
-    for (int k = 0; k < kComponents; ++k) threshold_[k] = hn::Set(kDoubles, map.component[k].threshold);
+  Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
+    for (int k = 0; k < kComponents; ++k) {
+      scale_[k] = hn::Set(kDoubles, test.scale[k]);
+      low_[k] = hn::Set(kDoubles, test.low[k]);
+      high_[k] = hn::Set(kDoubles, test.high[k]);
+    }
     is_packed_ = to.components == kComponents && to.stride == kComponents * sizeof(float);
   }
 
-  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled, or its lane is not
-  // sure, the arguments decide: resolve(lane, component, value).
+  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled the arguments decide:
+  // resolve(element, component, value).
   template <class Resolver>
-  HWY_INLINE void Write(const Block<kComponents>& block, const Mask (&sure)[kUnroll], std::size_t begin,
-                        std::size_t count, const Resolver& resolve) const {
-    Mask settled[kUnroll];
+  HWY_INLINE void Write(const Block<kComponents>& block, std::size_t begin, std::size_t count,
+                        const Resolver& resolve) const {
+    Rounded rounded[kUnroll];
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      settled[part] = sure[part];
-      for (int k = 0; k < kComponents; ++k)
-        settled[part] = hn::And(settled[part], IsSettled(kDoubles, block.value[k][part], threshold_[k]));
+      for (int k = 0; k < kComponents; ++k) {
+        const Vector value = block.value[k][part];
+        const Half low = hn::DemoteTo(kHalves, hn::MulAdd(value, scale_[k], low_[k]));
+        const Half high = hn::DemoteTo(kHalves, hn::MulAdd(value, scale_[k], high_[k]));
+        const auto same = hn::Eq(low, high);
+        rounded[part].value[k] = high;
+        rounded[part].settled = k == 0 ? same : hn::And(rounded[part].settled, same);
+      }
     }
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
-      Interleave(block, reinterpret_cast<float*>(data_ + begin * to_.stride));
+      Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
     } else {
-      WriteApart(block, begin, count);
+      WriteApart(rounded, begin, count);
     }
-    Mask all = settled[0];
-    for (std::size_t part = 1; part < kUnroll; ++part) all = hn::And(all, settled[part]);
-    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, all))) Repair(block, sure, settled, begin, count, resolve);
+    auto settled = rounded[0].settled;
+    for (std::size_t part = 1; part < kUnroll; ++part) settled = hn::And(settled, rounded[part].settled);
+    if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) Repair(block, rounded, begin, count, resolve);
   }
 
  private:
-  static HWY_INLINE void Interleave(const Block<kComponents>& block, float* to) {
+  using Half = hn::Vec<decltype(kHalves)>;
+  struct Rounded {
+    Half value[kComponents];
+    hn::Mask<decltype(kHalves)> settled;
+  };
+
+  static HWY_INLINE void Interleave(const Rounded (&rounded)[kUnroll], float* to) {
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      hn::Vec<decltype(kHalves)> values[kComponents];
-      for (int k = 0; k < kComponents; ++k) values[k] = hn::DemoteTo(kHalves, block.value[k][part]);
+      const Half(&values)[kComponents] = rounded[part].value;
       if constexpr (kComponents == 1) hn::StoreU(values[0], kHalves, to);
       if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kHalves, to);
       if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kHalves, to);
@@ -104,9 +102,10 @@ class Writer {
     }
   }
 
-  HWY_NOINLINE void WriteApart(const Block<kComponents>& block, std::size_t begin, std::size_t count) const {
+  HWY_NOINLINE void WriteApart(const Rounded (&rounded)[kUnroll], std::size_t begin,
+                               std::size_t count) const {
     alignas(64) float values[kStep * kComponents];
-    Interleave(block, values);
+    Interleave(rounded, values);
     for (std::size_t i = 0; i < count; ++i) {
       std::array<float, 4> element = {0, 0, 0, 1};
       std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
@@ -115,33 +114,28 @@ class Writer {
   }
 
   template <class Resolver>
-  HWY_NOINLINE void Repair(const Block<kComponents>& block, const Mask (&sure)[kUnroll],
-                           const Mask (&settled)[kUnroll], std::size_t begin, std::size_t count,
-                           const Resolver& resolve) const {
+  HWY_NOINLINE void Repair(const Block<kComponents>& block, const Rounded (&rounded)[kUnroll],
+                           std::size_t begin, std::size_t count, const Resolver& resolve) const {
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      alignas(64) double lane_is_sure[kLanes], lane_is_settled[kLanes];
-      const Vector one = hn::Set(kDoubles, 1);
-      hn::Store(hn::IfThenElseZero(sure[part], one), kDoubles, lane_is_sure);
-      hn::Store(hn::IfThenElseZero(settled[part], one), kDoubles, lane_is_settled);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(kHalves, rounded[part].settled, bits);
+      alignas(64) double values[kComponents][kLanes];
+      for (int k = 0; k < kComponents; ++k) hn::Store(block.value[k][part], kDoubles, values[k]);
       for (std::size_t lane = 0; lane < kLanes && part * kLanes + lane < count; ++lane) {
-        if (lane_is_settled[lane] != 0) continue;
-        const std::size_t i = part * kLanes + lane;
+        if ((bits[0] >> lane & 1) != 0) continue;
+        const std::size_t i = begin + part * kLanes + lane;
         for (int k = 0; k < kComponents; ++k) {
-          alignas(64) double values[kLanes];
-          hn::Store(block.value[k][part], kDoubles, values);
-          const double error = lane_is_sure[lane] != 0 ? map_.component[k].error : HUGE_VAL;
-          const float result = resolve(begin + i, k, values[lane], error);
-          std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
+          const float result = resolve(i, k, values[k][lane]);
+          std::memcpy(data_ + i * to_.stride + k * sizeof(float), &result, sizeof result);
         }
       }
     }
   }
 
-  const PreparedMap& map_;
   const Destination& to_;
   std::byte* data_;
   bool is_packed_;
-  Vector threshold_[kComponents];
+  Vector scale_[kComponents], low_[kComponents], high_[kComponents];
 };
 
 // ---- Arguments
@@ -176,9 +170,10 @@ HWY_INLINE void Fetch(const Input& input, std::size_t begin, std::size_t count, 
   for (std::size_t i = 0; i < kStep; ++i) arguments[i] = input[begin + std::min(i, count - 1)];
 }
 
-HWY_INLINE Mask IsInside(Vector t, Vector s) {
-  const Vector zero = hn::Zero(kDoubles);
-  return hn::And(hn::Ge(t, zero), hn::Ge(s, zero));
+// t inside the domain, NaN elsewhere.
+HWY_INLINE Vector Inside(Vector t, Vector s) {
+  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  return hn::IfThenElse(hn::Ge(hn::Min(t, s), hn::Zero(kDoubles)), t, nan);
 }
 
 HWY_INLINE Vector Power(Vector base, int exponent) {
@@ -199,21 +194,20 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
   const Place place(map.surface.domain[0]);
   const int degree = map.surface.degree[0];
   const double* const points = map.surface.scaled;
-  const Writer<kComponents> writer(map, to, to.data);
+  const Writer<kComponents> writer(map.test, to, to.data);
   // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
+  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const Vector least = hn::Set(kDoubles, kDegree < 0 ? std::exp2(-800.0 / degree) : 0);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments[kStep];
     Fetch(input, begin, part_count, arguments);
     Block<kComponents> block;
-    Mask sure[kUnroll];
     Vector s[kUnroll], t[kUnroll];
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
       s[part] = place.S(u);
-      t[part] = place.T(u);
-      sure[part] = IsInside(t[part], s[part]);
+      t[part] = Inside(place.T(u), s[part]);
     }
     if constexpr (kDegree >= 0) {
       Vector weights[kDegree + 1][kUnroll];
@@ -245,8 +239,7 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
     } else {
       Vector ratio[kUnroll], power[kUnroll];
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        sure[part] = hn::And(sure[part], hn::Ge(s[part], least));
-        ratio[part] = hn::Div(t[part], s[part]);
+        ratio[part] = hn::Div(t[part], hn::IfThenElse(hn::Ge(s[part], least), s[part], nan));
         power[part] = Power(s[part], degree);
       }
       const double* point = points + degree * kComponents;
@@ -266,8 +259,8 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
           block.value[k][part] = hn::Mul(block.value[k][part], power[part]);
       }
     }
-    writer.Write(block, sure, begin, part_count, [&](std::size_t i, int k, double value, double error) {
-      return Resolve(map, k, At(input[i]), At(0), value, error);
+    writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
+      return Resolve(map, k, At(input[i]), At(0), value, map.component[k].error);
     });
   }
 }
@@ -309,23 +302,20 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
               const Destination& to) {
   const Place place_u(map.surface.domain[0]), place_v(map.surface.domain[1]);
   const auto [n, m] = map.surface.degree;
-  const Writer<kComponents> writer(map, to, to.data);
+  const Writer<kComponents> writer(map.test, to, to.data);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments_u[kStep], arguments_v[kStep];
     Fetch(input_u, begin, part_count, arguments_u);
     Fetch(input_v, begin, part_count, arguments_v);
     Block<kComponents> block;
-    Mask sure[kUnroll];
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
                    v = hn::Load(kDoubles, arguments_v + part * kLanes);
       Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
-      const Vector tu = place_u.T(u), su = place_u.S(u), tv = place_v.T(v), sv = place_v.S(v);
-      WeightsOf(n, su, tu, weights_u);
-      WeightsOf(m, sv, tv, weights_v);
-      const Mask all = hn::Eq(su, su);  // of degree 0 every argument is inside
-      sure[part] = hn::And(n == 0 ? all : IsInside(tu, su), m == 0 ? all : IsInside(tv, sv));
+      const Vector su = place_u.S(u), sv = place_v.S(v);
+      WeightsOf(n, su, Inside(place_u.T(u), su), weights_u);
+      WeightsOf(m, sv, Inside(place_v.T(v), sv), weights_v);
       for (int k = 0; k < kComponents; ++k) block.value[k][part] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {
@@ -339,8 +329,8 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
           block.value[k][part] = hn::MulAdd(weights_u[i], sum[k], block.value[k][part]);
       }
     }
-    writer.Write(block, sure, begin, part_count, [&](std::size_t i, int k, double value, double error) {
-      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, error);
+    writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
+      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, map.component[k].error);
     });
   }
 }
@@ -406,21 +396,23 @@ void Point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
     }
   }
   const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
-  std::uint8_t settled = 0;
+  unsigned settled = 0;
+  float rounded[4];
   for (std::size_t part = 0; part < kParts; ++part) {
     constexpr std::size_t kCount = hn::MaxLanes(kFour);
-    double thresholds[kCount];
-    for (std::size_t k = 0; k < kCount; ++k) thresholds[k] = map.component[part * kCount + k].threshold;
+    constexpr hn::Rebind<float, Four> kFourFloats;
+    const auto sides = [&](const std::array<double, 4>& side) {
+      const FourVector scale = hn::LoadU(kFour, map.test.scale.data() + part * kCount);
+      return hn::DemoteTo(kFourFloats,
+                          hn::MulAdd(sum[part], scale, hn::LoadU(kFour, side.data() + part * kCount)));
+    };
+    const auto low = sides(map.test.low), high = sides(map.test.high);
     std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(kFour, IsSettled(kFour, sum[part], hn::LoadU(kFour, thresholds)), bits);
-    settled |= static_cast<std::uint8_t>(bits[0] << (part * kCount));
-    const hn::Rebind<float, Four> halves;
-    float values[4];
-    hn::StoreU(hn::DemoteTo(halves, sum[part]), halves, values);
-    for (std::size_t k = 0; k < kCount; ++k) {
-      if (part * kCount + k < static_cast<std::size_t>(components)) result[part * kCount + k] = values[k];
-    }
+    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
+    settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
+    hn::StoreU(high, kFourFloats, rounded + part * kCount);
   }
+  std::memcpy(result, rounded, components * sizeof(float));
   const unsigned wanted = (1u << components) - 1;
   if (HWY_LIKELY(growth == 1 && (settled & wanted) == wanted)) return;
   alignas(64) double values[4];
@@ -493,16 +485,8 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
     WeightsAt(m, at_v, weights_v);
     RowOf<kComponents>(map.surface, weights_v, row);
     const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
-    PreparedMap grown;
-    const PreparedMap* row_map = &map;
-    if (growth != 1) {
-      grown = map;
-      for (PreparedComponent& component : grown.component) Grow(growth, &component);
-      row_map = &grown;
-    }
-    const Writer<kComponents> writer(*row_map, to, to.data + r * to.row_stride);
-    const Mask all = hn::Eq(hn::Zero(kDoubles), hn::Zero(kDoubles));
-    const Mask sure[kUnroll] = {all, all};
+    const Writer<kComponents> writer(growth == 1 ? map.test : Grown(map, growth), to,
+                                     to.data + r * to.row_stride);
     for (std::size_t c = 0; c < range.columns; c += kStep) {
       Block<kComponents> block;
       for (int k = 0; k < kComponents; ++k) {
@@ -522,11 +506,10 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
             block.value[k][part] = hn::MulAdd(weight[part], value, block.value[k][part]);
         }
       }
-      writer.Write(
-          block, sure, c, std::min(kStep, range.columns - c),
-          [&](std::size_t i, int k, double value, double error) {
-            return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v, value, error);
-          });
+      writer.Write(block, c, std::min(kStep, range.columns - c), [&](std::size_t i, int k, double value) {
+        const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(i)};
+        return Resolve(map, k, u, v, value, map.component[k].error * growth);
+      });
     }
   }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "production/src/double_double.h"
 #include "production/src/reduction.h"
@@ -34,13 +33,6 @@ double Error(std::array<int, 2> order, const std::array<Domain, 2>& domain, doub
   return (13 * (order[0] + order[1] - 2) + 8) * 0x1p-53 * (1 + 0x1p-20) * largest;
 }
 
-// An error of kSlack units in the last place of a double v is more than kSlack * 2^-53 * |v|.
-double Threshold(double error, double largest) {
-  constexpr double kSmallestNormal = 0x1p-125, kNearOverflow = 0x1p127;  // of float
-  if (!(largest < kNearOverflow)) return HUGE_VAL;
-  return std::max(error * (0x1p53 / kSlack) * (1 + 0x1p-20), kSmallestNormal);
-}
-
 }  // namespace
 
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
@@ -51,7 +43,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
-    component.error = component.threshold = HUGE_VAL;
+    component.error = HUGE_VAL;
     bool is_finite = true;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
       const double point = points[i * components + k];
@@ -66,7 +58,6 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
     const std::array<int, 2> reduced = Reduce({points + k, components, order, domain}, own);
     component.lowest = {own, 1, reduced, domain};
     component.error = Error(order, domain, component.largest);
-    component.threshold = Threshold(component.error, component.largest);
     for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
       component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
     }
@@ -86,6 +77,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
       component.slope = slope.high;
     }
   }
+  map.test = Grown(map, 1);
   return map;
 }
 
@@ -96,9 +88,24 @@ double Growth(const Parameter& at, int degree) {
   return base <= 1 + 0x1p-49 ? 1 : std::pow(base * (1 + 0x1p-40), degree) * (1 + 0x1p-20);
 }
 
-void Grow(double growth, PreparedComponent* component) {
-  component->error *= growth;
-  component->threshold = Threshold(component->error, component->largest * growth);
+PreparedMap::Test Grown(const PreparedMap& map, double growth) {
+  PreparedMap::Test test;
+  for (int k = 0; k < map.surface.components; ++k) {
+    const PreparedComponent& component = map.component[k];
+    if (component.kind == PreparedComponent::Kind::kConstant) {
+      test.low[k] = test.high[k] = component.constant;
+      continue;
+    }
+    // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give infinity.
+    const bool is_safe = component.largest * growth <= 0x1p127;
+    // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
+    // errors could make zeros of both signs, which compare equal.
+    const double error = (component.error + 2 * 0x1p-53 * component.largest) * growth;
+    test.scale[k] = 1;
+    test.high[k] = is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
+    test.low[k] = -test.high[k];
+  }
+  return test;
 }
 
 }  // namespace glev

@@ -25,18 +25,20 @@ struct PreparedComponent {
   int line_direction = 0;
   double first = 0, slope = 0;
   double largest = 0;  // max |R|
-  // Of an evaluation in double inside the domain: |value - V| <= error, infinite if nothing can be said. In a
-  // vector of values the cheaper test is whether one of magnitude at least `threshold` is farther than kSlack
-  // units in its last place from the middle between two floats.
-  double error = 0, threshold = 0;
+  // Of an evaluation in double inside the domain: |value - V| <= error, infinite if nothing can be said.
+  double error = 0;
 };
-
-inline constexpr int kSlack = 1 << 18;
 
 // No components: no map.
 struct PreparedMap {
   Surface surface;
   std::array<PreparedComponent, 4> component;
+  // The test of vectors of values in double: V lies between scale * value + low and scale * value + high, in
+  // which the roundings of these are contained. So where both round to the same float V does, too.
+  struct Test {
+    std::array<double, 4> scale{}, low{}, high{};
+  };
+  Test test;
 };
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for as
@@ -49,7 +51,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
 // least 1.
 double Growth(const Parameter& at, int degree);
 
-// What evaluation outside the domain, where errors grow so much, may rely on.
-void Grow(double growth, PreparedComponent* component);
+// The test outside the domain, where errors grow so much.
+PreparedMap::Test Grown(const PreparedMap& map, double growth);
 
 }  // namespace glev
