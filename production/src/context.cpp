@@ -238,19 +238,26 @@ const glev_plan* glev_context::PlanToDraw(int dimension) {
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
-void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
-  const glev_plan& plan = row.plan();
+void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                          const glev::Row* row) {
   glev_vertex vertex = current_;
   {
     const glev::DefaultEnvironment environment;
-    row.At(Attribute::kVertex, u, vertex.position);
-    if (plan.components(Attribute::kColor) != 0) row.At(Attribute::kColor, u, vertex.color);
-    if (plan.components(Attribute::kTexcoord) != 0)
-      row.At(Attribute::kTexcoord, u, vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0]);
+    const auto evaluate = [&](Attribute attribute, float* values) {
+      row != nullptr ? row->ValuesAt(attribute, u, values) : glev::ValuesAt(plan, attribute, u, v, values);
+    };
+    vertex.position[3] = 1;
+    evaluate(Attribute::kVertex, vertex.position);
+    if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex.color);
+    if (plan.components(Attribute::kTexcoord) != 0) {
+      auto& texcoord = vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0];
+      CopyTo(texcoord, {0, 0, 0, 1});
+      evaluate(Attribute::kTexcoord, texcoord);
+    }
     if (plan.automatic_normals()) {
-      CopyTo(vertex.normal, row.NormalAt(u));
+      CopyTo(vertex.normal, row->NormalAt(u));
     } else if (plan.components(Attribute::kNormal) != 0) {
-      row.At(Attribute::kNormal, u, vertex.normal);
+      evaluate(Attribute::kNormal, vertex.normal);
     }
   }
   if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.texcoord[0][3] = vertex.texcoord[0][3];
@@ -259,6 +266,10 @@ void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
   if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.normal[0] = vertex.normal[0];
   if (GLEV_FAULTY(ListedMeshLeaksColor) && list_depth_ > 0 && in_mesh_) current_.color[0] = vertex.color[0];
   Emit(vertex);
+}
+
+void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
+  EmitAt(row.plan(), u, row.v(), &row);
 }
 
 void glev_context::MoveTo(const GridArgument& v, glev::Row* row) {
@@ -270,7 +281,13 @@ void glev_context::EvaluateAt(int dimension, const GridArgument& u, const GridAr
   if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
   const glev_plan* plan = PlanToDraw(dimension);
   if (plan == nullptr) return;
-  glev::Row row(*plan);
+  if (!plan->automatic_normals() && !glev::IsPlain()) return EmitAt(*plan, u, v, nullptr);
+  EvaluateWithRow(*plan, u, v);
+}
+
+// Apart, for its large frame.
+void glev_context::EvaluateWithRow(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
+  glev::Row row(plan);
   MoveTo(v, &row);
   EmitRow(row, u);
 }

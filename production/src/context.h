@@ -149,6 +149,10 @@ struct glev_context {
   const glev_plan* PlanToDraw(int dimension);
   // The evaluated vertex at u of the row.
   void EmitRow(const glev::Row& row, const glev::GridArgument& u);
+  // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
+  void EmitAt(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+              const glev::Row* row);
+  void EvaluateWithRow(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
   static void MoveTo(const glev::GridArgument& v, glev::Row* row);
   void EvaluateAt(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.

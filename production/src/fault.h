@@ -16,6 +16,9 @@ enum class Fault : int {
 
 inline Fault active_fault = Fault::kNone;
 
+// With a fault values are those of plain double, so that no later route makes up for it.
+inline bool IsPlain() { return active_fault != Fault::kNone; }
+
 }  // namespace glev
 
 // Whether the fault of that name is the active one.
@@ -24,5 +27,9 @@ inline Fault active_fault = Fault::kNone;
 #else
 
 #define GLEV_FAULTY(name) false
+
+namespace glev {
+constexpr bool IsPlain() { return false; }
+}  // namespace glev
 
 #endif

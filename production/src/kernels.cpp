@@ -155,6 +155,9 @@ struct Place {
   HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
   HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
 
+  // Of t and s.
+  int roundings() const { return has_inverse ? 1 : 3; }
+
   Vector u1, u2, width, inverse;
   bool has_inverse;  // that is exact
 };
@@ -194,7 +197,9 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
   const Place place(map.surface.domain[0]);
   const int degree = map.surface.degree[0];
   const double* const points = map.surface.scaled;
-  const Writer<kComponents> writer(map.test, to, to.data);
+  const double units =
+      kDegree < 0 ? HornerUnits(degree, place.roundings()) : WeightUnits(degree, 0, place.roundings());
+  const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
   // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const Vector least = hn::Set(kDoubles, kDegree < 0 ? std::exp2(-800.0 / degree) : 0);
@@ -260,7 +265,7 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
       }
     }
     writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
-      return Resolve(map, k, At(input[i]), At(0), value, map.component[k].error);
+      return Resolve(map, k, At(input[i]), At(0), value, map.component[k].unit * units);
     });
   }
 }
@@ -302,7 +307,8 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
               const Destination& to) {
   const Place place_u(map.surface.domain[0]), place_v(map.surface.domain[1]);
   const auto [n, m] = map.surface.degree;
-  const Writer<kComponents> writer(map.test, to, to.data);
+  const double units = WeightUnits(n, m, std::max(place_u.roundings(), place_v.roundings()));
+  const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments_u[kStep], arguments_v[kStep];
@@ -330,7 +336,7 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
       }
     }
     writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
-      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, map.component[k].error);
+      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, map.component[k].unit * units);
     });
   }
 }
@@ -412,28 +418,32 @@ void Point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
     settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
     hn::StoreU(high, kFourFloats, rounded + part * kCount);
   }
-  std::memcpy(result, rounded, components * sizeof(float));
+  for (int k = 0; k < components; ++k) result[k] = rounded[k];
   const unsigned wanted = (1u << components) - 1;
   if (HWY_LIKELY(growth == 1 && (settled & wanted) == wanted)) return;
   alignas(64) double values[4];
   for (std::size_t part = 0; part < kParts; ++part)
     hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
+  const double units = WeightUnits(n, m, kRoundings) * growth;
   for (int k = 0; k < components; ++k) {
     if (growth != 1 || (settled >> k & 1) == 0)
-      result[k] = Resolve(map, k, u, v, values[k], map.component[k].error * growth);
+      result[k] = Resolve(map, k, u, v, values[k], map.component[k].unit * units);
   }
 }
 
 // ---- Meshes: the columns' weights are computed once, then each row is a curve
+
+// The points of the grid are i / n of the domain, then, with one rounding each.
+bool Spans(const Grid& grid, const Domain& domain) { return grid.u1 == domain.u1 && grid.u2 == domain.u2; }
 
 // t and s of the columns, in place of the weights that are computed from them. Returns the largest growth.
 double PlaceColumns(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
                     double* s) {
   const Grid& grid = range.u;
   const double n = grid.segments;
-  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2;
   double growth = 1;
-  if (spans && range.i1 >= 0 && range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
+  if (Spans(grid, domain) && range.i1 >= 0 &&
+      range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
     const Vector segments = hn::Set(kDoubles, n);
     for (std::size_t c = 0; c < padded; c += kLanes) {
       const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
@@ -478,6 +488,10 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
     WeightsOf(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
     for (int i = 0; i <= n; ++i) hn::Store(column[i], kDoubles, weights + i * padded + c);
   }
+  const auto [domain_u, domain_v] = map.surface.domain;
+  const int roundings = Spans(range.u, domain_u) && (m == 0 || Spans(range.v, domain_v)) ? 1 : kRoundings;
+  const double units = WeightUnits(n, m, roundings);
+  const PreparedMap::Test test = TestOf(map, units, 1);
   for (std::size_t r = 0; r < range.rows; ++r) {
     const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
     const Parameter at_v = Locate(map.surface.domain[1], v);
@@ -485,7 +499,7 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
     WeightsAt(m, at_v, weights_v);
     RowOf<kComponents>(map.surface, weights_v, row);
     const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
-    const Writer<kComponents> writer(growth == 1 ? map.test : Grown(map, growth), to,
+    const Writer<kComponents> writer(growth == 1 ? test : TestOf(map, units, growth), to,
                                      to.data + r * to.row_stride);
     for (std::size_t c = 0; c < range.columns; c += kStep) {
       Block<kComponents> block;
@@ -508,7 +522,7 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
       }
       writer.Write(block, c, std::min(kStep, range.columns - c), [&](std::size_t i, int k, double value) {
         const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(i)};
-        return Resolve(map, k, u, v, value, map.component[k].error * growth);
+        return Resolve(map, k, u, v, value, map.component[k].unit * units * growth);
       });
     }
   }

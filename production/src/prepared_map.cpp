@@ -10,7 +10,7 @@
 namespace glev {
 namespace {
 
-// Where evaluation in double neither overflows nor loses to underflow what counts: see Error.
+// Where evaluation in double neither overflows nor loses to underflow what counts.
 constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
 
 bool IsOrdinary(const Domain& domain) {
@@ -20,17 +20,12 @@ bool IsOrdinary(const Domain& domain) {
 
 bool IsFinite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
 
-// (13 (n + m) + 8) 2^-53 max|R|, the bound of bernstein.h, which the sums of products with weights of
-// kernels.cpp keep as well: a weight C t^i s^(n-i) is made of n factors of 3 roundings each and n products, a
-// control point times binomials of 4 roundings, and n + 1 sums and products in each direction: at most 5 (n +
-// m) + 8. An underflow adds at most 2^-1074, times a coefficient below 2^120 max|R|, for each of some 2^13
-// operations; that is what 2^-20 of the bound contains.
-double Error(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
+double Unit(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
   if (!(largest <= kLargest && largest >= kSmallest)) return HUGE_VAL;
   for (int d : {0, 1}) {
     if (order[d] > 1 && !IsOrdinary(domain[d])) return HUGE_VAL;
   }
-  return (13 * (order[0] + order[1] - 2) + 8) * 0x1p-53 * (1 + 0x1p-20) * largest;
+  return 0x1p-53 * (1 + 0x1p-20) * largest;
 }
 
 }  // namespace
@@ -43,7 +38,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
-    component.error = HUGE_VAL;
+    component.unit = HUGE_VAL;
     bool is_finite = true;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
       const double point = points[i * components + k];
@@ -57,7 +52,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
     double* const own = lowest + k * count;
     const std::array<int, 2> reduced = Reduce({points + k, components, order, domain}, own);
     component.lowest = {own, 1, reduced, domain};
-    component.error = Error(order, domain, component.largest);
+    component.unit = Unit(order, domain, component.largest);
     for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
       component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
     }
@@ -77,7 +72,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
       component.slope = slope.high;
     }
   }
-  map.test = Grown(map, 1);
+  map.test = TestOf(map, WeightUnits(order[0] - 1, order[1] - 1, kRoundings), 1);
   return map;
 }
 
@@ -88,7 +83,7 @@ double Growth(const Parameter& at, int degree) {
   return base <= 1 + 0x1p-49 ? 1 : std::pow(base * (1 + 0x1p-40), degree) * (1 + 0x1p-20);
 }
 
-PreparedMap::Test Grown(const PreparedMap& map, double growth) {
+PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth) {
   PreparedMap::Test test;
   for (int k = 0; k < map.surface.components; ++k) {
     const PreparedComponent& component = map.component[k];
@@ -96,11 +91,12 @@ PreparedMap::Test Grown(const PreparedMap& map, double growth) {
       test.low[k] = test.high[k] = component.constant;
       continue;
     }
-    // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give infinity.
+    // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
+    // infinity.
     const bool is_safe = component.largest * growth <= 0x1p127;
     // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
     // errors could make zeros of both signs, which compare equal.
-    const double error = (component.error + 2 * 0x1p-53 * component.largest) * growth;
+    const double error = (units + 2) * component.unit * growth;
     test.scale[k] = 1;
     test.high[k] = is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
     test.low[k] = -test.high[k];

@@ -25,9 +25,23 @@ struct PreparedComponent {
   int line_direction = 0;
   double first = 0, slope = 0;
   double largest = 0;  // max |R|
-  // Of an evaluation in double inside the domain: |value - V| <= error, infinite if nothing can be said.
-  double error = 0;
+  // Of an evaluation in double: |value - V| <= units * unit, where the units are those of its route, times
+  // growth outside the domain. Infinite if nothing can be said.
+  double unit = 0;
 };
+
+// The units of routes, for parameters of `roundings` roundings each. Underflow adds at most 2^-1074, times a
+// coefficient below 2^120 max|R|, for each of some 2^13 operations, which a unit contains.
+//
+// Horner's rule in t / s, of a curve: 2 roundings + 1 of a ratio and 2 of a step for each degree, those of s
+// and 1 of a power for each, 3 of a coefficient.
+constexpr double HornerUnits(int n, int roundings) { return (3 * roundings + 4) * n + 4; }
+// Sums of products with weights t^i s^(n-i): for each degree, the roundings of a factor, 1 of a product of
+// factors and 1 of a sum; 4 of a coefficient, and products with weights and a sum of two chains of sums for
+// each direction.
+constexpr double WeightUnits(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
+// Of parameters of Locate.
+inline constexpr int kRoundings = 3;
 
 // No components: no map.
 struct PreparedMap {
@@ -38,7 +52,7 @@ struct PreparedMap {
   struct Test {
     std::array<double, 4> scale{}, low{}, high{};
   };
-  Test test;
+  Test test;  // of weights with parameters of Locate
 };
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for as
@@ -51,7 +65,6 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
 // least 1.
 double Growth(const Parameter& at, int degree);
 
-// The test outside the domain, where errors grow so much.
-PreparedMap::Test Grown(const PreparedMap& map, double growth);
+PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth);
 
 }  // namespace glev

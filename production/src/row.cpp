@@ -4,19 +4,6 @@
 #include "production/src/normal.h"
 
 namespace glev {
-namespace {
-
-// With a fault the values are those of plain double, so that no later route makes up for it.
-bool IsPlain() {
-#ifdef GLEV_FAULTS
-  return active_fault != Fault::kNone;
-#else
-  return false;
-#endif
-}
-
-}  // namespace
-
 void Row::MoveTo(const GridArgument& v) {
   v_ = v;
   const auto cut = [&](const Surface& surface, std::size_t slot) -> Curve {
@@ -37,18 +24,11 @@ void Row::MoveTo(const GridArgument& v) {
   }
 }
 
-std::array<float, 4> Row::ValuesAt(Attribute attribute, const GridArgument& u) const {
-  std::array<float, 4> values = {0, 0, 0, 1};
-  const PreparedMap& map = plan_.map(attribute);
-  if (IsPlain()) {
-    const std::array<double, 4> plain =
-        PlainAt(curves_[static_cast<std::size_t>(attribute)], u, {0, 0, 0, 1});
-    for (std::size_t k = 0; k < 4; ++k) values[k] = static_cast<float>(plain[k]);
-  } else {
-    const auto& [in_u, in_v] = map.surface.domain;
-    plan_.kernels().point(map, Locate(in_u, u), Locate(in_v, v_), u, v_, values.data());
-  }
-  return values;
+void Row::ValuesAt(Attribute attribute, const GridArgument& u, float* values) const {
+  if (!IsPlain()) return glev::ValuesAt(plan_, attribute, u, v_, values);
+  const Curve& curve = curves_[static_cast<std::size_t>(attribute)];
+  const std::array<double, 4> plain = PlainAt(curve, u, {0, 0, 0, 1});
+  for (int k = 0; k < curve.components; ++k) values[k] = static_cast<float>(plain[k]);
 }
 
 std::array<double, 4> Row::PlainAt(const Curve& curve, const GridArgument& u, std::array<double, 4> value) {

@@ -11,6 +11,15 @@
 
 namespace glev {
 
+// The values that the plan has a map for, correctly rounded; the others are left as they are. In the default
+// environment.
+inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgument& u, const GridArgument& v,
+                     float* values) {
+  const PreparedMap& map = plan.map(attribute);
+  const auto& [in_u, in_v] = map.surface.domain;
+  plan.kernels().point(map, Locate(in_u, u), Locate(in_v, v), u, v, values);
+}
+
 // What depends on v alone is computed once, by MoveTo; plans of one-dimensional maps ignore it. All of it in
 // the default environment.
 class Row {
@@ -23,19 +32,15 @@ class Row {
   void MoveTo(const GridArgument& v);
 
   const glev_plan& plan() const { return plan_; }
+  const GridArgument& v() const { return v_; }
 
-  // All values of an attribute that has a map, correctly rounded, the missing ones (0,0,0,1)'s.
-  template <std::size_t kCount>
-  void At(Attribute attribute, const GridArgument& u, float (&result)[kCount]) const {
-    const std::array<float, 4> values = ValuesAt(attribute, u);
-    for (std::size_t k = 0; k < kCount; ++k) result[k] = values[k];
-  }
+  // What ValuesAt gives.
+  void ValuesAt(Attribute attribute, const GridArgument& u, float* values) const;
 
   // The unit normal. For plans with automatic normals.
   std::array<float, 3> NormalAt(const GridArgument& u) const;
 
  private:
-  std::array<float, 4> ValuesAt(Attribute attribute, const GridArgument& u) const;
   // In double.
   static std::array<double, 4> PlainAt(const Curve& curve, const GridArgument& u,
                                        std::array<double, 4> value);
