@@ -37,10 +37,10 @@ glev::StateValues FromFloats(const float (&from)[kCount], bool normalized) {
 
 glev_context::glev_context(const glev::Allocator& allocator, const glev::Kernels* kernels)
     : allocator_(allocator), kernels_(kernels) {
-  current_.size = sizeof current_;
+  current_.Change().size = sizeof(glev_vertex);
   Color({1, 1, 1, 1});
   Normal({0, 0, 1});
-  for (auto& texcoord : current_.texcoord) CopyTo(texcoord, {0, 0, 0, 1});
+  for (auto& texcoord : current_.Change().texcoord) CopyTo(texcoord, {0, 0, 0, 1});
   Index(1);
   EdgeFlag(true);
 }
@@ -224,6 +224,7 @@ glev_plan* glev_context::CurrentPlan(int dimension) {
 }
 
 void glev_context::DropPlan(int dimension) {
+  current_.Unstage();
   glev_plan*& plan = plans_[dimension - 1];
   if (plan != nullptr) plan->Release();
   plan = nullptr;
@@ -240,32 +241,43 @@ const glev_plan* glev_context::PlanToDraw(int dimension) {
 
 void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                           const glev::Row* row) {
-  glev_vertex vertex = current_;
-  {
-    const glev::DefaultEnvironment environment;
-    const auto evaluate = [&](Attribute attribute, float* values) {
-      row != nullptr ? row->ValuesAt(attribute, u, values) : glev::ValuesAt(plan, attribute, u, v, values);
-    };
-    vertex.position[3] = 1;
-    evaluate(Attribute::kVertex, vertex.position);
-    if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex.color);
-    if (plan.components(Attribute::kTexcoord) != 0) {
-      auto& texcoord = vertex.texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0];
-      CopyTo(texcoord, {0, 0, 0, 1});
-      evaluate(Attribute::kTexcoord, texcoord);
-    }
-    if (plan.automatic_normals()) {
-      CopyTo(vertex.normal, row->NormalAt(u));
-    } else if (plan.components(Attribute::kNormal) != 0) {
-      evaluate(Attribute::kNormal, vertex.normal);
-    }
+  // A callback has the staged vertex in its hands.
+  if (callbacks_ > 0) {
+    glev_vertex vertex = current_.values();
+    EvaluateInto(plan, u, v, row, &vertex);
+    return Emit(vertex);
   }
-  if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.texcoord[0][3] = vertex.texcoord[0][3];
-  if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0) current_.texcoord[0][1] = vertex.texcoord[0][1];
-  if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.color[3] = vertex.color[3];
-  if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.normal[0] = vertex.normal[0];
-  if (GLEV_FAULTY(ListedMeshLeaksColor) && list_depth_ > 0 && in_mesh_) current_.color[0] = vertex.color[0];
+  glev_vertex& vertex = current_.StagedFor(&plan);
+  EvaluateInto(plan, u, v, row, &vertex);
+  if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.Change().texcoord[0][3] = vertex.texcoord[0][3];
+  if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0)
+    current_.Change().texcoord[0][1] = vertex.texcoord[0][1];
+  if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.Change().color[3] = vertex.color[3];
+  if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.Change().normal[0] = vertex.normal[0];
+  if (GLEV_FAULTY(ListedMeshLeaksColor) && list_depth_ > 0 && in_mesh_)
+    current_.Change().color[0] = vertex.color[0];
   Emit(vertex);
+}
+
+void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                                const glev::Row* row, glev_vertex* vertex) const {
+  const glev::DefaultEnvironment environment;
+  const auto evaluate = [&](Attribute attribute, float* values) {
+    row != nullptr ? row->ValuesAt(attribute, u, values) : glev::ValuesAt(plan, attribute, u, v, values);
+  };
+  vertex->position[3] = 1;
+  evaluate(Attribute::kVertex, vertex->position);
+  if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
+  if (plan.components(Attribute::kTexcoord) != 0) {
+    auto& texcoord = vertex->texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0];
+    CopyTo(texcoord, {0, 0, 0, 1});
+    evaluate(Attribute::kTexcoord, texcoord);
+  }
+  if (plan.automatic_normals()) {
+    CopyTo(vertex->normal, row->NormalAt(u));
+  } else if (plan.components(Attribute::kNormal) != 0) {
+    evaluate(Attribute::kNormal, vertex->normal);
+  }
 }
 
 void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
@@ -406,7 +418,7 @@ void glev_context::End() {
 
 void glev_context::Vertex(const std::array<float, 4>& position) {
   if (!in_primitive_) return;
-  glev_vertex vertex = current_;
+  glev_vertex vertex = current_.values();
   CopyTo(vertex.position, position);
   Emit(vertex);
 }
@@ -421,13 +433,13 @@ glev_result glev_context::SetSink(const glev_sink* sink) {
 
 // ---- Current values
 
-void glev_context::Color(const std::array<float, 4>& color) { CopyTo(current_.color, color); }
+void glev_context::Color(const std::array<float, 4>& color) { CopyTo(current_.Change().color, color); }
 
-void glev_context::Normal(const std::array<float, 3>& normal) { CopyTo(current_.normal, normal); }
+void glev_context::Normal(const std::array<float, 3>& normal) { CopyTo(current_.Change().normal, normal); }
 
 void glev_context::MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord) {
   if (!IsTextureUnit(texture)) return RecordError(GLEV_INVALID_ENUM);
-  CopyTo(current_.texcoord[texture - GLEV_TEXTURE0], texcoord);
+  CopyTo(current_.Change().texcoord[texture - GLEV_TEXTURE0], texcoord);
 }
 
 void glev_context::ActiveTexture(glev_enum texture) {
@@ -441,7 +453,7 @@ void glev_context::ActiveTexture(glev_enum texture) {
 void glev_context::PushAttrib(glev_bitfield mask) {
   if (RefusedInPrimitive()) return;
   if (attrib_depth_ == glev::kAttribStackDepth) return RecordError(GLEV_STACK_OVERFLOW);
-  attribs_[attrib_depth_++] = {mask, eval_, current_, active_unit_, list_base_};
+  attribs_[attrib_depth_++] = {mask, eval_, current_.values(), active_unit_, list_base_};
 }
 
 void glev_context::PopAttrib() {
@@ -465,7 +477,7 @@ void glev_context::PopAttrib() {
     if (changed(1) || (eval_.auto_normal != before.auto_normal && !GLEV_FAULTY(PopKeepsPlanOfNormals)))
       DropPlan(2);
   }
-  if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_ = saved.current;
+  if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_.Change() = saved.current;
   if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;
   if ((saved.mask & GLEV_LIST_BIT) != 0) list_base_ = saved.list_base;
 }
@@ -487,15 +499,15 @@ glev::StateValues glev_context::FindState(glev_enum pname) {
     case GLEV_MAP2_GRID_SEGMENTS:
       return {2, {static_cast<double>(u.segments), static_cast<double>(v.segments)}};
     case GLEV_CURRENT_COLOR:
-      return FromFloats(current_.color, true);
+      return FromFloats(current_.values().color, true);
     case GLEV_CURRENT_INDEX:
-      return {1, {current_.index}};
+      return {1, {current_.values().index}};
     case GLEV_CURRENT_NORMAL:
-      return FromFloats(current_.normal, true);
+      return FromFloats(current_.values().normal, true);
     case GLEV_CURRENT_TEXTURE_COORDS:
-      return FromFloats(current_.texcoord[active_unit_], false);
+      return FromFloats(current_.values().texcoord[active_unit_], false);
     case GLEV_EDGE_FLAG:
-      return {1, {static_cast<double>(current_.edge_flag)}};
+      return {1, {static_cast<double>(current_.values().edge_flag)}};
     case GLEV_ACTIVE_TEXTURE:
       return {1, {static_cast<double>(GLEV_TEXTURE0 + active_unit_)}};
     case GLEV_MAX_TEXTURE_COORDS:

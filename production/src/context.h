@@ -11,6 +11,7 @@
 
 #include "production/src/allocator.h"
 #include "production/src/attributes.h"
+#include "production/src/current_vertex.h"
 #include "production/src/display_list.h"
 #include "production/src/fault.h"
 #include "production/src/list_table.h"
@@ -100,8 +101,8 @@ struct glev_context {
   void Vertex(const std::array<float, 4>& position);
   void Color(const std::array<float, 4>& color);
   void Normal(const std::array<float, 3>& normal);
-  void Index(float index) { current_.index = index; }
-  void EdgeFlag(bool flag) { current_.edge_flag = flag ? GLEV_TRUE : GLEV_FALSE; }
+  void Index(float index) { current_.Change().index = index; }
+  void EdgeFlag(bool flag) { current_.Change().edge_flag = flag ? GLEV_TRUE : GLEV_FALSE; }
   void MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord);
   void ActiveTexture(glev_enum texture);
 
@@ -152,6 +153,8 @@ struct glev_context {
   // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
   void EmitAt(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
               const glev::Row* row);
+  void EvaluateInto(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+                    const glev::Row* row, glev_vertex* vertex) const;
   void EvaluateWithRow(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
   static void MoveTo(const glev::GridArgument& v, glev::Row* row);
   void EvaluateAt(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
@@ -173,7 +176,7 @@ struct glev_context {
   std::array<std::array<glev::Map, glev::kSlots>, 2> maps_;  // [dimension - 1]
   glev::EvalAttributes eval_;
   std::array<glev_plan*, 2> plans_{};  // [dimension - 1]; null when out of date
-  glev_vertex current_{};              // current values; position is not state
+  glev::CurrentVertex current_;
   unsigned active_unit_ = 0;
   bool in_primitive_ = false;
   bool in_mesh_ = false;  // the primitive is a mesh's, not for a callback to end

@@ -76,11 +76,22 @@ class Writer {
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
       Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
     } else {
-      WriteApart(rounded, begin, count);
+      alignas(64) float values[kStep * kComponents];
+      Interleave(rounded, values);
+      WriteApart(values, begin, count);
     }
     auto settled = rounded[0].settled;
     for (std::size_t part = 1; part < kUnroll; ++part) settled = hn::And(settled, rounded[part].settled);
-    if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) Repair(block, rounded, begin, count, resolve);
+    if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) {
+      // Copies, so that the values themselves may stay in registers.
+      Unsettled unsettled;
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        hn::StoreMaskBits(kHalves, rounded[part].settled, unsettled.settled[part]);
+        for (int k = 0; k < kComponents; ++k)
+          hn::Store(block.value[k][part], kDoubles, unsettled.values[k] + part * kLanes);
+      }
+      Repair(unsettled, begin, count, resolve);
+    }
   }
 
  private:
@@ -88,6 +99,10 @@ class Writer {
   struct Rounded {
     Half value[kComponents];
     hn::Mask<decltype(kHalves)> settled;
+  };
+  struct Unsettled {
+    alignas(64) double values[kComponents][kStep];
+    std::uint8_t settled[kUnroll][8];
   };
 
   static HWY_INLINE void Interleave(const Rounded (&rounded)[kUnroll], float* to) {
@@ -102,10 +117,7 @@ class Writer {
     }
   }
 
-  HWY_NOINLINE void WriteApart(const Rounded (&rounded)[kUnroll], std::size_t begin,
-                               std::size_t count) const {
-    alignas(64) float values[kStep * kComponents];
-    Interleave(rounded, values);
+  HWY_NOINLINE void WriteApart(const float* values, std::size_t begin, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
       std::array<float, 4> element = {0, 0, 0, 1};
       std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
@@ -114,20 +126,13 @@ class Writer {
   }
 
   template <class Resolver>
-  HWY_NOINLINE void Repair(const Block<kComponents>& block, const Rounded (&rounded)[kUnroll],
-                           std::size_t begin, std::size_t count, const Resolver& resolve) const {
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(kHalves, rounded[part].settled, bits);
-      alignas(64) double values[kComponents][kLanes];
-      for (int k = 0; k < kComponents; ++k) hn::Store(block.value[k][part], kDoubles, values[k]);
-      for (std::size_t lane = 0; lane < kLanes && part * kLanes + lane < count; ++lane) {
-        if ((bits[0] >> lane & 1) != 0) continue;
-        const std::size_t i = begin + part * kLanes + lane;
-        for (int k = 0; k < kComponents; ++k) {
-          const float result = resolve(i, k, values[k][lane]);
-          std::memcpy(data_ + i * to_.stride + k * sizeof(float), &result, sizeof result);
-        }
+  HWY_NOINLINE void Repair(const Unsettled& unsettled, std::size_t begin, std::size_t count,
+                           const Resolver& resolve) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((unsettled.settled[i / kLanes][0] >> (i % kLanes) & 1) != 0) continue;
+      for (int k = 0; k < kComponents; ++k) {
+        const float result = resolve(begin + i, k, unsettled.values[k][i]);
+        std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
       }
     }
   }
@@ -142,15 +147,12 @@ class Writer {
 
 // What t and s are computed from.
 struct Place {
-  explicit Place(const Domain& domain)
-      : u1(hn::Set(kDoubles, domain.u1)),
-        u2(hn::Set(kDoubles, domain.u2)),
-        width(hn::Set(kDoubles, domain.u2 - domain.u1)) {
-    int exponent = 0;
-    const double fraction = std::frexp(domain.u2 - domain.u1, &exponent);
-    has_inverse = std::fabs(fraction) == 0.5 && std::abs(exponent) < 1000;
-    inverse = hn::Set(kDoubles, has_inverse ? 1 / (domain.u2 - domain.u1) : 0);
-  }
+  Place(const PreparedMap& map, int direction)
+      : u1(hn::Set(kDoubles, map.surface.domain[direction].u1)),
+        u2(hn::Set(kDoubles, map.surface.domain[direction].u2)),
+        width(hn::Sub(u2, u1)),
+        inverse(hn::Set(kDoubles, map.inverse_width[direction])),
+        has_inverse(map.inverse_width[direction] != 0) {}
   HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
   HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
   HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
@@ -194,7 +196,7 @@ HWY_INLINE Vector Power(Vector base, int exponent) {
 // could overflow the lane is not sure. Up to degree 3 the sum of products with the weights.
 template <int kComponents, int kDegree>
 void Curves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
-  const Place place(map.surface.domain[0]);
+  const Place place(map, 0);
   const int degree = map.surface.degree[0];
   const double* const points = map.surface.scaled;
   const double units =
@@ -305,7 +307,7 @@ void WeightsOf(int degree, double s, double t, double* weights) {
 template <int kComponents>
 void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v, std::size_t count,
               const Destination& to) {
-  const Place place_u(map.surface.domain[0]), place_v(map.surface.domain[1]);
+  const Place place_u(map, 0), place_v(map, 1);
   const auto [n, m] = map.surface.degree;
   const double units = WeightUnits(n, m, std::max(place_u.roundings(), place_v.roundings()));
   const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
@@ -381,54 +383,111 @@ HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
   }
 }
 
-void Point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
-           const GridArgument& v, float* result) {
+// The four products of cubics, the most frequent ones, without an array.
+struct Cubic {
+  explicit HWY_INLINE Cubic(const Parameter& at) {
+    const double s = at.s, t = at.t, st = s * t;
+    weight[0] = hn::Set(kFour, s * s * s);
+    weight[1] = hn::Set(kFour, st * s);
+    weight[2] = hn::Set(kFour, st * t);
+    weight[3] = hn::Set(kFour, t * t * t);
+  }
+  HWY_INLINE FourVector At(const double* points, int components) const {
+    const FourVector a = hn::MulAdd(weight[1], hn::LoadU(kFour, points + components),
+                                    hn::Mul(weight[0], hn::LoadU(kFour, points)));
+    const FourVector b = hn::MulAdd(weight[3], hn::LoadU(kFour, points + 3 * components),
+                                    hn::Mul(weight[2], hn::LoadU(kFour, points + 2 * components)));
+    return hn::Add(a, b);
+  }
+  FourVector weight[4];
+};
+
+HWY_INLINE Parameter PlaceOf(const PreparedMap& map, int direction, const GridArgument& argument) {
+  const Domain& domain = map.surface.domain[direction];
+  const double u = argument.grid.u1, inverse = map.inverse_width[direction];
+  if (argument.index != 0 || inverse == 0) return Locate(domain, argument);
+  return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
+}
+
+void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+             FourVector (&sum)[kParts]) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
+  const double* points = map.surface.scaled;
+  if (n == 3 && (m == 0 || m == 3)) {
+    const Cubic in_u(at_u);
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const double* own = points + part * hn::MaxLanes(kFour);
+      if (m == 0) {
+        sum[part] = in_u.At(own, components);
+        continue;
+      }
+      const Cubic in_v(at_v);
+      sum[part] = hn::Mul(in_u.weight[0], in_v.At(own, components));
+      for (int i = 1; i <= 3; ++i)
+        sum[part] = hn::MulAdd(in_u.weight[i], in_v.At(own + 4 * i * components, components), sum[part]);
+    }
+    return;
+  }
   double weights_u[kMaxOrder], weights_v[kMaxOrder];
   WeightsAt(n, at_u, weights_u);
-  FourVector sum[kParts];
-  const double* points = map.surface.scaled;
-  if (m == 0) {
-    AddPoints(points, components, weights_u, n, sum);
-  } else {
-    WeightsAt(m, at_v, weights_v);
-    for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
-    for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
-      FourVector row[kParts];
-      AddPoints(points, components, weights_v, m, row);
-      for (std::size_t part = 0; part < kParts; ++part)
-        sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
-    }
+  if (m == 0) return AddPoints(points, components, weights_u, n, sum);
+  WeightsAt(m, at_v, weights_v);
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
+  for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
+    FourVector row[kParts];
+    AddPoints(points, components, weights_v, m, row);
+    for (std::size_t part = 0; part < kParts; ++part)
+      sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
   }
+}
+
+void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
+                  const GridArgument& v, const double* values, unsigned settled, float* result) {
+  const auto [n, m] = map.surface.degree;
   const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
+  if (growth != 1) settled = 0;
+  const double units = WeightUnits(n, m, kRoundings) * growth;
+  for (int k = 0; k < map.surface.components; ++k) {
+    if ((settled >> k & 1) == 0) result[k] = Resolve(map, k, u, v, values[k], map.component[k].unit * units);
+  }
+}
+
+void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result) {
+  const auto [n, m] = map.surface.degree;
+  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 0, u);
+  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 1, v);
+  FourVector sum[kParts];
+  ValueAt(map, at_u, at_v, sum);
   unsigned settled = 0;
   float rounded[4];
   for (std::size_t part = 0; part < kParts; ++part) {
     constexpr std::size_t kCount = hn::MaxLanes(kFour);
     constexpr hn::Rebind<float, Four> kFourFloats;
-    const auto sides = [&](const std::array<double, 4>& side) {
+    const auto side = [&](const std::array<double, 4>& offset) {
       const FourVector scale = hn::LoadU(kFour, map.test.scale.data() + part * kCount);
       return hn::DemoteTo(kFourFloats,
-                          hn::MulAdd(sum[part], scale, hn::LoadU(kFour, side.data() + part * kCount)));
+                          hn::MulAdd(sum[part], scale, hn::LoadU(kFour, offset.data() + part * kCount)));
     };
-    const auto low = sides(map.test.low), high = sides(map.test.high);
+    const auto low = side(map.test.low), high = side(map.test.high);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
     hn::StoreU(high, kFourFloats, rounded + part * kCount);
   }
-  for (int k = 0; k < components; ++k) result[k] = rounded[k];
+  const int components = map.surface.components;
+  result[0] = rounded[0];
+  if (components > 1) result[1] = rounded[1];
+  if (components > 2) result[2] = rounded[2];
+  if (components > 3) result[3] = rounded[3];
+  const bool inside =
+      at_u.is_sure && at_v.is_sure && at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0;
   const unsigned wanted = (1u << components) - 1;
-  if (HWY_LIKELY(growth == 1 && (settled & wanted) == wanted)) return;
-  alignas(64) double values[4];
+  if (HWY_LIKELY(inside && (settled & wanted) == wanted)) return;
+  double values[4];
   for (std::size_t part = 0; part < kParts; ++part)
     hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
-  const double units = WeightUnits(n, m, kRoundings) * growth;
-  for (int k = 0; k < components; ++k) {
-    if (growth != 1 || (settled >> k & 1) == 0)
-      result[k] = Resolve(map, k, u, v, values[k], map.component[k].unit * units);
-  }
+  ResolvePoint(map, at_u, at_v, u, v, values, settled, result);
 }
 
 // ---- Meshes: the columns' weights are computed once, then each row is a curve

@@ -35,9 +35,8 @@ struct MeshRange {
 // All results of maps are correctly rounded, but those of fast meshes. The environment is the default one.
 struct Kernels {
   const char* name;
-  // One point: the components of the map. The arguments are u and v once more.
-  void (*point)(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
-                const GridArgument& v, float* result);
+  // One point: the components of the map.
+  void (*point)(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result);
   // v counts for nets of two dimensions only.
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,

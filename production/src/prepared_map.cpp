@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 
 #include "production/src/double_double.h"
 #include "production/src/reduction.h"
@@ -26,6 +27,14 @@ double Unit(std::array<int, 2> order, const std::array<Domain, 2>& domain, doubl
     if (order[d] > 1 && !IsOrdinary(domain[d])) return HUGE_VAL;
   }
   return 0x1p-53 * (1 + 0x1p-20) * largest;
+}
+
+// 1 / (u2 - u1) if that is exact, else 0.
+double InverseWidth(const Domain& domain) {
+  const DoubleDouble width = TwoSum(domain.u2, -domain.u1);
+  int exponent = 0;
+  const double fraction = std::frexp(width.high, &exponent);
+  return std::fabs(fraction) == 0.5 && width.low == 0 && std::abs(exponent) < 500 ? 1 / width.high : 0;
 }
 
 }  // namespace
@@ -72,6 +81,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
       component.slope = slope.high;
     }
   }
+  map.inverse_width = {InverseWidth(domain[0]), InverseWidth(domain[1])};
   map.test = TestOf(map, WeightUnits(order[0] - 1, order[1] - 1, kRoundings), 1);
   return map;
 }

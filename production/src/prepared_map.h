@@ -53,6 +53,8 @@ struct PreparedMap {
     std::array<double, 4> scale{}, low{}, high{};
   };
   Test test;  // of weights with parameters of Locate
+  // 1 / (u2 - u1) of each direction where that is exact, else 0.
+  std::array<double, 2> inverse_width{};
 };
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for as

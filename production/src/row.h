@@ -15,9 +15,7 @@ namespace glev {
 // environment.
 inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgument& u, const GridArgument& v,
                      float* values) {
-  const PreparedMap& map = plan.map(attribute);
-  const auto& [in_u, in_v] = map.surface.domain;
-  plan.kernels().point(map, Locate(in_u, u), Locate(in_v, v), u, v, values);
+  plan.kernels().point(plan.map(attribute), u, v, values);
 }
 
 // What depends on v alone is computed once, by MoveTo; plans of one-dimensional maps ignore it. All of it in
