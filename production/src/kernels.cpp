@@ -39,15 +39,17 @@ constexpr hn::Rebind<float, Doubles> kHalves;  // as many floats
 constexpr std::size_t kUnroll = 2;
 constexpr std::size_t kStep = kUnroll * kLanes;
 
-template <int kComponents>
-struct Block {
-  Vector value[kComponents][kUnroll];
-};
-
 // The results of a map. Lanes that are NaN are not settled.
 template <int kComponents>
 class Writer {
  public:
+  using Half = hn::Vec<decltype(kHalves)>;
+  // A vector of values as floats, and which of them are right.
+  struct Rounded {
+    Half value[kComponents];
+    hn::Mask<decltype(kHalves)> settled[kComponents];
+  };
+
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
     for (int k = 0; k < kComponents; ++k) {
       scale_[k] = hn::Set(kDoubles, test.scale[k]);
@@ -57,22 +59,22 @@ class Writer {
     is_packed_ = to.components == kComponents && to.stride == kComponents * sizeof(float);
   }
 
-  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled the arguments decide:
-  // resolve(element, component, value).
-  template <class Resolver>
-  HWY_INLINE void Write(const Block<kComponents>& block, std::size_t begin, std::size_t count,
-                        const Resolver& resolve) const {
-    Rounded rounded[kUnroll];
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      for (int k = 0; k < kComponents; ++k) {
-        const Vector value = block.value[k][part];
-        const Half low = hn::DemoteTo(kHalves, hn::MulAdd(value, scale_[k], low_[k]));
-        const Half high = hn::DemoteTo(kHalves, hn::MulAdd(value, scale_[k], high_[k]));
-        const auto same = hn::Eq(low, high);
-        rounded[part].value[k] = high;
-        rounded[part].settled = k == 0 ? same : hn::And(rounded[part].settled, same);
-      }
+  HWY_INLINE Rounded Round(const Vector (&value)[kComponents]) const {
+    Rounded rounded;
+    for (int k = 0; k < kComponents; ++k) {
+      const Half low = hn::DemoteTo(kHalves, hn::MulAdd(value[k], scale_[k], low_[k]));
+      const Half high = hn::DemoteTo(kHalves, hn::MulAdd(value[k], scale_[k], high_[k]));
+      rounded.value[k] = high;
+      rounded.settled[k] = hn::Eq(low, high);
     }
+    return rounded;
+  }
+
+  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled resolve(element,
+  // component) is right.
+  template <class Resolver>
+  HWY_INLINE void Write(const Rounded (&rounded)[kUnroll], std::size_t begin, std::size_t count,
+                        const Resolver& resolve) const {
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
       Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
     } else {
@@ -80,41 +82,37 @@ class Writer {
       Interleave(rounded, values);
       WriteApart(values, begin, count);
     }
-    auto settled = rounded[0].settled;
-    for (std::size_t part = 1; part < kUnroll; ++part) settled = hn::And(settled, rounded[part].settled);
+    auto settled = rounded[0].settled[0];
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      for (int k = 0; k < kComponents; ++k) settled = hn::And(settled, rounded[part].settled[k]);
+    }
     if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) {
-      // Copies, so that the values themselves may stay in registers.
-      Unsettled unsettled;
+      std::uint8_t bits[kUnroll][kComponents][8];
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        hn::StoreMaskBits(kHalves, rounded[part].settled, unsettled.settled[part]);
-        for (int k = 0; k < kComponents; ++k)
-          hn::Store(block.value[k][part], kDoubles, unsettled.values[k] + part * kLanes);
+        for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kHalves, rounded[part].settled[k], bits[part][k]);
       }
-      Repair(unsettled, begin, count, resolve);
+      Repair(bits, begin, count, resolve);
     }
   }
 
  private:
-  using Half = hn::Vec<decltype(kHalves)>;
-  struct Rounded {
-    Half value[kComponents];
-    hn::Mask<decltype(kHalves)> settled;
-  };
-  struct Unsettled {
-    alignas(64) double values[kComponents][kStep];
-    std::uint8_t settled[kUnroll][8];
-  };
-
   static HWY_INLINE void Interleave(const Rounded (&rounded)[kUnroll], float* to) {
+    static_assert(kUnroll == 2);
+#if HWY_TARGET == HWY_SCALAR
     for (std::size_t part = 0; part < kUnroll; ++part) {
-      const Half(&values)[kComponents] = rounded[part].value;
-      if constexpr (kComponents == 1) hn::StoreU(values[0], kHalves, to);
-      if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kHalves, to);
-      if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kHalves, to);
-      if constexpr (kComponents == 4)
-        hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kHalves, to);
-      to += kLanes * kComponents;
+      for (int k = 0; k < kComponents; ++k) *to++ = hn::GetLane(rounded[part].value[k]);
     }
+#else
+    constexpr hn::Twice<decltype(kHalves)> kWhole;
+    hn::Vec<decltype(kWhole)> values[kComponents];
+    for (int k = 0; k < kComponents; ++k)
+      values[k] = hn::Combine(kWhole, rounded[1].value[k], rounded[0].value[k]);
+    if constexpr (kComponents == 1) hn::StoreU(values[0], kWhole, to);
+    if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kWhole, to);
+    if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kWhole, to);
+    if constexpr (kComponents == 4)
+      hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kWhole, to);
+#endif
   }
 
   HWY_NOINLINE void WriteApart(const float* values, std::size_t begin, std::size_t count) const {
@@ -126,12 +124,12 @@ class Writer {
   }
 
   template <class Resolver>
-  HWY_NOINLINE void Repair(const Unsettled& unsettled, std::size_t begin, std::size_t count,
-                           const Resolver& resolve) const {
+  HWY_NOINLINE void Repair(const std::uint8_t (&settled)[kUnroll][kComponents][8], std::size_t begin,
+                           std::size_t count, const Resolver& resolve) const {
     for (std::size_t i = 0; i < count; ++i) {
-      if ((unsettled.settled[i / kLanes][0] >> (i % kLanes) & 1) != 0) continue;
       for (int k = 0; k < kComponents; ++k) {
-        const float result = resolve(begin + i, k, unsettled.values[k][i]);
+        if ((settled[i / kLanes][k][0] >> (i % kLanes) & 1) != 0) continue;
+        const float result = resolve(begin + i, k);
         std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
       }
     }
@@ -209,66 +207,58 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments[kStep];
     Fetch(input, begin, part_count, arguments);
-    Block<kComponents> block;
-    Vector s[kUnroll], t[kUnroll];
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-      s[part] = place.S(u);
-      t[part] = Inside(place.T(u), s[part]);
-    }
+    typename Writer<kComponents>::Rounded rounded[kUnroll];
     if constexpr (kDegree >= 0) {
-      Vector weights[kDegree + 1][kUnroll];
+      // Part after part, as there are not many registers.
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        const Vector &sp = s[part], &tp = t[part];
-        if constexpr (kDegree == 1) weights[0][part] = sp, weights[1][part] = tp;
+        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
+        const Vector s = place.S(u), t = Inside(place.T(u), s);
+        Vector weights[kDegree + 1], value[kComponents];
+        if constexpr (kDegree == 1) weights[0] = s, weights[1] = t;
         if constexpr (kDegree == 2) {
-          weights[0][part] = hn::Mul(sp, sp);
-          weights[1][part] = hn::Mul(sp, tp);
-          weights[2][part] = hn::Mul(tp, tp);
+          weights[0] = hn::Mul(s, s);
+          weights[1] = hn::Mul(s, t);
+          weights[2] = hn::Mul(t, t);
         }
         if constexpr (kDegree == 3) {
-          const Vector st = hn::Mul(sp, tp);
-          weights[0][part] = hn::Mul(hn::Mul(sp, sp), sp);
-          weights[1][part] = hn::Mul(st, sp);
-          weights[2][part] = hn::Mul(st, tp);
-          weights[3][part] = hn::Mul(hn::Mul(tp, tp), tp);
+          const Vector ss = hn::Mul(s, s), tt = hn::Mul(t, t);
+          weights[0] = hn::Mul(ss, s);
+          weights[1] = hn::Mul(ss, t);
+          weights[2] = hn::Mul(tt, s);
+          weights[3] = hn::Mul(tt, t);
         }
-      }
-      for (int k = 0; k < kComponents; ++k) {
-        for (std::size_t part = 0; part < kUnroll; ++part)
-          block.value[k][part] = hn::Mul(weights[0][part], hn::Set(kDoubles, points[k]));
-        for (int i = 1; i <= kDegree; ++i) {
-          const Vector point = hn::Set(kDoubles, points[i * kComponents + k]);
-          for (std::size_t part = 0; part < kUnroll; ++part)
-            block.value[k][part] = hn::MulAdd(weights[i][part], point, block.value[k][part]);
+        for (int k = 0; k < kComponents; ++k) {
+          value[k] = hn::Mul(weights[0], hn::Set(kDoubles, points[k]));
+          for (int i = 1; i <= kDegree; ++i)
+            value[k] = hn::MulAdd(weights[i], hn::Set(kDoubles, points[i * kComponents + k]), value[k]);
         }
+        rounded[part] = writer.Round(value);
       }
     } else {
-      Vector ratio[kUnroll], power[kUnroll];
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        ratio[part] = hn::Div(t[part], hn::IfThenElse(hn::Ge(s[part], least), s[part], nan));
-        power[part] = Power(s[part], degree);
-      }
+      Vector value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
       const double* point = points + degree * kComponents;
-      for (int k = 0; k < kComponents; ++k) {
-        for (std::size_t part = 0; part < kUnroll; ++part) block.value[k][part] = hn::Set(kDoubles, point[k]);
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
+        const Vector s = place.S(u), t = Inside(place.T(u), s);
+        ratio[part] = hn::Div(t, hn::IfThenElse(hn::Ge(s, least), s, nan));
+        power[part] = Power(s, degree);
+        for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);
       }
       for (int i = 0; i < degree; ++i) {
         point -= kComponents;
         for (int k = 0; k < kComponents; ++k) {
           const Vector next = hn::Set(kDoubles, point[k]);
           for (std::size_t part = 0; part < kUnroll; ++part)
-            block.value[k][part] = hn::MulAdd(block.value[k][part], ratio[part], next);
+            value[part][k] = hn::MulAdd(value[part][k], ratio[part], next);
         }
       }
-      for (int k = 0; k < kComponents; ++k) {
-        for (std::size_t part = 0; part < kUnroll; ++part)
-          block.value[k][part] = hn::Mul(block.value[k][part], power[part]);
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Mul(value[part][k], power[part]);
+        rounded[part] = writer.Round(value[part]);
       }
     }
-    writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
-      return Resolve(map, k, At(input[i]), At(0), value, map.component[k].unit * units);
-    });
+    writer.Write(rounded, begin, part_count,
+                 [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
   }
 }
 
@@ -316,15 +306,15 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
     alignas(64) double arguments_u[kStep], arguments_v[kStep];
     Fetch(input_u, begin, part_count, arguments_u);
     Fetch(input_v, begin, part_count, arguments_v);
-    Block<kComponents> block;
+    typename Writer<kComponents>::Rounded rounded[kUnroll];
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
                    v = hn::Load(kDoubles, arguments_v + part * kLanes);
-      Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
+      Vector weights_u[kMaxOrder], weights_v[kMaxOrder], value[kComponents];
       const Vector su = place_u.S(u), sv = place_v.S(v);
       WeightsOf(n, su, Inside(place_u.T(u), su), weights_u);
       WeightsOf(m, sv, Inside(place_v.T(v), sv), weights_v);
-      for (int k = 0; k < kComponents; ++k) block.value[k][part] = hn::Zero(kDoubles);
+      for (int k = 0; k < kComponents; ++k) value[k] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {
         Vector sum[kComponents];
@@ -333,13 +323,12 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
           for (int k = 0; k < kComponents; ++k)
             sum[k] = hn::MulAdd(weights_v[j], hn::Set(kDoubles, point[k]), sum[k]);
         }
-        for (int k = 0; k < kComponents; ++k)
-          block.value[k][part] = hn::MulAdd(weights_u[i], sum[k], block.value[k][part]);
+        for (int k = 0; k < kComponents; ++k) value[k] = hn::MulAdd(weights_u[i], sum[k], value[k]);
       }
+      rounded[part] = writer.Round(value);
     }
-    writer.Write(block, begin, part_count, [&](std::size_t i, int k, double value) {
-      return Resolve(map, k, At(input_u[i]), At(input_v[i]), value, map.component[k].unit * units);
-    });
+    writer.Write(rounded, begin, part_count,
+                 [&](std::size_t i, int k) { return Resolve(map, k, At(input_u[i]), At(input_v[i])); });
   }
 }
 
@@ -561,27 +550,29 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
     const Writer<kComponents> writer(growth == 1 ? test : TestOf(map, units, growth), to,
                                      to.data + r * to.row_stride);
     for (std::size_t c = 0; c < range.columns; c += kStep) {
-      Block<kComponents> block;
+      Vector value[kUnroll][kComponents];
+      const double* column = weights + c;
       for (int k = 0; k < kComponents; ++k) {
         for (std::size_t part = 0; part < kUnroll; ++part)
-          block.value[k][part] =
-              hn::Mul(hn::Load(kDoubles, weights + c + part * kLanes), hn::Set(kDoubles, row[k]));
+          value[part][k] = hn::Mul(hn::Load(kDoubles, column + part * kLanes), hn::Set(kDoubles, row[k]));
       }
-      const double* column = weights + c + padded;
-      const double* point = row + 4;
-      for (int i = 1; i <= n; ++i, column += padded, point += 4) {
+      const double* point = row;
+      for (int i = 1; i <= n; ++i) {
+        column += padded;
+        point += 4;
         Vector weight[kUnroll];
         for (std::size_t part = 0; part < kUnroll; ++part)
           weight[part] = hn::Load(kDoubles, column + part * kLanes);
         for (int k = 0; k < kComponents; ++k) {
-          const Vector value = hn::Set(kDoubles, point[k]);
+          const Vector next = hn::Set(kDoubles, point[k]);
           for (std::size_t part = 0; part < kUnroll; ++part)
-            block.value[k][part] = hn::MulAdd(weight[part], value, block.value[k][part]);
+            value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
         }
       }
-      writer.Write(block, c, std::min(kStep, range.columns - c), [&](std::size_t i, int k, double value) {
-        const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(i)};
-        return Resolve(map, k, u, v, value, map.component[k].unit * units * growth);
+      typename Writer<kComponents>::Rounded rounded[kUnroll];
+      for (std::size_t part = 0; part < kUnroll; ++part) rounded[part] = writer.Round(value[part]);
+      writer.Write(rounded, c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
+        return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v);
       });
     }
   }

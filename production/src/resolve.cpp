@@ -57,19 +57,17 @@ bool OnLine(const PreparedComponent& line, const GridArgument& argument, float* 
 
 float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
               double error) {
-  const PreparedComponent& component = map.component[k];
+  const bool is_claimed = map.component[k].kind != PreparedComponent::Kind::kUnclaimed;
   float result;
-  switch (component.kind) {
-    case PreparedComponent::Kind::kConstant:
-      return component.constant;
-    case PreparedComponent::Kind::kUnclaimed:
-      return static_cast<float>(Plainly(map, k, u, v) + 0.0);
-    case PreparedComponent::Kind::kLine:
-    case PreparedComponent::Kind::kGeneral:
-      break;
-  }
-  if (Settle({value, 0}, error, &result)) return result;
-  if (!IsFinite(u) || !IsFinite(v)) return static_cast<float>(Plainly(map, k, u, v) + 0.0);
+  return is_claimed && Settle({value, 0}, error, &result) ? result : Resolve(map, k, u, v);
+}
+
+float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+  const PreparedComponent& component = map.component[k];
+  if (component.kind == PreparedComponent::Kind::kConstant) return component.constant;
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
+    return static_cast<float>(Plainly(map, k, u, v) + 0.0);
+  float result;
   if (component.kind == PreparedComponent::Kind::kLine &&
       OnLine(component, component.line_direction == 0 ? u : v, &result))
     return result;
