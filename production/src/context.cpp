@@ -239,14 +239,17 @@ const glev_plan* glev_context::PlanToDraw(int dimension) {
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
+// Vertices within a callback: it has the staged one in its hands.
+void glev_context::EmitWithin(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                              const glev::Row* row) {
+  glev_vertex vertex = current_.values();
+  EvaluateInto(plan, u, v, row, &vertex);
+  Emit(vertex);
+}
+
 void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
                           const glev::Row* row) {
-  // A callback has the staged vertex in its hands.
-  if (callbacks_ > 0) {
-    glev_vertex vertex = current_.values();
-    EvaluateInto(plan, u, v, row, &vertex);
-    return Emit(vertex);
-  }
+  if (callbacks_ > 0) return EmitWithin(plan, u, v, row);
   glev_vertex& vertex = current_.StagedFor(&plan);
   EvaluateInto(plan, u, v, row, &vertex);
   if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.Change().texcoord[0][3] = vertex.texcoord[0][3];
@@ -259,24 +262,23 @@ void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const Gr
   Emit(vertex);
 }
 
-void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                                const glev::Row* row, glev_vertex* vertex) const {
+inline void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                                       const glev::Row* row, glev_vertex* vertex) const {
   const glev::DefaultEnvironment environment;
   const auto evaluate = [&](Attribute attribute, float* values) {
     row != nullptr ? row->ValuesAt(attribute, u, values) : glev::ValuesAt(plan, attribute, u, v, values);
   };
-  vertex->position[3] = 1;
   evaluate(Attribute::kVertex, vertex->position);
+  if (plan.has_vertices_only()) return;
   if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
-  if (plan.components(Attribute::kTexcoord) != 0) {
-    auto& texcoord = vertex->texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0];
-    CopyTo(texcoord, {0, 0, 0, 1});
-    evaluate(Attribute::kTexcoord, texcoord);
-  }
+  if (plan.components(Attribute::kTexcoord) != 0)
+    evaluate(Attribute::kTexcoord, vertex->texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0]);
   if (plan.automatic_normals()) {
     CopyTo(vertex->normal, row->NormalAt(u));
   } else if (plan.components(Attribute::kNormal) != 0) {
-    evaluate(Attribute::kNormal, vertex->normal);
+    float values[4];
+    evaluate(Attribute::kNormal, values);
+    CopyTo(vertex->normal, {values[0], values[1], values[2]});
   }
 }
 

@@ -153,6 +153,8 @@ struct glev_context {
   // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
   void EmitAt(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
               const glev::Row* row);
+  void EmitWithin(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+                  const glev::Row* row);
   void EvaluateInto(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
                     const glev::Row* row, glev_vertex* vertex) const;
   void EvaluateWithRow(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);

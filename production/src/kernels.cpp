@@ -89,7 +89,8 @@ class Writer {
     if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) {
       std::uint8_t bits[kUnroll][kComponents][8];
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kHalves, rounded[part].settled[k], bits[part][k]);
+        for (int k = 0; k < kComponents; ++k)
+          hn::StoreMaskBits(kHalves, rounded[part].settled[k], bits[part][k]);
       }
       Repair(bits, begin, count, resolve);
     }
@@ -398,12 +399,30 @@ HWY_INLINE Parameter PlaceOf(const PreparedMap& map, int direction, const GridAr
   return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
 }
 
-void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
-             FourVector (&sum)[kParts]) {
+HWY_NOINLINE void ValueOfAnyDegree(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                                   FourVector (&sum)[kParts]) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
   const double* points = map.surface.scaled;
-  if (n == 3 && (m == 0 || m == 3)) {
+  double weights_u[kMaxOrder], weights_v[kMaxOrder];
+  WeightsAt(n, at_u, weights_u);
+  if (m == 0) return AddPoints(points, components, weights_u, n, sum);
+  WeightsAt(m, at_v, weights_v);
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
+  for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
+    FourVector row[kParts];
+    AddPoints(points, components, weights_v, m, row);
+    for (std::size_t part = 0; part < kParts; ++part)
+      sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
+  }
+}
+
+HWY_INLINE void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                        FourVector (&sum)[kParts]) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  const double* points = map.surface.scaled;
+  if (HWY_LIKELY(n == 3 && (m == 0 || m == 3))) {
     const Cubic in_u(at_u);
     for (std::size_t part = 0; part < kParts; ++part) {
       const double* own = points + part * hn::MaxLanes(kFour);
@@ -418,21 +437,12 @@ void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_
     }
     return;
   }
-  double weights_u[kMaxOrder], weights_v[kMaxOrder];
-  WeightsAt(n, at_u, weights_u);
-  if (m == 0) return AddPoints(points, components, weights_u, n, sum);
-  WeightsAt(m, at_v, weights_v);
-  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
-  for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
-    FourVector row[kParts];
-    AddPoints(points, components, weights_v, m, row);
-    for (std::size_t part = 0; part < kParts; ++part)
-      sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
-  }
+  ValueOfAnyDegree(map, at_u, at_v, sum);
 }
 
-void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v, const GridArgument& u,
-                  const GridArgument& v, const double* values, unsigned settled, float* result) {
+HWY_NOINLINE void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                               const GridArgument& u, const GridArgument& v, const double* values,
+                               unsigned settled, float* result) {
   const auto [n, m] = map.surface.degree;
   const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
   if (growth != 1) settled = 0;
@@ -449,7 +459,6 @@ void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
   FourVector sum[kParts];
   ValueAt(map, at_u, at_v, sum);
   unsigned settled = 0;
-  float rounded[4];
   for (std::size_t part = 0; part < kParts; ++part) {
     constexpr std::size_t kCount = hn::MaxLanes(kFour);
     constexpr hn::Rebind<float, Four> kFourFloats;
@@ -462,16 +471,11 @@ void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
-    hn::StoreU(high, kFourFloats, rounded + part * kCount);
+    hn::StoreU(high, kFourFloats, result + part * kCount);
   }
-  const int components = map.surface.components;
-  result[0] = rounded[0];
-  if (components > 1) result[1] = rounded[1];
-  if (components > 2) result[2] = rounded[2];
-  if (components > 3) result[3] = rounded[3];
   const bool inside =
       at_u.is_sure && at_v.is_sure && at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0;
-  const unsigned wanted = (1u << components) - 1;
+  const unsigned wanted = (1u << map.surface.components) - 1;
   if (HWY_LIKELY(inside && (settled & wanted) == wanted)) return;
   double values[4];
   for (std::size_t part = 0; part < kParts; ++part)

@@ -35,7 +35,8 @@ struct MeshRange {
 // All results of maps are correctly rounded, but those of fast meshes. The environment is the default one.
 struct Kernels {
   const char* name;
-  // One point: the components of the map.
+  // One point: the components of the map. There is room for four; those that the map has not are then
+  // anything.
   void (*point)(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result);
   // v counts for nets of two dimensions only.
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);

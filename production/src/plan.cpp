@@ -100,6 +100,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   }
 
   plan->automatic_normals_ = automatic_normals;
+  plan->has_vertices_only_ = !automatic_normals;
+  for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
   for (const int direction : {0, 1}) {
     if (!has_tangents) break;
     const Map& map = source.maps[normal_slot];

@@ -40,6 +40,7 @@ struct glev_plan {
     return maps_[static_cast<std::size_t>(attribute)];
   }
 
+  bool has_vertices_only() const { return has_vertices_only_; }
   // Normals are computed from the vertex map; there is no normal map then.
   bool automatic_normals() const { return automatic_normals_; }
   // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
@@ -72,6 +73,6 @@ struct glev_plan {
   std::array<glev::Grid, 2> grid_;
   const glev::Kernels* kernels_;
   std::array<glev::PreparedMap, glev::kAttributes> maps_;
-  bool automatic_normals_ = false;
+  bool automatic_normals_ = false, has_vertices_only_ = false;
   std::array<glev::Surface, 2> tangents_;
 };

@@ -28,7 +28,7 @@ void Row::ValuesAt(Attribute attribute, const GridArgument& u, float* values) co
   if (!IsPlain()) return glev::ValuesAt(plan_, attribute, u, v_, values);
   const Curve& curve = curves_[static_cast<std::size_t>(attribute)];
   const std::array<double, 4> plain = PlainAt(curve, u, {0, 0, 0, 1});
-  for (int k = 0; k < curve.components; ++k) values[k] = static_cast<float>(plain[k]);
+  for (int k = 0; k < 4; ++k) values[k] = static_cast<float>(plain[k]);
 }
 
 std::array<double, 4> Row::PlainAt(const Curve& curve, const GridArgument& u, std::array<double, 4> value) {

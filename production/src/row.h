@@ -11,11 +11,13 @@
 
 namespace glev {
 
-// The values that the plan has a map for, correctly rounded; the others are left as they are. In the default
+// Four values of an attribute that has a map, correctly rounded, the missing ones (0,0,0,1)'s. In the default
 // environment.
 inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgument& u, const GridArgument& v,
                      float* values) {
-  plan.kernels().point(plan.map(attribute), u, v, values);
+  const PreparedMap& map = plan.map(attribute);
+  plan.kernels().point(map, u, v, values);
+  for (int k = map.surface.components; k < 4; ++k) values[k] = k == 3 ? 1 : 0;
 }
 
 // What depends on v alone is computed once, by MoveTo; plans of one-dimensional maps ignore it. All of it in
