@@ -50,14 +50,12 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
       const DoubleDouble run = TwoSum(grid.u2, -grid.u1) * i, from = start * n, to = rest * n;
       width = width * n;
       a = from + run, b = to - run;
-      const auto cancels = [&](const DoubleDouble& part, const DoubleDouble& sum) {
-        return !(std::fabs(sum.high) >= 0x1p-6 * (std::fabs(part.high) + std::fabs(run.high)));
-      };
-      direction.argument_error = cancels(from, a) || cancels(to, b) ? HUGE_VAL : 0x1p10;
+      const double parts = std::fabs(from.high) + std::fabs(to.high) + 2 * std::fabs(run.high);
+      direction.argument_error = 16 * parts / std::max(std::fabs(a.high), std::fabs(b.high));
     }
   }
   for (const DoubleDouble* x : {&a, &b, &width}) {
-    if (!IsOrdinary(x->high) || !(direction.argument_error < HUGE_VAL)) {
+    if (!IsOrdinary(x->high) || !(direction.argument_error <= 0x1p40)) {
       direction.growth = HUGE_VAL;
       return direction;
     }
@@ -88,22 +86,48 @@ DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coeffi
   return sum;
 }
 
+// Of control points point(i, j).
+template <class Point>
+Enclosure EncloseNet(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
+                     const GridArgument& u, const GridArgument& v, const Point& point) {
+  const auto [n, m] = degree;
+  const PreparedDirection in_u = Prepare(domain[0], u, n), in_v = Prepare(domain[1], v, m);
+  const double growth = in_u.growth * in_v.growth;
+  if (!(growth <= 0x1p300) || !IsOrdinary(largest)) return {{}, HUGE_VAL};
+  const DoubleDouble sum =
+      Horner(n, in_u, [&](int i) { return Horner(m, in_v, [&](int j) { return point(i, j); }); });
+  const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
+  return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
+}
+
 }  // namespace
 
 Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
-  const int n = component.order[0] - 1, m = component.order[1] - 1;
-  const PreparedDirection in_u = Prepare(component.domain[0], u, n),
-                          in_v = Prepare(component.domain[1], v, m);
-  const double growth = in_u.growth * in_v.growth;
-  if (!(growth <= 0x1p300) || !IsOrdinary(largest)) return {{}, HUGE_VAL};
-  const DoubleDouble sum = Horner(n, in_u, [&](int i) {
-    return Horner(m, in_v, [&](int j) {
-      return DoubleDouble{component.points[(static_cast<std::ptrdiff_t>(i) * (m + 1) + j) * component.stride],
-                          0};
-    });
+  const auto [order_u, order_v] = component.order;
+  return EncloseNet({order_u - 1, order_v - 1}, component.domain, largest, u, v, [&](int i, int j) {
+    return DoubleDouble{component.points[(static_cast<std::ptrdiff_t>(i) * order_v + j) * component.stride],
+                        0};
   });
-  const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
-  return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
+}
+
+Enclosure EncloseDerivative(const Component& component, int direction, const GridArgument& u,
+                            const GridArgument& v) {
+  std::array<int, 2> degree = {component.order[0] - 1, component.order[1] - 1};
+  const int factor = degree[direction]--;
+  if (factor == 0) return {};
+  const std::ptrdiff_t row = component.order[1] * component.stride,
+                       next = direction == 0 ? row : component.stride;
+  const auto difference = [&](int i, int j) {
+    const double* const point = component.points + i * row + j * component.stride;
+    return TwoSum(point[next], -*point);
+  };
+  double largest = 0;
+  for (int i = 0; i <= degree[0]; ++i) {
+    for (int j = 0; j <= degree[1]; ++j) largest = std::max(largest, std::fabs(difference(i, j).high));
+  }
+  if (largest == 0) return {};
+  const Enclosure net = EncloseNet(degree, component.domain, largest, u, v, difference);
+  return {net.value * factor, net.error * (factor * (1 + 0x1p-20))};
 }
 
 bool Settle(const DoubleDouble& value, double error, float* result) {

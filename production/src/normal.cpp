@@ -4,10 +4,14 @@
 #include <cmath>
 #include <cstddef>
 
+#include "production/src/enclosure.h"
 #include "production/src/fault.h"
+#include "production/src/plan.h"
 
 namespace glev {
 namespace {
+
+// ---- In double, without bounds
 
 // If products of the components could leave the range of double: multiplies by the power of two that brings
 // the largest magnitude to [1/2, 1) (subnormal ones: near it), which changes no digit. Zero and what is not
@@ -26,11 +30,97 @@ void Scale(std::array<double, kCount>& v) {
 
 using Vector = std::array<double, 3>;
 
+// ---- In double-double, with errors that are computed along
+
+// These have roundings of their own, which the factor contains, and may underflow, which the summand does:
+// magnitudes are near 1.
+double Outward(double error) { return error * (1 + 0x1p-40) + 0x1p-900; }
+
+Enclosure operator*(const Enclosure& x, const Enclosure& y) {
+  const double size_x = std::fabs(x.value.high), size_y = std::fabs(y.value.high);
+  const double error =
+      size_x * y.error + size_y * x.error + x.error * y.error + 9 * 0x1p-106 * size_x * size_y;
+  return {x.value * y.value, error == 0 ? 0 : Outward(error)};
+}
+
+Enclosure operator-(const Enclosure& x, const Enclosure& y) {
+  const double size = std::fabs(x.value.high) + std::fabs(y.value.high);
+  const double error = x.error + y.error + 4 * 0x1p-106 * size;
+  return {x.value - y.value, error == 0 ? 0 : Outward(error)};
+}
+
+// For numbers, and for enclosures.
+template <class Number>
+std::array<Number, 3> Cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 // w^2 times the derivative of (x, y, z) / w.
-Vector OfQuotient(const std::array<double, 4>& p, const std::array<double, 4>& derivative) {
-  Vector result;
+template <class Number>
+std::array<Number, 3> OfQuotient(const std::array<Number, 4>& p, const std::array<Number, 4>& derivative) {
+  std::array<Number, 3> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = p[3] * derivative[k] - derivative[3] * p[k];
   return result;
+}
+
+// By a power of two, to magnitudes near 1. False for what is not finite.
+template <std::size_t kCount>
+bool Scale(std::array<Enclosure, kCount>& v) {
+  double largest = 0;
+  for (const Enclosure& x : v) {
+    if (!(x.error < HUGE_VAL) || !std::isfinite(x.value.high)) return false;
+    largest = std::max(largest, std::fabs(x.value.high));
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (Enclosure& x : v) {
+    x.value = {std::ldexp(x.value.high, -exponent), std::ldexp(x.value.low, -exponent)};
+    x.error = x.error == 0 ? 0 : Outward(std::ldexp(x.error, -exponent));
+  }
+  return true;
+}
+
+// False where nothing is claimed.
+bool FromEnclosures(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
+                    std::array<float, 3>* result) {
+  const int components = map.surface.components;
+  std::array<Enclosure, 4> p{}, p_u{}, p_v{};
+  for (int k = 0; k < components; ++k) {
+    const PreparedComponent& component = map.component[k];
+    if (component.kind == PreparedComponent::Kind::kUnclaimed) return false;
+    p_u[k] = EncloseDerivative(component.lowest, 0, u, v);
+    p_v[k] = EncloseDerivative(component.lowest, 1, u, v);
+    if (components == 4) p[k] = Enclose(component.lowest, component.lowest_largest, u, v);
+  }
+  if (!Scale(p) || !Scale(p_u) || !Scale(p_v)) return false;
+  std::array<Enclosure, 3> a = {p_u[0], p_u[1], p_u[2]}, b = {p_v[0], p_v[1], p_v[2]};
+  if (components == 4) a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
+  if (!Scale(a) || !Scale(b)) return false;
+  std::array<Enclosure, 3> m = Cross(a, b);
+  if (!Scale(m)) return false;
+  double square = 0;
+  for (const Enclosure& x : m) square += x.value.high * x.value.high;
+  const double inverse = 1 / std::sqrt(square);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool is_zero = std::fabs(m[k].value.high) <= m[k].error * (1 + 0x1p-40);
+    (*result)[k] = is_zero ? 0.0f : static_cast<float>(m[k].value.high * inverse);
+  }
+  return true;
+}
+
+// ---- A row
+
+// Sums of products with the weights of one direction: `count` of them, each over degree + 1 points.
+void Combine(const double* points, int components, int count, int degree, const double* weights, double scale,
+             double* result) {
+  for (int i = 0; i < count; ++i, result += 4) {
+    std::array<double, 4> sum{};
+    for (int k = 0; k < components; ++k) sum[k] = weights[0] * *points++;
+    for (int j = 1; j <= degree; ++j) {
+      for (int k = 0; k < components; ++k) sum[k] += weights[j] * *points++;
+    }
+    for (std::size_t k = 0; k < 4; ++k) result[k] = sum[k] * scale;
+  }
 }
 
 }  // namespace
@@ -44,13 +134,136 @@ Vector UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u, std::array
   if (GLEV_FAULTY(NormalTurnedByNegativeW) && p[3] < 0) a = {-a[0], -a[1], -a[2]};
   Scale(a);
   Scale(b);
-  Vector m = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  Vector m = Cross(a, b);
   Scale(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
   if (GLEV_FAULTY(ShortNormalsStay) && length < 0x1p-28) return m;
   for (double& x : m) x /= length;
   return m;
+}
+
+NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest) {
+  constexpr double kUnit = 0x1p-53, kLargest = 0x1p400, kSmallest = 0x1p-400;
+  NormalBounds bounds;
+  const bool is_rational = vertex.components == 4;
+  NormalMajorants scaled = largest;
+  for (int net = is_rational ? kPoint : kTangentU; net < kNets; ++net) {
+    double most = 0;
+    for (const double x : largest[net]) {
+      if (x != 0 && !(x >= kSmallest && x <= kLargest)) return bounds;
+      most = std::max(most, x);
+    }
+    int exponent = 0;
+    std::frexp(most, &exponent);
+    bounds.scale[net] = std::ldexp(1.0, -exponent);
+    for (double& x : scaled[net]) x *= bounds.scale[net];
+  }
+  for (const int d : {0, 1}) {
+    const auto [u1, u2] = vertex.domain[d];
+    // Nothing is lost in t and s.
+    if (!(std::fabs(u1) <= 0x1p900 && std::fabs(u2) <= 0x1p900 && std::fabs(u2 - u1) >= 0x1p-900))
+      return bounds;
+  }
+  const auto& [p, u, v] = scaled;
+  std::array<double, 3> a = {u[0], u[1], u[2]}, b = {v[0], v[1], v[2]}, majorant;
+  const int degrees = vertex.degree[0] + vertex.degree[1];
+  double c = (5 * (degrees - 1) + 7) * kUnit;
+  if (is_rational) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      a[k] = p[3] * u[k] + u[3] * p[k];
+      b[k] = p[3] * v[k] + v[3] * p[k];
+    }
+    c += (5 * degrees + 6) * kUnit + 2 * kUnit;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    majorant[k] = a[i] * b[j] + a[j] * b[i];
+    const bool vanishes = (a[i] == 0 || b[j] == 0) && (a[j] == 0 || b[i] == 0);
+    // Second orders and underflow: at most 2^-40 of it, and some 2^-1000.
+    bounds.error[k] = vanishes ? 0 : (2 * c + 2 * kUnit) * (1 + 0x1p-20) * majorant[k] + 0x1p-900;
+  }
+  const auto& e = bounds.error;
+  const double least = 0x1p32 * (1 + 0x1p-20) * std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+  bounds.least_square = std::max(least * least, 0x1p-800);
+  return bounds;
+}
+
+void NormalWeights(int degree, double s, double t, double* weights) {
+  weights[0] = 1;
+  for (int i = 1; i <= degree; ++i) weights[i] = weights[i - 1] * t;
+  double power = s;
+  for (int i = degree - 1; i >= 0; --i, power *= s) weights[i] *= power;
+}
+
+NormalRow::NormalRow(const glev_plan& plan) : plan_(plan) {}
+
+void NormalRow::MoveTo(const GridArgument& v) {
+  v_ = v;
+  const Surface& surface = plan_.surface(Attribute::kVertex);
+  const auto [n, m] = surface.degree;
+  if (n == 0 || m == 0) return;
+  const Parameter at = Locate(surface.domain[1], v);
+  growth_ = at.is_sure ? Growth(at, m) : HUGE_VAL;
+  if (!(growth_ < 0x1p40)) return;
+  std::array<double, kMaxOrder> weights, weights_of_tangent;
+  NormalWeights(m, at.s, at.t, weights.data());
+  NormalWeights(m - 1, at.s, at.t, weights_of_tangent.data());
+  const auto& scale = plan_.normal_bounds().scale;
+  const auto combine = [&](NormalNet net, const Surface& points, const auto& with) {
+    Combine(points.scaled, points.components, points.degree[0] + 1, points.degree[1], with.data(), scale[net],
+            points_[net].data());
+  };
+  if (surface.components == 4) combine(kPoint, surface, weights);
+  combine(kTangentU, plan_.tangent(0), weights);
+  combine(kTangentV, plan_.tangent(1), weights_of_tangent);
+}
+
+std::array<float, 3> NormalRow::At(const GridArgument& u) const {
+  const Surface& surface = plan_.surface(Attribute::kVertex);
+  const auto [n, m] = surface.degree;
+  if (n == 0 || m == 0) return {0, 0, 0};
+  const Parameter at = Locate(surface.domain[0], u);
+  const double growth = at.is_sure ? growth_ * Growth(at, n) : HUGE_VAL;
+  const bool is_rational = surface.components == 4;
+  std::array<float, 3> result;
+  if (growth < 0x1p40) {
+    std::array<double, kMaxOrder> weights, weights_of_tangent;
+    NormalWeights(n, at.s, at.t, weights.data());
+    NormalWeights(n - 1, at.s, at.t, weights_of_tangent.data());
+    std::array<std::array<double, 4>, kNets> value;
+    // The padding of rows counts as a component.
+    if (is_rational) Combine(points(kPoint), 4, 1, n, weights.data(), 1, value[kPoint].data());
+    Combine(points(kTangentU), 4, 1, n - 1, weights_of_tangent.data(), 1, value[kTangentU].data());
+    Combine(points(kTangentV), 4, 1, n, weights.data(), 1, value[kTangentV].data());
+    const auto& [p, p_u, p_v] = value;
+    Vector a = {p_u[0], p_u[1], p_u[2]}, b = {p_v[0], p_v[1], p_v[2]};
+    if (is_rational) a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
+    const Vector product = Cross(a, b);
+    const double square = (product[0] * product[0] + product[1] * product[1]) + product[2] * product[2];
+    double factor = growth * growth;
+    if (is_rational) factor *= factor;
+    const NormalBounds& bounds = plan_.normal_bounds();
+    if (square >= bounds.least_square * (factor * factor)) {
+      const double inverse = InverseRoot(square);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool is_zero = std::fabs(product[k]) <= bounds.error[k] * factor;
+        result[k] = is_zero ? 0.0f : static_cast<float>(product[k] * inverse);
+      }
+      return result;
+    }
+  }
+  if (FromEnclosures(plan_.map(Attribute::kVertex), u, v_, &result)) return result;
+
+  const auto plainly = [&](const Surface& net, std::array<double, 4> value) {
+    std::array<double, kMaxOrder * 4> room;
+    Evaluate(CurveAt(net, Locate(net.domain[1], v_), room.data()), at, value.data());
+    return value;
+  };
+  const Vector normal = UnitNormal(plainly(surface, {0, 0, 0, 1}), plainly(plan_.tangent(0), {}),
+                                   plainly(plan_.tangent(1), {}));
+  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<float>(normal[k]);
+  return result;
 }
 
 }  // namespace glev

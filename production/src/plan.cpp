@@ -1,5 +1,7 @@
 #include "production/src/plan.h"
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "production/src/fault.h"
@@ -46,6 +48,17 @@ void Differences(const double* points, std::array<int, 2> order, int components,
   for (int i = 0; i < rows; ++i) {
     for (std::ptrdiff_t k = 0; k < used; ++k) *result++ = points[i * row + k + next] - points[i * row + k];
   }
+}
+
+// Of each component, the largest magnitude; NaN counts as infinite.
+std::array<double, 4> Largest(const double* points, std::ptrdiff_t count, int components) {
+  std::array<double, 4> largest{};
+  for (std::ptrdiff_t i = 0; i < count * components; ++i) {
+    double& own = largest[i % components];
+    const double magnitude = std::fabs(points[i]);
+    own = std::isnan(magnitude) ? HUGE_VAL : std::max(own, magnitude);
+  }
+  return largest;
 }
 
 }  // namespace
@@ -102,6 +115,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   plan->automatic_normals_ = automatic_normals;
   plan->has_vertices_only_ = !automatic_normals;
   for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
+  glev::NormalMajorants largest{};
   for (const int direction : {0, 1}) {
     if (!has_tangents) break;
     const Map& map = source.maps[normal_slot];
@@ -110,9 +124,16 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const int components = kSlotTable[normal_slot].components;
     double* net = take(order, components);
     Differences(map.points(normal_slot), {map.order(0), map.order(1)}, components, direction, net);
+    const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
+    largest[glev::kTangentU + direction] = Largest(net, count, components);
     if (!GLEV_FAULTY(TangentsWithoutBinomials)) glev::ScaleByBinomials(net, order, components, net);
     plan->tangents_[direction] = {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
+  }
+  if (automatic_normals) {
+    const glev::PreparedMap& vertex = plan->map(Attribute::kVertex);
+    for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertex.component[k].largest;
+    plan->normal_bounds_ = glev::BoundNormals(vertex.surface, largest);
   }
   return plan;
 }

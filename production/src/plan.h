@@ -10,6 +10,7 @@
 #include "production/src/bernstein.h"
 #include "production/src/kernels.h"
 #include "production/src/map.h"
+#include "production/src/normal.h"
 #include "production/src/parameter.h"
 #include "production/src/prepared_map.h"
 #include "production/src/target.h"
@@ -46,6 +47,8 @@ struct glev_plan {
   // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
   // Absent in a direction of degree 0, where it is zero.
   const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
+  // Of automatic normals.
+  const glev::NormalBounds& normal_bounds() const { return normal_bounds_; }
   // The derivative by u or v is that times this.
   double tangent_factor(int direction) const;
   // 0 without tangents.
@@ -75,4 +78,5 @@ struct glev_plan {
   std::array<glev::PreparedMap, glev::kAttributes> maps_;
   bool automatic_normals_ = false, has_vertices_only_ = false;
   std::array<glev::Surface, 2> tangents_;
+  glev::NormalBounds normal_bounds_;
 };

@@ -14,10 +14,10 @@ void Row::MoveTo(const GridArgument& v) {
   };
   for (std::size_t a = 0; a < kAttributes; ++a) {
     const auto attribute = static_cast<Attribute>(a);
-    if (IsPlain() || (attribute == Attribute::kVertex && plan_.automatic_normals()))
-      curves_[a] = cut(plan_.surface(attribute), a);
+    if (IsPlain()) curves_[a] = cut(plan_.surface(attribute), a);
   }
   if (!plan_.automatic_normals()) return;
+  if (!IsPlain()) return normals_.MoveTo(v);
   if (GLEV_FAULTY(TangentsOfTheFirstRow) && tangents_[0].components != 0) return;
   for (std::size_t direction : {0, 1}) {
     tangents_[direction] = cut(plan_.tangent(static_cast<int>(direction)), kAttributes + direction);
@@ -37,6 +37,7 @@ std::array<double, 4> Row::PlainAt(const Curve& curve, const GridArgument& u, st
 }
 
 std::array<float, 3> Row::NormalAt(const GridArgument& u) const {
+  if (!IsPlain()) return normals_.At(u);
   const auto vertex = static_cast<std::size_t>(Attribute::kVertex);
   const std::array<double, 3> normal = UnitNormal(PlainAt(curves_[vertex], u, {0, 0, 0, 1}),
                                                   PlainAt(tangents_[0], u, {}), PlainAt(tangents_[1], u, {}));

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "production/src/bernstein.h"
+#include "production/src/normal.h"
 #include "production/src/parameter.h"
 #include "production/src/plan.h"
 #include "production/src/target.h"
@@ -24,7 +25,7 @@ inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgum
 // the default environment.
 class Row {
  public:
-  explicit Row(const glev_plan& plan) : plan_(plan) {}
+  explicit Row(const glev_plan& plan) : plan_(plan), normals_(plan) {}
   Row(const glev_plan& plan, const GridArgument& v) : Row(plan) { MoveTo(v); }
   Row(const Row&) = delete;  // curves_ point into points_
   Row& operator=(const Row&) = delete;
@@ -37,7 +38,7 @@ class Row {
   // What ValuesAt gives.
   void ValuesAt(Attribute attribute, const GridArgument& u, float* values) const;
 
-  // The unit normal. For plans with automatic normals.
+  // The unit normal, as normal.h says. For plans with automatic normals.
   std::array<float, 3> NormalAt(const GridArgument& u) const;
 
  private:
@@ -47,6 +48,7 @@ class Row {
 
   const glev_plan& plan_;
   GridArgument v_{};
+  NormalRow normals_;
   std::array<Curve, kAttributes> curves_;
   std::array<Curve, 2> tangents_;
   std::array<std::array<double, kMaxOrder * 4>, kAttributes + 2> points_;  // of these curves
