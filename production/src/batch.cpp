@@ -7,6 +7,7 @@
 
 #include "production/src/environment.h"
 #include "production/src/kernels.h"
+#include "production/src/normal_kernels.h"
 #include "production/src/plan.h"
 #include "production/src/resolve.h"
 #include "production/src/row.h"
@@ -189,28 +190,30 @@ void EvaluateTangents(const glev_plan& plan, int direction, const Output& output
     const glev::Curve curve = CurveAt(tangent, Locate(tangent.domain[1], at_v), room.data());
     Evaluate(curve, Locate(tangent.domain[0], at_u), values.data());
     for (double& value : values) value *= factor;
+    for (int k = 0; k < tangent.components && output.is_double; ++k)
+      glev::DerivativeInDouble(plan.map(Attribute::kVertex), direction, k, at_u, at_v, &values[k]);
     return values;
   });
 }
 
-// All outputs: `evaluate` those that have a kernel.
-template <class U, class V, class Evaluate>
+// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats if it can.
+template <class U, class V, class Evaluate, class Normals>
 void EvaluateAll(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
-                 const Evaluate& evaluate) {
+                 const Evaluate& evaluate, const Normals& normals) {
   const glev::DefaultEnvironment environment;
   for (int o = 0; o < kOutputs; ++o) {
     const Output& output = outputs[o];
     if (!output.is_wanted) continue;
+    const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
+                                  output.components};
     if (o >= kTangentU) {
       EvaluateTangents(plan, o - kTangentU, output, u, v);
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
-      EvaluateNormals(plan, output, u, v);
+      if (output.is_double || !normals(to)) EvaluateNormals(plan, output, u, v);
     } else if (output.is_double) {
       EvaluateInDouble(plan.map(static_cast<Attribute>(o)), output, u, v);
     } else {
-      evaluate(
-          plan.map(static_cast<Attribute>(o)),
-          glev::Destination{output.data, output.stream.stride, output.stream.row_stride, output.components});
+      evaluate(plan.map(static_cast<Attribute>(o)), to);
     }
   }
 }
@@ -233,6 +236,10 @@ std::size_t ScratchOf(const glev_plan& plan, std::size_t columns) {
   for (int a = 0; a < kAttributes; ++a) {
     const glev::Surface& surface = plan.surface(static_cast<Attribute>(a));
     if (surface.components != 0) bytes = std::max(bytes, glev::MeshScratch(surface.degree[0], columns));
+  }
+  if (plan.automatic_normals()) {
+    const glev::Surface& vertex = plan.surface(Attribute::kVertex);
+    bytes = std::max(bytes, glev::NormalMeshScratch(vertex.degree[0], columns));
   }
   return bytes + kCacheLine;
 }
@@ -277,7 +284,8 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
         } else {
           plan->kernels().curve(map, u, batch.count, to);
         }
-      });
+      },
+      [](const glev::Destination&) { return false; });
   return GLEV_SUCCESS;
 }
 
@@ -315,6 +323,12 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
       },
       [&](const glev::PreparedMap& map, const glev::Destination& to) {
         plan->kernels().mesh(map, range, mesh.precision == GLEV_FAST, to, aligned);
+      },
+      [&](const glev::Destination& to) {
+        const glev::NormalMesh normals = glev::NormalMeshOf(plan->kernels());
+        if (normals == nullptr) return false;
+        normals(*plan, range, to, aligned);
+        return true;
       });
   return GLEV_SUCCESS;
 }

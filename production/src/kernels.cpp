@@ -11,6 +11,7 @@
 
 #include "production/src/binomials.h"
 #include "production/src/resolve.h"
+#include "production/src/triples.h"
 
 // Assertions of Highway need its library, which has nothing else that is needed here.
 #define HWY_IS_DEBUG_BUILD 0
@@ -117,6 +118,10 @@ class Writer {
   }
 
   HWY_NOINLINE void WriteApart(const float* values, std::size_t begin, std::size_t count) const {
+    if constexpr (kComponents == 3 && kStep % 4 == 0) {
+      if (count == kStep && to_.components == 3)
+        return CopyTriples(values, kStep, to_.stride, data_ + begin * to_.stride);
+    }
     for (std::size_t i = 0; i < count; ++i) {
       std::array<float, 4> element = {0, 0, 0, 1};
       std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));

@@ -84,4 +84,17 @@ double InDouble(const PreparedMap& map, int k, const GridArgument& u, const Grid
   return std::isfinite(enclosure.error) ? enclosure.value.high + 0.0 : Plainly(map, k, u, v);
 }
 
+bool DerivativeInDouble(const PreparedMap& map, int direction, int k, const GridArgument& u,
+                        const GridArgument& v, double* result) {
+  const PreparedComponent& component = map.component[k];
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v)) return false;
+  const auto [u1, u2] = map.surface.domain[direction];
+  const Enclosure enclosure = EncloseDerivative(component.lowest, direction, u, v);
+  const DoubleDouble width = TwoSum(u2, -u1);
+  const bool ordinary = std::fabs(width.high) >= 0x1p-300 && std::fabs(width.high) <= 0x1p300;
+  if (!ordinary || !(enclosure.error < HUGE_VAL)) return false;
+  *result = (enclosure.value / width).high + 0.0;
+  return true;
+}
+
 }  // namespace glev

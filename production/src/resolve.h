@@ -16,4 +16,8 @@ float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
 // The same in double, by double-double: GLEV_DOUBLE of glevaluator.h.
 double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
+// The derivative by u (direction 0) or v (1), likewise. False where double-double claims nothing.
+bool DerivativeInDouble(const PreparedMap& map, int direction, int k, const GridArgument& u,
+                        const GridArgument& v, double* result);
+
 }  // namespace glev
