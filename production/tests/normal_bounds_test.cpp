@@ -1,0 +1,470 @@
+// The bounds of automatic normals and of tangents, with 600 binary digits as the oracle; every route and
+// instruction set gives the same bits.
+#include <algorithm>
+#include <bit>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <string>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace normal_bounds {
+namespace {
+
+using Wide = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<600, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::et_off>;
+
+// |got - n| in each component, where |m| is at least kLeast times its majorant.
+constexpr double kBound = 0x1p-25 + 0x1p-30, kLeast = 0x1p-50;
+
+struct Grid {
+  std::array<double, 4> ends = {0, 1, 0, 1};
+  std::array<int, 2> segments = {16, 16};
+};
+
+struct Patch {
+  std::array<double, 4> domain = {0, 1, 0, 1};
+  std::array<int, 2> order;
+  int components = 3;
+  std::vector<double> points;
+  Grid grid;
+};
+
+struct Oracle {
+  std::array<Wide, 4> p, p_u, p_v;  // derivatives by the arguments
+  std::array<Wide, 3> normal{};
+  Wide ratio = 0;  // |m| to its majorant; 0: there is no normal
+};
+
+std::vector<Wide> Bernstein(int degree, const Wide& t) {
+  std::vector<Wide> basis(degree + 1, 1);
+  Wide power_of_t = 1, power_of_s = 1, binomial = 1;
+  for (int i = 0; i <= degree; ++i, power_of_t *= t) basis[i] *= power_of_t;
+  for (int i = degree; i >= 0; --i, power_of_s *= 1 - t) {
+    basis[i] *= power_of_s * binomial;
+    binomial = binomial * i / (degree - i + 1);
+  }
+  return basis;
+}
+
+// Of the Bernstein polynomials by t.
+std::vector<Wide> Slopes(int degree, const Wide& t) {
+  std::vector<Wide> slopes(degree + 1, 0);
+  if (degree == 0) return slopes;
+  const std::vector<Wide> lower = Bernstein(degree - 1, t);
+  for (int i = 0; i < degree; ++i) {
+    slopes[i] -= degree * lower[i];
+    slopes[i + 1] += degree * lower[i];
+  }
+  return slopes;
+}
+
+Wide Sum(const Patch& patch, int k, const std::vector<Wide>& u, const std::vector<Wide>& v) {
+  Wide sum = 0;
+  for (int i = 0; i < patch.order[0]; ++i) {
+    Wide row = 0;
+    for (int j = 0; j < patch.order[1]; ++j)
+      row += v[j] * patch.points[(i * patch.order[1] + j) * patch.components + k];
+    sum += u[i] * row;
+  }
+  return sum;
+}
+
+Wide Length(const std::array<Wide, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+// Largest magnitude of component k of control points, or of their differences in a direction.
+double Largest(const Patch& patch, int k, int direction) {
+  double largest = 0;
+  for (int i = 0; i < patch.order[0]; ++i) {
+    for (int j = 0; j < patch.order[1]; ++j) {
+      const auto at = [&](int a, int b) {
+        return patch.points[(a * patch.order[1] + b) * patch.components + k];
+      };
+      if (direction < 0) largest = std::max(largest, std::fabs(at(i, j)));
+      if (direction == 0 && i > 0) largest = std::max(largest, std::fabs(at(i, j) - at(i - 1, j)));
+      if (direction == 1 && j > 0) largest = std::max(largest, std::fabs(at(i, j) - at(i, j - 1)));
+    }
+  }
+  return largest;
+}
+
+// At grid point (i, j).
+Oracle Exactly(const Patch& patch, int i, int j) {
+  std::array<std::vector<Wide>, 2> values, slopes;
+  for (int d : {0, 1}) {
+    const Wide a = patch.grid.ends[2 * d], b = patch.grid.ends[2 * d + 1], u1 = patch.domain[2 * d],
+               u2 = patch.domain[2 * d + 1];
+    const Wide t = (a + (d == 0 ? i : j) * (b - a) / patch.grid.segments[d] - u1) / (u2 - u1);
+    values[d] = Bernstein(patch.order[d] - 1, t);
+    slopes[d] = Slopes(patch.order[d] - 1, t);
+  }
+  Oracle oracle;
+  oracle.p = {0, 0, 0, 1};
+  oracle.p_u = oracle.p_v = {0, 0, 0, 0};
+  std::array<double, 4> largest = {0, 0, 0, 1}, largest_u{}, largest_v{};
+  for (int k = 0; k < patch.components; ++k) {
+    oracle.p[k] = Sum(patch, k, values[0], values[1]);
+    oracle.p_u[k] = Sum(patch, k, slopes[0], values[1]);
+    oracle.p_v[k] = Sum(patch, k, values[0], slopes[1]);
+    largest[k] = Largest(patch, k, -1);
+    largest_u[k] = (patch.order[0] - 1) * Largest(patch, k, 0);
+    largest_v[k] = (patch.order[1] - 1) * Largest(patch, k, 1);
+  }
+  std::array<Wide, 3> a, b, most_a, most_b, m, majorant;
+  for (int k = 0; k < 3; ++k) {
+    a[k] = oracle.p[3] * oracle.p_u[k] - oracle.p_u[3] * oracle.p[k];
+    b[k] = oracle.p[3] * oracle.p_v[k] - oracle.p_v[3] * oracle.p[k];
+    most_a[k] = Wide(largest[3]) * largest_u[k] + Wide(largest_u[3]) * largest[k];
+    most_b[k] = Wide(largest[3]) * largest_v[k] + Wide(largest_v[3]) * largest[k];
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int x = (k + 1) % 3, y = (k + 2) % 3;
+    m[k] = a[x] * b[y] - a[y] * b[x];
+    majorant[k] = most_a[x] * most_b[y] + most_a[y] * most_b[x];
+  }
+  const Wide length = Length(m), most = Length(majorant);
+  // What is left of 600 digits where m is zero.
+  oracle.ratio = most == 0 || length < most * 0x1p-400 ? Wide(0) : Wide(length / most);
+  for (int k = 0; k < 3; ++k) {
+    if (oracle.ratio != 0) oracle.normal[k] = m[k] / length;
+    oracle.p_u[k] /= Wide(patch.domain[1]) - Wide(patch.domain[0]);
+    oracle.p_v[k] /= Wide(patch.domain[3]) - Wide(patch.domain[2]);
+  }
+  return oracle;
+}
+
+constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
+
+// What a caller may have done to the processor.
+template <class Call>
+void InMode(int mode, const Call& call) {
+#if defined(__SSE2__)
+  const unsigned control = _mm_getcsr();
+  if (mode < 0) _mm_setcsr(control | 0x8040);  // subnormal numbers taken for zero, flushed to zero
+#endif
+  if (mode >= 0) std::fesetround(mode);
+  call();
+  std::fesetround(FE_TONEAREST);
+#if defined(__SSE2__)
+  _mm_setcsr(control);
+#endif
+}
+
+using Normal = std::array<float, 3>;
+
+bool SameBits(const Normal& a, const Normal& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
+
+class NormalBounds : public ::testing::Test {
+ protected:
+  static std::vector<std::string> Targets() {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i) names.emplace_back(glevGetTargetName(i));
+    return names;
+  }
+
+  // A context with the patch and its grid.
+  static glev_context* Make(const Patch& patch, const std::string& target) {
+    glev_context_info info = {sizeof info, nullptr, target.c_str()};
+    glev_context* gl = nullptr;
+    EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+    const glev_enum name = patch.components == 3 ? GLEV_MAP2_VERTEX_3 : GLEV_MAP2_VERTEX_4;
+    glevMap2d(gl, name, patch.domain[0], patch.domain[1], patch.order[1] * patch.components, patch.order[0],
+              patch.domain[2], patch.domain[3], patch.components, patch.order[1], patch.points.data());
+    glevEnable(gl, name);
+    glevEnable(gl, GLEV_AUTO_NORMAL);
+    const auto& [ends, segments] = patch.grid;
+    glevMapGrid2d(gl, segments[0], ends[0], ends[1], segments[1], ends[2], ends[3]);
+    EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR));
+    return gl;
+  }
+
+  struct Range {
+    int i1, i2, j1, j2;
+    std::size_t columns() const { return i2 - i1 + 1; }
+    std::size_t count() const { return columns() * (j2 - j1 + 1); }
+  };
+
+  // `output` of the mesh, elements `values` apart.
+  template <class Real>
+  static std::vector<Real> Mesh(glev_context* gl, const Range& range,
+                                const glev_output* glev_outputs::*output, std::size_t components,
+                                std::size_t values, int mode = FE_TONEAREST) {
+    const glev_plan_info info = {sizeof info, 2};
+    glev_plan* plan = nullptr;
+    EXPECT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
+    std::vector<Real> result(range.count() * values, Real(77));
+    glev_output to = {sizeof to,
+                      result.data(),
+                      result.size() * sizeof(Real),
+                      values * sizeof(Real),
+                      components,
+                      sizeof(Real) == 8 ? GLEV_DOUBLE : GLEV_FLOAT,
+                      0};
+    glev_mesh mesh = {};
+    mesh.size = sizeof mesh;
+    mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
+    mesh.outputs.*output = &to;
+    std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+    mesh.scratch = scratch.data();
+    mesh.scratch_size = scratch.size();
+    InMode(mode, [&] { EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS); });
+    glevReleasePlan(plan);
+    return result;
+  }
+
+  static std::vector<Normal> Calls(glev_context* gl, const Range& range, int mode = FE_TONEAREST) {
+    Recording recording;
+    const glev_sink sink = recording.Sink();
+    glevSetSink(gl, &sink);
+    InMode(mode, [&] { glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2); });
+    std::vector<Normal> normals;
+    for (const glev_vertex& vertex : recording.vertices)
+      normals.push_back({vertex.normal[0], vertex.normal[1], vertex.normal[2]});
+    glevSetSink(gl, nullptr);
+    return normals;
+  }
+
+  // The normals of the calls, which every instruction set must give in meshes, packed or not, in every mode.
+  static std::vector<Normal> Everywhere(const Patch& patch, const Range& range) {
+    std::vector<Normal> expected;
+    for (const std::string& target : Targets()) {
+      glev_context* const gl = Make(patch, target);
+      if (expected.empty()) expected = Calls(gl, range);
+      for (const int mode : kModes) {
+        const std::vector<Normal> calls = Calls(gl, range, mode);
+        const std::size_t values = mode == FE_UPWARD ? 3 : 6;
+        const std::vector<float> mesh = Mesh<float>(gl, range, &glev_outputs::normal, 3, values, mode);
+        int different = 0;
+        for (std::size_t i = 0; i < range.count(); ++i) {
+          const Normal got = {mesh[i * values], mesh[i * values + 1], mesh[i * values + 2]};
+          if (!SameBits(got, expected[i]) || !SameBits(calls[i], expected[i])) ++different;
+          if (values == 6 && mesh[i * values + 3] != 77) ++different;  // written between elements
+        }
+        EXPECT_EQ(different, 0) << target << ", mode " << mode << ", orders " << patch.order[0] << " x "
+                                << patch.order[1] << ", components " << patch.components;
+      }
+      glevDestroyContext(gl);
+    }
+    return expected;
+  }
+
+  // Each `step`-th one against the oracle. Returns the least ratio met.
+  static double Check(const Patch& patch, const Range& range, std::size_t step = 1) {
+    const std::vector<Normal> got = Everywhere(patch, range);
+    double least = 1;
+    for (std::size_t at = 0; at < got.size(); at += step) {
+      const int i = range.i1 + static_cast<int>(at % range.columns()),
+                j = range.j1 + static_cast<int>(at / range.columns());
+      const Oracle oracle = Exactly(patch, i, j);
+      if (oracle.ratio == 0) {
+        EXPECT_TRUE(SameBits(got[at], {0, 0, 0})) << "at " << i << ", " << j;
+        continue;
+      }
+      least = std::min(least, static_cast<double>(oracle.ratio));
+      if (oracle.ratio < kLeast) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Wide error = abs(Wide(got[at][k]) - oracle.normal[k]);
+        EXPECT_LE(static_cast<double>(error), kBound)
+            << "component " << k << " at " << i << ", " << j << ": " << got[at][k] << ", ratio "
+            << static_cast<double>(oracle.ratio) << ", orders " << patch.order[0] << " x " << patch.order[1]
+            << ", seed " << kSeed;
+        // Zero, as far as can be seen.
+        if (abs(oracle.normal[k]) < 0x1p-300) {
+          EXPECT_EQ(std::bit_cast<std::uint32_t>(got[at][k]), 0u);
+        }
+      }
+    }
+    return least;
+  }
+
+  double Uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  Patch Random(std::array<int, 2> order, int components, bool floats = true) {
+    Patch patch;
+    patch.order = order;
+    patch.components = components;
+    for (int i = 0; i < order[0] * order[1]; ++i) {
+      for (int k = 0; k < components; ++k) {
+        const double x = k == 3 ? Uniform(0.5, 2) : Uniform(-1, 1);
+        patch.points.push_back(floats ? static_cast<double>(static_cast<float>(x)) : x);
+      }
+    }
+    return patch;
+  }
+
+  std::mt19937 random_{kSeed};
+};
+
+TEST_F(NormalBounds, OfRandomPatches) {
+  for (const int components : {3, 4}) {
+    for (const std::array<int, 2> order : {std::array{2, 2}, {2, 5}, {3, 3}, {4, 4}, {5, 3}, {8, 8}}) {
+      Patch patch = Random(order, components);
+      patch.grid.segments = {36, 7};
+      Check(patch, {0, 36, 0, 7}, 3);
+      patch.domain = {0.1, -2, 3, 3.7};
+      patch.grid = {{0.1, -2, 3.7, 3}, {21, 5}};
+      Check(patch, {0, 21, 0, 5}, 3);
+    }
+    Patch patch = Random({30, 30}, components);
+    patch.grid.segments = {36, 7};
+    Check(patch, {0, 36, 0, 7}, 20);
+  }
+}
+
+TEST_F(NormalBounds, OnGridsThatAreNotTheDomain) {
+  for (const int components : {3, 4}) {
+    Patch patch = Random({4, 5}, components);
+    // Far outside, across the ends, and with arguments that cancellation leaves few digits of.
+    patch.grid = {{0.2, 0.9, -0.1, 0.6}, {10, 7}};
+    Check(patch, {-9, 25, -3, 4}, 5);
+    patch.grid = {{-3, 7, -1e4, 1e4}, {10, 20000}};
+    Check(patch, {-2, 8, 9998, 10003});
+    patch.domain = {0.1, 0.7, 0.3, 0.4};
+    patch.grid = {{-0.5, 0.7 + 0x1p-50, 0.1, 0.5 + 0x1p-52}, {2, 2}};
+    Check(patch, {0, 2, 0, 2});
+    patch.grid = {{0.1 - 1, 0.1 + 1 + 0x1p-45, 0.3 - 8, 0.3 + 8 + 0x1p-40}, {2, 2}};
+    Check(patch, {0, 2, 0, 2});
+  }
+}
+
+// Both tangents nearly parallel to one line, which the exact points say.
+TEST_F(NormalBounds, OfNearlyDegeneratePatches) {
+  for (const int components : {3, 4}) {
+    for (const std::array<int, 2> order : {std::array{4, 4}, {8, 8}}) {
+      for (int digits = 5; digits <= 45; digits += digits < 20 ? 3 : 8) {
+        Patch patch = Random(order, components, false);
+        for (int i = 0; i < order[0] * order[1]; ++i) {
+          const double along = static_cast<double>(i / order[1]) / (order[0] - 1) +
+                               static_cast<double>(i % order[1]) / (order[1] - 1);
+          double* const point = &patch.points[i * components];
+          for (int k = 0; k < components; ++k) point[k] = std::ldexp(point[k], -digits);
+          point[0] += along, point[1] += 0.7 * along, point[2] -= 0.3 * along;
+          if (components == 4) point[3] += 1;
+        }
+        patch.grid.segments = {18, 3};
+        const double least = Check(patch, {0, 18, 0, 3}, 5);
+        EXPECT_LT(least, std::ldexp(1, 2 - digits));
+      }
+    }
+  }
+}
+
+TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
+  for (const int components : {3, 4}) {
+    for (const std::array<int, 2> order : {std::array{4, 4}, {8, 8}, {3, 12}}) {
+      for (const bool turned : {false, true}) {
+        Patch patch = Random(order, components);
+        for (int i = 0; i < order[0] * order[1]; ++i) {
+          double* const point = &patch.points[i * components];
+          const double w = components == 4 ? static_cast<float>(point[3]) : 1;
+          // Regular: a sheet that is moved about a little.
+          point[0] = w * static_cast<float>(i / order[1] + 0.2 * point[0]);
+          point[1] = w * static_cast<float>(i % order[1] + 0.2 * point[1]);
+          if (turned) std::swap(point[0], point[1]);
+          point[2] = w * static_cast<float>(0.3);
+        }
+        patch.grid.segments = {36, 7};
+        for (const Normal& normal : Everywhere(patch, {0, 36, 0, 7}))
+          EXPECT_TRUE(SameBits(normal, {0, 0, turned ? -1.0f : 1.0f})) << normal[0] << " " << normal[2];
+        if (components == 4) continue;
+        // z = x: the plane contains an axis.
+        for (int i = 0; i < order[0] * order[1]; ++i) patch.points[3 * i + 2] = patch.points[3 * i];
+        for (const Normal& normal : Everywhere(patch, {0, 36, 0, 7})) {
+          EXPECT_EQ(std::bit_cast<std::uint32_t>(normal[1]), 0u);
+          EXPECT_EQ(normal[2], turned ? -0x1.6a09e6p-1f : 0x1.6a09e6p-1f);
+          EXPECT_EQ(normal[0], -normal[2]);
+        }
+      }
+    }
+  }
+}
+
+// An octant of a sphere: rational, of order 3 x 3, the pole an edge of one point.
+TEST_F(NormalBounds, OfAPatchWithACollapsedEdge) {
+  const double r = std::sqrt(0.5);
+  const double arc[3][3] = {{1, 0, 1}, {r, r, r}, {0, 1, 1}};
+  Patch patch;
+  patch.order = {3, 3};
+  patch.components = 4;
+  for (const auto& [cos_u, sin_u, w_u] : arc) {
+    for (const auto& [cos_v, sin_v, w_v] : arc)
+      patch.points.insert(patch.points.end(), {cos_u * cos_v, sin_u * cos_v, w_u * sin_v, w_u * w_v});
+  }
+  patch.grid.segments = {40, 40};
+  Check(patch, {0, 40, 0, 40}, 7);
+  for (const Normal& normal : Everywhere(patch, {0, 40, 40, 40})) EXPECT_TRUE(SameBits(normal, {0, 0, 0}));
+  // Close to it.
+  patch.grid = {{0, 1, 1 - 0x1p-30, 1}, {9, 1}};
+  Check(patch, {0, 9, 0, 0});
+  patch.grid = {{0, 1, 1 - 0x1p-50, 1}, {9, 1}};
+  Check(patch, {0, 9, 0, 0});
+  // Not rational, one edge a point in both directions.
+  Patch triangle = Random({4, 4}, 3);
+  for (int j = 0; j < 4; ++j) std::copy_n(triangle.points.begin(), 3, triangle.points.begin() + 3 * j);
+  Check(triangle, {0, 16, 0, 16}, 5);
+  for (const Normal& normal : Everywhere(triangle, {0, 0, 0, 16})) EXPECT_TRUE(SameBits(normal, {0, 0, 0}));
+}
+
+TEST_F(NormalBounds, DoNotDependOnSize) {
+  for (const int components : {3, 4}) {
+    Patch patch = Random({4, 4}, components);
+    const Range range = {0, 16, 0, 16};
+    const std::vector<Normal> expected = Everywhere(patch, range);
+    for (const int exponent : {-140, -100, 60, 120, 250}) {
+      Patch scaled = patch;
+      for (std::size_t i = 0; i < scaled.points.size(); ++i) {
+        if (i % components != 3) scaled.points[i] = std::ldexp(scaled.points[i], exponent);
+      }
+      EXPECT_EQ(Everywhere(scaled, range), expected) << exponent;
+    }
+  }
+}
+
+TEST_F(NormalBounds, OfTangents) {
+  for (const int components : {3, 4}) {
+    for (const std::array<int, 2> order : {std::array{2, 3}, {4, 4}, {12, 5}}) {
+      Patch patch = Random(order, components, order[0] == 4);
+      patch.domain = {0.25, 3, 1, 0.5};
+      patch.grid = {{0.5, 3, 1, 0.5}, {9, 6}};
+      const Range range = {0, 9, 0, 6};
+      for (const std::string& target : Targets()) {
+        glev_context* const gl = Make(patch, target);
+        for (const int direction : {0, 1}) {
+          const auto output = direction == 0 ? &glev_outputs::tangent_u : &glev_outputs::tangent_v;
+          const std::vector<float> floats = Mesh<float>(gl, range, output, components, 4);
+          const std::vector<double> doubles = Mesh<double>(gl, range, output, components, 4);
+          const double width = std::fabs(patch.domain[2 * direction + 1] - patch.domain[2 * direction]);
+          for (std::size_t at = 0; at < range.count(); ++at) {
+            const Oracle oracle = Exactly(patch, static_cast<int>(at % 10), static_cast<int>(at / 10));
+            for (int k = 0; k < components; ++k) {
+              Wide exact = (direction == 0 ? oracle.p_u : oracle.p_v)[k];
+              if (k == 3) exact /= patch.domain[2 * direction + 1] - patch.domain[2 * direction];
+              const double most = (order[direction] - 1) * Largest(patch, k, direction) / width,
+                           size = std::fabs(static_cast<double>(exact));
+              const double units = 13 * (order[0] + order[1] - 2) + 4;
+              EXPECT_LE(static_cast<double>(abs(floats[4 * at + k] - exact)),
+                        0x1p-24 * size + units * 0x1p-53 * most);
+              EXPECT_LE(static_cast<double>(abs(doubles[4 * at + k] - exact)),
+                        0x1.0001p-53 * size + 0x1p-80 * most);
+            }
+          }
+        }
+        glevDestroyContext(gl);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace normal_bounds
+}  // namespace glev_tests
