@@ -1,0 +1,284 @@
+// Plans, and batches and meshes through them into memory that shows what was written.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+
+constexpr glev_attribute kEveryAttribute[] = {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR,
+                                              GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD};
+
+inline const glev_output*& OutputOf(glev_outputs& outputs, glev_attribute attribute) {
+  constexpr const glev_output* glev_outputs::*kMembers[] = {&glev_outputs::vertex, &glev_outputs::color,
+                                                            &glev_outputs::normal, &glev_outputs::texcoord};
+  return outputs.*kMembers[attribute];
+}
+
+// What a vertex says of it, three values of a normal.
+inline Floats AttributeOf(const glev_vertex& vertex, glev_attribute attribute) {
+  switch (attribute) {
+    case GLEV_ATTRIBUTE_VERTEX:
+      return Values(vertex.position);
+    case GLEV_ATTRIBUTE_COLOR:
+      return Values(vertex.color);
+    case GLEV_ATTRIBUTE_NORMAL:
+      return Values(vertex.normal);
+    case GLEV_ATTRIBUTE_TEXCOORD:
+      return Values(vertex.texcoord[0]);
+  }
+  return {};
+}
+
+// Snapshot of what a context has enabled.
+class Plan {
+ public:
+  Plan(glev_context* gl, std::size_t dimension) {
+    const glev_plan_info info = {sizeof info, dimension};
+    EXPECT_EQ(glevCreatePlan(gl, &info, &plan_), GLEV_SUCCESS);
+  }
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+  ~Plan() { glevReleasePlan(plan_); }
+  operator const glev_plan*() const { return plan_; }
+
+ private:
+  glev_plan* plan_ = nullptr;
+};
+
+// Bytes, all of them poison at first.
+class Memory {
+ public:
+  static constexpr unsigned char kPoisonByte = 0xCD;
+
+  explicit Memory(std::size_t size) : bytes_(size, kPoisonByte) {}
+
+  unsigned char* data() { return bytes_.data(); }
+  std::size_t size() const { return bytes_.size(); }
+  bool operator==(const Memory&) const = default;
+  bool IsUntouched() const { return *this == Memory(size()); }
+
+  // Everything from there on.
+  glev_output Output(std::size_t offset, std::size_t stride, std::size_t components, glev_enum type = 0,
+                     std::size_t row_stride = 0) {
+    return {sizeof(glev_output), data() + offset, size() - offset, stride, components, type, row_stride};
+  }
+  template <class Value>
+  void Put(std::size_t offset, const Value* values, std::size_t count) {
+    std::memcpy(data() + offset, values, count * sizeof(Value));
+  }
+  void Poison(std::size_t offset, std::size_t count) {
+    std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), count, kPoisonByte);
+  }
+  // The first byte that differs, for messages; size() if none does.
+  std::size_t Mismatch(const Memory& other) const {
+    return static_cast<std::size_t>(std::mismatch(bytes_.begin(), bytes_.end(), other.bytes_.begin()).first -
+                                    bytes_.begin());
+  }
+
+ private:
+  std::vector<unsigned char> bytes_;
+};
+
+template <class Real>
+std::vector<std::uint64_t> BitsOf(const std::vector<Real>& values) {
+  using Integer = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  std::vector<std::uint64_t> bits;
+  for (Real value : values) bits.push_back(std::bit_cast<Integer>(value));
+  return bits;
+}
+
+template <class Real>
+constexpr glev_enum kTypeOf = sizeof(Real) == sizeof(double) ? GLEV_DOUBLE : GLEV_FLOAT;
+
+template <class Real>
+glev_input InputOf(const std::vector<Real>& arguments) {
+  if (arguments.empty()) return {};
+  return {arguments.data(), arguments.size() * sizeof(Real), sizeof(Real)};
+}
+
+// One attribute at scattered arguments, packed. v: for plans of dimension 2.
+template <class Result = float, class Real>
+std::vector<Result> Scattered(const glev_plan* plan, glev_attribute attribute, const std::vector<Real>& u,
+                              const std::vector<Real>& v = {},
+                              glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
+  const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
+  std::vector<Result> results(u.size() * components);
+  const glev_output output = {
+      sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
+  glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, InputOf(u), InputOf(v), {}};
+  OutputOf(batch.outputs, attribute) = &output;
+  EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
+  return results;
+}
+
+struct Range {
+  int i1, i2, j1 = 0, j2 = 0;
+  std::size_t columns() const { return i1 > i2 ? 0 : static_cast<std::size_t>(i2) - i1 + 1; }
+  std::size_t rows() const { return j1 > j2 ? 0 : static_cast<std::size_t>(j2) - j1 + 1; }
+};
+
+// One attribute at points of the grid, packed.
+template <class Result = float>
+std::vector<Result> OfGrid(const glev_plan* plan, glev_attribute attribute, const Range& range,
+                           glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
+  const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
+  std::vector<Result> results(range.columns() * range.rows() * components);
+  const glev_output output = {
+      sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
+  glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, {}, nullptr, 0};
+  OutputOf(mesh.outputs, attribute) = &output;
+  std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+  mesh.scratch = scratch.data();
+  mesh.scratch_size = scratch.size();
+  EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+  return results;
+}
+
+// Maps and arguments by chance, the same ones everywhere.
+class Chance {
+ public:
+  explicit Chance(unsigned seed = kSeed) : engine_(seed) {}
+
+  // least to most
+  int Whole(int least, int most) {
+    return least + static_cast<int>(engine_() % (static_cast<std::uint64_t>(most) - least + 1));
+  }
+  template <class List>
+  auto OneOf(const List& list) {
+    return std::data(list)[engine_() % std::size(list)];
+  }
+  template <class Value>
+  Value OneOf(std::initializer_list<Value> list) {
+    return list.begin()[engine_() % list.size()];
+  }
+  // In [0, 1), of 24 and 53 bits.
+  float Float() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }
+  double Double() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  float Between(float least, float most) { return least + Float() * (most - least); }
+
+  std::vector<float> Points(std::size_t values) {
+    std::vector<float> points(values);
+    for (float& point : points) point = Between(-2, 2);
+    return points;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// All four attributes of both dimensions, each with orders and a domain of its own.
+inline void DefineMaps(glev_context* gl, Chance& chance, int most_order) {
+  const auto end = [&](float near) { return near + chance.Between(-0.25f, 0.25f); };
+  for (const TargetRow& row : TargetRows()) {
+    if (row.offset == GLEV_MAP1_INDEX - GLEV_MAP1_COLOR_4) continue;
+    const int n = chance.Whole(1, most_order), m = chance.Whole(1, most_order);
+    const bool reversed = chance.Whole(0, 3) == 0;
+    const std::vector<float> points = chance.Points(static_cast<std::size_t>(n) * m * row.components);
+    const float u1 = end(reversed), u2 = end(!reversed), v1 = end(0), v2 = end(1);
+    glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, u1, u2, row.components, n, points.data());
+    glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, u1, u2, row.components * m, n, v1, v2, row.components, m,
+              points.data());
+  }
+}
+
+// The attributes' maps on, of the vertex and texture maps one by chance.
+inline void EnableMaps(glev_context* gl, Chance& chance) {
+  for (glev_enum offset = 0; offset < 9; ++offset) {
+    const bool is_on = offset == 0 || offset == 2 || chance.Whole(0, 1) == 1;
+    for (glev_enum first : {GLEV_MAP1_COLOR_4, GLEV_MAP2_COLOR_4}) {
+      (is_on ? glevEnable : glevDisable)(gl, first + offset);
+    }
+  }
+  for (glev_enum always :
+       {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_MAP1_TEXTURE_COORD_1, GLEV_MAP2_TEXTURE_COORD_1}) {
+    glevEnable(gl, always);
+  }
+}
+
+// Where each attribute goes, by chance: interleaved or one after the other, with gaps, unaligned, with more
+// components than the map has.
+struct Layout {
+  std::array<std::size_t, 4> offset{}, stride{}, row_stride{}, components{};
+  std::size_t bytes = 0;
+};
+
+inline Layout ChooseLayout(Chance& chance, const glev_plan* plan, std::size_t columns, std::size_t rows,
+                           bool has_rows) {
+  Layout layout;
+  std::vector<std::size_t> order = {0, 1, 2, 3};
+  for (std::size_t k = 3; k > 0; --k)
+    std::swap(order[k], order[static_cast<std::size_t>(chance.Whole(0, 3)) % (k + 1)]);
+  const auto gap = [&] { return static_cast<std::size_t>(chance.OneOf({0, 0, 0, 1, 2, 4, 7, 16})); };
+  const bool interleaved = chance.Whole(0, 1) == 1, has_pitch = has_rows && chance.Whole(0, 1) == 1;
+  for (std::size_t a : order) {
+    const int of_map = static_cast<int>(glevGetPlanComponents(plan, kEveryAttribute[a]));
+    layout.components[a] = static_cast<std::size_t>(
+        chance.Whole(0, 1) == 1 ? of_map : chance.Whole(of_map, a == GLEV_ATTRIBUTE_NORMAL ? 3 : 4));
+  }
+  std::size_t at = gap();
+  if (interleaved) {
+    std::size_t stride = 0;
+    for (std::size_t a : order) {
+      layout.offset[a] = at + stride;
+      stride += layout.components[a] * sizeof(float) + gap();
+    }
+    const std::size_t row_stride = columns * stride + (has_pitch ? gap() : 0);
+    layout.stride.fill(stride);
+    if (has_pitch) layout.row_stride.fill(row_stride);
+    layout.bytes = at + rows * row_stride + 64;
+    return layout;
+  }
+  for (std::size_t a : order) {
+    layout.offset[a] = at;
+    layout.stride[a] = layout.components[a] * sizeof(float) + gap();
+    const std::size_t row_stride = columns * layout.stride[a] + (has_pitch ? gap() : 0);
+    if (has_pitch) layout.row_stride[a] = row_stride;
+    at += rows * row_stride + gap();
+  }
+  layout.bytes = at + 64;
+  return layout;
+}
+
+// What memory of this layout has to be: poison, but for the attributes of the vertices.
+inline Memory Expected(const Layout& layout, const std::vector<glev_vertex>& vertices, std::size_t columns) {
+  Memory memory(layout.bytes);
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      const std::size_t row_stride =
+          layout.row_stride[a] != 0 ? layout.row_stride[a] : columns * layout.stride[a];
+      const Floats values = AttributeOf(vertices[k], kEveryAttribute[a]);
+      memory.Put(layout.offset[a] + k % columns * layout.stride[a] + k / columns * row_stride, values.data(),
+                 layout.components[a]);
+    }
+  }
+  return memory;
+}
+
+// Outputs for it. They point into themselves.
+class LaidOut {
+ public:
+  LaidOut(const Layout& layout, Memory& memory) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      outputs_[a] =
+          memory.Output(layout.offset[a], layout.stride[a], layout.components[a], 0, layout.row_stride[a]);
+      OutputOf(all_, kEveryAttribute[a]) = &outputs_[a];
+    }
+  }
+  LaidOut(const LaidOut&) = delete;
+  LaidOut& operator=(const LaidOut&) = delete;
+  operator const glev_outputs&() const { return all_; }
+
+ private:
+  std::array<glev_output, 4> outputs_;
+  glev_outputs all_{};
+};
+
+}  // namespace glev_tests
