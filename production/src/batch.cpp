@@ -37,20 +37,27 @@ struct Stream {
   }
 };
 
+// Rows of the strides and columns of `first`, `offset` bytes apart.
+bool RowsShareBytes(const Stream& first, const Stream& second, std::size_t offset) {
+  if (offset >= (first.columns - 1) * first.stride + first.element) return false;
+  if (first.columns == 1) return true;
+  const std::size_t column = offset / first.stride, rest = offset % first.stride;
+  return rest < first.element || (rest + second.element > first.stride && column + 1 < first.columns);
+}
+
 // b is an output, so its stride is positive. With different strides any overlap of the extents counts.
 bool ShareBytes(const Stream& a, const Stream& b) {
   if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
-  if (a.stride != b.stride || a.rows != b.rows || a.row_stride != b.row_stride) return true;
-  // Interleaved: compare offsets within one stride.
+  if (a.stride != b.stride || a.columns != b.columns || a.rows != b.rows || a.row_stride != b.row_stride)
+    return true;
   const Stream& low = a.first_byte() <= b.first_byte() ? a : b;
   const Stream& high = &low == &a ? b : a;
-  std::size_t offset = high.first_byte() - low.first_byte();
-  if (a.rows == 1 || a.row_stride % a.stride == 0) {
-    offset %= a.stride;
-  } else if ((a.columns - 1) * a.stride + offset + high.element > a.row_stride) {
-    return true;
-  }
-  return offset < low.element || offset + high.element > a.stride;
+  const std::size_t offset = high.first_byte() - low.first_byte();
+  if (a.rows == 1) return RowsShareBytes(low, high, offset);
+  // A row of `high` begins in a row of `low`, or in the padding after it, and may reach into the next one.
+  const std::size_t row = offset / a.row_stride, rest = offset % a.row_stride;
+  return RowsShareBytes(low, high, rest) ||
+         (row + 1 < a.rows && RowsShareBytes(high, low, a.row_stride - rest));
 }
 
 // ---- Outputs
@@ -306,7 +313,9 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
 
   if (mesh.scratch_size < ScratchOf(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   auto* const scratch = static_cast<std::byte*>(mesh.scratch);
-  const std::array<Stream, 1> others = {Stream{scratch, 1, 1, 1, 0, mesh.scratch_size}};
+  Stream claimed = {scratch, 1, 1, 1, 0, mesh.scratch_size};
+  if (!claimed.FitsInto(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
+  const std::array<Stream, 1> others = {claimed};
   const glev_result memory = CheckMemory(outputs, others);
   if (memory != GLEV_SUCCESS) return memory;
 
