@@ -1,0 +1,235 @@
+// glevGetIndices: the primitives of EvalMesh, as vertices of the numbering of glevEvaluateMesh.
+#include <climits>
+#include <set>
+
+#include "production/tests/batches.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr glev_enum kIndexTypes[] = {GLEV_UNSIGNED_BYTE, GLEV_UNSIGNED_SHORT, GLEV_UNSIGNED_INT};
+
+std::size_t BytesOfIndex(glev_enum type) {
+  return type == GLEV_UNSIGNED_BYTE ? 1 : type == GLEV_UNSIGNED_SHORT ? 2 : 4;
+}
+
+glev_indices Indices(glev_enum mode, std::size_t columns, std::size_t rows,
+                     glev_enum type = GLEV_UNSIGNED_INT, std::size_t first = 0) {
+  return {sizeof(glev_indices), mode, columns, rows, first, type, nullptr, 0};
+}
+
+// Into exactly as many bytes as they need.
+std::vector<std::uint32_t> Get(glev_indices indices) {
+  const std::size_t count = glevGetIndexCount(&indices), each = BytesOfIndex(indices.type);
+  Memory memory(count * each + 8);
+  indices.data = memory.data() + 1;
+  indices.data_size = count * each;
+  EXPECT_EQ(glevGetIndices(&indices), GLEV_SUCCESS);
+  std::vector<std::uint32_t> numbers(count);
+  for (std::size_t k = 0; k < count; ++k) std::memcpy(&numbers[k], memory.data() + 1 + k * each, each);
+  memory.Poison(1, count * each);
+  EXPECT_TRUE(memory.IsUntouched());
+  return numbers;
+}
+
+class IndicesOfMeshes : public ContextTest {
+ protected:
+  using Corner = std::vector<std::uint64_t>;  // a vertex by its bits
+
+  IndicesOfMeshes() {
+    Chance chance;
+    DefineMaps(gl, chance, 4);
+    glevEnable(gl, GLEV_MAP1_VERTEX_3);
+    glevEnable(gl, GLEV_MAP2_VERTEX_3);
+    glevMapGrid1f(gl, 7, 0.1F, 0.9F);
+    glevMapGrid2f(gl, 7, 0.1F, 0.9F, 5, 1, -0.5F);
+  }
+
+  // What indices of vertices of a mesh stand for.
+  std::vector<Corner> Corners(std::size_t dimension, const Range& range, std::size_t first,
+                              const std::vector<std::uint32_t>& numbers) {
+    const Plan plan(gl, dimension);
+    const Floats values = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range);
+    std::vector<Corner> corners;
+    for (std::uint32_t number : numbers) {
+      EXPECT_GE(number, first);
+      const float* vertex = values.data() + 3 * (number - first);
+      corners.push_back(BitsOf(Floats{vertex, vertex + 3}));
+    }
+    return corners;
+  }
+
+  // What the sink has seen as points, lines or triangles.
+  std::vector<Corner> Drawn() const {
+    std::vector<Corner> corners;
+    std::size_t at = 0;
+    for (std::size_t primitive = 0; primitive < recording.begun.size(); ++primitive) {
+      const std::size_t size = sizes_[primitive];
+      const auto corner = [&](std::size_t k) {
+        const float* position = recording.vertices[at + k].position;
+        return BitsOf(Floats{position, position + 3});
+      };
+      switch (recording.begun[primitive]) {
+        case GLEV_POINTS:
+          for (std::size_t k = 0; k < size; ++k) corners.push_back(corner(k));
+          break;
+        case GLEV_LINE_STRIP:
+          for (std::size_t k = 1; k < size; ++k) {
+            corners.push_back(corner(k - 1));
+            corners.push_back(corner(k));
+          }
+          break;
+        case GLEV_QUAD_STRIP:
+          // Quadrilateral k is 2k, 2k+1, 2k+3, 2k+2.
+          for (std::size_t k = 0; k + 3 < size; k += 2) {
+            for (std::size_t c : {k, k + 1, k + 2, k + 2, k + 1, k + 3}) corners.push_back(corner(c));
+          }
+          break;
+      }
+      at += size;
+    }
+    return corners;
+  }
+
+  void Draw2(glev_enum mode, const Range& range) {
+    recording = {};
+    sizes_.clear();
+    const auto strips = [&](std::size_t count, std::size_t size) {
+      sizes_.insert(sizes_.end(), count, size);
+    };
+    glevEvalMesh2(gl, mode, range.i1, range.i2, range.j1, range.j2);
+    const std::size_t columns = range.columns(), rows = range.rows();
+    if (mode == GLEV_POINT) strips(1, columns * rows);
+    if (mode == GLEV_LINE) strips(rows, columns), strips(columns, rows);
+    if (mode == GLEV_FILL) strips(rows - 1, 2 * columns);
+    ASSERT_EQ(recording.begun.size(), sizes_.size());
+  }
+
+  std::vector<std::size_t> sizes_;  // vertices of each primitive
+};
+
+TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh2) {
+  for (int columns = 1; columns <= 5; ++columns) {
+    for (int rows = 1; rows <= 5; ++rows) {
+      const Range range = {1, columns, -1, rows - 2};
+      for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
+        Draw2(mode, range);
+        const std::vector<Corner> drawn = Drawn();
+        for (glev_enum type : kIndexTypes) {
+          for (std::size_t first : {0, 200}) {
+            const auto numbers = Get(Indices(mode, range.columns(), range.rows(), type, first));
+            EXPECT_EQ(Corners(2, range, first, numbers), drawn)
+                << std::hex << mode << std::dec << ", " << columns << " x " << rows << ", from " << first;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh1) {
+  for (int columns = 1; columns <= 5; ++columns) {
+    const Range range = {-2, columns - 3};
+    for (glev_enum mode : {GLEV_POINT, GLEV_LINE}) {
+      recording = {};
+      glevEvalMesh1(gl, mode, range.i1, range.i2);
+      sizes_ = {range.columns()};
+      EXPECT_EQ(Corners(1, range, 7, Get(Indices(mode, range.columns(), 1, GLEV_UNSIGNED_BYTE, 7))), Drawn());
+    }
+    EXPECT_TRUE(Get(Indices(GLEV_FILL, range.columns(), 1)).empty());
+  }
+}
+
+// In the plane of the indices both triangles of a cell turn the same way, which is that of the strip, and
+// every cell is covered once.
+TEST(IndexBuffers, TrianglesTurnOneWayAndCoverEveryCell) {
+  constexpr int kColumns = 5, kRows = 4;
+  const std::vector<std::uint32_t> numbers = Get(Indices(GLEV_FILL, kColumns, kRows));
+  ASSERT_EQ(numbers.size(), 6u * (kColumns - 1) * (kRows - 1));
+  std::multiset<int> cells;
+  for (std::size_t k = 0; k < numbers.size(); k += 3) {
+    int x[3], y[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      x[c] = static_cast<int>(numbers[k + c]) % kColumns;
+      y[c] = static_cast<int>(numbers[k + c]) / kColumns;
+    }
+    // twice the area; a quadrilateral (0,0) (0,1) (1,1) (1,0) runs clockwise
+    EXPECT_EQ((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]), -1);
+    cells.insert(*std::min_element(x, x + 3) + kColumns * *std::min_element(y, y + 3));
+  }
+  for (int j = 0; j + 1 < kRows; ++j) {
+    for (int i = 0; i + 1 < kColumns; ++i) EXPECT_EQ(cells.count(i + kColumns * j), 2u);
+  }
+}
+
+TEST(IndexBuffers, HoldTheNumbersOfTheirType) {
+  for (glev_enum type : kIndexTypes) {
+    const std::size_t largest = (std::size_t{1} << (8 * BytesOfIndex(type))) - 1;
+    const auto count = [&](std::size_t columns, std::size_t rows, std::size_t first) {
+      const glev_indices indices = Indices(GLEV_POINT, columns, rows, type, first);
+      return glevGetIndexCount(&indices);
+    };
+    EXPECT_EQ(count(1, 1, largest), 1u);
+    EXPECT_EQ(count(1, 1, largest + 1), 0u);
+    EXPECT_EQ(count(2, 3, largest - 5), 6u);
+    EXPECT_EQ(count(2, 3, largest - 4), 0u);
+    EXPECT_EQ(count(largest + 1, 1, 0), largest + 1);
+    EXPECT_EQ(count(largest + 1, 1, 1), 0u);
+    EXPECT_EQ(count(1, largest + 2, 0), 0u);
+    EXPECT_EQ(count(2, 1, SIZE_MAX), 0u);
+    EXPECT_EQ(count(SIZE_MAX, 1, 0), 0u);
+    EXPECT_EQ(count(SIZE_MAX, SIZE_MAX, 0), 0u);
+    EXPECT_EQ(count(std::size_t{1} << 32, std::size_t{1} << 32, 0), 0u);
+    const std::vector<std::uint32_t> numbers = Get(Indices(GLEV_FILL, 2, 2, type, largest - 3));
+    EXPECT_EQ(numbers.back(), static_cast<std::uint32_t>(largest));
+    EXPECT_EQ(numbers.front(), static_cast<std::uint32_t>(largest - 3));
+  }
+  // too many to write, but not to count
+  const glev_indices most = Indices(GLEV_FILL, 1 << 16, 1 << 16);
+  EXPECT_EQ(glevGetIndexCount(&most), 6 * std::size_t{65535} * 65535);
+}
+
+TEST(IndexBuffers, OfNoVerticesAreEmpty) {
+  for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
+    for (auto [columns, rows] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 5}, {5, 0}, {SIZE_MAX, 0}}) {
+      const glev_indices indices = Indices(mode, columns, rows);
+      EXPECT_EQ(glevGetIndexCount(&indices), 0u);
+      EXPECT_EQ(glevGetIndices(&indices), GLEV_SUCCESS);
+    }
+  }
+}
+
+TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
+  Memory memory(1000);
+  const auto with = [&](glev_result expected, auto change) {
+    glev_indices indices = Indices(GLEV_LINE, 4, 3, GLEV_UNSIGNED_SHORT);
+    indices.data = memory.data();
+    indices.data_size = memory.size();
+    change(indices);
+    EXPECT_EQ(glevGetIndices(&indices), expected);
+    EXPECT_TRUE(memory.IsUntouched());
+    return glevGetIndexCount(&indices);
+  };
+  constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT;
+  EXPECT_EQ(glevGetIndices(nullptr), kWrong);
+  EXPECT_EQ(glevGetIndexCount(nullptr), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.size = 0; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { --indices.size; }), 0u);
+  for (glev_enum mode : {GLEV_POINTS, GLEV_LINES, 0x1AFF, 0x1B03})
+    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = mode; }), 0u);
+  EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.mode = 0, indices.rows = 0; }), 0u);
+  for (glev_enum type : {0, GLEV_BYTE, GLEV_SHORT, GLEV_INT, GLEV_FLOAT})
+    EXPECT_EQ(with(kWrong, [&](glev_indices& indices) { indices.type = type; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.columns = 30000; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.rows = SIZE_MAX; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.first = 65530; }), 0u);
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.first = SIZE_MAX; }), 0u);
+  // 9 lines along u, 8 along v
+  EXPECT_EQ(with(kWrong, [](glev_indices& indices) { indices.data = nullptr; }), 34u);
+  for (std::size_t size : {0, 1, 67})
+    EXPECT_EQ(with(GLEV_ERROR_BUFFER_TOO_SMALL, [&](glev_indices& indices) { indices.data_size = size; }),
+              34u);
+}
+
+}  // namespace
+}  // namespace glev_tests

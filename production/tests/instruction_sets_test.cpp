@@ -1,0 +1,115 @@
+// Every instruction set of this machine gives the same bits, one point or many.
+#include "production/tests/batches.h"
+
+namespace glev_tests {
+namespace {
+
+// All that maps of both dimensions give: one by one, in batches, in meshes, in float and double.
+std::vector<std::uint64_t> EverythingOf(const char* target, unsigned seed, int least_order, int most_order) {
+  Recording recording;
+  glev_context* gl = nullptr;
+  const glev_context_info info = {sizeof info, nullptr, target};
+  EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS) << target;
+  if (gl == nullptr) return {};
+  const glev_sink sink = recording.Sink();
+  glevSetSink(gl, &sink);
+
+  Chance chance(seed);
+  const auto points = [&](int n, int m, int components) {
+    // what rounds is as frequent as what is exact
+    const bool is_exact = chance.Whole(0, 1) == 1;
+    std::vector<float> values = chance.Points(static_cast<std::size_t>(n) * m * components);
+    for (float& value : values) value = is_exact ? std::round(8 * value) : value;
+    return values;
+  };
+  const auto order = [&] { return chance.Whole(least_order, most_order); };
+  for (glev_enum target_of : {GLEV_MAP1_COLOR_4, GLEV_MAP1_NORMAL, GLEV_MAP1_TEXTURE_COORD_1,
+                              GLEV_MAP1_TEXTURE_COORD_2, GLEV_MAP1_VERTEX_3}) {
+    const int components = TargetRows()[target_of - GLEV_MAP1_COLOR_4].components;
+    const glev_enum second = target_of - GLEV_MAP1_COLOR_4 + GLEV_MAP2_COLOR_4;
+    const float u1 = chance.OneOf({0.0F, 0.0F, -0.3F, 1.0F}), u2 = u1 + chance.OneOf({1.0F, 0.7F});
+    const int n = order(), m = order();
+    glevMap1f(gl, target_of, u1, u2, components, n, points(n, 1, components).data());
+    glevMap2f(gl, second, u1, u2, components * m, n, 0, 1, components, m, points(n, m, components).data());
+    glevEnable(gl, target_of);
+    glevEnable(gl, second);
+  }
+  glevMapGrid1f(gl, 16, 0, 1);
+  glevMapGrid2f(gl, 16, 0, 1, 3, -0.1F, 1.2F);
+
+  std::vector<float> u, v;
+  for (int i = 0; i < 37; ++i) {
+    u.push_back(i % 5 == 0   ? chance.Between(-1, 2)
+                : i % 7 == 0 ? static_cast<float>(i % 9) / 8
+                             : chance.Float());
+    v.push_back(chance.Float());
+  }
+  std::vector<std::uint64_t> bits;
+  const auto add = [&](const auto& values) {
+    const auto more = BitsOf(values);
+    bits.insert(bits.end(), more.begin(), more.end());
+  };
+  {
+    const Plan curve(gl, 1), surface(gl, 2);
+    for (glev_attribute attribute : kEveryAttribute) {
+      add(Scattered(curve, attribute, u));
+      add(Scattered(surface, attribute, u, v));
+      add(Scattered<double>(curve, attribute, u));
+      add(OfGrid(curve, attribute, {-1, 19}));
+      add(OfGrid(surface, attribute, {0, 16, -1, 3}));
+      add(OfGrid<double>(surface, attribute, {3, 5, -1, 3}));
+    }
+  }
+  glevBegin(gl, GLEV_POINTS);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    glevEvalCoord1f(gl, u[i]);
+    glevEvalCoord2f(gl, u[i], v[i]);
+  }
+  glevEnd(gl);
+  glevEvalMesh2(gl, GLEV_FILL, 0, 5, 0, 3);
+  for (const glev_vertex& vertex : recording.vertices) {
+    for (glev_attribute attribute : kEveryAttribute) add(AttributeOf(vertex, attribute));
+  }
+  glevDestroyContext(gl);
+  return bits;
+}
+
+void ExpectSameBitsEverywhere(unsigned seed, int least_order, int most_order) {
+  const std::vector<std::uint64_t> best = EverythingOf(nullptr, seed, least_order, most_order);
+  for (std::size_t i = 0; const char* target = glevGetTargetName(i); ++i)
+    ASSERT_TRUE(EverythingOf(target, seed, least_order, most_order) == best)
+        << target << ", orders " << least_order << " to " << most_order << ", seed " << seed;
+}
+
+TEST(InstructionSets, GiveTheSameBitsForEveryOrder) {
+  for (int order = 1; order <= 64; order += order < 12 ? 1 : 7) ExpectSameBitsEverywhere(kSeed, order, order);
+  ExpectSameBitsEverywhere(kSeed, 64, 64);
+}
+
+TEST(InstructionSets, GiveTheSameBitsForLowOrders) {
+  for (unsigned seed = 0; seed < 60; ++seed) ExpectSameBitsEverywhere(seed, 1, 5);
+}
+
+TEST(InstructionSets, HaveNames) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; const char* name = glevGetTargetName(i); ++i) names.emplace_back(name);
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.back(), "baseline");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_EQ(std::count(names.begin(), names.end(), names[i]), 1);
+  for (std::size_t index : {names.size(), names.size() + 1, SIZE_MAX})
+    EXPECT_EQ(glevGetTargetName(index), nullptr);
+}
+
+TEST(InstructionSets, OfOtherNamesAreRefused) {
+  for (const char* name : {"", " ", "AVX", "avx2", "AVX2 ", "AVX3x", "NEON?", "best"}) {
+    int marker = 0;
+    auto* gl = reinterpret_cast<glev_context*>(&marker);
+    const glev_context_info info = {sizeof info, nullptr, name};
+    EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_ERROR_INVALID_ARGUMENT) << name;
+    EXPECT_EQ(gl, nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests
