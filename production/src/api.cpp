@@ -9,6 +9,9 @@
 
 #include "production/src/command.h"
 #include "production/src/context.h"
+#include "production/src/environment.h"
+
+using glev::Widen;
 
 namespace {
 
@@ -104,7 +107,7 @@ glev_enum glevGetError(glev_context* context) { return context->GetError(); }
 
 void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int stride,
                glev_int order, const glev_float* points) {
-  context->IssueDefineMap(1, target, {{{u1, u2, stride, order}, {}}}, points);
+  context->IssueDefineMap(1, target, {{{Widen(u1), Widen(u2), stride, order}, {}}}, points);
 }
 void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int stride,
                glev_int order, const glev_double* points) {
@@ -114,7 +117,9 @@ void glevMap1d(glev_context* context, glev_enum target, glev_double u1, glev_dou
 void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2, glev_int ustride,
                glev_int uorder, glev_float v1, glev_float v2, glev_int vstride, glev_int vorder,
                const glev_float* points) {
-  context->IssueDefineMap(2, target, {{{u1, u2, ustride, uorder}, {v1, v2, vstride, vorder}}}, points);
+  context->IssueDefineMap(
+      2, target, {{{Widen(u1), Widen(u2), ustride, uorder}, {Widen(v1), Widen(v2), vstride, vorder}}},
+      points);
 }
 void glevMap2d(glev_context* context, glev_enum target, glev_double u1, glev_double u2, glev_int ustride,
                glev_int uorder, glev_double v1, glev_double v2, glev_int vstride, glev_int vorder,
@@ -152,25 +157,27 @@ glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
 
 // ---- Evaluation
 
-void glevEvalCoord1f(glev_context* context, glev_float u) { context->Issue(glev::EvalCoordCommand{1, u, 0}); }
+void glevEvalCoord1f(glev_context* context, glev_float u) {
+  context->Issue(glev::EvalCoordCommand{1, Widen(u), 0});
+}
 void glevEvalCoord1d(glev_context* context, glev_double u) {
   context->Issue(glev::EvalCoordCommand{1, u, 0});
 }
 void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, *u, 0});
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, Widen(*u), 0});
 }
 void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
   if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, *u, 0});
 }
 
 void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) {
-  context->Issue(glev::EvalCoordCommand{2, u, v});
+  context->Issue(glev::EvalCoordCommand{2, Widen(u), Widen(v)});
 }
 void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) {
   context->Issue(glev::EvalCoordCommand{2, u, v});
 }
 void glevEvalCoord2fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, u[0], u[1]});
+  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, Widen(u[0]), Widen(u[1])});
 }
 void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
   if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, u[0], u[1]});
@@ -179,14 +186,14 @@ void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
 // ---- Grids and meshes
 
 void glevMapGrid1f(glev_context* context, glev_int n, glev_float u1, glev_float u2) {
-  context->Issue(glev::SetGridCommand{1, {{{u1, u2, n}, {}}}});
+  context->Issue(glev::SetGridCommand{1, {{{Widen(u1), Widen(u2), n}, {}}}});
 }
 void glevMapGrid1d(glev_context* context, glev_int n, glev_double u1, glev_double u2) {
   context->Issue(glev::SetGridCommand{1, {{{u1, u2, n}, {}}}});
 }
 void glevMapGrid2f(glev_context* context, glev_int un, glev_float u1, glev_float u2, glev_int vn,
                    glev_float v1, glev_float v2) {
-  context->Issue(glev::SetGridCommand{2, {{{u1, u2, un}, {v1, v2, vn}}}});
+  context->Issue(glev::SetGridCommand{2, {{{Widen(u1), Widen(u2), un}, {Widen(v1), Widen(v2), vn}}}});
 }
 void glevMapGrid2d(glev_context* context, glev_int un, glev_double u1, glev_double u2, glev_int vn,
                    glev_double v1, glev_double v2) {

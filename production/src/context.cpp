@@ -91,6 +91,7 @@ glev_enum FindMapError(int dimension, glev_enum name, const std::array<glev::Map
 template <class Real>
 void glev_context::DefineMap(int dimension, glev_enum name,
                              const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+  const glev::DefaultEnvironment environment;
   const glev_enum error = FindMapError(dimension, name, directions, points);
   if (error != GLEV_NO_ERROR) return RecordError(error);
   if (!(GLEV_FAULTY(ListDefinesInPrimitive) && list_depth_ > 0) && RefusedInPrimitive()) return;
@@ -110,6 +111,7 @@ void glev_context::DefineMap(int dimension, glev_enum name,
 template <class Real>
 void glev_context::IssueDefineMap(int dimension, glev_enum name,
                                   const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+  const glev::DefaultEnvironment environment;
   if (IsCompiling()) {
     const glev_enum error = FindMapError(dimension, name, directions, points);
     if (error != GLEV_NO_ERROR) {
@@ -149,6 +151,7 @@ template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_int*);
 
 template <class Number>
 void glev_context::GetMap(glev_enum name, glev_enum query, std::uint64_t bytes, Number* v) {
+  const glev::DefaultEnvironment environment;
   const Target target = FindTarget(name);
   if (!target || (query != GLEV_COEFF && query != GLEV_ORDER && query != GLEV_DOMAIN)) {
     return RecordError(GLEV_INVALID_ENUM);
@@ -459,6 +462,7 @@ void glev_context::PushAttrib(glev_bitfield mask) {
 }
 
 void glev_context::PopAttrib() {
+  const glev::DefaultEnvironment environment;
   if (RefusedInPrimitive()) return;
   if (attrib_depth_ == 0) return RecordError(GLEV_STACK_UNDERFLOW);
   const glev::SavedAttributes& saved = attribs_[--attrib_depth_];
@@ -536,6 +540,7 @@ glev::StateValues glev_context::FindState(glev_enum pname) {
 
 template <class Number>
 void glev_context::Get(glev_enum pname, Number* v) {
+  const glev::DefaultEnvironment environment;
   const glev::StateValues state = FindState(pname);
   if (state.count == 0) return RecordError(GLEV_INVALID_ENUM);
   if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);

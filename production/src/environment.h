@@ -1,6 +1,11 @@
 // The floating-point environment that the arithmetic here relies on.
 #pragma once
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #if defined(__x86_64__) || defined(_M_X64)
 #include <xmmintrin.h>
 #else
@@ -38,5 +43,18 @@ class DefaultEnvironment {
   std::fenv_t callers_;
 #endif
 };
+
+// The same number, whatever the environment: a conversion would take a subnormal float for zero where the
+// caller has denormals-are-zero, and trap where it is a signalling NaN.
+inline double Widen(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t exponent = bits >> 23 & 0xFF, fraction = bits & 0x7FFFFF;
+  if (exponent != 0 && exponent != 0xFF) return x;
+  constexpr double kUnit = std::numeric_limits<float>::denorm_min();
+  const double magnitude = exponent == 0   ? static_cast<std::int32_t>(fraction) * kUnit
+                           : fraction == 0 ? HUGE_VAL
+                                           : std::numeric_limits<double>::quiet_NaN();
+  return std::copysign(magnitude, bits >> 31 != 0 ? -1.0 : 1.0);
+}
 
 }  // namespace glev
