@@ -98,7 +98,7 @@ TEST_F(GridPoints, HaveTheBitsOfEvalPoint) {
   for (int k = 0; k < 3; ++k) ExpectBitsOfEvalPointEverywhere(5);
 }
 
-TEST_F(GridPoints, OfHighOrdersToo) { ExpectBitsOfEvalPointEverywhere(14); }
+TEST_F(GridPoints, OfHighOrdersToo) { ExpectBitsOfEvalPointEverywhere(10); }
 
 TEST_F(GridPoints, WithAutomaticNormalsToo) {
   glevEnable(gl, GLEV_AUTO_NORMAL);

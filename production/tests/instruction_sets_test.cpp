@@ -82,8 +82,7 @@ void ExpectSameBitsEverywhere(unsigned seed, int least_order, int most_order) {
 }
 
 TEST(InstructionSets, GiveTheSameBitsForEveryOrder) {
-  for (int order = 1; order <= 64; order += order < 12 ? 1 : 7) ExpectSameBitsEverywhere(kSeed, order, order);
-  ExpectSameBitsEverywhere(kSeed, 64, 64);
+  for (int order : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 31, 64}) ExpectSameBitsEverywhere(kSeed, order, order);
 }
 
 TEST(InstructionSets, GiveTheSameBitsForLowOrders) {
