@@ -2,6 +2,7 @@
 // GenLists, IsList, DeleteLists.
 
 #include <reference/specification.h>
+#include <algorithm>
 
 #include <cmath>
 #include <cstdint>
@@ -88,17 +89,18 @@ void Specification::EndList() {
 void Specification::execute(const std::vector<GLuint>& names) {
   if (list_depth_ == kMaxListNesting) return;
   ++list_depth_;
-  std::vector<GLenum> first_errors;
+  std::vector<GLenum> errors;  // an implementation may keep several codes
   for (const GLuint name : names) {
     const auto list = lists_.find(name);
     if (list == lists_.end()) continue;
     for (const Command& command : list->second) {  // an error does not end the list (EV-DL-ERR-CONTINUE)
       command(*this);
-      if (first_errors.empty()) first_errors = permitted_errors_;
+      for (const GLenum error : permitted_errors_)
+        if (std::ranges::count(errors, error) == 0) errors.push_back(error);
     }
   }
   --list_depth_;
-  permitted_errors_ = std::move(first_errors);
+  permitted_errors_ = std::move(errors);
 }
 
 // No list has the name 0, which therefore does nothing either (P-glCallList).
