@@ -11,7 +11,9 @@
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
+#include "harness/fuzz/campaign.h"
 #include "harness/fuzz/hunt.h"
+#include "harness/gl/case_json.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts::cli {
@@ -24,7 +26,8 @@ namespace fs = std::filesystem;
 std::map<std::string, std::string> known_causes() {
   std::map<std::string, std::string> known;
   for (const json& finding : findings())
-    known[finding.at("cause").get<std::string>()] = finding.at("name").get<std::string>();
+    known[fuzz::cause_of(gl::case_from_json(finding.at("program")), finding.at("what"))] =
+        finding.at("name").get<std::string>();
   return known;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 
@@ -23,11 +24,13 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
-constexpr double kGrace = 10;  // seconds after the end for a program that is being made smaller
+constexpr double kGrace = 30;  // seconds after the end for a program that is being made smaller
 
-// "position.x of vertex 3" -> "position".
-std::string kind_of(const Failure& failure) {
-  return failure.what.substr(0, failure.what.find_first_of(". "));
+// "position.x of vertex 3" -> "position". Vertices too many or too few show in their number where all are
+// points, else in the primitives.
+std::string kind_of(const std::string& what) {
+  const std::string kind = what.substr(0, what.find_first_of(". "));
+  return kind == "number" ? "primitives" : kind;
 }
 
 // "glMap1fv" -> "Map1": the form of the arguments does not make a cause.
@@ -75,23 +78,14 @@ bool evaluates_without_vertices(const gl::Case& program) {
          (uses_stem(program, "EvalCoord2") && !enables(GL_MAP2_VERTEX_3) && !enables(GL_MAP2_VERTEX_4));
 }
 
-// The most special rule that the commands are about.
-std::string requirement_of(const gl::Case& program, const Failure& failure) {
-  const std::string kind = kind_of(failure);
-  const bool two = uses_stem(program, "Map2") && !uses_stem(program, "Map1");
-  if (kind.starts_with("glGetMap")) return two ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
-  if (kind == "glIsEnabled") return "EV-EN-GETS";
-  if (kind == "glGetError") return two ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
-  if (has_argument(program, EntryPoint::NewList, 1, GL_COMPILE_AND_EXECUTE)) return "EV-DL-COMPEXEC";
-  if (evaluates_without_vertices(program)) return "EV-COORD-NOVERTEX";
-  if (uses(program, EntryPoint::NewList)) return "EV-DL-EXECUTE";
-  if (uses(program, EntryPoint::PopAttrib)) return "EV-ATTRIB-EVALBIT";
-  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL)) return "EV-CUR-NORMAL";
-  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
-  if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
-  if (uses(program, EntryPoint::EvalMesh1)) return "EV-MESH1-COORDS";
-  if (uses(program, EntryPoint::EvalMesh2)) return "EV-MESH2-COORDS";
-  return kind == "position" ? "EV-COORD-ASIF" : "EV-COORD-CURRENT";
+bool calls_in_a_list(const gl::Case& program) {
+  bool open = false;
+  for (const gl::Command& command : program.commands()) {
+    if (command.entry == EntryPoint::NewList) open = true;
+    if (command.entry == EntryPoint::EndList) open = false;
+    if (open && command.entry == EntryPoint::CallList) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -106,7 +100,37 @@ gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
 std::string cause_of(const gl::Case& program, const std::string& what) {
   std::set<std::string> words;
   for (const gl::Command& command : program.commands()) words.insert(word_of(command));
-  return fmt::format("{}: {}", fmt::join(words, ", "), what);
+  return fmt::format("{}: {}", fmt::join(words, ", "), kind_of(what));
+}
+
+std::string requirement_of(const gl::Case& program, const std::string& what) {
+  const std::string kind = kind_of(what);
+  const bool two = uses_stem(program, "Map2") && !uses_stem(program, "Map1");
+  const bool list = uses(program, EntryPoint::NewList);
+  if (kind == "crash" || kind == "timeout") {
+    if (!list) return "EV-NUM-SPECIAL-SAFE";
+    return calls_in_a_list(program) ? "EV-DL-NESTED" : "EV-DL-EXECUTE";
+  }
+  if (kind.starts_with("glGetMap")) return two ? "EV-GETMAP-COEFF2" : "EV-GETMAP-COEFF1";
+  if (kind == "glIsEnabled") return "EV-EN-GETS";
+  if (kind == "glGetError" && list) return "EV-DL-ERR-ALL";
+  if (kind == "glGetError") return two ? "EV-MAP2-ERR-NOEFFECT" : "EV-MAP1-ERR-NOEFFECT";
+  if (has_argument(program, EntryPoint::NewList, 1, GL_COMPILE_AND_EXECUTE)) return "EV-DL-COMPEXEC";
+  if (evaluates_without_vertices(program))
+    return has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL) ? "EV-AUTON-NOVERTEX"
+                                                                        : "EV-COORD-NOVERTEX";
+  if (list) return "EV-DL-EXECUTE";
+  if (kind == "position" && has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL))
+    return "EV-AUTON-SAMEVERTEX";
+  if (uses(program, EntryPoint::PopAttrib)) return "EV-ATTRIB-EVALBIT";
+  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL)) return "EV-CUR-NORMAL";
+  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
+  if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
+  if (kind != "position" && kind != "primitives")
+    return uses_stem(program, "Vertex") ? "EV-CUR-NEXTVERTEX" : "EV-COORD-CURRENT";
+  if (uses(program, EntryPoint::EvalMesh1)) return "EV-MESH1-COORDS";
+  if (uses(program, EntryPoint::EvalMesh2)) return "EV-MESH2-COORDS";
+  return "EV-COORD-ASIF";
 }
 
 gl::Case reduced_to(const std::string& cause, const gl::Case& program, const Specified& specified) {
@@ -148,7 +172,7 @@ Judged judge_program(const Subject& subject, const gl::Case& program, const Spec
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
   if (record.verdict != Verdict::fail) return {{}, record.verdict == Verdict::pass};
   const Failure& failure = record.failures.front();
-  return {Finding{program, failure, cause_of(program, kind_of(failure)), requirement_of(program, failure)}};
+  return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
 }
 
 json to_json(const Finding& finding) {
@@ -175,7 +199,10 @@ class Player {
         report_(report),
         table_(subject.implementation->create_context()->table()),
         max_order_(std::clamp(subject.info.max_eval_order, 8, 64)),
-        causes_(campaign.known) {}
+        causes_(campaign.known) {
+    // A cause that needs fewer commands comes first: where both show, it is the one.
+    std::ranges::stable_sort(causes_, {}, &std::string::size);
+  }
 
   void play() {
     report_({{"event", "campaign"}, {"max_eval_order", max_order_}});
@@ -218,37 +245,55 @@ class Player {
     judged_ += outcome.judged;
     commands_ += program.commands().size();
     if (!outcome.finding) return;
-    const Finding finding = explain(program, specified, *std::move(outcome.finding));
+    const Finding finding = explain(program, *std::move(outcome.finding));
     report_({{"event", "finding"}, {"number", number}, {"finding", to_json(finding)}});
   }
 
   // What shows the cause of the difference, as small as can be where the cause is new.
-  Finding explain(const gl::Case& program, const Specified& specified, Finding finding) {
-    const std::string kind = kind_of(finding.failure);
+  Finding explain(const gl::Case& program, Finding finding) {
+    const std::string kind = kind_of(finding.failure.what);
     // What differs is an answer or a vertex: only that is looked at again.
     const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
     const auto still = [&](const gl::Case& candidate) {
       report_progress_now_and_then();  // and shows that it goes on
-      if (is_over(kGrace)) return false;
+      if (is_over(kGrace) ||
+          with_commands_of(table_, candidate).commands().size() < candidate.commands().size())
+        return false;
       const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
-      if (!of_candidate) return false;
+      if (!of_candidate || !takes_off(candidate)) return false;
       std::optional<Finding> found = judge_program(subject_, candidate, *of_candidate, look).finding;
-      if (!found || kind_of(found->failure) != kind) return false;
+      if (!found || kind_of(found->failure.what) != kind) return false;
       finding = *std::move(found);
       return true;
     };
     // Most differences are of a cause that has been seen: the commands of that alone show it then.
-    for (const std::string& cause : causes_)
-      if (cause.ends_with(": " + kind) && still(reduced_to(cause, program, specified))) {
-        finding.cause = cause;
-        return finding;
-      }
-    shrink(program, still, campaign_.most_attempts, [&](const gl::Case& smaller) {
-      report_({{"event", "smaller"}, {"program", gl::to_json(smaller)}});
+    for (const gl::Case& form : forms_of(program)) {
+      const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
+      for (const std::string& cause : causes_)
+        if (of_form && cause.ends_with(": " + kind) && still(reduced_to(cause, form, *of_form))) {
+          finding.cause = cause;
+          return landed(finding);
+        }
+    }
+    shrink(program, still, campaign_.most_attempts, [&](const gl::Case&) {
+      report_({{"event", "smaller"}, {"finding", to_json(finding)}});
     });
     // Then the control stands for it, whose cause names no evaluation: it cannot hide what only that shows.
     if (still(without_evaluators(gl::Case(finding.program)))) finding.outside_evaluators = true;
     causes_.push_back(finding.cause);
+    return landed(finding);
+  }
+
+  // Leaves word of the program that is played next. False where the library has died in it before.
+  bool takes_off(const gl::Case& candidate) const {
+    if (campaign_.in_flight.empty()) return true;
+    const json data = gl::to_json(candidate);
+    if (std::ranges::find(campaign_.deadly, data) != campaign_.deadly.end()) return false;
+    std::ofstream(campaign_.in_flight) << data;
+    return true;
+  }
+  Finding landed(Finding finding) const {
+    if (!campaign_.in_flight.empty()) std::ofstream(campaign_.in_flight).flush();
     return finding;
   }
 

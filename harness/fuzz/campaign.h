@@ -22,6 +22,10 @@ struct Campaign {
   int length = 120;                       // commands of a program, about
   int most_attempts = 400;                // to make a failing program smaller
   std::vector<std::string> known = {};    // causes: what they explain is not made smaller
+  // A program that is made smaller is written to this file before it is played, so that it is known where the
+  // library dies in it; the file is empty meanwhile. Empty: nowhere.
+  std::string in_flight = {};
+  std::vector<nlohmann::json> deadly = {};  // such programs that the library has died in: not played again
 };
 
 // One difference from the executable specification.
@@ -47,8 +51,11 @@ struct Judged {
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
                      Look look = Look::all);
 
-// See Finding::cause; `what` differs, "position" or "crash".
+// See Finding::cause; "position.x of vertex 3" differs, or "crash".
 std::string cause_of(const gl::Case& program, const std::string& what);
+
+// The most special rule that the commands are about; see Finding::requirement.
+std::string requirement_of(const gl::Case& program, const std::string& what);
 
 // The commands of the program that may show the cause: those that it names, without those that raise errors
 // where it has none.
@@ -66,7 +73,7 @@ nlohmann::json to_json(const Finding& finding);
 // runner (see suite_child.h):
 //   {"event": "campaign", "max_eval_order"}, first;
 //   {"event": "start", "name": "program 17"};
-//   {"event": "smaller", "program": ...} while a failing one shrinks;
+//   {"event": "smaller", "finding": ...} while a failing one shrinks;
 //   {"event": "finding", "number": 17, "finding": ...};
 //   {"event": "progress", "programs", "judged", "commands"}: "judged" are those of which all could be seen.
 void play(const Subject& subject, const Campaign& campaign,

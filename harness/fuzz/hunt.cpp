@@ -25,8 +25,10 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLook = 0.02;
-constexpr int kMostAttemptsAlone = 150;  // to make a crash smaller: each is a process
+constexpr int kMostAttemptsAlone = 400;  // to make a crash smaller: each is a process
 constexpr int kMostHangs = 60;           // to make a hang smaller: each costs kShortPatience
+constexpr double kSecondsAlone = 30;     // for both
+constexpr std::size_t kMostDeaths = 10;  // while one program is made smaller
 constexpr double kShortPatience = 2;     // with a program that has hung before
 constexpr double kPatience = 60;         // beyond the time limit, for a program that is being made smaller
 constexpr int kMostEmptyStarts = 3;
@@ -47,9 +49,6 @@ class Hunter {
   Hunt run() {
     remove_stale_files();
     fs::create_directory(scratch_);
-    json known = json::array();
-    for (const auto& [cause, as] : request_.known) known.push_back(cause);
-    write_atomically(scratch_ / "known.json", known.dump());
     for (int k = 0; k < request_.jobs; ++k) start(k, static_cast<std::uint32_t>(k), programs_of(k));
     while (std::ranges::any_of(lanes_, [](const Lane& lane) { return lane.child != nullptr; })) look();
     hunt_.seconds = seconds_since(begin_);
@@ -64,7 +63,8 @@ class Hunter {
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
     std::uint64_t played = 0, judged = 0, commands = 0;  // as the child last said
-    json smaller;                                        // the smallest version so far of what it works on
+    json smaller;                                        // finding: the smallest so far of what it works on
+    json deadly = json::array();                         // programs it died in on the way there
   };
 
   // The programs K, K + jobs, K + 2 jobs, ... of one lane.
@@ -103,22 +103,27 @@ class Hunter {
     return scratch_ / fmt::format("{}.{}", lane + 1, extension);
   }
 
-  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs) {
+  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs, json deadly = json::array()) {
     if (lanes_.size() <= static_cast<std::size_t>(k)) lanes_.resize(static_cast<std::size_t>(k) + 1);
     Lane& lane = lanes_[static_cast<std::size_t>(k)];
     lane = {};
     lane.first = first;
     lane.programs = programs;
+    lane.deadly = std::move(deadly);
     const double left = request_.seconds > 0 ? request_.seconds - seconds_since(begin_) : 0;
     if (interrupted || (programs && *programs == 0) || (request_.seconds > 0 && left <= 0)) return;
     std::vector<std::string> command = shared_options();
     command.insert(command.end(),
                    {"--fuzz", "--first", std::to_string(first), "--step", std::to_string(request_.jobs),
-                    "--length", std::to_string(request_.length), "--known",
-                    (scratch_ / "known.json").string(), "--records", scratch(k, "jsonl").string()});
+                    "--length", std::to_string(request_.length), "--known", scratch(k, "known").string(),
+                    "--records", scratch(k, "jsonl").string(), "--in-flight",
+                    scratch(k, "in-flight").string(), "--deadly", scratch(k, "deadly").string()});
     if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
     if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
     fs::remove(scratch(k, "jsonl"));
+    fs::remove(scratch(k, "in-flight"));
+    write_atomically(scratch(k, "deadly"), lane.deadly.dump());
+    write_atomically(scratch(k, "known"), json(causes_seen("")).dump());
     lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
                                               request_.seconds_per_program);
   }
@@ -145,7 +150,7 @@ class Hunter {
     } else if (kind == "start") {
       lane.smaller = nullptr;
     } else if (kind == "smaller") {
-      lane.smaller = event["program"];
+      lane.smaller = event["finding"];
     } else if (kind == "finding") {
       found(fmt::format("program {}", event["number"].get<std::uint32_t>()), event["finding"]);
     } else if (kind == "progress") {
@@ -173,11 +178,29 @@ class Hunter {
       return;
     }
     const std::uint32_t number = number_of(run.in_flight);
-    died(run, number, last.smaller);
     const std::uint32_t done = (number - last.first) / static_cast<std::uint32_t>(request_.jobs) + 1;
+    const auto left_behind = [&](std::uint32_t behind) {
+      return last.programs ? std::optional(*last.programs - behind) : std::nullopt;
+    };
+    const json in_flight = read(scratch(k, "in-flight"));
+    died(run, number, in_flight);
+    if (!in_flight.is_null() && last.deadly.size() < kMostDeaths) {
+      // It died on the way to the cause of another difference, which is looked for once more.
+      json deadly = number == last.first ? last.deadly : json::array();
+      deadly.push_back(in_flight);
+      hunt_.programs += done - 1 - last.played;
+      return start(k, number, left_behind(done - 1), std::move(deadly));
+    }
+    if (!last.smaller.is_null()) found(fmt::format("program {}", number), last.smaller);
     hunt_.programs += done - last.played;
-    start(k, number + static_cast<std::uint32_t>(request_.jobs),
-          last.programs ? std::optional(*last.programs - done) : std::nullopt);
+    start(k, number + static_cast<std::uint32_t>(request_.jobs), left_behind(done));
+  }
+
+  // Null where there is none.
+  static json read(const fs::path& path) {
+    std::ifstream file(path);
+    const json data = json::parse(file, nullptr, false);
+    return data.is_discarded() ? json() : data;
   }
 
   static std::string last_line(const fs::path& log) {
@@ -188,38 +211,44 @@ class Hunter {
     return last;
   }
 
-  // The death of the child in a program, made smaller by playing candidates in processes of their own.
-  void died(const ChildRun& run, std::uint32_t number, const json& smaller) {
+  // The death of the child in a program, or in a smaller one on the way to the cause of a difference, made
+  // small by playing candidates in processes of their own.
+  void died(const ChildRun& run, std::uint32_t number, const json& in_flight) {
     const std::string how = run.hung ? "timeout" : "crash";
-    gl::Case program = smaller.is_null()
+    gl::Case program = in_flight.is_null()
                            ? random_program(request_.seed, number, request_.length, max_eval_order_)
-                           : gl::case_from_json(smaller);
+                           : gl::case_from_json(in_flight);
     int at = 0;
     const double patience =
         run.hung ? std::min(kShortPatience, request_.seconds_per_program) : request_.seconds_per_program;
-    std::optional<Specified> specified;  // of the last candidate
+    const Clock::time_point begin = Clock::now();
     const auto dies = [&](const gl::Case& candidate) {
-      if (interrupted || !(specified = specify_if_defined(candidate, max_eval_order_))) return false;
-      return !ends_alone(candidate, ++at, patience);
+      return !interrupted && seconds_since(begin) < kSecondsAlone &&
+             specify_if_defined(candidate, max_eval_order_) && !ends_alone(candidate, ++at, patience);
     };
-    // What a smaller version was tried with is not known: where none dies alone, the whole program stands.
+    // Most deaths are of a cause that has been seen: the commands of that alone show it then.
     std::string cause;
-    if (dies(program)) {
-      const Specified whole = *specified;
+    for (const gl::Case& form : forms_of(program)) {
+      const std::optional<Specified> specified = specify_if_defined(form, max_eval_order_);
       for (const std::string& seen : causes_seen(how)) {
-        gl::Case reduced = reduced_to(seen, program, whole);
+        if (!cause.empty() || !specified) break;
+        gl::Case reduced = reduced_to(seen, form, *specified);
         if (!dies(reduced)) continue;
         program = std::move(reduced);
         cause = seen;
-        break;
       }
-      if (cause.empty()) program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
     }
-    const bool outside = cause.empty() && dies(without_evaluators(program));
-    if (outside) program = without_evaluators(program);  // its cause names no evaluation, then
-    if (cause.empty()) cause = cause_of(program, how);
+    bool outside = false;
+    if (cause.empty() && !dies(program)) {
+      cause = fmt::format("what was played before: {}", how);
+    } else if (cause.empty()) {
+      program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
+      outside = dies(without_evaluators(program));
+      if (outside) program = without_evaluators(program);  // its cause names no evaluation, then
+      cause = cause_of(program, how);
+    }
     json finding = {{"program", gl::to_json(program)},
-                    {"requirement", "EV-NUM-SPECIAL-SAFE"},
+                    {"requirement", requirement_of(program, how)},
                     {"what", how},
                     {"message", fmt::format("{}: {}", how, describe(run.ending))},
                     {"expected", "the program is played to its end"},
@@ -230,12 +259,13 @@ class Hunter {
     found(fmt::format("program {}", number), finding);
   }
 
-  // Of deaths of this kind.
+  // Of deaths of this kind; or all.
   std::vector<std::string> causes_seen(const std::string& how) const {
     std::vector<std::string> seen;
     for (const Cause& cause : hunt_.causes) seen.push_back(cause.cause);
     for (const auto& [cause, as] : request_.known) seen.push_back(cause);
-    std::erase_if(seen, [&](const std::string& cause) { return !cause.ends_with(": " + how); });
+    if (!how.empty())
+      std::erase_if(seen, [&](const std::string& cause) { return !cause.ends_with(": " + how); });
     return seen;
   }
 

@@ -1,5 +1,6 @@
 #include "harness/fuzz/legal.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
@@ -81,6 +82,13 @@ bool has_whole_primitives(const gl::Case& program) {
   return !primitives.is_open();
 }
 
+// CallList(0) does nothing, says glCallList; libraries call it an error.
+bool calls_names_only(const gl::Case& program) {
+  return std::ranges::none_of(program.commands(), [](const gl::Command& command) {
+    return command.entry == EntryPoint::CallList && integer(command, 0) == 0;
+  });
+}
+
 // Whether each error has one possible code and is asked for before the next.
 bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLenum>>& errors) {
   bool pending = false;
@@ -101,7 +109,7 @@ bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLe
 }  // namespace
 
 std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eval_order) {
-  if (!has_whole_primitives(program)) return std::nullopt;
+  if (!has_whole_primitives(program) || !calls_names_only(program)) return std::nullopt;
   Specified specified = specify(program, max_eval_order);
   if (!has_clear_errors(program, specified.errors)) return std::nullopt;
   return specified;

@@ -19,6 +19,22 @@ constexpr int kLists = 6, kMostDepth = 6;
 
 enum class Kind { points, lines, polygons };
 
+// What a program is made of. Most have not all of it: where everything comes together, the defect that shows
+// most easily hides the others.
+struct Parts {
+  bool curves = true, surfaces = true;
+  bool vertices_always = false;  // vertex maps stay enabled
+  bool grids_first = false;      // no mesh over an initial grid
+  bool given_vertices = true, current_values = true, automatic_normals = true, disabling = true;
+  bool meshes = true, lists = true, stack = true, errors = true, queries = true, other_unit = true;
+  bool errors_in_lists = false;  // GetError follows each CallList then
+};
+
+bool makes_vertices(GLenum map) {
+  return map == GL_MAP1_VERTEX_3 || map == GL_MAP1_VERTEX_4 || map == GL_MAP2_VERTEX_3 ||
+         map == GL_MAP2_VERTEX_4;
+}
+
 // Distributions are made by hand: those of the standard library differ from machine to machine.
 class Dice {
  public:
@@ -42,16 +58,38 @@ class Writer {
     const int kind = dice_.below(8);
     kind_ = kind == 0 ? Kind::lines : kind == 1 ? Kind::polygons : Kind::points;
     hostile_ = dice_.one_in(4);
+    choose_parts();
   }
 
   void write(int length) {
     for (int i = 2 + dice_.below(3); i > 0; --i) supply();
+    if (has_.vertices_always) {
+      if (has_.curves) supply(1);
+      if (has_.surfaces) supply(2);
+    }
     if (!dice_.one_in(4)) grid();
+    if (has_.grids_first) {
+      if (has_.curves) c_.MapGrid1d(4, 0, 1);
+      if (has_.surfaces) c_.MapGrid2d(4, 0, 1, 2, 0, 1);
+    }
     while (static_cast<int>(c_.commands().size()) < length) command();
     while (depth_ > 0) pop();
   }
 
  private:
+  void choose_parts() {
+    const int dimensions = dice_.below(4);
+    has_.curves = dimensions != 1 && kind_ != Kind::polygons;
+    has_.surfaces = dimensions != 0 || kind_ == Kind::polygons;
+    has_.vertices_always = dice_.one_in(2);
+    has_.grids_first = !dice_.one_in(3);
+    has_.automatic_normals = dice_.one_in(2);
+    has_.errors_in_lists = dice_.one_in(6);
+    for (bool* part : {&has_.given_vertices, &has_.current_values, &has_.disabling, &has_.meshes, &has_.lists,
+                       &has_.stack, &has_.errors, &has_.queries, &has_.other_unit})
+      *part = !dice_.one_in(3);
+  }
+
   // --- numbers: doubles that a float holds. One draw a statement: in which order the arguments of a function
   // are evaluated is up to the compiler.
 
@@ -106,6 +144,7 @@ class Writer {
     return dice_.one_in(2) ? dice_.pick(kEnds) : dice_.below(257) / 256.0;
   }
 
+  bool in_surfaces() { return has_.surfaces && (!has_.curves || dice_.one_in(2)); }
   GLenum map1_target() { return dice_.one_in(3) ? vertex_target(1) : dice_.pick(gl::kMap1Targets); }
   GLenum map2_target() { return dice_.one_in(3) ? vertex_target(2) : dice_.pick(gl::kMap2Targets); }
   GLenum vertex_target(int dimension) {
@@ -118,8 +157,8 @@ class Writer {
   // --- commands
 
   // What later commands need for anything to be seen.
-  void supply() {
-    const int dimension = 1 + dice_.below(2);
+  void supply() { supply(in_surfaces() ? 2 : 1); }
+  void supply(int dimension) {
     const GLenum target = vertex_target(dimension);
     if (dimension == 1)
       map1(target);
@@ -134,32 +173,45 @@ class Writer {
     while (at >= kWeights[what]) at -= kWeights[what++];
     switch (what) {
       case 0:
-        return map1(map1_target());
       case 1:
-        return map2(map2_target());
+        return map();
       case 2:
         return grid();
       case 3:
         return enable();
       case 4:
-        return current_value();
+        if (has_.current_values) current_value();
+        return;
       case 5:
         return primitive();
       case 6:
-        return mesh();
+        if (has_.meshes) mesh();
+        return;
       case 7:
-        return refused();
+        if (has_.errors) refused();
+        return;
       case 8:
-        return query();
+        if (has_.queries) query();
+        return;
       case 9:
-        return dice_.one_in(2) && depth_ < kMostDepth ? push() : pop();
+        if (has_.stack) dice_.one_in(2) && depth_ < kMostDepth ? push() : pop();
+        return;
       case 10:
-        return list();
+        if (has_.lists) list();
+        return;
       case 11:
-        return call();
+        if (has_.lists) call();
+        return;
       default:
-        return other_unit();
+        if (has_.other_unit) other_unit();
     }
+  }
+
+  void map() {
+    if (in_surfaces())
+      map2(map2_target());
+    else
+      map1(map1_target());
   }
 
   void map1(GLenum target) {
@@ -191,10 +243,11 @@ class Writer {
   }
 
   void grid() {
+    const int form = dice_.below(2) + (in_surfaces() ? 2 : 0);
     const GLint n = 1 + dice_.below(9), m = 1 + dice_.below(5);
     const auto [u1, u2] = domain();
     const auto [v1, v2] = domain();
-    switch (dice_.below(4)) {
+    switch (form) {
       case 0:
         c_.MapGrid1f(n, u1, u2);
         return;
@@ -210,10 +263,12 @@ class Writer {
   }
 
   void enable() {
-    const GLenum cap = dice_.one_in(14)  ? static_cast<GLenum>(GL_AUTO_NORMAL)
-                       : dice_.one_in(2) ? map1_target()
-                                         : map2_target();
-    if (dice_.one_in(3))
+    const bool normals = has_.automatic_normals && dice_.one_in(7);
+    const GLenum cap = normals         ? static_cast<GLenum>(GL_AUTO_NORMAL)
+                       : in_surfaces() ? map2_target()
+                                       : map1_target();
+    const bool keeps = has_.vertices_always && makes_vertices(cap);
+    if (has_.disabling && !keeps && dice_.one_in(3))
       c_.Disable(cap);
     else
       c_.Enable(cap);
@@ -274,7 +329,23 @@ class Writer {
   }
 
   void vertex() {
-    switch (dice_.below(15)) {
+    if (has_.given_vertices && dice_.one_in(15)) return given_vertex();
+    if (in_surfaces())
+      vertex2();
+    else
+      vertex1();
+  }
+
+  void given_vertex() {
+    const double x = simple(), y = simple(), z = simple();
+    if (dice_.one_in(2))
+      c_.Vertex3f(x, y, z);
+    else
+      c_.Vertex4dv(std::vector<GLdouble>{x, y, z, 1});
+  }
+
+  void vertex1() {
+    switch (dice_.below(7)) {
       case 0:
       case 1:
         c_.EvalCoord1f(argument());
@@ -288,31 +359,25 @@ class Writer {
       case 4:
         c_.EvalCoord1dv(std::vector<GLdouble>{argument()});
         return;
-      case 5:
-      case 6:
-        return with_arguments([&](double u, double v) { c_.EvalCoord2f(u, v); });
-      case 7:
-        return with_arguments([&](double u, double v) { c_.EvalCoord2d(u, v); });
-      case 8:
-        return with_arguments([&](double u, double v) { c_.EvalCoord2fv(as<GLfloat>({u, v})); });
-      case 9:
-        return with_arguments([&](double u, double v) { c_.EvalCoord2dv(std::vector<GLdouble>{u, v}); });
-      case 10:
-      case 11:
+      default:
         c_.EvalPoint1(dice_.below(12) - 1);
-        return;
-      case 12:
-      case 13: {
+    }
+  }
+
+  void vertex2() {
+    switch (dice_.below(7)) {
+      case 0:
+      case 1:
+        return with_arguments([&](double u, double v) { c_.EvalCoord2f(u, v); });
+      case 2:
+        return with_arguments([&](double u, double v) { c_.EvalCoord2d(u, v); });
+      case 3:
+        return with_arguments([&](double u, double v) { c_.EvalCoord2fv(as<GLfloat>({u, v})); });
+      case 4:
+        return with_arguments([&](double u, double v) { c_.EvalCoord2dv(std::vector<GLdouble>{u, v}); });
+      default: {
         const int i = dice_.below(12) - 1;
         c_.EvalPoint2(i, dice_.below(7) - 1);
-        return;
-      }
-      default: {
-        const double x = simple(), y = simple(), z = simple();
-        if (dice_.one_in(2))
-          c_.Vertex3f(x, y, z);
-        else
-          c_.Vertex4dv(std::vector<GLdouble>{x, y, z, 1});
       }
     }
   }
@@ -323,7 +388,7 @@ class Writer {
     // Complete lines and triangles only.
     if (kind_ != Kind::points) count = 6;
     for (int i = 0; i < count; ++i) {
-      if (dice_.one_in(4)) current_value();
+      if (has_.current_values && dice_.one_in(4)) current_value();
       vertex();
     }
     c_.End();
@@ -335,10 +400,10 @@ class Writer {
     const GLenum how = kind_ == Kind::points ? GL_POINT : GL_LINE;
     if (kind_ == Kind::polygons)
       c_.EvalMesh2(GL_FILL, i1, i2, j1, j2);
-    else if (dice_.one_in(2))
-      c_.EvalMesh1(how, i1, i2);
-    else
+    else if (in_surfaces())
       c_.EvalMesh2(how, i1, i2, j1, j2);
+    else
+      c_.EvalMesh1(how, i1, i2);
   }
 
   // A command with one mistake, and the question for its error.
@@ -483,17 +548,19 @@ class Writer {
   }
 
   GLuint list_name() { return kFirstList + static_cast<GLuint>(dice_.below(kLists)); }
-  void call() { c_.CallList(list_name()); }
+  void call() { call(list_name()); }
+  void call(GLuint name) {
+    c_.CallList(name);
+    if (has_.errors_in_lists) c_.GetError();
+  }
   void list() {
     const GLuint name = list_name();
     c_.NewList(name, dice_.one_in(2) ? GL_COMPILE : GL_COMPILE_AND_EXECUTE);
     for (int i = 1 + dice_.below(5); i > 0; --i) {
-      switch (dice_.below(8)) {
+      switch (dice_.below(9)) {
         case 0:
-          map1(map1_target());
-          break;
         case 1:
-          map2(map2_target());
+          map();
           break;
         case 2:
           grid();
@@ -502,23 +569,24 @@ class Writer {
           enable();
           break;
         case 4:
-          current_value();
+          if (has_.current_values) current_value();
           break;
         case 5:
-          mesh();
+          if (has_.meshes) mesh();
           break;
-        case 6:
-          if (name > kFirstList) {  // never itself
-            c_.CallList(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
-            break;
-          }
-          [[fallthrough]];
+        case 6:  // never itself
+          if (name > kFirstList)
+            call(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
+          break;
+        case 7:
+          if (has_.errors_in_lists) refused();
+          break;
         default:
           primitive(2);
       }
     }
     c_.EndList();
-    if (dice_.one_in(2)) c_.CallList(name);
+    if (dice_.one_in(2)) call(name);
   }
 
   // Map commands are refused while another unit is active.
@@ -526,14 +594,14 @@ class Writer {
     c_.ActiveTexture(GL_TEXTURE1);
     switch (dice_.below(3)) {
       case 0:
-        map1(map1_target());
+        map();
         c_.GetError();
         break;
       case 1:
         primitive();
         break;
       default:
-        current_value();
+        if (has_.current_values) current_value();
     }
     c_.ActiveTexture(GL_TEXTURE0);
   }
@@ -542,6 +610,7 @@ class Writer {
   Dice& dice_;
   int max_order_;
   Kind kind_;
+  Parts has_;
   bool hostile_ = false;
   int depth_ = 0;
 };

@@ -109,7 +109,14 @@ Command as_points(Command command) {
   if (command.entry == EntryPoint::Begin) command.arguments[0] = std::int64_t{GL_POINTS};
   if (command.entry == EntryPoint::EvalMesh1 || command.entry == EntryPoint::EvalMesh2)
     command.arguments[0] = std::int64_t{GL_POINT};
+  if (gl::name_of(command.entry).starts_with("glVertex")) return {EntryPoint::Vertex3f, {0.0f, 0.0f, 0.0f}};
   return command;
+}
+
+gl::Case with_all(const gl::Case& program, Command (*plainer)(Command)) {
+  gl::Case plain(program.identity());
+  for (const Command& command : program.commands()) plain.add(plainer(command));
+  return plain;
 }
 
 class Shrinker {
@@ -123,6 +130,7 @@ class Shrinker {
       again = remove_commands();
       for (const auto plainer : {in_one_dimension, as_coordinate, as_points})
         again = replace_all(plainer) || again;
+      again = flush_instead() || again;
       again = simplify_arguments() || again;
     }
     return best_;
@@ -207,7 +215,22 @@ class Shrinker {
     return attempt(std::move(commands));
   }
 
-  // All commands that the function changes, or else one after the other.
+  // Many commands do nothing to a cause but make an implementation draw what it has: Flush does that, too.
+  bool flush_instead() {
+    bool any = false;
+    for (const std::size_t count : {2u, 1u})
+      for (std::size_t i = 0; i + count <= size() && left_ > 0; ++i) {
+        std::vector<Command> commands = best_.commands();
+        if (commands[i].entry == EntryPoint::Flush) continue;
+        commands[i] = {EntryPoint::Flush, {}};
+        const auto behind = commands.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        commands.erase(behind, behind + static_cast<std::ptrdiff_t>(count) - 1);
+        any = attempt(std::move(commands)) || any;
+      }
+    return any;
+  }
+
+  // All commands that the function changes, or else all from one on, or else one after the other.
   bool replace_all(Command (*plainer)(Command)) {
     const std::vector<Command> before = best_.commands();
     std::vector<Command> after;
@@ -218,9 +241,15 @@ class Shrinker {
       if (differs(i)) changed.push_back(i);
     if (changed.empty()) return false;
     if (attempt(after)) return true;
+    if (changed.size() == 1) return false;
+    for (std::size_t k = 1; k < changed.size(); ++k) {
+      const auto from = static_cast<std::ptrdiff_t>(changed[k]);
+      std::vector<Command> mixed(before.begin(), before.begin() + from);
+      mixed.insert(mixed.end(), after.begin() + from, after.end());
+      if (attempt(std::move(mixed))) return true;
+    }
     bool any = false;
-    if (changed.size() > 1)
-      for (const std::size_t i : changed) any = replace(i, after[i]) || any;
+    for (const std::size_t i : changed) any = replace(i, after[i]) || any;
     return any;
   }
 
@@ -328,6 +357,12 @@ class Shrinker {
 gl::Case shrink(const gl::Case& program, const std::function<bool(const gl::Case&)>& still, int most,
                 const std::function<void(const gl::Case&)>& smaller) {
   return Shrinker(program, still, most, smaller).shrink();
+}
+
+std::vector<gl::Case> forms_of(const gl::Case& program) {
+  const auto as_coordinates = [](Command command) { return as_points(as_coordinate(std::move(command))); };
+  return {program, with_all(program, as_coordinates),
+          with_all(with_all(program, in_one_dimension), as_coordinates)};
 }
 
 }  // namespace evalcts::fuzz

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "harness/gl/case.h"
 
@@ -12,5 +13,9 @@ namespace evalcts::fuzz {
 // `still` has been asked `most` times. `smaller` is called with each success.
 gl::Case shrink(const gl::Case& program, const std::function<bool(const gl::Case&)>& still, int most,
                 const std::function<void(const gl::Case&)>& smaller = {});
+
+// The program itself, and with all commands in plainer forms, in which the same cause is likely to show: only
+// EvalCoordf and points; all that in one dimension.
+std::vector<gl::Case> forms_of(const gl::Case& program);
 
 }  // namespace evalcts::fuzz

@@ -43,7 +43,7 @@ struct Options {
   std::uint32_t seed = 1;
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
-  std::string known, replay;
+  std::string known, deadly, replay;
   bool fuzz = false, describe = false, list = false, trace_cases = false, die_with_parent = false,
        reuse_context = false;
 };
@@ -253,6 +253,11 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
   app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
   app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
+  app.add_option("--in-flight", options.campaign.in_flight,
+                 "file for each smaller version of a program, before it is played")
+      ->needs("--fuzz");
+  app.add_option("--deadly", options.deadly, "file of smaller versions that are not to be played (JSON)")
+      ->needs("--fuzz");
   app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
   app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
@@ -277,6 +282,7 @@ int play_programs(const Program& program) {
   if (program.options.fuzz) {
     fuzz::Campaign campaign = program.options.campaign;
     if (std::ifstream known(program.options.known); known) campaign.known = json::parse(known);
+    if (std::ifstream deadly(program.options.deadly); deadly) campaign.deadly = json::parse(deadly);
     fuzz::play(program.subject, campaign, report);
     return 0;
   }

@@ -8,9 +8,10 @@
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
 //   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
 //   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
-//   "lenient": strides below k are taken for k; "control": every explicit vertex crashes, "control-error": it
-//   leaves an error behind, and every evaluated one loses the current colour; "history": in a context where
-//   that happened, GetMapiv says that maps of VERTEX_3 have one point more.
+//   "lenient": strides below k are taken for k; "fragile": the same, and a crash where nothing was enabled
+//   before; "control": every explicit vertex crashes, "control-error": it leaves an error behind, and every
+//   evaluated one loses the current colour; "history": in a context where that happened, GetMapiv says that
+//   maps of VERTEX_3 have one point more.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -31,7 +32,7 @@ namespace {
 
 glev_context* current = nullptr;
 [[maybe_unused]] bool seven_was_seen = false;
-[[maybe_unused]] bool odd_context = false;
+[[maybe_unused]] bool odd_context = false, enabled_something = false;
 
 bool drill(const char* name) {
   const char* wanted = std::getenv("EVALCTS_DRILL");
@@ -68,7 +69,7 @@ void crash() {
 #else
 EXPORT void* OSMesaCreateContextExt(GLenum, GLint, GLint, GLint, void*) {
   if (drill("start")) crash();
-  odd_context = false;
+  odd_context = enabled_something = false;
   glev_context* context = nullptr;
   glevCreateContext(nullptr, &context);
   return context;
@@ -87,7 +88,10 @@ EXPORT void glGetFloatv(GLenum name, GLfloat* values) { glevGetFloatv(current, n
 EXPORT void glGetBooleanv(GLenum name, GLboolean* values) { glevGetBooleanv(current, name, values); }
 
 #ifndef DRILL_WITHOUT_EVALUATORS
-EXPORT void glEnable(GLenum cap) { glevEnable(current, cap); }
+EXPORT void glEnable(GLenum cap) {
+  enabled_something = true;
+  glevEnable(current, cap);
+}
 EXPORT void glDisable(GLenum cap) { glevDisable(current, cap); }
 EXPORT GLboolean glIsEnabled(GLenum cap) { return glevIsEnabled(current, cap); }
 EXPORT void glBegin(GLenum mode) { glevBegin(current, mode); }
@@ -99,7 +103,10 @@ EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint o
     misbehave();
     odd_context = true;
   }
-  if (drill("lenient") && target == GL_MAP1_VERTEX_3 && stride < 3) stride = 3;
+  if ((drill("lenient") || drill("fragile")) && target == GL_MAP1_VERTEX_3 && stride < 3) {
+    if (drill("fragile") && !enabled_something) crash();
+    stride = 3;
+  }
   glevMap1f(current, target, u1, u2, stride, order, points);
 }
 EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
