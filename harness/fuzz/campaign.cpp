@@ -123,7 +123,9 @@ std::string requirement_of(const gl::Case& program, const std::string& what) {
   if (kind == "position" && has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL))
     return "EV-AUTON-SAMEVERTEX";
   if (uses(program, EntryPoint::PopAttrib)) return "EV-ATTRIB-EVALBIT";
-  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL)) return "EV-CUR-NORMAL";
+  if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_NORMAL))
+    return has_argument(program, EntryPoint::Enable, 0, GL_AUTO_NORMAL) ? "EV-AUTON-CURRENT"
+                                                                        : "EV-CUR-NORMAL";
   if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
   if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
   if (kind != "position" && kind != "primitives")

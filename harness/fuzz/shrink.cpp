@@ -130,6 +130,7 @@ class Shrinker {
       again = remove_commands();
       for (const auto plainer : {in_one_dimension, as_coordinate, as_points})
         again = replace_all(plainer) || again;
+      again = primitives_instead() || again;
       again = flush_instead() || again;
       again = simplify_arguments() || again;
     }
@@ -213,6 +214,23 @@ class Shrinker {
     std::vector<Command> commands = best_.commands();
     commands[i] = std::move(command);
     return attempt(std::move(commands));
+  }
+
+  // A vertex between Begin and End in the place of each mesh.
+  bool primitives_instead() {
+    bool any = false;
+    for (std::size_t i = 0; i < size() && left_ > 0; ++i) {
+      std::vector<Command> commands = best_.commands();
+      const EntryPoint mesh = commands[i].entry;
+      if (mesh != EntryPoint::EvalMesh1 && mesh != EntryPoint::EvalMesh2) continue;
+      commands[i] = mesh == EntryPoint::EvalMesh1 ? Command{EntryPoint::EvalCoord1f, {0.0f}}
+                                                  : Command{EntryPoint::EvalCoord2f, {0.0f, 0.0f}};
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      commands.insert(commands.begin() + at + 1, {EntryPoint::End, {}});
+      commands.insert(commands.begin() + at, {EntryPoint::Begin, {std::int64_t{GL_POINTS}}});
+      any = attempt(std::move(commands)) || any;
+    }
+    return any;
   }
 
   // Many commands do nothing to a cause but make an implementation draw what it has: Flush does that, too.

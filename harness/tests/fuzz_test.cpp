@@ -207,6 +207,15 @@ TEST(Shrink, FlushStandsForWhatElseFlushes) {
             "glEvalMesh1(GL_POINT, 0, 0);\nglFlush();\nglIsEnabled(GL_AUTO_NORMAL);\n");
 }
 
+TEST(Shrink, TakesAPrimitiveForAMesh) {
+  gl::Case c;
+  c.EvalMesh2(GL_LINE, 0, 3, 0, 2);
+  const auto still = [](const gl::Case& candidate) {
+    return text_of(candidate).find("glEval") != std::string::npos && specify_if_defined(candidate, kMaxOrder);
+  };
+  EXPECT_EQ(text_of(shrink(c, still, 100)), "glBegin(GL_POINTS);\nglEvalCoord1f(0.0f);\nglEnd();\n");
+}
+
 // --- causes -----------------------------------------------------------------------------------------------
 
 TEST(Cause, IsToldByCommandsAndWhatDiffers) {
@@ -216,6 +225,8 @@ TEST(Cause, IsToldByCommandsAndWhatDiffers) {
   normals.Enable(GL_AUTO_NORMAL);
   EXPECT_EQ(requirement_of(small_curve(), "position.x of vertex 0"), "EV-COORD-ASIF");
   EXPECT_EQ(requirement_of(normals, "position.x of vertex 0"), "EV-AUTON-SAMEVERTEX");
+  normals.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+  EXPECT_EQ(requirement_of(normals, "glGetFloatv"), "EV-AUTON-CURRENT");
   gl::Case given = small_curve();
   given.Vertex3f(0, 0, 0);
   EXPECT_EQ(requirement_of(small_curve(), "color.R of vertex 0"), "EV-COORD-CURRENT");
