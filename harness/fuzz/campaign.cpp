@@ -53,6 +53,12 @@ std::string word_of(const gl::Command& command) {
                                        : without_form(std::string(gl::name_of(command.entry)));
 }
 
+std::set<std::string> words_of(const gl::Case& program) {
+  std::set<std::string> words;
+  for (const gl::Command& command : program.commands()) words.insert(word_of(command));
+  return words;
+}
+
 bool uses(const gl::Case& program, EntryPoint entry) {
   return std::ranges::any_of(program.commands(),
                              [&](const gl::Command& command) { return command.entry == entry; });
@@ -98,9 +104,7 @@ gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
 }
 
 std::string cause_of(const gl::Case& program, const std::string& what) {
-  std::set<std::string> words;
-  for (const gl::Command& command : program.commands()) words.insert(word_of(command));
-  return fmt::format("{}: {}", fmt::join(words, ", "), kind_of(what));
+  return fmt::format("{}: {}", fmt::join(words_of(program), ", "), kind_of(what));
 }
 
 std::string requirement_of(const gl::Case& program, const std::string& what) {
@@ -135,18 +139,28 @@ std::string requirement_of(const gl::Case& program, const std::string& what) {
   return "EV-COORD-ASIF";
 }
 
-gl::Case reduced_to(const std::string& cause, const gl::Case& program, const Specified& specified) {
+std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& program,
+                                   const Specified& specified,
+                                   const std::function<bool(const gl::Case&)>& still) {
   const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
   const auto has_word = [&](const std::string& word) {
     return words.find(", " + word + ", ") != std::string::npos;
   };
   const bool errors = has_word("GetError");
-  gl::Case left(program.identity());
+  gl::Case reduced(program.identity());
   for (std::size_t i = 0; i < program.commands().size(); ++i) {
     const gl::Command& command = program.commands()[i];
-    if (has_word(word_of(command)) && (errors || specified.errors[i].empty())) left.add(command);
+    if (has_word(word_of(command)) && (errors || specified.errors[i].empty())) reduced.add(command);
   }
-  return left;
+  const std::set<std::string> needed = words_of(reduced);
+  if (fmt::format(", {}, ", fmt::join(needed, ", ")) != words || !still(reduced)) return std::nullopt;
+  for (const std::string& word : needed) {
+    gl::Case without(program.identity());
+    for (const gl::Command& command : reduced.commands())
+      if (word_of(command) != word) without.add(command);
+    if (still(without)) return std::nullopt;
+  }
+  return reduced;
 }
 
 gl::Case without_evaluators(const gl::Case& program) {
@@ -272,7 +286,7 @@ class Player {
     for (const gl::Case& form : forms_of(program)) {
       const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
       for (const std::string& cause : causes_)
-        if (of_form && cause.ends_with(": " + kind) && still(reduced_to(cause, form, *of_form))) {
+        if (of_form && cause.ends_with(": " + kind) && reduced_to(cause, form, *of_form, still)) {
           finding.cause = cause;
           return landed(finding);
         }

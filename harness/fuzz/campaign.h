@@ -57,9 +57,11 @@ std::string cause_of(const gl::Case& program, const std::string& what);
 // The most special rule that the commands are about; see Finding::requirement.
 std::string requirement_of(const gl::Case& program, const std::string& what);
 
-// The commands of the program that may show the cause: those that it names, without those that raise errors
-// where it has none.
-gl::Case reduced_to(const std::string& cause, const gl::Case& program, const Specified& specified);
+// The commands of the program that the cause names, without those that raise errors where it has none: if
+// `still` holds for them, and for no part of them that lacks one of its words, which would be another cause.
+std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& program,
+                                   const Specified& specified,
+                                   const std::function<bool(const gl::Case&)>& still);
 
 // The control: vertices in the place of evaluation (see gl/explicit_vertices.h), and no command left that
 // defines, enables or asks for maps and grids.

@@ -232,9 +232,9 @@ class Hunter {
       const std::optional<Specified> specified = specify_if_defined(form, max_eval_order_);
       for (const std::string& seen : causes_seen(how)) {
         if (!cause.empty() || !specified) break;
-        gl::Case reduced = reduced_to(seen, form, *specified);
-        if (!dies(reduced)) continue;
-        program = std::move(reduced);
+        std::optional<gl::Case> reduced = reduced_to(seen, form, *specified, dies);
+        if (!reduced) continue;
+        program = *std::move(reduced);
         cause = seen;
       }
     }

@@ -248,6 +248,26 @@ TEST(Cause, IsToldByCommandsAndWhatDiffers) {
   EXPECT_EQ(requirement_of(nested, "crash"), "EV-DL-NESTED");
 }
 
+// A known cause does not stand for one that shows in part of its commands, or in others.
+TEST(Cause, NeedsAllItsWords) {
+  gl::Case program = small_curve();
+  program.NewList(1, GL_COMPILE);
+  program.EndList();
+  program.EvalMesh1(GL_POINT, 0, 0);
+  const Specified specified = specify(program, kMaxOrder);
+  const auto by_evaluation = [](const gl::Case& candidate) {
+    return has(candidate, gl::EntryPoint::EvalCoord1f);
+  };
+  const auto by_both = [&](const gl::Case& candidate) {
+    return by_evaluation(candidate) && has(candidate, gl::EntryPoint::NewList);
+  };
+  EXPECT_TRUE(reduced_to("EvalCoord1: color", program, specified, by_evaluation));
+  EXPECT_FALSE(reduced_to("EvalCoord1, NewList: color", program, specified, by_evaluation));
+  EXPECT_TRUE(reduced_to("EvalCoord1, NewList: color", program, specified, by_both));
+  EXPECT_FALSE(reduced_to("EvalCoord1: color", program, specified, by_both));
+  EXPECT_FALSE(reduced_to("EvalCoord1, EvalCoord2: color", program, specified, by_evaluation));
+}
+
 // --- judging ----------------------------------------------------------------------------------------------
 
 // Production, with a table of the test's.
