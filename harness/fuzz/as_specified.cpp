@@ -46,7 +46,7 @@ void expect_as_specified(Test& t, const gl::Case& program, const Specified& spec
   constexpr Attributes kJudged = kPosition | kColor | kNormal | kTextureCoordinate0;
   const bool emits = specified.prediction.vertex_count() > 0;
   if (look != Look::vertices || !emits) expect_answers(t, program, specified.answers);
-  if (look != Look::answers && emits) t.expect_emission(program, specified.prediction, kJudged);
+  if (look != Look::answers && emits) t.expect_emission(program, specified.prediction, kJudged, false);
 }
 
 }  // namespace evalcts::fuzz

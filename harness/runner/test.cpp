@@ -392,16 +392,18 @@ void Test::require_lists_of_vertices(const Listed& listed) const {
 
 void Test::expect_emission(const gl::Case& written, Attributes required) {
   const gl::Case script = begin_case(written).script;
-  judge_emission(script, predict(script, max_order()), required);
+  judge_emission(script, predict(script, max_order()), required, true);
 }
 
-void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
+void Test::expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
+                           bool measured) {
   if (delivery_) throw std::logic_error("a prediction is of the case as it is delivered");
   begin_case(script);
-  judge_emission(script, prediction, required);
+  judge_emission(script, prediction, required, measured);
 }
 
-void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required) {
+void Test::judge_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
+                          bool measured) {
   const PrimitiveKinds kinds = kinds_of(prediction);
   // Some room beyond what is right, so that the message can say how many came.
   const std::size_t room = most_vertices_of(prediction) + 8;
@@ -440,7 +442,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
 
   const auto& [capture, topology, observation] = looks.front();  // the others agree with it
   const JudgeOptions options{.level = record_.level,
-                             .measured = required,
+                             .measured = measured ? required : 0,
                              .lengths_of_shader_normals = (required & kShaderNormal) != 0,
                              .version = 10 * gl().major + gl().minor,
                              .where = script.identity()};

@@ -133,8 +133,10 @@ class Test {
   // executable specification at the level of the test. `required` attributes must be observed, or the test is
   // not-observable; further ones are judged where a capture shows them.
   void expect_emission(const gl::Case& script, Attributes required);
-  // The same with a prediction that is at hand. Not through a delivery.
-  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required);
+  // The same with a prediction that is at hand. Not through a delivery. Unless `measured`, the accuracy of
+  // what is judged, which takes longer than the verdict, is not recorded.
+  void expect_emission(const gl::Case& script, const Prediction& prediction, Attributes required,
+                       bool measured = true);
 
   // Observes a case that draws these kinds of primitives through the first capture that sees `required`; the
   // test judges by itself.
@@ -165,7 +167,8 @@ class Test {
  private:
   friend class Played;
   gl::DeliveredCase begin_case(const gl::Case& script);
-  void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required);
+  void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
+                      bool measured);
   bool cross_checked(const Prediction& prediction) const;
   const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const {
     return *captures_for(required, kinds, false, 1).front();
