@@ -632,8 +632,7 @@ typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_p
  * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved.
  *
  * Double results of maps are within one ULP of V wherever |V| >= 2^-40 * sum |B_i R_i|, otherwise within
- * (64 (n + m) + 64) * 2^-105 * sum |B_i R_i| of it; this holds for finite maps, domains and arguments of
- * magnitudes from 2^-400 to 2^400 or zero. Beyond them they are floats' values. */
+ * (64 (n + m) + 64) * 2^-105 * sum |B_i R_i| of it, for all finite maps, domains and arguments. */
 typedef struct glev_output {
   size_t size;
   void* data;

@@ -227,20 +227,21 @@ void Sum(const Net& net, const Layout& layout, Limb* room) {
 // ---- The result
 
 // Of a sum of two's complement at the beginning of the room.
-float RoundSum(const Net& net, Limb* room, int size) {
+template <class Real>
+Real RoundSum(const Net& net, Limb* room, int size) {
   const bool negative = IsNegative(room, size);
   if (negative) Negate(room, size);
   const int trimmed = Trimmed(room, size);
   if (trimmed == 0) return 0;
-  return Round({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}}, room + size);
+  return Round<Real>({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}}, room + size);
 }
 
 // Functions of their own, so that only those who need much of the stack take it.
-template <int kLimbs>
-[[gnu::noinline]] float RoundIn(const Net& net, const Layout& layout) {
+template <class Real, int kLimbs>
+[[gnu::noinline]] Real RoundIn(const Net& net, const Layout& layout) {
   std::array<Limb, kLimbs> room;
   Sum(net, layout, room.data());
-  return RoundSum(net, room.data(), layout.sum);
+  return RoundSum<Real>(net, room.data(), layout.sum);
 }
 
 constexpr int kSmallRoom = 192;
@@ -253,13 +254,14 @@ constexpr int kLargestSum = LimbsFor(kPointBits + 2 * kMaxDegree * kRatioBits + 
 constexpr int kLargestRow = LimbsFor(kPointBits + kMaxDegree * kRatioBits + 1) + kBinomialLimb;
 constexpr int kLargestPower = LimbsFor(kMaxDegree * kRatioBits) + kRatioLimbs;
 constexpr int kLargestRoom = kLargestSum + kLargestRow + 2 * kLargestPower;
-static_assert(2 * kLargestPower + kLargestRow >= LimbsFor(25 + 2 * kMaxDegree * kRatioBits) + kRatioLimbs,
+static_assert(2 * kLargestPower + kLargestRow >= LimbsFor(54 + 2 * kMaxDegree * kRatioBits) + kRatioLimbs,
               "room to round in");
 static_assert(kLargestRoom * sizeof(Limb) < 90000, "the documented use of the stack");
 
 }  // namespace
 
-float RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v) {
+template <class Real>
+Real RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v) {
   const std::array<int, 2>& order = component.order;
   const double* points = component.points;
   Ratio ratio_u, ratio_v;
@@ -273,15 +275,18 @@ float RoundExactly(const Component& component, const GridArgument& u, const Grid
   if (net.AllBits() <= 2 * kLimbBits) {
     const Limb2 sum = SumNarrow(net);
     constexpr int kSize = 2;
-    std::array<Limb, kSize + LimbsFor(2 * kLimbBits + 25) + kSize> room;
+    std::array<Limb, kSize + LimbsFor(2 * kLimbBits + 54) + kSize> room;
     room[0] = static_cast<Limb>(sum);
     room[1] = High(sum);
-    return RoundSum(net, room.data(), kSize);
+    return RoundSum<Real>(net, room.data(), kSize);
   }
   const Layout layout(net);
-  if (layout.all <= kSmallRoom) return RoundIn<kSmallRoom>(net, layout);
-  if (layout.all <= kMediumRoom) return RoundIn<kMediumRoom>(net, layout);
-  return RoundIn<kLargestRoom>(net, layout);
+  if (layout.all <= kSmallRoom) return RoundIn<Real, kSmallRoom>(net, layout);
+  if (layout.all <= kMediumRoom) return RoundIn<Real, kMediumRoom>(net, layout);
+  return RoundIn<Real, kLargestRoom>(net, layout);
 }
+
+template float RoundExactly(const Component&, const GridArgument&, const GridArgument&);
+template double RoundExactly(const Component&, const GridArgument&, const GridArgument&);
 
 }  // namespace glev

@@ -1,5 +1,5 @@
 // Polynomials in Bernstein form, exactly, rounded once: for the arguments at which double does not say which
-// float is the nearest.
+// float is the nearest, or more is asked for than it can say.
 #pragma once
 
 #include <array>
@@ -23,7 +23,9 @@ struct Component {
 //
 // Arguments are finite, inside the domain or not, with indices of at most 33 bits. A plain argument u is
 // {{u, u, 1}, 0}. Takes only memory of the stack, up to 90 KB in the worst of cases and 2 KB in ordinary
-// ones. Integers alone decide: the rounding mode of the caller has no influence.
-float RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v);
+// ones. Integers alone decide: the rounding mode of the caller has no influence. Real: float, or double, to
+// which the same applies with its limits.
+template <class Real = float>
+Real RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v);
 
 }  // namespace glev

@@ -3,20 +3,30 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace glev {
 namespace {
 
-constexpr int kMaxExponent = 127, kLowestBit = -149, kFractionBits = 23;
-constexpr std::uint32_t kInfinityBits = 0x7F800000;
+template <class Real>
+struct Format {
+  using Limits = std::numeric_limits<Real>;
+  using Bits = std::conditional_t<sizeof(Real) == sizeof(float), std::uint32_t, std::uint64_t>;
+  static constexpr int kMaxExponent = Limits::max_exponent - 1, kFractionBits = Limits::digits - 1,
+                       kLowestBit = Limits::min_exponent - Limits::digits;
+  static constexpr Bits kInfinityBits = std::bit_cast<Bits>(Limits::infinity());
+};
 
-// The bits of the float nearest x * 2^exponent, x != 0; `more`: plus something less than 2^exponent, in which
+// The bits of the Real nearest x * 2^exponent, x != 0; `more`: plus something less than 2^exponent, in which
 // case x has all of its 128 bits.
-std::uint32_t NearestBits(Limb2 x, int exponent, bool more) {
+template <class Real>
+typename Format<Real>::Bits NearestBits(Limb2 x, int exponent, bool more) {
+  using F = Format<Real>;
   const int top = BitWidth(x) - 1 + exponent;
-  if (top > kMaxExponent) return kInfinityBits;
-  const int last = std::max(top - kFractionBits, kLowestBit), dropped = last - exponent;
-  if (dropped > 128) return 0;  // less than half of the smallest float
+  if (top > F::kMaxExponent) return F::kInfinityBits;
+  const int last = std::max(top - F::kFractionBits, F::kLowestBit), dropped = last - exponent;
+  if (dropped > 128) return 0;  // less than half of the smallest number
   Limb2 significand = x << std::max(-dropped, 0);
   if (dropped > 0) {
     significand = dropped == 128 ? 0 : x >> dropped;
@@ -24,8 +34,8 @@ std::uint32_t NearestBits(Limb2 x, int exponent, bool more) {
     if (rest > half || (rest == half && (more || (significand & 1) != 0))) ++significand;
   }
   // A carry into the next binade, the first normal one or infinity is a carry into the exponent.
-  return (static_cast<std::uint32_t>(last - kLowestBit) << kFractionBits) +
-         static_cast<std::uint32_t>(significand);
+  using Bits = typename F::Bits;
+  return (static_cast<Bits>(last - F::kLowestBit) << F::kFractionBits) + static_cast<Bits>(significand);
 }
 
 Limb2 LeadingBits(const Limb* x, int size, int position) {
@@ -82,11 +92,14 @@ int Compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size
   return 0;
 }
 
-// The sign of quotient - m, m the middle between the float of these bits and the next
-int CompareWithMiddle(const Quotient& quotient, std::uint32_t bits, Limb* room) {
-  const std::uint32_t field = bits >> kFractionBits, fraction = bits & ((1U << kFractionBits) - 1);
-  const Limb significand = field == 0 ? fraction : fraction | 1U << kFractionBits;
-  const int exponent = kLowestBit + std::max(static_cast<int>(field), 1) - 1;
+// The sign of quotient - m, m the middle between the Real of these bits and the next
+template <class Real>
+int CompareWithMiddle(const Quotient& quotient, typename Format<Real>::Bits bits, Limb* room) {
+  using F = Format<Real>;
+  constexpr Limb kHidden = Limb{1} << F::kFractionBits;
+  const Limb field = bits >> F::kFractionBits, fraction = bits & (kHidden - 1);
+  const Limb significand = field == 0 ? fraction : fraction | kHidden;
+  const int exponent = F::kLowestBit + std::max(static_cast<int>(field), 1) - 1;
   room[0] = 2 * significand + 1;
   int size = 1;
   for (const IntegerPower* const power : quotient.denominator) {
@@ -98,7 +111,7 @@ int CompareWithMiddle(const Quotient& quotient, std::uint32_t bits, Limb* room) 
 }  // namespace
 
 int RoundingRoom(const IntegerPower& first, const IntegerPower& second) {
-  int bits = kFractionBits + 2, largest = 0;
+  int bits = Format<double>::kFractionBits + 2, largest = 0;
   for (const IntegerPower* const power : {&first, &second}) {
     if (power->exponent == 0) continue;
     bits += power->exponent * BitWidth(power->base, power->size);
@@ -107,31 +120,36 @@ int RoundingRoom(const IntegerPower& first, const IntegerPower& second) {
   return LimbsFor(bits) + largest;
 }
 
-float Round(const Quotient& quotient, Limb* room) {
+template <class Real>
+Real Round(const Quotient& quotient, Limb* room) {
   const int cut = BitWidth(quotient.numerator, quotient.size) - 128;
   const Limb2 leading = LeadingBits(quotient.numerator, quotient.size, cut);
   const int exponent = quotient.exponent + cut;
   const IntegerPower &first = *quotient.denominator[0], &second = *quotient.denominator[1];
 
-  std::uint32_t bits;
+  typename Format<Real>::Bits bits;
   if (IsPowerOfTwo(first) && IsPowerOfTwo(second)) {
     int shift = 0;
     for (const IntegerPower* const power : quotient.denominator) {
       if (power->exponent != 0) shift += power->exponent * (BitWidth(power->base, power->size) - 1);
     }
-    bits = NearestBits(leading, exponent - shift, cut > TrailingZeros(quotient.numerator));
+    bits = NearestBits<Real>(leading, exponent - shift, cut > TrailingZeros(quotient.numerator));
   } else {
     const Approximation denominator = Approximate(first) * Approximate(second);
     // leading <= numerator < leading + 1, in units of 2^cut, and the largest quotient of the latter by an
     // integer is at most one more than the quotient rounded down.
     const Limb2 below = leading / denominator.Upper(), above = leading / denominator.mantissa + 1;
-    bits = NearestBits(below, exponent - denominator.exponent, false);
-    if (bits != NearestBits(above, exponent - denominator.exponent, false)) {
-      const int side = CompareWithMiddle(quotient, bits, room);
+    bits = NearestBits<Real>(below, exponent - denominator.exponent, false);
+    if (bits != NearestBits<Real>(above, exponent - denominator.exponent, false)) {
+      const int side = CompareWithMiddle<Real>(quotient, bits, room);
       if (side > 0 || (side == 0 && (bits & 1) != 0)) ++bits;
     }
   }
-  return std::bit_cast<float>(bits | static_cast<std::uint32_t>(quotient.negative) << 31);
+  const auto sign = static_cast<decltype(bits)>(quotient.negative) << (8 * sizeof(Real) - 1);
+  return std::bit_cast<Real>(bits | sign);
 }
+
+template float Round(const Quotient&, Limb*);
+template double Round(const Quotient&, Limb*);
 
 }  // namespace glev

@@ -1,4 +1,4 @@
-// The float nearest a quotient of integers.
+// The float or double nearest a quotient of integers.
 #pragma once
 
 #include <array>
@@ -27,7 +27,9 @@ int RoundingRoom(const IntegerPower& first, const IntegerPower& second);
 
 // To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading
 // 128 bits of the numerator and 63 of the denominator decide, unless the quotient is within about 2^-61 *
-// (sum of exponents) of the middle between two floats: then everything is multiplied out.
-float Round(const Quotient& quotient, Limb* room);
+// (sum of exponents) of the middle between two floats: then everything is multiplied out. Real: float or
+// double.
+template <class Real>
+Real Round(const Quotient& quotient, Limb* room);
 
 }  // namespace glev

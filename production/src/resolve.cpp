@@ -81,7 +81,11 @@ double InDouble(const PreparedMap& map, int k, const GridArgument& u, const Grid
   if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
     return Plainly(map, k, u, v);
   const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
-  return std::isfinite(enclosure.error) ? enclosure.value.high + 0.0 : Plainly(map, k, u, v);
+  // Below, the absolute part of its error would count.
+  constexpr double kRelative = 0x1p-560;
+  if (!(enclosure.error < HUGE_VAL) || !(std::fabs(enclosure.value.high) >= kRelative))
+    return RoundExactly<double>(component.lowest, u, v);
+  return enclosure.value.high;
 }
 
 bool DerivativeInDouble(const PreparedMap& map, int direction, int k, const GridArgument& u,

@@ -13,7 +13,7 @@ float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
 float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
               double error);
 
-// The same in double, by double-double: GLEV_DOUBLE of glevaluator.h.
+// In double, by double-double or, where that claims nothing, exactly: GLEV_DOUBLE of glevaluator.h.
 double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
 // The derivative by u (direction 0) or v (1), likewise. False where double-double claims nothing.
