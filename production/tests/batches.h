@@ -89,9 +89,9 @@ class Memory {
 
 template <class Real>
 std::vector<std::uint64_t> BitsOf(const std::vector<Real>& values) {
-  using Integer = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   std::vector<std::uint64_t> bits;
-  for (Real value : values) bits.push_back(std::bit_cast<Integer>(value));
+  for (Real value : values) bits.push_back(std::bit_cast<Word>(value));
   return bits;
 }
 

@@ -1,0 +1,207 @@
+// Data as programs have them, in which ties, lower degrees and zeros are the rule, and the ends of float's
+// range: the right bits by EvalCoord, EvalPoint, batches and meshes.
+#include <cmath>
+#include <limits>
+
+#include "production/tests/batches.h"
+#include "production/tests/nearest.h"
+
+namespace glev_tests {
+namespace {
+
+using glev::GridArgument;
+
+class OrdinaryData : public ContextTest {
+ protected:
+  static constexpr int kSegments = 24;
+
+  // A curve of one component, and the same points as surfaces that are constant in the other direction;
+  // expected is the nearest of the exact value.
+  void ExpectNearestCurve(const std::vector<float>& points) {
+    const int order = static_cast<int>(points.size());
+    std::vector<float> twice;
+    for (float point : points) twice.insert(twice.end(), {point, point});
+    glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, order, points.data());
+    glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0, 1, 2, order, 0, 1, 1, 2, twice.data());
+    Enable();
+    const std::vector<double> exact(points.begin(), points.end());
+    const auto nearest = [&](const GridArgument& at) {
+      return Nearest(ExactValue(exact, {order, 1}, ExactT({0, 1}, at), 0));
+    };
+    Expect([&](const GridArgument& u, const GridArgument&) { return nearest(u); });
+  }
+
+  // A surface of one component, v fastest, and its edge at v = 0 as a curve.
+  void ExpectNearestSurface(const std::vector<float>& points, int n, int m) {
+    glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, m, n, points.data());
+    glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0, 1, m, n, 0, 1, 1, m, points.data());
+    Enable();
+    const std::vector<double> exact(points.begin(), points.end());
+    Expect([&](const GridArgument& u, const GridArgument& v) {
+      return Nearest(ExactValue(exact, {n, m}, ExactT({0, 1}, u), ExactT({0, 1}, v)));
+    });
+  }
+
+ private:
+  void Enable() {
+    for (glev_enum target :
+         {GLEV_MAP1_VERTEX_3, GLEV_MAP1_TEXTURE_COORD_1, GLEV_MAP2_VERTEX_3, GLEV_MAP2_TEXTURE_COORD_1})
+      glevEnable(gl, target);
+    glevMapGrid1f(gl, kSegments, 0, 1);
+    glevMapGrid2f(gl, kSegments, 0, 1, 4, 0, 1);
+  }
+
+  static std::uint32_t BitsOfFloat(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+  // In all deliveries. At v = 0 the curve is the surface's edge.
+  template <class Right>
+  void Expect(const Right& right) {
+    const Plan curve(gl, 1), surface(gl, 2);
+    const std::vector<float> u = {0,    0.5F,     0.25F,        0.375F, 1, 1.0F / 3,
+                                  0.1F, 0x1p-20F, 1 - 0x1p-24F, 0.75F,  2, -0.5F},
+                             v = {0, 0.5F, 0.1F, 1, 0.75F, 0.3F, 0x1p-12F, 0.5F, 0, 0.25F, 1, 2};
+    const Floats curves = Scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u),
+                 surfaces = Scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    recording = {};
+    glevBegin(gl, GLEV_POINTS);
+    for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord1f(gl, u[i]), glevEvalCoord2f(gl, u[i], v[i]);
+    glevEnd(gl);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const std::uint32_t on_curve = BitsOfFloat(right(glev::At(u[i]), glev::At(0))),
+                          on_surface = BitsOfFloat(right(glev::At(u[i]), glev::At(v[i])));
+      EXPECT_EQ(BitsOfFloat(curves[i]), on_curve) << u[i];
+      EXPECT_EQ(BitsOfFloat(recording.vertices[2 * i].texcoord[0][0]), on_curve) << u[i];
+      EXPECT_EQ(BitsOfFloat(surfaces[i]), on_surface) << u[i] << ", " << v[i];
+      EXPECT_EQ(BitsOfFloat(recording.vertices[2 * i + 1].texcoord[0][0]), on_surface)
+          << u[i] << ", " << v[i];
+    }
+    const Floats row = OfGrid(curve, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments});
+    const Floats mesh = OfGrid(surface, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments, 0, 4});
+    for (int j = 0; j <= 4; ++j) {
+      for (int i = 0; i <= kSegments; ++i) {
+        const GridArgument at = {{0, 1, kSegments}, i};
+        const std::size_t k = static_cast<std::size_t>(j) * (kSegments + 1) + i;
+        EXPECT_EQ(BitsOfFloat(mesh[k]), BitsOfFloat(right(at, {{0, 1, 4}, j}))) << i << ", " << j;
+      }
+    }
+    for (int i = 0; i <= kSegments; ++i) {
+      EXPECT_EQ(BitsOfFloat(row[static_cast<std::size_t>(i)]),
+                BitsOfFloat(right({{0, 1, kSegments}, i}, glev::At(0))))
+          << i;
+    }
+  }
+};
+
+TEST_F(OrdinaryData, LinesGivenAsCurvesOfHigherDegree) {
+  for (int order : {2, 3, 4, 5, 8, 10}) {
+    for (auto [first, step] : {std::pair{0.0F, 1.0F}, {-7.0F, 2.0F}, {100.0F, -0.25F}, {0.0F, 0x1p-30F}}) {
+      std::vector<float> points;
+      for (int i = 0; i < order; ++i) points.push_back(first + static_cast<float>(i) * step);
+      ExpectNearestCurve(points);
+    }
+  }
+}
+
+TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
+  // elevated: R_0, (R_0 + 2 R_1) / 3, (2 R_1 + R_2) / 3, R_2
+  for (auto [a, b, c] : {std::array{0.0F, 3.0F, 0.0F}, {3.0F, 6.0F, -9.0F}, {1.0F, -0.5F, 4.0F}})
+    ExpectNearestCurve({a, (a + 2 * b) / 3, (2 * b + c) / 3, c});
+  ExpectNearestCurve({0, 0, 1, 3});  // of 3 t^2
+  ExpectNearestCurve({0, 0, 0, 1, 4, 10});
+}
+
+TEST_F(OrdinaryData, SmallIntegersAndConstants) {
+  ExpectNearestCurve({1, 2, 2, 1});
+  ExpectNearestCurve({1, 3, 3, 1});
+  ExpectNearestCurve({5, 5, 5, 5, 5, 5});
+  ExpectNearestCurve({0.1F, 0.1F, 0.1F});
+  ExpectNearestCurve({0x1p-149F, 0x1p-149F});
+}
+
+TEST_F(OrdinaryData, BicubicPatchesThatAreBilinear) {
+  for (auto [a, b, c, d] : {std::array{0.0F, 3.0F, 6.0F, 9.0F},
+                            {1.0F, 1.0F, 1.0F, 1.0F},
+                            {0.0F, 9.0F, 0.0F, -9.0F},
+                            {-3.0F, 5.0F, 0.25F, 7.0F}}) {
+    std::vector<float> points;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const auto u = static_cast<float>(i), v = static_cast<float>(j);
+        points.push_back(((3 - u) * ((3 - v) * a + v * b) + u * ((3 - v) * c + v * d)) / 9);
+      }
+    }
+    ExpectNearestSurface(points, 4, 4);
+  }
+}
+
+// V = 0 gives +0, whatever the signs on the way.
+TEST_F(OrdinaryData, ZerosArePositive) {
+  ExpectNearestCurve({-0.0F, -0.0F, -0.0F, -0.0F});
+  ExpectNearestCurve({-0.0F});
+  ExpectNearestCurve({-0.0F, 0, -0.0F});
+  ExpectNearestCurve({-1, 0, 1});
+  ExpectNearestCurve({1, -1, 1, -1});
+  ExpectNearestCurve({-1, 1, -1});  // a double zero at 1/2
+  ExpectNearestCurve({-0.0F, 1, -1, -0.0F});
+  ExpectNearestSurface({-1, 1, 1, -1}, 2, 2);
+  ExpectNearestSurface({-0.0F, -0.0F, -0.0F, -0.0F, -0.0F, -0.0F}, 3, 2);
+}
+
+// 2^128 - 2^103 and beyond is infinite. Only the d form has control points there.
+TEST_F(OrdinaryData, OverflowIsRounding) {
+  constexpr double kThreshold = 0x1p128 - 0x1p103;
+  constexpr float kInfinite = std::numeric_limits<float>::infinity(),
+                  kMost = std::numeric_limits<float>::max();
+  const auto expect = [&](const std::vector<double>& points, double u, float expected) {
+    glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, static_cast<int>(points.size()), points.data());
+    glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
+    glevEnable(gl, GLEV_MAP1_VERTEX_3);
+    glevMapGrid1d(gl, 4, u, u);
+    const Plan curve(gl, 1);
+    EXPECT_EQ(Scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, std::vector<double>{u}), Floats{expected}) << u;
+    EXPECT_EQ(OfGrid(curve, GLEV_ATTRIBUTE_TEXCOORD, {2, 2}), Floats{expected}) << u;
+    EXPECT_EQ(OneVertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0], expected) << u;
+  };
+  for (double sign : {1.0, -1.0}) {
+    const double tie = sign * kThreshold, below = std::nextafter(tie, 0),
+                 above = std::nextafter(tie, 2 * tie);
+    const auto s = static_cast<float>(sign);
+    for (double u : {0.0, 0.3, 0.5, 1.0, 2.0}) {
+      expect({tie, tie, tie, tie}, u, s * kInfinite);
+      expect({below, below, below, below}, u, s * kMost);
+      expect({above, above}, u, s * kInfinite);
+    }
+    expect({2 * tie, 0}, 0.5, s * kInfinite);
+    expect({2 * below, 0}, 0.5, s * kMost);
+    expect({8 * tie, 0, 0, 0}, 0.5, s * kInfinite);
+    expect({8 * below, 0, 0, 0}, 0.5, s * kMost);
+    expect({sign * 1e300, -sign * 1e300}, 0.5, 0);
+    expect({0, sign * kMost}, 2, s * kInfinite);
+  }
+}
+
+TEST_F(OrdinaryData, SubnormalResults) {
+  constexpr float kLeast = std::numeric_limits<float>::denorm_min(),
+                  kNormal = std::numeric_limits<float>::min();
+  ExpectNearestCurve({0, kLeast, 0});
+  ExpectNearestCurve({kLeast, 0});  // half of it is a tie, to 0
+  ExpectNearestCurve({-kLeast, 0, -kLeast});
+  ExpectNearestCurve({-kLeast, 0, 0, 0});  // rounds to -0
+  ExpectNearestCurve({kNormal, 0, kNormal, -kNormal});
+  ExpectNearestCurve({1e-40F, 3e-39F, -2e-38F, 1.17e-38F});
+  ExpectNearestCurve({1, 0, 0, 0, 0, 0, 0, 0, 0, 1e-38F});
+  ExpectNearestSurface({1e-38F, -1e-38F, kLeast, kNormal, 1e-37F, -3e-38F, 0, 5e-39F, 0}, 3, 3);
+}
+
+TEST_F(OrdinaryData, RandomFloatsOfManyMagnitudes) {
+  Chance chance;
+  for (int k = 0; k < 20; ++k) {
+    std::vector<float> points = chance.Points(12);
+    for (float& point : points) point = std::ldexp(point, chance.Whole(-140, 126));
+    ExpectNearestSurface(points, 4, 3);
+    ExpectNearestCurve(points);
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests

@@ -1,0 +1,232 @@
+// What is stated at glev_precision and glev_output: the bounds of FAST and of double results, against exact
+// rationals.
+#include <cmath>
+#include <limits>
+
+#include "production/tests/batches.h"
+#include "production/tests/nearest.h"
+
+namespace glev_tests {
+namespace {
+
+using glev::Domain, glev::Grid, glev::GridArgument;
+
+// A map of one component, or a component of it, and where it is evaluated.
+struct GivenNet {
+  std::array<int, 2> order = {1, 1};
+  std::array<Domain, 2> domain;
+  std::vector<double> points;  // v fastest
+
+  Rational T(int direction, const GridArgument& at) const {
+    return order[direction] == 1 ? Rational(0) : ExactT(domain[direction], at);
+  }
+  Rational Value(const std::vector<double>& of, const GridArgument& u, const GridArgument& v) const {
+    const Fraction value = ExactValue(of, order, T(0, u), T(1, v));
+    return {value.numerator, value.denominator};
+  }
+  ExactPoint At(const GridArgument& u, const GridArgument& v) const {
+    const auto basis = [&](int direction, const Rational& t) {
+      std::vector<Rational> values;
+      const int n = order[direction] - 1;
+      Rational power = 1;
+      for (const Integer& value : IntegerBasis(t, n + 1)) values.push_back(Rational(value));
+      for (int i = 0; i < n; ++i) power *= Rational(denominator(t));
+      for (Rational& value : values) value /= power;
+      return values;
+    };
+    return Tensor(basis(0, T(0, u)), basis(1, T(1, v)), points);
+  }
+};
+
+class Precision : public ContextTest {
+ protected:
+  void Define(const GivenNet& net) {
+    const auto& [n, m] = net.order;
+    const auto& [u, v] = net.domain;
+    glevMap2d(gl, GLEV_MAP2_TEXTURE_COORD_1, u.u1, u.u2, m, n, v.u1, v.u2, 1, m, net.points.data());
+    glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_1);
+  }
+
+  // The largest error of the mesh in units of the bound of FAST.
+  double WorstOfFast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    Define(net);
+    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
+    const Plan plan(gl, 2);
+    const Floats got = OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST);
+    double largest = 0, worst = 0;
+    for (double point : net.points) largest = std::max(largest, std::fabs(point));
+    const double bound = (6 * (net.order[0] + net.order[1] - 2) + 12) * 0x1p-24 * largest;
+    std::size_t k = 0;
+    for (int j = range.j1; j <= range.j2; ++j) {
+      for (int i = range.i1; i <= range.i2; ++i) {
+        const Rational exact = net.Value(net.points, {u, i}, {v, j});
+        const auto error = abs(Exactly(got[k++]) - exact).convert_to<double>();
+        worst = std::max(worst, largest == 0 ? error * HUGE_VAL : error / bound);
+      }
+    }
+    return worst;
+  }
+
+  // Errors of double results within the bounds stated?
+  void ExpectDouble(const GivenNet& net, const GridArgument& u, const GridArgument& v, double got) {
+    const ExactPoint exact = net.At(u, v);
+    const Rational error = abs(Exactly(got) - exact.value);
+    if (abs(exact.value) * (Integer(1) << 40) >= exact.magnitude) {
+      const auto nearest = std::fabs(exact.value.convert_to<double>());
+      const double ulp = std::nextafter(nearest, HUGE_VAL) - nearest;
+      EXPECT_LE(error, Exactly(ulp)) << Show(net, u, v) << " gives " << got;
+    } else {
+      const int units = 64 * (net.order[0] + net.order[1] - 2) + 64;
+      EXPECT_LE(error * (Integer(1) << 105), units * exact.magnitude) << Show(net, u, v) << " gives " << got;
+    }
+  }
+
+  static std::string Show(const GivenNet& net, const GridArgument& u, const GridArgument& v) {
+    std::ostringstream out;
+    out << std::hexfloat;
+    for (int k : {0, 1}) {
+      const auto& [grid, index] = k == 0 ? u : v;
+      out << "order " << net.order[k] << " on [" << net.domain[k].u1 << ", " << net.domain[k].u2 << "] at "
+          << index << " / " << grid.segments << " of [" << grid.u1 << ", " << grid.u2 << "]; ";
+    }
+    return out.str();
+  }
+
+  GivenNet ChooseNet(int most_order, const std::array<Domain, 2>& domain) {
+    GivenNet net = {{chance_.Whole(1, most_order), chance_.Whole(1, most_order)}, domain, {}};
+    for (int k = 0; k < net.order[0] * net.order[1]; ++k) net.points.push_back(4 * chance_.Double() - 2);
+    return net;
+  }
+
+  Chance chance_;
+};
+
+// ---- FAST
+
+TEST_F(Precision, FastMeshesKeepTheirBound) {
+  double worst = 0;
+  for (int k = 0; k < 120; ++k) {
+    const Domain domain = chance_.OneOf({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}});
+    GivenNet net = ChooseNet(k < 100 ? 6 : 30, {domain, Domain{0, 1}});
+    // what cancels most, and magnitudes at both ends of what is claimed
+    for (std::size_t i = 0; i < net.points.size(); ++i) {
+      if (k % 4 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
+      if (k % 4 == 2) net.points[i] = std::ldexp(net.points[i] / 4, chance_.OneOf({80, 79, 20}));
+      if (k % 4 == 3) net.points[i] = std::ldexp(1, -80);
+    }
+    const Grid u = chance_.Whole(0, 1) == 1 ? Grid{domain.u1, domain.u2, 23} : Grid{0.01, 0.87, 23};
+    worst = std::max(worst, WorstOfFast(net, u, {0, 1, 5}, {0, 23, 0, 5}));
+  }
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.01);  // it is not correctly rounded
+}
+
+// Where the bound would not hold results are correctly rounded.
+TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
+  const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    Define(net);
+    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
+    const Plan plan(gl, 2);
+    EXPECT_EQ(BitsOf(OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
+              BitsOf(OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
+  };
+  const Grid unit = {0, 1, 17};
+  for (int k = 0; k < 30; ++k) {
+    GivenNet net = ChooseNet(5, {});
+    net.order[0] = net.order[1] = 4;
+    net.points = ChooseNet(1, {}).points;
+    for (int i = 1; i < 16; ++i) net.points.push_back(chance_.Double());
+    expect_rounded(net, unit, unit, {-1, 17, 0, 17});
+    expect_rounded(net, unit, unit, {0, 18, 0, 17});
+    expect_rounded(net, unit, unit, {0, 17, -1, 17});
+    expect_rounded(net, unit, unit, {0, 17, 0, 18});
+    expect_rounded(net, {-0x1p-60, 1, 17}, unit, {0, 17, 0, 17});
+    expect_rounded(net, unit, {0, 1 + 0x1p-52, 17}, {0, 17, 0, 17});
+    for (double scale : {0x1p81, 0x1p120, 0x1p-82, 0x1p-140, 0x1p-1000}) {
+      GivenNet extreme = net;
+      for (double& point : extreme.points) point *= scale;
+      extreme.points[0] = scale;
+      expect_rounded(extreme, unit, unit, {0, 17, 0, 17});
+    }
+  }
+}
+
+TEST_F(Precision, FastZeroMapsAreZero) {
+  EXPECT_EQ(WorstOfFast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
+}
+
+// ---- Double results
+
+TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
+  for (int k = 0; k < 150; ++k) {
+    const Domain domain = chance_.OneOf({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 100.5}});
+    GivenNet net = ChooseNet(k < 130 ? 5 : 16, {domain, Domain{0, 1}});
+    for (std::size_t i = 0; i < net.points.size(); ++i) {
+      if (k % 3 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
+      if (k % 3 == 2) net.points[i] = std::round(net.points[i] * 4);
+    }
+    Define(net);
+    const Plan plan(gl, 2);
+    std::vector<double> u, v;
+    for (int i = 0; i < 12; ++i) {
+      const double t = chance_.OneOf({chance_.Double(), chance_.Double(), 0.5, 1.75, 0x1p-50, 0.0, 1.0});
+      u.push_back(domain.u1 + t * (domain.u2 - domain.u1));
+      v.push_back(chance_.OneOf({chance_.Double(), 0.5, -0.25, 1.0}));
+    }
+    const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    for (std::size_t i = 0; i < u.size(); ++i) ExpectDouble(net, glev::At(u[i]), glev::At(v[i]), got[i]);
+    EXPECT_EQ(BitsOf(Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST)), BitsOf(got));
+  }
+}
+
+TEST_F(Precision, DoubleResultsOfMeshesKeepTheirBound) {
+  for (int k = 0; k < 60; ++k) {
+    const GivenNet net = ChooseNet(5, {Domain{0, 1}, Domain{-1, 2}});
+    const Grid u = chance_.OneOf({Grid{0, 1, 7}, Grid{1, 0, 7}, Grid{0.1, 0.7, 7}, Grid{-1, 3, 8}}),
+               v = chance_.OneOf({Grid{-1, 2, 3}, Grid{0.2, 1.1, 3}});
+    Define(net);
+    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
+    const Plan plan(gl, 2);
+    const Range range = {-1, 9, 0, 3};
+    const std::vector<double> got = OfGrid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      const auto column = static_cast<int>(i % range.columns()), row = static_cast<int>(i / range.columns());
+      ExpectDouble(net, {u, range.i1 + column}, {v, range.j1 + row}, got[i]);
+    }
+  }
+}
+
+// Up to where the bound is stated.
+TEST_F(Precision, DoubleResultsOfLargeAndSmallMagnitudesKeepTheirBound) {
+  for (double scale : {0x1p299, 0x1p-299, 0x1p350, 0x1p-350, 0x1p398, 0x1p-400}) {
+    for (bool is_domain : {false, true}) {
+      for (int k = 0; k < 12; ++k) {
+        GivenNet net = ChooseNet(4, {});
+        const double width = is_domain ? scale : 1;
+        if (is_domain) net.domain[0] = {0, scale};
+        for (double& point : net.points) {
+          point = is_domain ? point : std::fabs(point) < 0.25 ? 0 : point * scale;
+        }
+        Define(net);
+        const Plan plan(gl, 2);
+        const std::vector<double> u = {width * 0.25, width / 3, width * chance_.Double(), width},
+                                  v(4, chance_.Double());
+        const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+        for (std::size_t i = 0; i < u.size(); ++i) ExpectDouble(net, glev::At(u[i]), glev::At(v[i]), got[i]);
+      }
+    }
+  }
+}
+
+TEST_F(Precision, DoubleResultsAreExactWhereDoubleHoldsThem) {
+  const GivenNet net = {{4, 1}, {}, {0, 1, 2, 3}};
+  Define(net);
+  const Plan plan(gl, 2);
+  const std::vector<double> u = {0, 0.25, 0.5, 0.75, 1, 3, -7};
+  const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, u);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(got[i]), std::bit_cast<std::uint64_t>(3 * u[i]));
+}
+
+}  // namespace
+}  // namespace glev_tests

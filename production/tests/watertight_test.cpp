@@ -1,0 +1,152 @@
+// Patches that share the control points of an edge have the same bits along it: whichever edge of each it is,
+// and in whichever direction it runs.
+#include "production/tests/batches.h"
+
+namespace glev_tests {
+namespace {
+
+constexpr int kComponents = 3;
+
+// Where an edge lies in its patch.
+struct SharedEdge {
+  bool is_along_u;  // at v = 0 or 1, else along v at u = 0 or 1
+  bool is_last;     // at 1
+  bool is_reversed;
+};
+
+std::vector<SharedEdge> AllEdges() {
+  std::vector<SharedEdge> edges;
+  for (bool along : {false, true}) {
+    for (bool last : {false, true}) {
+      for (bool reversed : {false, true}) edges.push_back({along, last, reversed});
+    }
+  }
+  return edges;
+}
+
+class Watertight : public ContextTest {
+ protected:
+  // A random patch with this edge.
+  void DefinePatch(const SharedEdge& edge, const std::vector<float>& shared, int other_order) {
+    const int order = static_cast<int>(shared.size()) / kComponents;
+    const int n = edge.is_along_u ? order : other_order, m = edge.is_along_u ? other_order : order;
+    std::vector<float> points = chance_.Points(static_cast<std::size_t>(n) * m * kComponents);
+    for (int k = 0; k < order; ++k) {
+      const int along = edge.is_reversed ? order - 1 - k : k;
+      const int i = edge.is_along_u ? along : edge.is_last ? n - 1 : 0;
+      const int j = !edge.is_along_u ? along : edge.is_last ? m - 1 : 0;
+      std::copy_n(shared.begin() + k * kComponents, kComponents, points.begin() + (i * m + j) * kComponents);
+    }
+    glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, m * kComponents, n, 0, 1, kComponents, m, points.data());
+    glevEnable(gl, GLEV_MAP2_VERTEX_3);
+  }
+
+  // Along the edge in the direction of the shared points, at `parameters` by a batch.
+  Floats OfBatch(const SharedEdge& edge, const std::vector<float>& parameters) {
+    const Plan plan(gl, 2);
+    std::vector<float> along = parameters;
+    if (edge.is_reversed) {
+      for (float& t : along) t = 1 - t;  // exact
+    }
+    const std::vector<float> across(along.size(), edge.is_last ? 1.0F : 0.0F);
+    return edge.is_along_u ? Scattered(plan, GLEV_ATTRIBUTE_VERTEX, along, across)
+                           : Scattered(plan, GLEV_ATTRIBUTE_VERTEX, across, along);
+  }
+
+  // The same at the points of a grid: cut out of the mesh of the whole patch, and by itself.
+  Floats OfMesh(const SharedEdge& edge, int segments, int other_segments, bool whole) {
+    glevMapGrid2f(gl, edge.is_along_u ? segments : other_segments, 0, 1,
+                  edge.is_along_u ? other_segments : segments, 0, 1);
+    const Plan plan(gl, 2);
+    const int across = edge.is_last ? other_segments : 0;
+    const int first = whole ? 0 : across, last = whole ? other_segments : across;
+    const Range range = edge.is_along_u ? Range{0, segments, first, last} : Range{first, last, 0, segments};
+    const Floats points = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range);
+    Floats along;
+    for (int k = 0; k <= segments; ++k) {
+      const int at = edge.is_reversed ? segments - k : k, row = whole ? across : 0;
+      const int i = edge.is_along_u ? at : row, j = edge.is_along_u ? row : at;
+      const auto begin = points.begin() + (static_cast<int>(range.columns()) * j + i) * kComponents;
+      along.insert(along.end(), begin, begin + kComponents);
+    }
+    return along;
+  }
+
+  std::vector<float> SharedPoints(int order) {
+    std::vector<float> shared = chance_.Points(static_cast<std::size_t>(order) * kComponents);
+    // of all magnitudes, ties and lines now and then
+    for (float& point : shared) point = std::ldexp(point, chance_.OneOf({0, 0, 0, -20, 30}));
+    if (chance_.Whole(0, 3) == 0) {
+      for (std::size_t k = 0; k < shared.size(); ++k) shared[k] = static_cast<float>(k / kComponents);
+    }
+    return shared;
+  }
+
+  Chance chance_;
+};
+
+TEST_F(Watertight, AlongAllEdgesInBatches) {
+  for (int order = 2; order <= 12; ++order) {
+    const std::vector<float> shared = SharedPoints(order);
+    std::vector<float> parameters = {0, 1, 0.5F, 0.25F, 0x1p-24F, 1 - 0x1p-24F};
+    for (int k = 0; k < 40; ++k) parameters.push_back(chance_.Float());
+    Floats expected;
+    for (const SharedEdge& edge : AllEdges()) {
+      DefinePatch(edge, shared, chance_.Whole(1, 12));
+      const Floats got = OfBatch(edge, parameters);
+      if (expected.empty()) expected = got;
+      ASSERT_EQ(BitsOf(got), BitsOf(expected)) << "order " << order;
+    }
+  }
+}
+
+TEST_F(Watertight, AlongAllEdgesInMeshes) {
+  for (int order = 2; order <= 12; ++order) {
+    const std::vector<float> shared = SharedPoints(order);
+    for (int segments : {1, 2, 3, 7, 16, 33}) {
+      Floats expected;
+      for (const SharedEdge& edge : AllEdges()) {
+        DefinePatch(edge, shared, chance_.Whole(1, 12));
+        for (bool whole : {true, false}) {
+          const Floats got = OfMesh(edge, segments, chance_.Whole(1, 9), whole);
+          if (expected.empty()) expected = got;
+          ASSERT_EQ(BitsOf(got), BitsOf(expected)) << "order " << order << ", " << segments << " segments";
+        }
+      }
+    }
+  }
+}
+
+// Where the arguments of a grid are floats, batches have its bits, too.
+TEST_F(Watertight, BetweenBatchesAndMeshes) {
+  for (int order = 2; order <= 12; ++order) {
+    const std::vector<float> shared = SharedPoints(order);
+    std::vector<float> parameters;
+    for (int k = 0; k <= 32; ++k) parameters.push_back(static_cast<float>(k) / 32);
+    for (const SharedEdge& edge : AllEdges()) {
+      DefinePatch(edge, shared, 3);
+      ASSERT_EQ(BitsOf(OfMesh(edge, 32, 5, true)), BitsOf(OfBatch(edge, parameters)));
+    }
+  }
+}
+
+// An edge is the curve of its control points.
+TEST_F(Watertight, WithCurvesOfTheSharedPoints) {
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  for (int order = 2; order <= 12; ++order) {
+    const std::vector<float> shared = SharedPoints(order);
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, kComponents, order, shared.data());
+    for (int segments : {16, 21}) {
+      glevMapGrid1f(gl, segments, 0, 1);
+      const Plan curve(gl, 1);
+      const Floats expected = OfGrid(curve, GLEV_ATTRIBUTE_VERTEX, {0, segments});
+      for (const SharedEdge& edge : AllEdges()) {
+        DefinePatch(edge, shared, chance_.Whole(1, 12));
+        ASSERT_EQ(BitsOf(OfMesh(edge, segments, 4, true)), BitsOf(expected));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace glev_tests
