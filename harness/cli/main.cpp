@@ -147,11 +147,14 @@ int main(int argc, char** argv) {
   CLI::App* rounding_command = app.add_subcommand(
       "rounding",
       "is production correctly rounded? random maps and arguments beside the oracle, bit for bit");
-  rounding_command->add_option(
-      "--samples", rounding_options.samples,
-      "values of each class of maps, against the filter and the exact route behind it");
-  rounding_command->add_option("--exact", rounding_options.exact,
-                               "values of each class, against the exact route alone");
+  const CLI::Range counts(0.0, 1e15);  // by itself the parser takes -1 for 2^64 - 1
+  rounding_command
+      ->add_option("--samples", rounding_options.samples,
+                   "values of each class of maps, against the filter and the exact route behind it")
+      ->check(counts);
+  rounding_command
+      ->add_option("--exact", rounding_options.exact, "values of each class, against the exact route alone")
+      ->check(counts);
   rounding_command->add_flag("--sweep", rounding_options.sweep,
                              "every float from 0 to 1 instead, for one map of each class of curves");
   rounding_command->add_option("--filter", rounding_options.filter,

@@ -1,0 +1,122 @@
+// `evalcts rounding` as its users start it: options, messages, exit codes. That it finds wrong results is
+// shown by changing the library, which no test can.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <regex>
+#include <thread>
+
+#include "harness/tests/program.h"
+
+namespace evalcts {
+namespace {
+
+class RoundingCommand : public ProgramTest {
+ protected:
+  Outcome rounding(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "rounding");
+    return evalcts(arguments);
+  }
+  // Lines of classes, and the sum at the end.
+  static std::vector<std::string> classes_in(const std::string& text) {
+    std::vector<std::string> classes;
+    const std::regex line(R"((\S+(?:, \w+(?: \w+)?)?) +\d+ values +\d+ decided exactly +\d+ wrong)");
+    for (std::sregex_iterator match(text.begin(), text.end(), line), none; match != none; ++match)
+      classes.push_back((*match)[1]);
+    return classes;
+  }
+};
+
+TEST_F(RoundingCommand, TriesTheClassesOfTheFilterWithBothOracles) {
+  const Outcome outcome =
+      rounding({"--samples", "20", "--exact", "5", "--filter", "curve/4/ordinary:surface/4x4/ordinary"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(classes_in(outcome.text),
+            (std::vector<std::string>{"curve/4/ordinary", "curve/4/ordinary, exact", "surface/4x4/ordinary",
+                                      "surface/4x4/ordinary, exact"}))
+      << outcome.text;
+  EXPECT_TRUE(std::regex_search(outcome.text, std::regex("seed 1: [1-9]\\d* values, 0 wrong\\s*$")))
+      << outcome.text;
+}
+
+TEST_F(RoundingCommand, LeavesOutWhatHasNoSamples) {
+  const auto tried = [&](const char* samples, const char* exact) {
+    return classes_in(
+        rounding({"--samples", samples, "--exact", exact, "--filter", "curve/4/ordinary"}).text);
+  };
+  EXPECT_EQ(tried("20", "0"), std::vector<std::string>{"curve/4/ordinary"});
+  EXPECT_EQ(tried("0", "20"), std::vector<std::string>{"curve/4/ordinary, exact"});
+}
+
+TEST_F(RoundingCommand, DependsOnTheSeedAndNotOnTheNumberOfThreads) {
+  const auto text = [&](const char* seed, const char* jobs) {
+    return rounding({"--samples", "2000", "--exact", "10", "--filter", "curve/10/*", "--seed", seed, "--jobs",
+                     jobs})
+        .text;
+  };
+  const std::string one = text("7", "1");
+  EXPECT_NE(one.find("seed 7: "), std::string::npos) << one;
+  EXPECT_EQ(text("7", "3"), one);
+}
+
+TEST_F(RoundingCommand, TakesInstructionSetsByName) {
+  const Outcome outcome = rounding({"--samples", "20", "--exact", "0", "--filter", "curve/4/ordinary",
+                                    "--target", "baseline", "--target", "baseline"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const Outcome unknown = rounding({"--samples", "20", "--target", "nonsense"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.text.find("no such instruction set here: nonsense"), std::string::npos) << unknown.text;
+}
+
+TEST_F(RoundingCommand, WrongUseIsTwo) {
+  const Outcome none = rounding({"--filter", "No/Such"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.text.find("no class of maps matches 'No/Such'"), std::string::npos) << none.text;
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--nonsense"},
+                                                    {"--samples", "-1"},
+                                                    {"--samples", "few"},
+                                                    {"--samples", "18446744073709551615"},
+                                                    {"--exact", "-2"},
+                                                    {"--jobs", "0"},
+                                                    {"--jobs", "257"},
+                                                    {"--seed", "x"},
+                                                    {"--target"},
+                                                    {"nonsense"}}) {
+    std::string typed;
+    for (const std::string& argument : arguments) typed += argument + " ";
+    EXPECT_EQ(rounding(arguments).code, 2) << typed;
+  }
+  EXPECT_EQ(rounding({"--samples", "0", "--exact", "0", "--filter", "curve/4/*"}).code, 2) << "nothing to do";
+  EXPECT_EQ(rounding({"--help"}).code, 0);
+}
+
+bool catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string word; status >> word;) {
+    if (word == "SigCgt:" && status >> word) return (std::stoull(word, nullptr, 16) >> (signal - 1) & 1) != 0;
+  }
+  return false;
+}
+
+TEST_F(RoundingCommand, EndsSoonAndSaysSoWhenInterrupted) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    for (const std::string what : {"--samples=1000000000000", "--sweep"}) {
+      const std::filesystem::path log = folder_ / "interrupted.log";
+      std::filesystem::remove(log);
+      ChildProcess child({EVALCTS_PROGRAM, "rounding", what, "--jobs", "1"}, log.string());
+      for (int i = 0; i < 1000 && !catches(child.id(), signal); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      kill(child.id(), signal);
+      const auto ending = child.wait(60);
+      ASSERT_TRUE(ending) << what;
+      EXPECT_FALSE(ending->signalled) << what;
+      EXPECT_EQ(ending->value, 2) << what;
+      std::ifstream file(log);
+      const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+      EXPECT_NE(text.find("0 wrong (interrupted)"), std::string::npos) << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evalcts
