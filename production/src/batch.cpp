@@ -238,6 +238,16 @@ bool ReadMesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
+// Whether each normal follows its vertex, in floats, three components each.
+bool AreRecords(const glev_plan& plan, const Output& vertex, const Output& normal) {
+  const auto are_triples = [](const Output& output) {
+    return output.is_wanted && !output.is_double && output.components == 3;
+  };
+  return are_triples(vertex) && are_triples(normal) && plan.components(Attribute::kVertex) == 3 &&
+         normal.data == vertex.data + 3 * sizeof(float) && normal.stream.stride == vertex.stream.stride &&
+         normal.stream.row_stride == vertex.stream.row_stride;
+}
+
 std::size_t ScratchOf(const glev_plan& plan, std::size_t columns) {
   std::size_t bytes = 0;
   for (int a = 0; a < kAttributes; ++a) {
@@ -322,6 +332,14 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(scratch) % kCacheLine;
   std::byte* const aligned = scratch + (unaligned == 0 ? 0 : kCacheLine - unaligned);
   const glev::MeshRange range = {plan->grid(0), plan->grid(1), mesh.i1, mesh.j1, columns, rows};
+  const glev::NormalMesh normals = glev::NormalMeshOf(plan->kernels());
+  Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
+         &normal = outputs[static_cast<int>(Attribute::kNormal)];
+  if (plan->automatic_normals() && normals != nullptr && AreRecords(*plan, vertex, normal)) {
+    const glev::DefaultEnvironment environment;
+    normals(*plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
+    vertex.is_wanted = normal.is_wanted = false;
+  }
   EvaluateAll(
       *plan, outputs,
       [&](std::size_t i) {
@@ -334,9 +352,8 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
         plan->kernels().mesh(map, range, mesh.precision == GLEV_FAST, to, aligned);
       },
       [&](const glev::Destination& to) {
-        const glev::NormalMesh normals = glev::NormalMeshOf(plan->kernels());
         if (normals == nullptr) return false;
-        normals(*plan, range, to, aligned);
+        normals(*plan, range, to, false, aligned);
         return true;
       });
   return GLEV_SUCCESS;

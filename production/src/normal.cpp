@@ -184,7 +184,7 @@ NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest)
     bounds.error[k] = vanishes ? 0 : (2 * c + 2 * kUnit) * (1 + 0x1p-20) * majorant[k] + 0x1p-900;
   }
   const auto& e = bounds.error;
-  const double least = 0x1p32 * (1 + 0x1p-20) * std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+  const double least = 0x1p31 * (1 + 0x1p-20) * std::sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
   bounds.least_square = std::max(least * least, 0x1p-800);
   return bounds;
 }
@@ -198,7 +198,7 @@ void NormalWeights(int degree, double s, double t, double* weights) {
 
 NormalRow::NormalRow(const glev_plan& plan) : plan_(plan) {}
 
-void NormalRow::MoveTo(const GridArgument& v) {
+void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
   v_ = v;
   const Surface& surface = plan_.surface(Attribute::kVertex);
   const auto [n, m] = surface.degree;
@@ -214,7 +214,7 @@ void NormalRow::MoveTo(const GridArgument& v) {
     Combine(points.scaled, points.components, points.degree[0] + 1, points.degree[1], with.data(), scale[net],
             points_[net].data());
   };
-  if (surface.components == 4) combine(kPoint, surface, weights);
+  if (surface.components == 4 || with_points) combine(kPoint, surface, weights);
   combine(kTangentU, plan_.tangent(0), weights);
   combine(kTangentV, plan_.tangent(1), weights_of_tangent);
 }
@@ -245,7 +245,7 @@ std::array<float, 3> NormalRow::At(const GridArgument& u) const {
     if (is_rational) factor *= factor;
     const NormalBounds& bounds = plan_.normal_bounds();
     if (square >= bounds.least_square * (factor * factor)) {
-      const double inverse = InverseRoot(square);
+      const double inverse = 1 / std::sqrt(square);
       for (std::size_t k = 0; k < 3; ++k) {
         const bool is_zero = std::fabs(product[k]) <= bounds.error[k] * factor;
         result[k] = is_zero ? 0.0f : static_cast<float>(product[k] * inverse);

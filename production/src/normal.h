@@ -13,7 +13,7 @@
 // of a coefficient and 1 of a product in each direction, which makes c_p = (5 (n + m) + 6) u of P, c = (5 (n
 // + m - 1) + 7) u of U and V. A difference of two products adds the errors of their factors and 2 u, so
 //   VERTEX_4: c_a = c_p + c + 2 u, VERTEX_3: c_a = c;   |error of m_k| <= E_k = (2 c_a + 2 u) M_k.
-// The unit vector is off by at most |E| / |m|, and 2^-34 for its length.
+// The unit vector is off by at most |E| / |m|, and a few u for its length.
 //
 // What comes out: a component with |m_k| <= E_k cannot be told from zero and is +0, which moves n by E_k /
 // |m| once more. So where |m| >= 2^31 |E|, what is rounded to float is off by at most 2^-30, and the result
@@ -31,9 +31,7 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "production/src/bernstein.h"
@@ -67,7 +65,8 @@ NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest)
 class NormalRow {
  public:
   explicit NormalRow(const glev_plan& plan);
-  void MoveTo(const GridArgument& v);
+  // The points of kPoint only if they matter to normals, or are wanted.
+  void MoveTo(const GridArgument& v, bool with_points = false);
 
   // For each u.
   std::array<float, 3> At(const GridArgument& u) const;
@@ -83,18 +82,6 @@ class NormalRow {
   double growth_ = HUGE_VAL;
   std::array<std::array<double, kMaxOrder * 4>, kNets> points_;
 };
-
-// 1 / sqrt(x) within 2^-34.7 of itself: a linear function of the logarithm, read as bits, is within 0.0343,
-// each step of Newton's method takes an error e to 1.5 e^2 + 0.5 e^3 (Lomont, "Fast inverse square root",
-// 2003). Divisions and roots would take as long as all else in a mesh.
-inline constexpr std::uint64_t kInverseRootBits = 0x5FE6EB50C7B537A9;
-
-inline double InverseRoot(double x) {
-  const double half = 0.5 * x;
-  auto y = std::bit_cast<double>(kInverseRootBits - (std::bit_cast<std::uint64_t>(x) >> 1));
-  for (int i = 0; i < 3; ++i) y = y * (1.5 - half * (y * y));
-  return y;
-}
 
 // t^i s^(degree-i) for i from 0 to degree; as the kernels do it.
 void NormalWeights(int degree, double s, double t, double* weights);

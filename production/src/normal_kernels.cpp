@@ -9,6 +9,7 @@
 
 #include "production/src/fault.h"
 #include "production/src/normal.h"
+#include "production/src/row.h"
 #include "production/src/triples.h"
 
 // As in kernels.cpp.
@@ -73,8 +74,9 @@ struct Block {
   Vector value[kCount][kUnroll];
 };
 
-// A curve of a row, at columns whose weights begin at `weights`.
-template <int kComponents>
+// A curve of a row, at columns whose weights begin at `weights`; with fused operations where bits do not
+// matter.
+template <int kComponents, bool kFused = false>
 HWY_INLINE Block<kComponents> Sum(const double* point, int degree, const double* weights,
                                   std::size_t padded) {
   Block<kComponents> sum;
@@ -91,20 +93,11 @@ HWY_INLINE Block<kComponents> Sum(const double* point, int degree, const double*
     for (int k = 0; k < kComponents; ++k) {
       const Vector value = hn::Set(kDoubles, point[k]);
       for (std::size_t part = 0; part < kUnroll; ++part)
-        sum.value[k][part] = hn::Add(sum.value[k][part], hn::Mul(weight[part], value));
+        sum.value[k][part] = kFused ? hn::MulAdd(weight[part], value, sum.value[k][part])
+                                    : hn::Add(sum.value[k][part], hn::Mul(weight[part], value));
     }
   }
   return sum;
-}
-
-// InverseRoot
-HWY_INLINE Vector InverseRootOf(Vector x) {
-  constexpr hn::RebindToUnsigned<Doubles> kBits;
-  const Vector half = hn::Mul(hn::Set(kDoubles, 0.5), x), three_halves = hn::Set(kDoubles, 1.5);
-  Vector y = hn::BitCast(kDoubles,
-                         hn::Sub(hn::Set(kBits, kInverseRootBits), hn::ShiftRight<1>(hn::BitCast(kBits, x))));
-  for (int i = 0; i < 3; ++i) y = hn::Mul(y, hn::Sub(three_halves, hn::Mul(half, hn::Mul(y, y))));
-  return y;
 }
 
 // x y - z w
@@ -122,8 +115,53 @@ HWY_INLINE Block<3> OfQuotient(const Block<4>& p, const Block<4>& derivative) {
   return result;
 }
 
+using Half = hn::Vec<decltype(kHalves)>;
+
+#if HWY_MAX_BYTES >= 32
+constexpr bool kHasRecords = true;
+
+// Vertices and normals: x, y, z, nx, ny, nz of each column after the other.
+HWY_INLINE void StoreRecords(const Half (&position)[3], const Half (&normal)[3], float* to) {
+  constexpr hn::RepartitionToWide<decltype(kHalves)> kPairs;
+  const auto store = [&](auto xy, auto z_nx, auto ny_nz) {
+    hn::StoreInterleaved3(hn::BitCast(kPairs, xy), hn::BitCast(kPairs, z_nx), hn::BitCast(kPairs, ny_nz),
+                          kPairs, reinterpret_cast<double*>(to));
+    to += kLanes / 2 * 6;
+  };
+  const Half low[3] = {hn::InterleaveLower(kHalves, position[0], position[1]),
+                       hn::InterleaveLower(kHalves, position[2], normal[0]),
+                       hn::InterleaveLower(kHalves, normal[1], normal[2])},
+             high[3] = {hn::InterleaveUpper(kHalves, position[0], position[1]),
+                        hn::InterleaveUpper(kHalves, position[2], normal[0]),
+                        hn::InterleaveUpper(kHalves, normal[1], normal[2])};
+  static_assert(kLanes == 4 || kLanes == 8);
+  if constexpr (kLanes == 4) {
+    store(low[0], low[1], low[2]);
+    store(high[0], high[1], high[2]);
+  } else {  // these worked in blocks of 128 bits
+    store(hn::ConcatLowerLower(kHalves, high[0], low[0]), hn::ConcatLowerLower(kHalves, high[1], low[1]),
+          hn::ConcatLowerLower(kHalves, high[2], low[2]));
+    store(hn::ConcatUpperUpper(kHalves, high[0], low[0]), hn::ConcatUpperUpper(kHalves, high[1], low[1]),
+          hn::ConcatUpperUpper(kHalves, high[2], low[2]));
+  }
+}
+#else
+constexpr bool kHasRecords = false;
+inline void StoreRecords(const Half (&)[3], const Half (&)[3], float*) {}
+#endif
+
+// The lanes below `count` that are not in the mask.
+template <class D, class Function>
+HWY_NOINLINE void ForOthers(D d, hn::Mask<D> mask, std::size_t count, const Function& function) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, mask, bits);
+  for (std::size_t lane = 0; lane < kLanes && lane < count; ++lane) {
+    if ((bits[0] >> lane & 1) == 0) function(lane);
+  }
+}
+
 // The degree in u, if known when this is compiled.
-template <bool kRational, int kDegree>
+template <bool kRational, bool kVertices, int kDegree>
 void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
   const Surface& surface = plan.surface(Attribute::kVertex);
   const int n = kDegree < 0 ? surface.degree[0] : kDegree;
@@ -141,21 +179,45 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
   const Vector least_square = hn::Set(kDoubles, bounds.least_square), one = hn::Set(kDoubles, 1);
   Vector error[3];
   for (std::size_t k = 0; k < 3; ++k) error[k] = hn::Set(kDoubles, bounds.error[k]);
+  const PreparedMap& map = plan.map(Attribute::kVertex);
+  Vector scale[3], low[3], high[3];  // of the test of vertices
+  for (std::size_t k = 0; k < 3; ++k) {
+    scale[k] = hn::Set(kDoubles, map.test.scale[k]);
+    low[k] = hn::Set(kDoubles, map.test.low[k]);
+    high[k] = hn::Set(kDoubles, map.test.high[k]);
+  }
+  constexpr std::size_t kValues = kVertices ? 6 : 3;
+  const std::size_t before = (kValues - 3) * sizeof(float);
   NormalRow row(plan);
   for (std::size_t r = 0; r < range.rows; ++r) {
-    row.MoveTo({range.v, range.j1 + static_cast<std::int64_t>(r)});
-    std::byte* const data = to.data + r * to.row_stride;
-    const auto put_exactly = [&](std::size_t column) {
+    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
+    row.MoveTo(v, kVertices);
+    std::byte* const data = to.data + r * to.row_stride - before;
+    const auto put_normal = [&](std::size_t column) {
       const std::array<float, 3> normal = row.At({range.u, range.i1 + static_cast<std::int64_t>(column)});
-      std::memcpy(data + column * to.stride, normal.data(), sizeof normal);
+      std::memcpy(data + column * to.stride + before, normal.data(), sizeof normal);
+    };
+    const auto put_vertex = [&](std::size_t column) {
+      const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(column)};
+      float vertex[4];
+      ValuesAt(plan, Attribute::kVertex, u, v, vertex);
+      std::memcpy(data + column * to.stride, vertex, 3 * sizeof(float));
     };
     if (row.growth() != 1) {
-      for (std::size_t c = 0; c < range.columns; ++c) put_exactly(c);
+      for (std::size_t c = 0; c < range.columns; ++c) {
+        put_normal(c);
+        if (kVertices) put_vertex(c);
+      }
       continue;
     }
     const double *const p = row.points(kPoint), *const p_u = row.points(kTangentU),
                         *const p_v = row.points(kTangentV);
     for (std::size_t c = 0; c < range.columns; c += kStep) {
+      const std::size_t count = std::min(kStep, range.columns - c);
+      const bool in_place = to.stride == kValues * sizeof(float) && count == kStep;
+      alignas(64) float room[kStep * kValues];
+      std::byte* const element = data + c * to.stride;
+      float* const results = in_place ? reinterpret_cast<float*>(element) : room;
       Block<3> a, b;
       if constexpr (kRational) {
         const Block<4> at = Sum<4>(p, n, weights + c, padded);
@@ -165,8 +227,8 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
         a = Sum<3>(p_u, n - 1, weights_of_tangent + c, padded);
         b = Sum<3>(p_v, n, weights + c, padded);
       }
-      alignas(64) float normals[kStep * 3];
       hn::Mask<Doubles> sure[kUnroll];
+      Half normal[kUnroll][3];
       for (std::size_t part = 0; part < kUnroll; ++part) {
         Vector m[3];
         for (int k = 0; k < 3; ++k) {
@@ -175,61 +237,96 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
         }
         const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
         sure[part] = hn::Ge(square, least_square);
-        const Vector inverse = InverseRootOf(square);
-        hn::Vec<decltype(kHalves)> rounded[3];
+        const Vector inverse = hn::Div(one, hn::Sqrt(square));
         for (int k = 0; k < 3; ++k) {
           const Vector unit = hn::IfThenElseZero(hn::Gt(hn::Abs(m[k]), error[k]), hn::Mul(m[k], inverse));
-          rounded[k] = hn::DemoteTo(kHalves, unit);
+          normal[part][k] = hn::DemoteTo(kHalves, unit);
         }
-        hn::StoreInterleaved3(rounded[0], rounded[1], rounded[2], kHalves, normals + part * kLanes * 3);
       }
-      const std::size_t count = std::min(kStep, range.columns - c);
-      std::byte* element = data + c * to.stride;
-      if (to.stride == sizeof(float) * 3 && count == kStep) {
-        std::memcpy(element, normals, sizeof normals);
-      } else if (HWY_LIKELY(count == kStep && kStep % 4 == 0)) {
-        CopyTriples(normals, kStep, to.stride, element);
-      } else {
-        for (std::size_t i = 0; i < count; ++i, element += to.stride)
-          std::memcpy(element, normals + 3 * i, 3 * sizeof(float));
+      Half position[kUnroll][3];
+      hn::Mask<decltype(kHalves)> settled[kUnroll];
+      if constexpr (kVertices) {
+        const Block<3> at = Sum<3, true>(p, n, weights + c, padded);
+        for (std::size_t part = 0; part < kUnroll; ++part) {
+          settled[part] = hn::Eq(hn::Zero(kHalves), hn::Zero(kHalves));
+          for (int k = 0; k < 3; ++k) {
+            const Vector value = at.value[k][part];
+            const Half least = hn::DemoteTo(kHalves, hn::MulAdd(value, scale[k], low[k]));
+            position[part][k] = hn::DemoteTo(kHalves, hn::MulAdd(value, scale[k], high[k]));
+            settled[part] = hn::And(settled[part], hn::Eq(least, position[part][k]));
+          }
+        }
       }
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        if (HWY_LIKELY(hn::AllTrue(kDoubles, sure[part]))) continue;
-        alignas(64) double is_sure[kLanes];
-        hn::Store(hn::IfThenElseZero(sure[part], one), kDoubles, is_sure);
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          const std::size_t i = part * kLanes + lane;
-          if (i < count && is_sure[lane] == 0) put_exactly(c + i);
+        float* const here = results + part * kLanes * kValues;
+        if constexpr (kVertices) {
+          StoreRecords(position[part], normal[part], here);
+        } else {
+#if HWY_TARGET == HWY_SCALAR
+          for (int k = 0; k < 3; ++k) here[k] = hn::GetLane(normal[part][k]);
+#else
+          hn::StoreInterleaved3(normal[part][0], normal[part][1], normal[part][2], kHalves, here);
+#endif
+        }
+      }
+      if (!in_place) {
+        if (!kVertices && kStep % 4 == 0 && count == kStep) {
+          CopyTriples(room, kStep, to.stride, element);
+        } else {
+          for (std::size_t i = 0; i < count; ++i)
+            std::memcpy(element + i * to.stride, room + kValues * i, kValues * sizeof(float));
+        }
+      }
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        const std::size_t begin = c + part * kLanes, end = c + count;
+        const std::size_t left = end > begin ? end - begin : 0;
+        if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, sure[part])))
+          ForOthers(kDoubles, sure[part], left, [&](std::size_t lane) { put_normal(begin + lane); });
+        if constexpr (kVertices) {
+          if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled[part])))
+            ForOthers(kHalves, settled[part], left, [&](std::size_t lane) { put_vertex(begin + lane); });
         }
       }
     }
   }
 }
 
-template <bool kRational>
+template <bool kRational, bool kVertices>
 void RowsOf(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
   switch (plan.surface(Attribute::kVertex).degree[0]) {
     case 2:
-      return Rows<kRational, 2>(plan, range, to, weights);
+      return Rows<kRational, kVertices, 2>(plan, range, to, weights);
     case 3:
-      return Rows<kRational, 3>(plan, range, to, weights);
+      return Rows<kRational, kVertices, 3>(plan, range, to, weights);
     default:
-      return Rows<kRational, -1>(plan, range, to, weights);
+      return Rows<kRational, kVertices, -1>(plan, range, to, weights);
   }
 }
 
-void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, std::byte* scratch) {
+void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
+          std::byte* scratch) {
   const Surface& surface = plan.surface(Attribute::kVertex);
   auto* const weights = reinterpret_cast<double*>(scratch);
+  const auto vertices_apart = [&] {
+    constexpr std::size_t kBytes = 3 * sizeof(float);
+    plan.kernels().mesh(plan.map(Attribute::kVertex), range, false,
+                        {to.data - kBytes, to.stride, to.row_stride, 3}, scratch);
+  };
   if (surface.degree[0] == 0 || surface.degree[1] == 0) {
     // A tangent is zero.
     for (std::size_t r = 0; r < range.rows; ++r) {
       for (std::size_t c = 0; c < range.columns; ++c)
         std::memset(to.data + r * to.row_stride + c * to.stride, 0, 3 * sizeof(float));
     }
+    if (with_vertices) vertices_apart();
     return;
   }
-  surface.components == 4 ? RowsOf<true>(plan, range, to, weights) : RowsOf<false>(plan, range, to, weights);
+  if (surface.components == 4) return RowsOf<true, false>(plan, range, to, weights);
+  if constexpr (kHasRecords) {
+    if (with_vertices) return RowsOf<false, true>(plan, range, to, weights);
+  }
+  RowsOf<false, false>(plan, range, to, weights);
+  if (with_vertices) vertices_apart();
 }
 
 constexpr NormalMesh MakeNormalMesh() { return Mesh; }
@@ -263,9 +360,7 @@ constexpr NamedMesh kNormalMeshes[] = {
 }  // namespace
 
 NormalMesh NormalMeshOf(const Kernels& kernels) {
-#ifdef GLEV_FAULTS
-  if (active_fault != Fault::kNone) return nullptr;  // those sit in Row
-#endif
+  if (IsPlain()) return nullptr;  // faults sit in Row
   for (const auto& [name, mesh] : kNormalMeshes) {
     if (std::strcmp(name, kernels.name) == 0) return mesh;
   }

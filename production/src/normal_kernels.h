@@ -8,10 +8,11 @@
 
 namespace glev {
 
-// Normals of a plan that has automatic ones, with the bits of NormalRow. `to` is of floats. scratch:
-// NormalMeshScratch bytes, aligned to a cache line. In the default environment.
+// Normals of a plan that has automatic ones, with the bits of NormalRow. Of a VERTEX_3 map also the vertices,
+// the correctly rounded ones, if `with_vertices` says so: each lies right before its normal. `to` is of
+// floats. scratch: NormalMeshScratch bytes, aligned to a cache line. In the default environment.
 using NormalMesh = void (*)(const glev_plan& plan, const MeshRange& range, const Destination& to,
-                            std::byte* scratch);
+                            bool with_vertices, std::byte* scratch);
 
 // That of the same instruction set; null if there is none.
 NormalMesh NormalMeshOf(const Kernels& kernels);

@@ -221,6 +221,47 @@ class NormalBounds : public ::testing::Test {
     return result;
   }
 
+  // Vertices and normals as records of six floats, `stride` floats apart, against the calls.
+  static void CheckRecords(glev_context* gl, const Range& range, std::size_t stride) {
+    const glev_plan_info info = {sizeof info, 2};
+    glev_plan* plan = nullptr;
+    ASSERT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
+    std::vector<float> got(range.count() * stride, 77);
+    const std::size_t bytes = got.size() * sizeof(float);
+    const glev_output vertex = {sizeof vertex, got.data(), bytes, stride * sizeof(float), 3, GLEV_FLOAT, 0},
+                      normal = {sizeof normal,
+                                got.data() + 3,
+                                bytes - 3 * sizeof(float),
+                                stride * sizeof(float),
+                                3,
+                                GLEV_FLOAT,
+                                0};
+    glev_mesh mesh = {};
+    mesh.size = sizeof mesh;
+    mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
+    mesh.outputs.vertex = &vertex;
+    mesh.outputs.normal = &normal;
+    std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+    mesh.scratch = scratch.data();
+    mesh.scratch_size = scratch.size();
+    EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+    glevReleasePlan(plan);
+    Recording recording;
+    const glev_sink sink = recording.Sink();
+    glevSetSink(gl, &sink);
+    glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2);
+    glevSetSink(gl, nullptr);
+    int different = 0;
+    for (std::size_t i = 0; i < range.count(); ++i) {
+      const glev_vertex& expected = recording.vertices[i];
+      const float* const record = &got[i * stride];
+      different += std::memcmp(record, expected.position, 12) != 0;
+      different += std::memcmp(record + 3, expected.normal, 12) != 0;
+      for (std::size_t k = 6; k < stride; ++k) different += record[k] != 77;
+    }
+    EXPECT_EQ(different, 0) << "stride " << stride;
+  }
+
   static std::vector<Normal> Calls(glev_context* gl, const Range& range, int mode = FE_TONEAREST) {
     Recording recording;
     const glev_sink sink = recording.Sink();
@@ -251,6 +292,10 @@ class NormalBounds : public ::testing::Test {
         }
         EXPECT_EQ(different, 0) << target << ", mode " << mode << ", orders " << patch.order[0] << " x "
                                 << patch.order[1] << ", components " << patch.components;
+      }
+      if (patch.components == 3) {
+        CheckRecords(gl, range, 6);
+        CheckRecords(gl, range, 7);
       }
       glevDestroyContext(gl);
     }
