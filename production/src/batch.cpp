@@ -142,8 +142,12 @@ glev_result CheckMemory(const Outputs& outputs, const std::array<Stream, kOthers
   return GLEV_SUCCESS;
 }
 
-bool IsPrecision(glev_precision precision) {
-  return precision == GLEV_CORRECTLY_ROUNDED || precision == GLEV_FAST;
+// C programs may have put any number there, which C++ must not read as an enumerator.
+bool IsPrecision(const glev_precision& precision) {
+  unsigned value;
+  static_assert(sizeof value == sizeof precision);
+  std::memcpy(&value, &precision, sizeof value);
+  return value == GLEV_CORRECTLY_ROUNDED || value == GLEV_FAST;
 }
 
 // ---- What has no kernel
