@@ -208,6 +208,7 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
     for (std::size_t stride : {std::size_t{16}, std::size_t{1} << 31, SIZE_MAX / 2 + 1, SIZE_MAX}) {
       for (std::size_t row_stride : {std::size_t{0}, SIZE_MAX / 2, SIZE_MAX}) {
         for (std::size_t size : {memory.size(), SIZE_MAX}) {
+          if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // there may be as much
           glev_output color = memory.Output(0, stride, 4, 0, row_stride);
           color.data_size = size;
           glev_mesh mesh = MeshOf(range);
