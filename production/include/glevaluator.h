@@ -6,8 +6,8 @@
  *      with the prefix glev and the context as first argument, and behave as GL 4.6 (compatibility
  *      profile) says, errors included. Vertices come out through a sink: three callbacks.
  *   2. Batches. A glev_plan is an immutable snapshot of what the enabled maps of a context evaluate to;
- *      glevEvaluate runs arrays of arguments, glevEvaluateMesh points of the grid through it into memory of the
- *      caller, glevGetIndices says how these make primitives.
+ *      glevEvaluate runs arrays of arguments, glevEvaluateMesh points of the grid through it into memory of
+ * the caller, glevGetIndices says how these make primitives.
  *
  * Conventions
  *   - C99 and C++. No globals: everything hangs on a context or a plan.
@@ -204,9 +204,9 @@ typedef struct glev_context_info {
   const char* target;              /* one of glevGetTargetName; null for the best */
 } glev_context_info;
 
-/* The names of the instruction sets ("AVX2" and the like) that this library can use on this machine, best first;
- * null for an index beyond the last. A context and its plans use one of them. Correctly rounded results do not
- * depend on which. */
+/* The names of the instruction sets ("AVX2" and the like) that this library can use on this machine, best
+ * first; null for an index beyond the last. A context and its plans use one of them. Correctly rounded
+ * results do not depend on which. */
 GLEV_API const char* glevGetTargetName(size_t index);
 
 /* Makes a context in the GL's initial state (GL §21.1 last paragraph, tables 23.4, 23.40): every map
@@ -618,10 +618,10 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
 /* How exact the results are.
  * CORRECTLY_ROUNDED: those of EvalCoord and EvalPoint, bit for bit.
  * FAST: of what a map gives, each component of a float result differs from the exact value V by at most
- *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the largest
- *   magnitude of that component of a control point, as long as that is between 2^-80 and 2^80; otherwise, and
- *   outside the domain, it is the correctly rounded one. Automatic normals, tangents and double results are
- *   the same in both. */
+ *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the
+ * largest magnitude of that component of a control point, as long as that is between 2^-80 and 2^80;
+ * otherwise, and outside the domain, it is the correctly rounded one. Automatic normals, tangents and double
+ * results are the same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Where one attribute goes: element i is `components` values at data + i*stride bytes; in a mesh of two
@@ -635,8 +635,7 @@ typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_p
  *   of a row; 0: rows follow one another.
  * No alignment is required. Bytes between elements are not touched, so attributes may be interleaved.
  *
- * Double results of maps are within one ULP of V wherever |V| >= 2^-40 * sum |B_i R_i|, otherwise within
- * (64 (n + m) + 64) * 2^-105 * sum |B_i R_i| of it, for all finite maps, domains and arguments. */
+ * Double results of maps are within one ULP of V, for all finite maps, domains and arguments. */
 typedef struct glev_output {
   size_t size;
   void* data;
@@ -649,11 +648,12 @@ typedef struct glev_output {
 
 /* The outputs of a batch; one that is null is not computed. tangent_u and tangent_v, of plans of dimension 2
  * with a vertex map: the derivatives of its components by u and v (of homogeneous coordinates, not of their
- * quotient). With V the exact value and D the largest difference of neighbours among the control points in that
- * direction, times the degree over the width of the domain, inside the domain float results are within 2^-24 |V|
- * + (13 (n + m) + 4) 2^-53 D and double results within 2^-53 |V| + 2^-80 D, n and m the degrees, for finite maps
- * of magnitudes from 2^-300 to 2^300 or zero and grids of at most 2^10 times the domain. Automatic normals as
- * doubles are the floats' values. */
+ * quotient). With V the exact value and D the largest difference of neighbours among the control points in
+ * that direction, times the degree over the width of the domain, inside the domain float results are within
+ * 2^-24 |V|
+ * + (13 (n + m) + 4) 2^-53 D and double results within 2^-53 |V| + 2^-80 D, n and m the degrees, for finite
+ * maps of magnitudes from 2^-300 to 2^300 or zero and grids of at most 2^10 times the domain. Automatic
+ * normals as doubles are the floats' values. */
 typedef struct glev_outputs {
   const glev_output* vertex;
   const glev_output* color;
@@ -671,8 +671,8 @@ typedef struct glev_input {
   size_t stride;
 } glev_input;
 
-/* `count` arguments u, or (u, v), of type `type` (GLEV_FLOAT or GLEV_DOUBLE). v: for plans of dimension 2 only,
- * all zero else. */
+/* `count` arguments u, or (u, v), of type `type` (GLEV_FLOAT or GLEV_DOUBLE). v: for plans of dimension 2
+ * only, all zero else. */
 typedef struct glev_batch {
   size_t size;
   size_t count;
@@ -683,15 +683,12 @@ typedef struct glev_batch {
   glev_outputs outputs;
 } glev_batch;
 
-/* Evaluates the maps of a plan at each argument. Unlike in the GL, no vertex map is needed for the others to be
- * evaluated. Everything is checked before anything is written. With count 0 nothing is read or written, and all
- * data may be null.
- * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer, a wrong size, type, stride, precision or number of components.
- * NO_MAP: an output for an attribute without a map.
- * BUFFER_TOO_SMALL: a data_size.
- * OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one block is
- *   recognised if the strides are equal; with different strides the blocks must be apart. */
+/* Evaluates the maps of a plan at each argument. Unlike in the GL, no vertex map is needed for the others to
+ * be evaluated. Everything is checked before anything is written. With count 0 nothing is read or written,
+ * and all data may be null. Returns SUCCESS or INVALID_ARGUMENT: a null pointer, a wrong size, type, stride,
+ * precision or number of components. NO_MAP: an output for an attribute without a map. BUFFER_TOO_SMALL: a
+ * data_size. OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one
+ * block is recognised if the strides are equal; with different strides the blocks must be apart. */
 GLEV_API glev_result glevEvaluate(const glev_plan* plan, const glev_batch* batch);
 
 /* The points i1..i2 of the plan's grid, for plans of dimension 2 i1..i2 times j1..j2; j1 = j2 = 0 else. Any
@@ -711,16 +708,17 @@ typedef struct glev_mesh {
  * never allocates. 0 for a mesh that it refuses. May be 0. */
 GLEV_API size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* mesh);
 
-/* Evaluates the maps of a plan at points of its grid. Values, checks and results as glevEvaluate; scratch counts
- * as an output. */
+/* Evaluates the maps of a plan at points of its grid. Values, checks and results as glevEvaluate; scratch
+ * counts as an output. */
 GLEV_API glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* mesh);
 
 /* ---- Indices ---- */
 
-/* How the vertices of a mesh of columns * rows points, numbered along u first, make primitives for glDrawElements:
- * POINT: POINTS, in the order of EvalMesh2. LINE: LINES, first those along u, then those along v, each as EvalMesh
- * draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs, (i,j) (i,j+1) (i+1,j) and
- * (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows = 1, and no FILL. */
+/* How the vertices of a mesh of columns * rows points, numbered along u first, make primitives for
+ * glDrawElements: POINT: POINTS, in the order of EvalMesh2. LINE: LINES, first those along u, then those
+ * along v, each as EvalMesh draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs,
+ * (i,j) (i,j+1) (i+1,j) and (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows
+ * = 1, and no FILL. */
 typedef struct glev_indices {
   size_t size;
   glev_enum mode;
@@ -736,8 +734,8 @@ GLEV_API size_t glevGetIndexCount(const glev_indices* indices);
 
 /* Writes them, without gaps.
  * Returns SUCCESS or
- * INVALID_ARGUMENT: a null pointer, a wrong size, mode or type, or a vertex whose number the type cannot hold.
- * BUFFER_TOO_SMALL: data_size. */
+ * INVALID_ARGUMENT: a null pointer, a wrong size, mode or type, or a vertex whose number the type cannot
+ * hold. BUFFER_TOO_SMALL: data_size. */
 GLEV_API glev_result glevGetIndices(const glev_indices* indices);
 
 #ifdef __cplusplus

@@ -81,9 +81,8 @@ double InDouble(const PreparedMap& map, int k, const GridArgument& u, const Grid
   if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
     return Plainly(map, k, u, v);
   const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
-  // Below, the absolute part of its error would count.
-  constexpr double kRelative = 0x1p-560;
-  if (!(enclosure.error < HUGE_VAL) || !(std::fabs(enclosure.value.high) >= kRelative))
+  // Half an ULP of rounding and this are less than one.
+  if (!(enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))
     return RoundExactly<double>(component.lowest, u, v);
   return enclosure.value.high;
 }
