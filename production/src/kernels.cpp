@@ -1,5 +1,5 @@
-// Compiled once for each instruction set. The bounds of what is computed in double: prepared_map.h; all else follows
-// from results being correctly rounded.
+// Compiled once for each instruction set. The bounds of what is computed in double: prepared_map.h; all else
+// follows from results being correctly rounded.
 #include "production/src/kernels.h"
 
 #include <algorithm>

@@ -67,6 +67,8 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
 // least 1.
 double Growth(const Parameter& at, int degree);
 
+// The test of values within units * unit * growth of V; infinite, and so never passed, where that claims
+// nothing.
 PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth);
 
 }  // namespace glev
