@@ -194,7 +194,8 @@ class Specification {
 
   // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
   // did raise first; empty if it raised none. For CallList and CallLists, those of all commands in the lists:
-  // an implementation may keep several until they are asked for. GetError reports the first error since the last GetError.
+  // an implementation may keep several until they are asked for. GetError reports the first error since the
+  // last GetError.
   const std::vector<GLenum>& permitted_errors() const { return permitted_errors_; }
 
  private:
