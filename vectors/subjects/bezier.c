@@ -1,5 +1,5 @@
-/* An evaluator to be judged: `evalcts vectors emit | bezier | evalcts vectors check`. De Casteljau's construction in
-   double precision; it leaves normals out. */
+/* An evaluator to be judged: `evalcts vectors emit | bezier | evalcts vectors check`. De Casteljau's
+   construction in double precision; it leaves normals out. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
