@@ -158,7 +158,8 @@ class Production {
     glev_context_info info{};
     info.size = sizeof info;
     info.target = target.c_str();
-    if (glevCreateContext(&info, &context_) != GLEV_SUCCESS)
+    if (glevCreateContext(&info, &context_) != GLEV_SUCCESS ||
+        glevCreateContext(&info, &vertices_) != GLEV_SUCCESS)
       throw std::invalid_argument("no such instruction set here: " + target);
     sink_.size = sizeof sink_;
     sink_.user = &single_;
@@ -166,12 +167,19 @@ class Production {
       std::copy_n(vertex->texcoord[0], 4, static_cast<float*>(user));
     };
     glevSetSink(context_, &sink_);
+    glev_sink positions = sink_;
+    positions.user = &positions_;
+    positions.vertex = [](void* user, const glev_vertex* vertex) {
+      static_cast<std::vector<std::array<float, 4>>*>(user)->push_back(std::to_array(vertex->position));
+    };
+    glevSetSink(vertices_, &positions);
   }
   Production(const Production&) = delete;
   Production& operator=(const Production&) = delete;
   ~Production() {
     glevReleasePlan(plan_);
     glevDestroyContext(context_);
+    glevDestroyContext(vertices_);
   }
 
   const std::string& target() const { return target_; }
@@ -180,15 +188,21 @@ class Production {
   void define(const Map& map, bool two_dimensional, const std::optional<std::array<Grid, 2>>& grid) {
     const auto dimension_token = [&](glev_enum one) { return one + (two_dimensional ? 0x20 : 0); };
     for (glev_enum k = 0; k < 4; ++k) glevDisable(context_, dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + k));
-    const glev_enum target = dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + map.components - 1);
-    const auto [u1, u2, v1, v2] = map.domain;
-    if (two_dimensional) {
-      glevMap2d(context_, target, u1, u2, map.vorder * map.components, map.uorder, v1, v2, map.components,
-                map.vorder, map.points.data());
-    } else {
-      glevMap1d(context_, target, u1, u2, map.components, map.uorder, map.points.data());
+    const auto define_in = [&](glev_context* context, glev_enum target) {
+      const auto [u1, u2, v1, v2] = map.domain;
+      if (two_dimensional) {
+        glevMap2d(context, target, u1, u2, map.vorder * map.components, map.uorder, v1, v2, map.components,
+                  map.vorder, map.points.data());
+      } else {
+        glevMap1d(context, target, u1, u2, map.components, map.uorder, map.points.data());
+      }
+      glevEnable(context, target);
+    };
+    define_in(context_, dimension_token(GLEV_MAP1_TEXTURE_COORD_1 + map.components - 1));
+    if (map.components >= 3) {
+      for (glev_enum k = 0; k < 2; ++k) glevDisable(vertices_, dimension_token(GLEV_MAP1_VERTEX_3 + k));
+      define_in(vertices_, dimension_token(GLEV_MAP1_VERTEX_3 + map.components - 3));
     }
-    glevEnable(context_, target);
     glevEnable(context_, dimension_token(GLEV_MAP1_VERTEX_3));  // a vertex is what shows them in single calls
     if (grid) {
       const auto& [u, v] = *grid;
@@ -236,6 +250,17 @@ class Production {
     glevEnd(context_);
     return single_;
   }
+  // The same for vertex maps, of 3 or 4 components, which calls between Begin and End evaluate by a way of
+  // their own.
+  const std::vector<std::array<float, 4>>& coords(const std::vector<double>& u,
+                                                  const std::vector<double>& v) {
+    positions_.clear();
+    glevBegin(vertices_, GLEV_POINTS);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      v.empty() ? glevEvalCoord1d(vertices_, u[i]) : glevEvalCoord2d(vertices_, u[i], v[i]);
+    glevEnd(vertices_);
+    return positions_;
+  }
   std::array<float, 4> point(bool two_dimensional, int i, int j) {
     glevBegin(context_, GLEV_POINTS);
     two_dimensional ? glevEvalPoint2(context_, i, j) : glevEvalPoint1(context_, i);
@@ -246,6 +271,8 @@ class Production {
  private:
   std::string target_;
   glev_context* context_ = nullptr;
+  glev_context* vertices_ = nullptr;
+  std::vector<std::array<float, 4>> positions_;
   glev_plan* plan_ = nullptr;
   glev_sink sink_{};
   std::array<float, 4> single_{};
@@ -377,6 +404,13 @@ class Item {
         const std::array<float, 4> values = side->coord(two_dimensional_, u[i], two_dimensional_ ? v[i] : 0);
         for (int k = 0; k < map_.components; ++k)
           compare(*side, "EvalCoord", u[i], two_dimensional_ ? v[i] : 0, k, values[k], expected[k][i]);
+      }
+      if (map_.components < 3) continue;
+      const std::vector<std::array<float, 4>>& positions = side->coords(u, v);
+      for (std::size_t i = 0; i < count; ++i) {
+        for (int k = 0; k < map_.components; ++k)
+          compare(*side, "EvalCoord after another", u[i], two_dimensional_ ? v[i] : 0, k, positions[i][k],
+                  expected[k][i]);
       }
     }
   }

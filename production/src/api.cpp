@@ -30,6 +30,27 @@ bool Refused(glev_context* context, const void* v) {
   return v == nullptr;
 }
 
+double Widened(float x) { return Widen(x); }
+double Widened(double x) { return x; }
+
+// Apart, so that the short way has a small frame.
+template <class Real>
+[[gnu::noinline]] void IssueEvalCoord(glev_context* context, int dimension, Real u, Real v) {
+  context->Issue(glev::EvalCoordCommand{dimension, Widened(u), Widened(v)});
+}
+
+template <class Real>
+void EvalCoord(glev_context* context, Real u) {
+  if (!glev::IsSubnormal(u) && context->EvalDirectly(1, u, 0)) return;
+  IssueEvalCoord<Real>(context, 1, u, 0);
+}
+
+template <class Real>
+void EvalCoord(glev_context* context, Real u, Real v) {
+  if (!glev::IsSubnormal(u) && !glev::IsSubnormal(v) && context->EvalDirectly(2, u, v)) return;
+  IssueEvalCoord(context, 2, u, v);
+}
+
 template <std::size_t kCount, class Real>
 void Vertex(glev_context* context, const Real* v) {
   if (Refused(context, v)) return;
@@ -157,30 +178,22 @@ glev_boolean glevIsEnabled(glev_context* context, glev_enum cap) {
 
 // ---- Evaluation
 
-void glevEvalCoord1f(glev_context* context, glev_float u) {
-  context->Issue(glev::EvalCoordCommand{1, Widen(u), 0});
-}
-void glevEvalCoord1d(glev_context* context, glev_double u) {
-  context->Issue(glev::EvalCoordCommand{1, u, 0});
-}
+void glevEvalCoord1f(glev_context* context, glev_float u) { EvalCoord(context, u); }
+void glevEvalCoord1d(glev_context* context, glev_double u) { EvalCoord(context, u); }
 void glevEvalCoord1fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, Widen(*u), 0});
+  if (!Refused(context, u)) EvalCoord(context, *u);
 }
 void glevEvalCoord1dv(glev_context* context, const glev_double* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{1, *u, 0});
+  if (!Refused(context, u)) EvalCoord(context, *u);
 }
 
-void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) {
-  context->Issue(glev::EvalCoordCommand{2, Widen(u), Widen(v)});
-}
-void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) {
-  context->Issue(glev::EvalCoordCommand{2, u, v});
-}
+void glevEvalCoord2f(glev_context* context, glev_float u, glev_float v) { EvalCoord(context, u, v); }
+void glevEvalCoord2d(glev_context* context, glev_double u, glev_double v) { EvalCoord(context, u, v); }
 void glevEvalCoord2fv(glev_context* context, const glev_float* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, Widen(u[0]), Widen(u[1])});
+  if (!Refused(context, u)) EvalCoord(context, u[0], u[1]);
 }
 void glevEvalCoord2dv(glev_context* context, const glev_double* u) {
-  if (!Refused(context, u)) context->Issue(glev::EvalCoordCommand{2, u[0], u[1]});
+  if (!Refused(context, u)) EvalCoord(context, u[0], u[1]);
 }
 
 // ---- Grids and meshes

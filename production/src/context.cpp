@@ -228,6 +228,7 @@ glev_plan* glev_context::CurrentPlan(int dimension) {
 
 void glev_context::DropPlan(int dimension) {
   current_.Unstage();
+  direct_[dimension - 1] = nullptr;
   glev_plan*& plan = plans_[dimension - 1];
   if (plan != nullptr) plan->Release();
   plan = nullptr;
@@ -298,8 +299,15 @@ void glev_context::EvaluateAt(int dimension, const GridArgument& u, const GridAr
   if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
   const glev_plan* plan = PlanToDraw(dimension);
   if (plan == nullptr) return;
-  if (!plan->automatic_normals() && !glev::IsPlain()) return EmitAt(*plan, u, v, nullptr);
-  EvaluateWithRow(*plan, u, v);
+  if (plan->automatic_normals() || glev::IsPlain()) return EvaluateWithRow(*plan, u, v);
+  EmitAt(*plan, u, v, nullptr);
+  // A callback may have ended the primitive, and the plan.
+  if (plans_[dimension - 1] == plan && IsDirect(*plan)) direct_[dimension - 1] = plan;
+}
+
+bool glev_context::IsDirect(const glev_plan& plan) const {
+  return plan.direct() != nullptr && in_primitive_ && !in_mesh_ && callbacks_ == 0 && open_.mode == 0 &&
+         in_default_environment_;
 }
 
 // Apart, for its large frame.
@@ -413,10 +421,12 @@ void glev_context::Begin(glev_enum mode) {
   if (mode == kPatches) return RecordError(GLEV_INVALID_OPERATION);
   in_primitive_ = true;
   CallSink(sink_.begin, mode);
+  in_default_environment_ = glev::InDefaultEnvironment();
 }
 
 void glev_context::End() {
   if (!in_primitive_ || in_mesh_) return RecordError(GLEV_INVALID_OPERATION);
+  direct_ = {};
   CallSink(sink_.end);
   in_primitive_ = false;
 }

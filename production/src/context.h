@@ -92,6 +92,9 @@ struct glev_context {
   bool IsEnabled(glev_enum cap);
   void SetGrid(int dimension, const std::array<glev::Grid, 2>& grid);
   void EvalCoord(int dimension, double u, double v);
+  // The same in the most frequent case: one call after another between Begin and End. False, and nothing
+  // done, elsewhere.
+  bool EvalDirectly(int dimension, double u, double v);
   void EvalPoint(int dimension, glev_int i, glev_int j);
   void EvalMesh1(glev_enum mode, glev_int i1, glev_int i2);
   void EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2);
@@ -146,6 +149,8 @@ struct glev_context {
   // count 0 if there is no such state.
   glev::StateValues FindState(glev_enum pname);
   void DropPlan(int dimension);
+  // Whether the next call may be one of EvalDirectly.
+  bool IsDirect(const glev_plan& plan) const;
   // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
   const glev_plan* PlanToDraw(int dimension);
   // The evaluated vertex at u of the row.
@@ -181,7 +186,9 @@ struct glev_context {
   glev::CurrentVertex current_;
   unsigned active_unit_ = 0;
   bool in_primitive_ = false;
-  bool in_mesh_ = false;  // the primitive is a mesh's, not for a callback to end
+  bool in_mesh_ = false;                      // the primitive is a mesh's, not for a callback to end
+  bool in_default_environment_ = false;       // when the primitive began
+  std::array<const glev_plan*, 2> direct_{};  // [dimension - 1]; what EvalDirectly evaluates, else null
   glev_sink sink_{};
   int callbacks_ = 0;  // of the sink, being called
   int attrib_depth_ = 0;
@@ -191,6 +198,15 @@ struct glev_context {
   glev_uint list_base_ = 0;
   int list_depth_ = 0;  // lists being executed
 };
+
+inline bool glev_context::EvalDirectly(int dimension, double u, double v) {
+  const glev_plan* plan = direct_[dimension - 1];
+  if (plan == nullptr || callbacks_ != 0) return false;
+  glev_vertex* vertex = current_.FindStagedFor(plan);
+  if (vertex == nullptr || !plan->direct()(*plan, u, v, vertex->position)) return false;
+  Emit(*vertex);
+  return true;
+}
 
 template <class Command>
 void* glev_context::Compile(const Command& command, std::uint64_t more_bytes) {

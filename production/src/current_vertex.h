@@ -23,6 +23,8 @@ class CurrentVertex {
     }
     return staged_;
   }
+  // The same if it is ready, else null.
+  glev_vertex* FindStagedFor(const void* plan) { return staged_for_ == plan ? &staged_ : nullptr; }
   // A plan may be gone, and another one be where it was.
   void Unstage() { staged_for_ = nullptr; }
 

@@ -44,6 +44,23 @@ class DefaultEnvironment {
 #endif
 };
 
+// Costs more than the evaluation of a cubic. The flags do not count.
+inline bool InDefaultEnvironment() {
+#if defined(__x86_64__) || defined(_M_X64)
+  constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80;
+  return (_mm_getcsr() & 0xFFFF & ~kFlags) == kDefault;
+#elif defined(__GLIBC__)
+  return std::fegetround() == FE_TONEAREST && fegetexcept() == 0;
+#else
+  return false;
+#endif
+}
+
+inline bool IsSubnormal(float x) { return (std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFF) - 1 < 0x7FFFFF; }
+inline bool IsSubnormal(double x) {
+  return (std::bit_cast<std::uint64_t>(x) & 0x7FFFFFFFFFFFFFFF) - 1 < 0xFFFFFFFFFFFFF;
+}
+
 // The same number, whatever the environment: a conversion would take a subnormal float for zero where the
 // caller has denormals-are-zero, and trap where it is a signalling NaN.
 inline double Widen(float x) {

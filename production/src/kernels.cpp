@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "production/src/binomials.h"
+#include "production/src/plan.h"
 #include "production/src/resolve.h"
 #include "production/src/triples.h"
 
@@ -35,38 +36,49 @@ constexpr Doubles kDoubles;
 constexpr std::size_t kLanes = hn::MaxLanes(kDoubles);
 constexpr hn::Rebind<float, Doubles> kHalves;  // as many floats
 
+using Half = hn::Vec<decltype(kHalves)>;
+
 // ---- Results of a few points, lane by lane
 
+#if HWY_TARGET == HWY_SCALAR
+constexpr std::size_t kUnroll = 1;
+constexpr decltype(kHalves) kWhole;
+HWY_INLINE Half Join(const Half (&parts)[kUnroll]) { return parts[0]; }
+#else
 constexpr std::size_t kUnroll = 2;
+constexpr hn::Twice<decltype(kHalves)> kWhole;
+HWY_INLINE hn::Vec<decltype(kWhole)> Join(const Half (&parts)[kUnroll]) {
+  return hn::Combine(kWhole, parts[1], parts[0]);
+}
+#endif
 constexpr std::size_t kStep = kUnroll * kLanes;
+using Whole = hn::Vec<decltype(kWhole)>;
 
 // The results of a map. Lanes that are NaN are not settled.
 template <int kComponents>
 class Writer {
  public:
-  using Half = hn::Vec<decltype(kHalves)>;
-  // A vector of values as floats, and which of them are right.
+  // Values as floats, and which of them are right.
   struct Rounded {
-    Half value[kComponents];
-    hn::Mask<decltype(kHalves)> settled[kComponents];
+    Whole value[kComponents];
+    hn::Mask<decltype(kWhole)> settled[kComponents];
   };
 
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
-    for (int k = 0; k < kComponents; ++k) {
-      scale_[k] = hn::Set(kDoubles, test.scale[k]);
-      low_[k] = hn::Set(kDoubles, test.low[k]);
-      high_[k] = hn::Set(kDoubles, test.high[k]);
-    }
+    for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
     is_packed_ = to.components == kComponents && to.stride == kComponents * sizeof(float);
   }
 
-  HWY_INLINE Rounded Round(const Vector (&value)[kComponents]) const {
+  HWY_INLINE Rounded Round(const Vector (&value)[kUnroll][kComponents]) const {
     Rounded rounded;
     for (int k = 0; k < kComponents; ++k) {
-      const Half low = hn::DemoteTo(kHalves, hn::MulAdd(value[k], scale_[k], low_[k]));
-      const Half high = hn::DemoteTo(kHalves, hn::MulAdd(value[k], scale_[k], high_[k]));
-      rounded.value[k] = high;
-      rounded.settled[k] = hn::Eq(low, high);
+      Half low[kUnroll], high[kUnroll];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        low[part] = hn::DemoteTo(kHalves, hn::Sub(value[part][k], error_[k]));
+        high[part] = hn::DemoteTo(kHalves, hn::Add(value[part][k], error_[k]));
+      }
+      rounded.value[k] = Join(high);
+      rounded.settled[k] = hn::Eq(Join(low), rounded.value[k]);
     }
     return rounded;
   }
@@ -74,7 +86,7 @@ class Writer {
   // The elements from `begin` on, `count` <= kStep of them. Where one is not settled resolve(element,
   // component) is right.
   template <class Resolver>
-  HWY_INLINE void Write(const Rounded (&rounded)[kUnroll], std::size_t begin, std::size_t count,
+  HWY_INLINE void Write(const Rounded& rounded, std::size_t begin, std::size_t count,
                         const Resolver& resolve) const {
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
       Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
@@ -83,37 +95,25 @@ class Writer {
       Interleave(rounded, values);
       WriteApart(values, begin, count);
     }
-    auto settled = rounded[0].settled[0];
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      for (int k = 0; k < kComponents; ++k) settled = hn::And(settled, rounded[part].settled[k]);
-    }
-    if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled))) {
-      std::uint8_t bits[kUnroll][kComponents][8];
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        for (int k = 0; k < kComponents; ++k)
-          hn::StoreMaskBits(kHalves, rounded[part].settled[k], bits[part][k]);
-      }
+    auto settled = rounded.settled[0];
+    for (int k = 1; k < kComponents; ++k) settled = hn::And(settled, rounded.settled[k]);
+    if (HWY_UNLIKELY(!hn::AllTrue(kWhole, settled))) {
+      std::uint8_t bits[kComponents][8];
+      for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, rounded.settled[k], bits[k]);
       Repair(bits, begin, count, resolve);
     }
   }
 
  private:
-  static HWY_INLINE void Interleave(const Rounded (&rounded)[kUnroll], float* to) {
-    static_assert(kUnroll == 2);
+  static HWY_INLINE void Interleave(const Rounded& rounded, float* to) {
 #if HWY_TARGET == HWY_SCALAR
-    for (std::size_t part = 0; part < kUnroll; ++part) {
-      for (int k = 0; k < kComponents; ++k) *to++ = hn::GetLane(rounded[part].value[k]);
-    }
+    for (int k = 0; k < kComponents; ++k) to[k] = hn::GetLane(rounded.value[k]);
 #else
-    constexpr hn::Twice<decltype(kHalves)> kWhole;
-    hn::Vec<decltype(kWhole)> values[kComponents];
-    for (int k = 0; k < kComponents; ++k)
-      values[k] = hn::Combine(kWhole, rounded[1].value[k], rounded[0].value[k]);
-    if constexpr (kComponents == 1) hn::StoreU(values[0], kWhole, to);
-    if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kWhole, to);
-    if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kWhole, to);
-    if constexpr (kComponents == 4)
-      hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kWhole, to);
+    const auto& value = rounded.value;
+    if constexpr (kComponents == 1) hn::StoreU(value[0], kWhole, to);
+    if constexpr (kComponents == 2) hn::StoreInterleaved2(value[0], value[1], kWhole, to);
+    if constexpr (kComponents == 3) hn::StoreInterleaved3(value[0], value[1], value[2], kWhole, to);
+    if constexpr (kComponents == 4) hn::StoreInterleaved4(value[0], value[1], value[2], value[3], kWhole, to);
 #endif
   }
 
@@ -130,11 +130,11 @@ class Writer {
   }
 
   template <class Resolver>
-  HWY_NOINLINE void Repair(const std::uint8_t (&settled)[kUnroll][kComponents][8], std::size_t begin,
+  HWY_NOINLINE void Repair(const std::uint8_t (&settled)[kComponents][8], std::size_t begin,
                            std::size_t count, const Resolver& resolve) const {
     for (std::size_t i = 0; i < count; ++i) {
       for (int k = 0; k < kComponents; ++k) {
-        if ((settled[i / kLanes][k][0] >> (i % kLanes) & 1) != 0) continue;
+        if ((settled[k][i / 8] >> (i % 8) & 1) != 0) continue;
         const float result = resolve(begin + i, k);
         std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
       }
@@ -144,7 +144,7 @@ class Writer {
   const Destination& to_;
   std::byte* data_;
   bool is_packed_;
-  Vector scale_[kComponents], low_[kComponents], high_[kComponents];
+  Vector error_[kComponents];
 };
 
 // ---- Arguments
@@ -156,15 +156,23 @@ struct Place {
         u2(hn::Set(kDoubles, map.surface.domain[direction].u2)),
         width(hn::Sub(u2, u1)),
         inverse(hn::Set(kDoubles, map.inverse_width[direction])),
+        first(hn::Mul(u1, inverse)),
+        last(hn::Mul(u2, inverse)),
         has_inverse(map.inverse_width[direction] != 0) {}
   HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
   HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
   HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
 
+  // The same where there is an inverse: as it is a power of two, each is rounded once.
+  HWY_INLINE void Locate(Vector u, Vector* s, Vector* t) const {
+    *s = hn::NegMulAdd(u, inverse, last);
+    *t = hn::MulSub(u, inverse, first);
+  }
+
   // Of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
 
-  Vector u1, u2, width, inverse;
+  Vector u1, u2, width, inverse, first, last;
   bool has_inverse;  // that is exact
 };
 
@@ -207,47 +215,63 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
       kDegree < 0 ? HornerUnits(degree, place.roundings()) : WeightUnits(degree, 0, place.roundings());
   const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
   // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
-  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const Vector least = hn::Set(kDoubles, kDegree < 0 ? std::exp2(-800.0 / degree) : 0);
+  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  const bool is_packed = !input.is_double && input.stride == sizeof(float) && place.has_inverse;
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    alignas(64) double arguments[kStep];
-    Fetch(input, begin, part_count, arguments);
-    typename Writer<kComponents>::Rounded rounded[kUnroll];
-    if constexpr (kDegree >= 0) {
-      // Part after part, as there are not many registers.
+    Vector t[kUnroll], s[kUnroll];
+    if (HWY_LIKELY(is_packed && part_count == kStep)) {
+      const auto* const floats = reinterpret_cast<const float*>(input.data) + begin;
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        place.Locate(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)), &s[part], &t[part]);
+    } else {
+      alignas(64) double arguments[kStep];
+      Fetch(input, begin, part_count, arguments);
       for (std::size_t part = 0; part < kUnroll; ++part) {
         const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        const Vector s = place.S(u), t = Inside(place.T(u), s);
-        Vector weights[kDegree + 1], value[kComponents];
-        if constexpr (kDegree == 1) weights[0] = s, weights[1] = t;
+        s[part] = place.S(u), t[part] = place.T(u);
+      }
+    }
+    Vector smallest = hn::Min(s[0], t[0]);
+    for (std::size_t part = 1; part < kUnroll; ++part)
+      smallest = hn::Min(smallest, hn::Min(s[part], t[part]));
+    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Ge(smallest, hn::Zero(kDoubles))))) {
+      for (std::size_t part = 0; part < kUnroll; ++part) t[part] = Inside(t[part], s[part]);
+    }
+    Vector value[kUnroll][kComponents];
+    if constexpr (kDegree >= 0) {
+      Vector weights[kUnroll][kDegree + 1];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        auto& weight = weights[part];
+        if constexpr (kDegree == 1) weight[0] = s[part], weight[1] = t[part];
         if constexpr (kDegree == 2) {
-          weights[0] = hn::Mul(s, s);
-          weights[1] = hn::Mul(s, t);
-          weights[2] = hn::Mul(t, t);
+          weight[0] = hn::Mul(s[part], s[part]);
+          weight[1] = hn::Mul(s[part], t[part]);
+          weight[2] = hn::Mul(t[part], t[part]);
         }
         if constexpr (kDegree == 3) {
-          const Vector ss = hn::Mul(s, s), tt = hn::Mul(t, t);
-          weights[0] = hn::Mul(ss, s);
-          weights[1] = hn::Mul(ss, t);
-          weights[2] = hn::Mul(tt, s);
-          weights[3] = hn::Mul(tt, t);
+          const Vector ss = hn::Mul(s[part], s[part]), tt = hn::Mul(t[part], t[part]);
+          weight[0] = hn::Mul(ss, s[part]);
+          weight[1] = hn::Mul(ss, t[part]);
+          weight[2] = hn::Mul(tt, s[part]);
+          weight[3] = hn::Mul(tt, t[part]);
         }
-        for (int k = 0; k < kComponents; ++k) {
-          value[k] = hn::Mul(weights[0], hn::Set(kDoubles, points[k]));
-          for (int i = 1; i <= kDegree; ++i)
-            value[k] = hn::MulAdd(weights[i], hn::Set(kDoubles, points[i * kComponents + k]), value[k]);
+      }
+      for (int k = 0; k < kComponents; ++k) {
+        for (int i = 0; i <= kDegree; ++i) {
+          const Vector point = hn::Set(kDoubles, points[i * kComponents + k]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            value[part][k] = i == 0 ? hn::Mul(weights[part][0], point)
+                                    : hn::MulAdd(weights[part][i], point, value[part][k]);
         }
-        rounded[part] = writer.Round(value);
       }
     } else {
-      Vector value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
+      Vector ratio[kUnroll], power[kUnroll];
       const double* point = points + degree * kComponents;
       for (std::size_t part = 0; part < kUnroll; ++part) {
-        const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        const Vector s = place.S(u), t = Inside(place.T(u), s);
-        ratio[part] = hn::Div(t, hn::IfThenElse(hn::Ge(s, least), s, nan));
-        power[part] = Power(s, degree);
+        ratio[part] = hn::Div(t[part], hn::IfThenElse(hn::Ge(s[part], least), s[part], nan));
+        power[part] = Power(s[part], degree);
         for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);
       }
       for (int i = 0; i < degree; ++i) {
@@ -260,10 +284,9 @@ void Curves(const PreparedMap& map, const Input& input, std::size_t count, const
       }
       for (std::size_t part = 0; part < kUnroll; ++part) {
         for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Mul(value[part][k], power[part]);
-        rounded[part] = writer.Round(value[part]);
       }
     }
-    writer.Write(rounded, begin, part_count,
+    writer.Write(writer.Round(value), begin, part_count,
                  [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
   }
 }
@@ -312,15 +335,15 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
     alignas(64) double arguments_u[kStep], arguments_v[kStep];
     Fetch(input_u, begin, part_count, arguments_u);
     Fetch(input_v, begin, part_count, arguments_v);
-    typename Writer<kComponents>::Rounded rounded[kUnroll];
+    Vector value[kUnroll][kComponents];
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
                    v = hn::Load(kDoubles, arguments_v + part * kLanes);
-      Vector weights_u[kMaxOrder], weights_v[kMaxOrder], value[kComponents];
+      Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
       const Vector su = place_u.S(u), sv = place_v.S(v);
       WeightsOf(n, su, Inside(place_u.T(u), su), weights_u);
       WeightsOf(m, sv, Inside(place_v.T(v), sv), weights_v);
-      for (int k = 0; k < kComponents; ++k) value[k] = hn::Zero(kDoubles);
+      for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {
         Vector sum[kComponents];
@@ -329,11 +352,11 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
           for (int k = 0; k < kComponents; ++k)
             sum[k] = hn::MulAdd(weights_v[j], hn::Set(kDoubles, point[k]), sum[k]);
         }
-        for (int k = 0; k < kComponents; ++k) value[k] = hn::MulAdd(weights_u[i], sum[k], value[k]);
+        for (int k = 0; k < kComponents; ++k)
+          value[part][k] = hn::MulAdd(weights_u[i], sum[k], value[part][k]);
       }
-      rounded[part] = writer.Round(value);
     }
-    writer.Write(rounded, begin, part_count,
+    writer.Write(writer.Round(value), begin, part_count,
                  [&](std::size_t i, int k) { return Resolve(map, k, At(input_u[i]), At(input_v[i])); });
   }
 }
@@ -380,13 +403,14 @@ HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
 
 // The four products of cubics, the most frequent ones, without an array.
 struct Cubic {
-  explicit HWY_INLINE Cubic(const Parameter& at) {
-    const double s = at.s, t = at.t, st = s * t;
-    weight[0] = hn::Set(kFour, s * s * s);
-    weight[1] = hn::Set(kFour, st * s);
-    weight[2] = hn::Set(kFour, st * t);
-    weight[3] = hn::Set(kFour, t * t * t);
+  HWY_INLINE Cubic(FourVector s, FourVector t) {
+    const FourVector st = hn::Mul(s, t);
+    weight[0] = hn::Mul(hn::Mul(s, s), s);
+    weight[1] = hn::Mul(st, s);
+    weight[2] = hn::Mul(st, t);
+    weight[3] = hn::Mul(hn::Mul(t, t), t);
   }
+  explicit HWY_INLINE Cubic(const Parameter& at) : Cubic(hn::Set(kFour, at.s), hn::Set(kFour, at.t)) {}
   HWY_INLINE FourVector At(const double* points, int components) const {
     const FourVector a = hn::MulAdd(weight[1], hn::LoadU(kFour, points + components),
                                     hn::Mul(weight[0], hn::LoadU(kFour, points)));
@@ -445,6 +469,18 @@ HWY_INLINE void ValueAt(const PreparedMap& map, const Parameter& at_u, const Par
   ValueOfAnyDegree(map, at_u, at_v, sum);
 }
 
+constexpr hn::Rebind<float, Four> kFourFloats;
+using FourFloats = hn::Vec<decltype(kFourFloats)>;
+
+// What the ends of the interval of a test round to.
+struct Sides {
+  FourFloats low, high;
+};
+HWY_INLINE Sides SidesOf(const PreparedMap::Test& test, FourVector value, std::size_t part) {
+  const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
+  return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
+}
+
 HWY_NOINLINE void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
                                const GridArgument& u, const GridArgument& v, const double* values,
                                unsigned settled, float* result) {
@@ -466,13 +502,7 @@ void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
   unsigned settled = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     constexpr std::size_t kCount = hn::MaxLanes(kFour);
-    constexpr hn::Rebind<float, Four> kFourFloats;
-    const auto side = [&](const std::array<double, 4>& offset) {
-      const FourVector scale = hn::LoadU(kFour, map.test.scale.data() + part * kCount);
-      return hn::DemoteTo(kFourFloats,
-                          hn::MulAdd(sum[part], scale, hn::LoadU(kFour, offset.data() + part * kCount)));
-    };
-    const auto low = side(map.test.low), high = side(map.test.high);
+    const auto [low, high] = SidesOf(map.test, sum[part], part);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
@@ -486,6 +516,91 @@ void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
   for (std::size_t part = 0; part < kParts; ++part)
     hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
   ResolvePoint(map, at_u, at_v, u, v, values, settled, result);
+}
+
+// ---- One call after another
+
+bool IsNearest(const PreparedMap::Probe& probe) {
+  using Two = hn::CappedTag<double, 2>;
+  constexpr Two kTwo;
+  bool is_nearest = true;
+  for (std::size_t i = 0; i < 2; i += hn::MaxLanes(kTwo)) {
+    const auto sum = hn::Add(hn::LoadU(kTwo, &probe.first[i]), hn::LoadU(kTwo, &probe.second[i]));
+    is_nearest &= hn::AllTrue(kTwo, hn::Eq(sum, hn::LoadU(kTwo, &probe.sum[i])));
+  }
+  return is_nearest;
+}
+
+// Stores the floats; whether the wanted ones are right.
+HWY_INLINE bool Settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
+                        float* result) {
+  unsigned settled = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto [low, high] = SidesOf(test, sum[part], part);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
+    settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
+    hn::StoreU(high, kFourFloats, result + part * hn::MaxLanes(kFour));
+  }
+  return (settled & wanted) == wanted;
+}
+
+bool Direct(const glev_plan& plan, double u, double v, float* position) {
+  const PreparedMap& map = plan.map(Attribute::kVertex);
+  const auto [n, m] = map.surface.degree;
+  const auto place = [&](int direction, double argument) -> Parameter {
+    const Domain& domain = map.surface.domain[direction];
+    const double width = domain.u2 - domain.u1;
+    return {(domain.u2 - argument) / width, (argument - domain.u1) / width, Parameter::End::kNeither};
+  };
+  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(0, u);
+  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(1, v);
+  if (!(at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0)) return false;
+  FourVector sum[kParts];
+  ValueAt(map, at_u, at_v, sum);
+  const int components = map.surface.components;
+  const bool settled = Settled(map.test, sum, (1U << components) - 1, position);
+  if (components == 3) position[3] = 1;
+  return settled && IsNearest(map.probe);
+}
+
+// Of an argument, in every lane. One rounding each, as the inverse is a power of two.
+struct Whereabouts {
+  HWY_INLINE Whereabouts(const DirectMap::Place& place, double argument) {
+    const FourVector u = hn::Set(kFour, argument), inverse = hn::Set(kFour, place.inverse);
+    s = hn::NegMulAdd(u, inverse, hn::Set(kFour, place.last));
+    t = hn::MulSub(u, inverse, hn::Set(kFour, place.first));
+  }
+  FourVector s, t;
+};
+
+// Cubics in a domain that has an exact inverse of its width.
+template <bool kSurface>
+bool DirectCubic(const glev_plan& plan, double u, double v, float* position) {
+  const DirectMap& map = plan.direct_map();
+  const Whereabouts at_u(map.place[0], u);
+  FourVector least = hn::Min(at_u.s, at_u.t);
+  const Cubic in_u(at_u.s, at_u.t);
+  FourVector sum[kParts];
+  if constexpr (!kSurface) {
+    for (std::size_t part = 0; part < kParts; ++part)
+      sum[part] = in_u.At(map.points + part * hn::MaxLanes(kFour), 4);
+  } else {
+    const Whereabouts at_v(map.place[1], v);
+    least = hn::Min(least, hn::Min(at_v.s, at_v.t));
+    const Cubic in_v(at_v.s, at_v.t);
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const double* points = map.points + part * hn::MaxLanes(kFour);
+      for (int i = 0; i <= 3; ++i) {
+        FourVector row = hn::Mul(in_v.weight[0], hn::Load(kFour, points));
+        for (int j = 1; j <= 3; ++j) row = hn::MulAdd(in_v.weight[j], hn::Load(kFour, points + 4 * j), row);
+        sum[part] = i == 0 ? hn::Mul(in_u.weight[0], row) : hn::MulAdd(in_u.weight[i], row, sum[part]);
+        points += 16;
+      }
+    }
+  }
+  const bool inside = hn::AllTrue(kFour, hn::Ge(least, hn::Zero(kFour)));
+  return Settled(map.test, sum, 0xF, position) && inside && IsNearest(map.probe);
 }
 
 // ---- Meshes: the columns' weights are computed once, then each row is a curve
@@ -578,9 +693,7 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
             value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
         }
       }
-      typename Writer<kComponents>::Rounded rounded[kUnroll];
-      for (std::size_t part = 0; part < kUnroll; ++part) rounded[part] = writer.Round(value[part]);
-      writer.Write(rounded, c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
+      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
         return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v);
       });
     }
@@ -714,7 +827,9 @@ void Mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Desti
   kOf[map.surface.components - 1](map, range, fast, to, scratch);
 }
 
-constexpr Kernels MakeKernels(const char* name) { return {name, Point, Curve, SurfaceAt, Mesh}; }
+constexpr Kernels MakeKernels(const char* name) {
+  return {name, Point, Direct, DirectCubic<false>, DirectCubic<true>, Curve, SurfaceAt, Mesh};
+}
 
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include <glevaluator.h>
+
 #include "production/src/parameter.h"
 #include "production/src/prepared_map.h"
 
@@ -32,12 +34,17 @@ struct MeshRange {
   std::size_t columns, rows;
 };
 
+// The position at real arguments that are no subnormal numbers, in whatever environment without traps, of
+// plans that can be evaluated directly. False, and nothing claimed, where that is not sure.
+using EvaluatesDirectly = bool (*)(const glev_plan& plan, double u, double v, float* position);
+
 // All results of maps are correctly rounded, but those of fast meshes. The environment is the default one.
 struct Kernels {
   const char* name;
   // One point: the components of the map. There is room for four; those that the map has not are then
   // anything.
   void (*point)(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result);
+  EvaluatesDirectly direct, direct_cubic_curve, direct_bicubic;
   // v counts for nets of two dimensions only.
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,

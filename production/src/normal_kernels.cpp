@@ -180,12 +180,8 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
   Vector error[3];
   for (std::size_t k = 0; k < 3; ++k) error[k] = hn::Set(kDoubles, bounds.error[k]);
   const PreparedMap& map = plan.map(Attribute::kVertex);
-  Vector scale[3], low[3], high[3];  // of the test of vertices
-  for (std::size_t k = 0; k < 3; ++k) {
-    scale[k] = hn::Set(kDoubles, map.test.scale[k]);
-    low[k] = hn::Set(kDoubles, map.test.low[k]);
-    high[k] = hn::Set(kDoubles, map.test.high[k]);
-  }
+  Vector vertex_error[3];
+  for (std::size_t k = 0; k < 3; ++k) vertex_error[k] = hn::Set(kDoubles, map.test.error[k]);
   constexpr std::size_t kValues = kVertices ? 6 : 3;
   const std::size_t before = (kValues - 3) * sizeof(float);
   NormalRow row(plan);
@@ -251,8 +247,8 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
           settled[part] = hn::Eq(hn::Zero(kHalves), hn::Zero(kHalves));
           for (int k = 0; k < 3; ++k) {
             const Vector value = at.value[k][part];
-            const Half least = hn::DemoteTo(kHalves, hn::MulAdd(value, scale[k], low[k]));
-            position[part][k] = hn::DemoteTo(kHalves, hn::MulAdd(value, scale[k], high[k]));
+            const Half least = hn::DemoteTo(kHalves, hn::Sub(value, vertex_error[k]));
+            position[part][k] = hn::DemoteTo(kHalves, hn::Add(value, vertex_error[k]));
             settled[part] = hn::And(settled[part], hn::Eq(least, position[part][k]));
           }
         }

@@ -78,6 +78,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const Map& map = source.maps[slot];
     bytes += 2 * BytesOf(ValuesOf({map.order(0), map.order(1)}, kSlotTable[slot].components));
   }
+  constexpr std::size_t kDirectValues = 4 * 16;
+  if (vertex_slot >= 0) bytes += BytesOf(kDirectValues);
   const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
   if (has_tangents) {
     for (const int direction : {0, 1}) {
@@ -115,6 +117,15 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   plan->automatic_normals_ = automatic_normals;
   plan->has_vertices_only_ = !automatic_normals;
   for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
+  const glev::PreparedMap& vertices = plan->map(Attribute::kVertex);
+  if (plan->has_vertices_only_ && vertices.is_direct && !glev::IsPlain()) {
+    plan->direct_ = source.kernels->direct;
+    if (glev::HasDirectMap(vertices)) {
+      plan->direct_map_ = glev::DirectMapOf(vertices, take({4, 4}, 4));
+      plan->direct_ = vertices.surface.degree[1] == 0 ? source.kernels->direct_cubic_curve
+                                                      : source.kernels->direct_bicubic;
+    }
+  }
   glev::NormalMajorants largest{};
   for (const int direction : {0, 1}) {
     if (!has_tangents) break;
@@ -131,9 +142,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
   if (automatic_normals) {
-    const glev::PreparedMap& vertex = plan->map(Attribute::kVertex);
-    for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertex.component[k].largest;
-    plan->normal_bounds_ = glev::BoundNormals(vertex.surface, largest);
+    for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;
+    plan->normal_bounds_ = glev::BoundNormals(vertices.surface, largest);
   }
   return plan;
 }

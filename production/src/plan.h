@@ -42,6 +42,10 @@ struct glev_plan {
   }
 
   bool has_vertices_only() const { return has_vertices_only_; }
+  // Evaluates one call after another; null where there is more than vertices to evaluate, or that is no way.
+  glev::EvaluatesDirectly direct() const { return direct_; }
+  // Of cubics, for that function.
+  const glev::DirectMap& direct_map() const { return direct_map_; }
   // Normals are computed from the vertex map; there is no normal map then.
   bool automatic_normals() const { return automatic_normals_; }
   // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
@@ -76,6 +80,8 @@ struct glev_plan {
   std::array<glev::Grid, 2> grid_;
   const glev::Kernels* kernels_;
   std::array<glev::PreparedMap, glev::kAttributes> maps_;
+  glev::DirectMap direct_map_;
+  glev::EvaluatesDirectly direct_ = nullptr;
   bool automatic_normals_ = false, has_vertices_only_ = false;
   std::array<glev::Surface, 2> tangents_;
   glev::NormalBounds normal_bounds_;

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "production/src/binomials.h"
 #include "production/src/double_double.h"
+#include "production/src/environment.h"
 #include "production/src/reduction.h"
 
 namespace glev {
@@ -37,6 +39,19 @@ double InverseWidth(const Domain& domain) {
   return std::fabs(fraction) == 0.5 && width.low == 0 && std::abs(exponent) < 500 ? 1 / width.high : 0;
 }
 
+bool IsDirect(const PreparedMap& map) {
+  for (const Domain& domain : map.surface.domain) {
+    if (IsSubnormal(domain.u1) || IsSubnormal(domain.u2)) return false;
+  }
+  for (int k = 0; k < map.surface.components; ++k) {
+    const PreparedComponent& component = map.component[k];
+    // An interval about a number below that has ends that differ. All zeros are settled whatever happens.
+    if (component.largest != 0 && !(map.test.error[k] >= 0x1p-125 && map.test.error[k] < HUGE_VAL))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
@@ -45,6 +60,8 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
   ScaleByBinomials(points, order, components, scaled);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
+  // What vectors read beyond the last point.
+  std::fill_n(scaled + count * components, 3, 0.0);
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
     component.unit = HUGE_VAL;
@@ -83,7 +100,38 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
   }
   map.inverse_width = {InverseWidth(domain[0]), InverseWidth(domain[1])};
   map.test = TestOf(map, WeightUnits(order[0] - 1, order[1] - 1, kRoundings), 1);
+  map.is_direct = IsDirect(map);
   return map;
+}
+
+bool HasDirectMap(const PreparedMap& map) {
+  const auto [n, m] = map.surface.degree;
+  return map.is_direct && n == 3 && (m == 0 || m == 3) && map.inverse_width[0] != 0 &&
+         (m == 0 || map.inverse_width[1] != 0);
+}
+
+DirectMap DirectMapOf(const PreparedMap& map, double* points) {
+  DirectMap direct;
+  for (std::size_t d : {0, 1}) {
+    const auto [u1, u2] = map.surface.domain[d];
+    const double inverse = map.inverse_width[d];
+    direct.place[d] = {inverse, u1 * inverse, u2 * inverse};
+  }
+  direct.test = map.test;
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  const double* from = map.surface.scaled;
+  double* to = points;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= m; ++j, from += components, to += 4) {
+      std::copy_n(from, components, to);
+      if (components == 3) to[3] = static_cast<double>(Binomials(n)[i] * Binomials(m)[j]);
+    }
+  }
+  // What is evaluated of these ones is within a few roundings of 1.
+  if (components == 3) direct.test.error[3] = 0x1p-40;
+  direct.points = points;
+  return direct;
 }
 
 double Growth(const Parameter& at, int degree) {
@@ -97,19 +145,14 @@ PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth) {
   PreparedMap::Test test;
   for (int k = 0; k < map.surface.components; ++k) {
     const PreparedComponent& component = map.component[k];
-    if (component.kind == PreparedComponent::Kind::kConstant) {
-      test.low[k] = test.high[k] = component.constant;
-      continue;
-    }
+    if (component.kind == PreparedComponent::Kind::kConstant && component.largest == 0) continue;
     // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
     // infinity.
     const bool is_safe = component.largest * growth <= 0x1p127;
     // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
     // errors could make zeros of both signs, which compare equal.
     const double error = (units + 2) * component.unit * growth;
-    test.scale[k] = 1;
-    test.high[k] = is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
-    test.low[k] = -test.high[k];
+    test.error[k] = is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
   }
   return test;
 }

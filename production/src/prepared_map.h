@@ -47,21 +47,45 @@ inline constexpr int kRoundings = 3;
 struct PreparedMap {
   Surface surface;
   std::array<PreparedComponent, 4> component;
-  // The test of vectors of values in double: V lies between scale * value + low and scale * value + high, in
-  // which the roundings of these are contained. So where both round to the same float V does, too.
+  // The test of vectors of values in double: V lies between value - error and value + error, in which the
+  // roundings of these sums are contained. So where both round to the same float V does, too.
   struct Test {
-    std::array<double, 4> scale{}, low{}, high{};
+    std::array<double, 4> error{};
   };
   Test test;  // of weights with parameters of Locate
   // 1 / (u2 - u1) of each direction where that is exact, else 0.
   std::array<double, 2> inverse_width{};
+  // Sums that are these only in rounding to nearest. In memory, as compilers take that for granted.
+  struct Probe {
+    std::array<double, 2> first = {1, 1}, second = {0x1p-54, 0x3p-54}, sum = {1, 1 + 0x1p-52};
+  };
+  Probe probe;
+  // Evaluation in double reads and settles no subnormal number, so that nothing is flushed to zero that
+  // counts.
+  bool is_direct = false;
 };
 
-// Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for as
-// many values, `lowest` for as many again. What follows the last value of `scaled` may be read up to three
-// values on.
+// A cubic or bicubic map of vertices for one call after another, where the inverse of each width is exact.
+struct DirectMap {
+  // s = last - u * inverse, t = u * inverse - first
+  struct Place {
+    double inverse = 0, first = 0, last = 0;
+  };
+  std::array<Place, 2> place;
+  PreparedMap::Test test;
+  PreparedMap::Probe probe;
+  // Four values each, v fastest, scaled. The fourth one is 1 where the map has none.
+  const double* points = nullptr;
+};
+
+// Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for
+// three values more, `lowest` for as many.
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
                        const std::array<Domain, 2>& domain, double* scaled, double* lowest);
+
+// Whether a map of vertices has one, and that, in room for 4 or 16 points.
+bool HasDirectMap(const PreparedMap& map);
+DirectMap DirectMapOf(const PreparedMap& map, double* points);
 
 // (|t| + |1 - t|)^degree: what an error inside the domain is multiplied with outside; rounded upward. At
 // least 1.

@@ -1,0 +1,235 @@
+// One EvalCoord after another between Begin and End takes a shorter way than the first: with the same
+// results, and only where it may.
+#include <cfenv>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#include "production/tests/batches.h"
+
+namespace glev_tests {
+namespace {
+
+class DirectCalls : public ContextTest {
+ protected:
+  Chance chance;
+
+  Floats RandomPoints(std::size_t count) {
+    Floats points;
+    const float scale = std::ldexp(1.0F, chance.Whole(-70, 70));
+    for (std::size_t i = 0; i < count; ++i) {
+      const float value = chance.OneOf({chance.Between(-2, 2), chance.Between(-2, 2), 0.0F, 1.0F, 1e-30F});
+      points.push_back(value * scale);
+    }
+    return points;
+  }
+  // Ends, far outside, subnormal, and whatever.
+  Floats Arguments() {
+    Floats u = {0, 1, -0.0F, 0x1p-149F, -0x1p-130F, 0x1p-126F, 1.5F, -3, 1e38F};
+    for (int i = 0; i < 60; ++i) u.push_back(chance.Between(0, 1));
+    return u;
+  }
+
+  Floats Positions(int components = 4) const {
+    Floats positions;
+    for (const glev_vertex& vertex : recording.vertices) {
+      positions.insert(positions.end(), vertex.position, vertex.position + components);
+      EXPECT_TRUE(components == 4 || vertex.position[3] == 1);
+    }
+    return positions;
+  }
+
+  void DefineLine(glev_enum target = GLEV_MAP1_VERTEX_3) const {
+    const float points[][3] = {{1, 2, 3}, {3, 2, 3}};
+    glevMap1f(gl, target, 0, 1, 3, 2, &points[0][0]);
+    glevEnable(gl, target);
+  }
+};
+
+TEST_F(DirectCalls, CurvesAreThoseOfBatches) {
+  for (int trial = 0; trial < 300; ++trial) {
+    const int components = chance.Whole(3, 4), order = chance.OneOf({1, 2, 3, 4, 4, 5, 8, 20});
+    const glev_enum target = components == 3 ? GLEV_MAP1_VERTEX_3 : GLEV_MAP1_VERTEX_4;
+    const Floats points = RandomPoints(static_cast<std::size_t>(components * order));
+    const float end = chance.OneOf({1.0F, 1.0F, 0.3F, -2.0F});
+    glevDisable(gl, GLEV_MAP1_VERTEX_4);
+    glevMap1f(gl, target, 0, end, components, order, points.data());
+    glevEnable(gl, target);
+    recording = {};
+    const Floats u = Arguments();
+    glevBegin(gl, GLEV_POINTS);
+    for (const float argument : u) glevEvalCoord1f(gl, argument);
+    glevEnd(gl);
+    const Plan plan(gl, 1);
+    EXPECT_EQ(BitsOf(Positions(components)), BitsOf(Scattered(plan, GLEV_ATTRIBUTE_VERTEX, u)))
+        << "order " << order << ", components " << components << ", to " << end;
+  }
+}
+
+TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
+  for (int trial = 0; trial < 300; ++trial) {
+    const int components = chance.Whole(3, 4);
+    const int n = chance.OneOf({4, 4, 1, 2, 7}), m = chance.OneOf({4, 4, 1, 3, 9});
+    const glev_enum target = components == 3 ? GLEV_MAP2_VERTEX_3 : GLEV_MAP2_VERTEX_4;
+    const Floats points = RandomPoints(static_cast<std::size_t>(components * n * m));
+    const float end = chance.OneOf({1.0F, 1.0F, 0.7F, -4.0F});
+    glevDisable(gl, GLEV_MAP2_VERTEX_4);
+    glevMap2f(gl, target, 0, end, components * m, n, -1, 1, components, m, points.data());
+    glevEnable(gl, target);
+    recording = {};
+    const Floats u = Arguments();
+    const Floats v(u.rbegin(), u.rend());
+    glevBegin(gl, GLEV_POINTS);
+    for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord2f(gl, u[i], v[i]);
+    glevEnd(gl);
+    const Plan plan(gl, 2);
+    EXPECT_EQ(BitsOf(Positions(components)), BitsOf(Scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v)))
+        << n << " x " << m << ", components " << components << ", to " << end;
+  }
+}
+
+// What the caller changes after Begin, too.
+TEST_F(DirectCalls, InWhateverEnvironment) {
+  Floats points = RandomPoints(12);
+  for (float& point : points) point = chance.Between(-2, 2);
+  points[1] = points[4] = points[7] = points[10] = 0;
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  const Floats u = Arguments();
+  const auto evaluate = [&](const std::function<void()>& change) {
+    recording = {};
+    std::fenv_t before;
+    std::fegetenv(&before);
+    glevBegin(gl, GLEV_POINTS);
+    glevEvalCoord1f(gl, 0.25F);
+    change();
+    for (const float argument : u) glevEvalCoord1f(gl, argument);
+    std::fesetenv(&before);
+    glevEnd(gl);
+    return BitsOf(Positions());
+  };
+  const auto expected = evaluate([] {});
+  for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    EXPECT_EQ(evaluate([&] { std::fesetround(rounding); }), expected) << rounding;
+#if defined(__SSE2__)
+  for (const unsigned control : {0x9F80U, 0x1FC0U, 0x9FC0U, 0xFFC0U})
+    EXPECT_EQ(evaluate([&] { _mm_setcsr(control); }), expected) << std::hex << control;
+#endif
+}
+
+// The values of the last one but for their order of magnitude: sums cross the smallest normal number.
+TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
+#if defined(__SSE2__)
+  const float points[][3] = {{-0x1p-120F, 0x1p-126F, 0x1p-127F}, {0x1p-120F, 0x1p-133F, -0x1p-130F}};
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, &points[0][0]);
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  const auto evaluate = [&](unsigned control) {
+    recording = {};
+    const unsigned before = _mm_getcsr();
+    glevBegin(gl, GLEV_POINTS);
+    _mm_setcsr(control);
+    for (int i = 0; i <= 256; ++i) glevEvalCoord1f(gl, static_cast<float>(i) / 256);
+    _mm_setcsr(before);
+    glevEnd(gl);
+    return BitsOf(Positions());
+  };
+  EXPECT_EQ(evaluate(0x9FC0), evaluate(0x1F80));
+#endif
+}
+
+TEST_F(DirectCalls, CurrentValuesInBetween) {
+  DefineLine();
+  glevBegin(gl, GLEV_LINE_STRIP);
+  for (int i = 0; i < 4; ++i) {
+    const auto value = static_cast<float>(i);
+    glevColor3f(gl, value, 0, 0);
+    glevEvalCoord1f(gl, value / 4);
+    glevEvalCoord1f(gl, value / 4);
+    glevNormal3f(gl, value, 0, 0);
+    glevMultiTexCoord1f(gl, GLEV_TEXTURE0 + 3, value);
+    glevEvalCoord1f(gl, value / 4);
+  }
+  glevEnd(gl);
+  ASSERT_EQ(recording.vertices.size(), 12u);
+  for (int i = 0; i < 12; ++i) {
+    const glev_vertex& vertex = recording.vertices[static_cast<std::size_t>(i)];
+    const auto value = static_cast<float>(i / 3);
+    const float late = i % 3 == 2 ? value : value - 1;
+    EXPECT_EQ(vertex.color[0], value) << i;
+    if (late >= 0) {
+      EXPECT_EQ(vertex.normal[0], late) << i;
+      EXPECT_EQ(vertex.texcoord[3][0], late) << i;
+    }
+    EXPECT_EQ(vertex.position[0], 1 + value / 2) << i;
+    EXPECT_EQ(vertex.position[3], 1) << i;
+  }
+}
+
+TEST_F(DirectCalls, AMapThatIsDefinedInBetween) {
+  DefineLine();
+  for (const float x : {1.0F, 5.0F, 7.0F}) {
+    const float points[][3] = {{x, 0, 0}, {x, 1, 0}};
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, &points[0][0]);
+    recording = {};
+    glevBegin(gl, GLEV_POINTS);
+    for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
+    glevEnd(gl);
+    for (const glev_vertex& vertex : recording.vertices) EXPECT_EQ(vertex.position[0], x);
+  }
+  // Outside Begin and End nothing happens, and a map that is disabled gives nothing.
+  glevEvalCoord1f(gl, 0.5F);
+  glevDisable(gl, GLEV_MAP1_VERTEX_3);
+  glevBegin(gl, GLEV_POINTS);
+  glevEvalCoord1f(gl, 0.5F);
+  glevEnd(gl);
+  EXPECT_EQ(recording.vertices.size(), 3u);
+}
+
+TEST_F(DirectCalls, AreCompiled) {
+  DefineLine();
+  glevBegin(gl, GLEV_POINTS);
+  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
+  glevEnd(gl);
+  glevNewList(gl, 1, GLEV_COMPILE_AND_EXECUTE);
+  glevBegin(gl, GLEV_POINTS);
+  for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.25F);
+  glevEnd(gl);
+  glevEndList(gl);
+  recording = {};
+  glevCallList(gl, 1);
+  EXPECT_EQ(recording.vertices.size(), 3u);
+}
+
+TEST_F(DirectCalls, FromCallbacks) {
+  struct State {
+    glev_context* gl;
+    int calls = 0;
+    std::vector<float> x;
+  } state{gl, 0, {}};
+  DefineLine();
+  // Evaluates once more within a callback, then ends the primitive and takes its map away.
+  const glev_sink sink = {sizeof sink, &state, nullptr,
+                          [](void* user, const glev_vertex* vertex) {
+                            auto* self = static_cast<State*>(user);
+                            self->x.push_back(vertex->position[0]);
+                            if (++self->calls == 2) glevEvalCoord1f(self->gl, 1);
+                            if (self->calls == 2 || self->calls == 3) self->x.push_back(vertex->position[0]);
+                            if (self->calls == 5) {
+                              glevEnd(self->gl);
+                              glevDisable(self->gl, GLEV_MAP1_VERTEX_3);
+                            }
+                          },
+                          nullptr};
+  glevSetSink(gl, &sink);
+  glevBegin(gl, GLEV_POINTS);
+  for (int i = 0; i < 8; ++i) glevEvalCoord1f(gl, 0.5F);
+  EXPECT_EQ(state.x, (std::vector<float>{2, 2, 3, 3, 2, 2, 2}));
+  glevBegin(gl, GLEV_POINTS);
+  glevEvalCoord1f(gl, 0.5F);
+  glevEnd(gl);
+  EXPECT_EQ(state.calls, 5);
+  ExpectError(GLEV_NO_ERROR);
+}
+
+}  // namespace
+}  // namespace glev_tests
