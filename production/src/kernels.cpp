@@ -156,23 +156,20 @@ struct Place {
         u2(hn::Set(kDoubles, map.surface.domain[direction].u2)),
         width(hn::Sub(u2, u1)),
         inverse(hn::Set(kDoubles, map.inverse_width[direction])),
-        first(hn::Mul(u1, inverse)),
-        last(hn::Mul(u2, inverse)),
+        scale(hn::Add(inverse, inverse)),
+        middle(hn::Mul(hn::Add(u1, u2), inverse)),
         has_inverse(map.inverse_width[direction] != 0) {}
   HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
   HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
   HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
 
-  // The same where there is an inverse: as it is a power of two, each is rounded once.
-  HWY_INLINE void Locate(Vector u, Vector* s, Vector* t) const {
-    *s = hn::NegMulAdd(u, inverse, last);
-    *t = hn::MulSub(u, inverse, first);
-  }
+  // t - s where there is an inverse: it is a power of two, so that this is rounded once.
+  HWY_INLINE Vector X(Vector u) const { return hn::MulSub(u, scale, middle); }
 
   // Of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
 
-  Vector u1, u2, width, inverse, first, last;
+  Vector u1, u2, width, inverse, scale, middle;
   bool has_inverse;  // that is exact
 };
 
@@ -204,87 +201,82 @@ HWY_INLINE Vector Power(Vector base, int exponent) {
 
 // ---- Curves
 
-// Horner's rule in t / s, which is stable for all of them from 0 on: where it is so large that something
-// could overflow the lane is not sure. Up to degree 3 the sum of products with the weights.
+// In powers of t - s.
 template <int kComponents, int kDegree>
-void Curves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+void LowCurves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
   const Place place(map, 0);
-  const int degree = map.surface.degree[0];
-  const double* const points = map.surface.scaled;
-  const double units =
-      kDegree < 0 ? HornerUnits(degree, place.roundings()) : WeightUnits(degree, 0, place.roundings());
-  const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
-  // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
-  const Vector least = hn::Set(kDoubles, kDegree < 0 ? std::exp2(-800.0 / degree) : 0);
-  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  const double* const centred = map.centred;
+  const Writer<kComponents> writer(TestOf(map, CentredUnits(kDegree, 0), 1), to, to.data);
+  const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const bool is_packed = !input.is_double && input.stride == sizeof(float) && place.has_inverse;
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
-    Vector t[kUnroll], s[kUnroll];
+    Vector x[kUnroll];
     if (HWY_LIKELY(is_packed && part_count == kStep)) {
       const auto* const floats = reinterpret_cast<const float*>(input.data) + begin;
       for (std::size_t part = 0; part < kUnroll; ++part)
-        place.Locate(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)), &s[part], &t[part]);
+        x[part] = place.X(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)));
     } else {
       alignas(64) double arguments[kStep];
       Fetch(input, begin, part_count, arguments);
       for (std::size_t part = 0; part < kUnroll; ++part) {
         const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        s[part] = place.S(u), t[part] = place.T(u);
+        x[part] = hn::Sub(place.T(u), place.S(u));
       }
     }
-    Vector smallest = hn::Min(s[0], t[0]);
-    for (std::size_t part = 1; part < kUnroll; ++part)
-      smallest = hn::Min(smallest, hn::Min(s[part], t[part]));
-    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Ge(smallest, hn::Zero(kDoubles))))) {
-      for (std::size_t part = 0; part < kUnroll; ++part) t[part] = Inside(t[part], s[part]);
+    Vector farthest = hn::Abs(x[0]);
+    for (std::size_t part = 1; part < kUnroll; ++part) farthest = hn::Max(farthest, hn::Abs(x[part]));
+    if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, hn::Le(farthest, one)))) {
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        x[part] = hn::IfThenElse(hn::Le(hn::Abs(x[part]), one), x[part], nan);
     }
     Vector value[kUnroll][kComponents];
-    if constexpr (kDegree >= 0) {
-      Vector weights[kUnroll][kDegree + 1];
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        auto& weight = weights[part];
-        if constexpr (kDegree == 1) weight[0] = s[part], weight[1] = t[part];
-        if constexpr (kDegree == 2) {
-          weight[0] = hn::Mul(s[part], s[part]);
-          weight[1] = hn::Mul(s[part], t[part]);
-          weight[2] = hn::Mul(t[part], t[part]);
-        }
-        if constexpr (kDegree == 3) {
-          const Vector ss = hn::Mul(s[part], s[part]), tt = hn::Mul(t[part], t[part]);
-          weight[0] = hn::Mul(ss, s[part]);
-          weight[1] = hn::Mul(ss, t[part]);
-          weight[2] = hn::Mul(tt, s[part]);
-          weight[3] = hn::Mul(tt, t[part]);
-        }
+    for (int k = 0; k < kComponents; ++k) {
+      for (int i = kDegree; i >= 0; --i) {
+        const Vector next = hn::Set(kDoubles, centred[i * kComponents + k]);
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          value[part][k] = i == kDegree ? next : hn::MulAdd(value[part][k], x[part], next);
       }
+    }
+    writer.Write(writer.Round(value), begin, part_count,
+                 [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
+  }
+}
+
+// Horner's rule in t / s, which is stable for all of them from 0 on: where it is so large that something
+// could overflow the lane is not sure.
+template <int kComponents>
+void HighCurves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+  const Place place(map, 0);
+  const int degree = map.surface.degree[0];
+  const double* const points = map.surface.scaled;
+  const Writer<kComponents> writer(TestOf(map, HornerUnits(degree, place.roundings()), 1), to, to.data);
+  // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
+  const Vector least = hn::Set(kDoubles, std::exp2(-800.0 / degree));
+  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t begin = 0; begin < count; begin += kStep) {
+    const std::size_t part_count = std::min(kStep, count - begin);
+    alignas(64) double arguments[kStep];
+    Fetch(input, begin, part_count, arguments);
+    Vector value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
+    const double* point = points + degree * kComponents;
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
+      const Vector s = place.S(u), t = Inside(place.T(u), s);
+      ratio[part] = hn::Div(t, hn::IfThenElse(hn::Ge(s, least), s, nan));
+      power[part] = Power(s, degree);
+      for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);
+    }
+    for (int i = 0; i < degree; ++i) {
+      point -= kComponents;
       for (int k = 0; k < kComponents; ++k) {
-        for (int i = 0; i <= kDegree; ++i) {
-          const Vector point = hn::Set(kDoubles, points[i * kComponents + k]);
-          for (std::size_t part = 0; part < kUnroll; ++part)
-            value[part][k] = i == 0 ? hn::Mul(weights[part][0], point)
-                                    : hn::MulAdd(weights[part][i], point, value[part][k]);
-        }
+        const Vector next = hn::Set(kDoubles, point[k]);
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          value[part][k] = hn::MulAdd(value[part][k], ratio[part], next);
       }
-    } else {
-      Vector ratio[kUnroll], power[kUnroll];
-      const double* point = points + degree * kComponents;
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        ratio[part] = hn::Div(t[part], hn::IfThenElse(hn::Ge(s[part], least), s[part], nan));
-        power[part] = Power(s[part], degree);
-        for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);
-      }
-      for (int i = 0; i < degree; ++i) {
-        point -= kComponents;
-        for (int k = 0; k < kComponents; ++k) {
-          const Vector next = hn::Set(kDoubles, point[k]);
-          for (std::size_t part = 0; part < kUnroll; ++part)
-            value[part][k] = hn::MulAdd(value[part][k], ratio[part], next);
-        }
-      }
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Mul(value[part][k], power[part]);
-      }
+    }
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Mul(value[part][k], power[part]);
     }
     writer.Write(writer.Round(value), begin, part_count,
                  [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
@@ -295,13 +287,13 @@ template <int kComponents>
 void CurvesOf(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
   switch (map.surface.degree[0]) {
     case 1:
-      return Curves<kComponents, 1>(map, input, count, to);
+      return LowCurves<kComponents, 1>(map, input, count, to);
     case 2:
-      return Curves<kComponents, 2>(map, input, count, to);
+      return LowCurves<kComponents, 2>(map, input, count, to);
     case 3:
-      return Curves<kComponents, 3>(map, input, count, to);
+      return LowCurves<kComponents, 3>(map, input, count, to);
     default:
-      return Curves<kComponents, -1>(map, input, count, to);
+      return HighCurves<kComponents>(map, input, count, to);
   }
 }
 
@@ -564,42 +556,36 @@ bool Direct(const glev_plan& plan, double u, double v, float* position) {
   return settled && IsNearest(map.probe);
 }
 
-// Of an argument, in every lane. One rounding each, as the inverse is a power of two.
-struct Whereabouts {
-  HWY_INLINE Whereabouts(const DirectMap::Place& place, double argument) {
-    const FourVector u = hn::Set(kFour, argument), inverse = hn::Set(kFour, place.inverse);
-    s = hn::NegMulAdd(u, inverse, hn::Set(kFour, place.last));
-    t = hn::MulSub(u, inverse, hn::Set(kFour, place.first));
-  }
-  FourVector s, t;
-};
-
-// Cubics in a domain that has an exact inverse of its width.
+// Cubics in powers of x and y, in a domain that has an exact inverse of its width.
 template <bool kSurface>
 bool DirectCubic(const glev_plan& plan, double u, double v, float* position) {
   const DirectMap& map = plan.direct_map();
-  const Whereabouts at_u(map.place[0], u);
-  FourVector least = hn::Min(at_u.s, at_u.t);
-  const Cubic in_u(at_u.s, at_u.t);
+  const auto place = [&](int direction, double argument) {
+    const auto& [scale, middle] = map.place[direction];
+    return hn::MulSub(hn::Set(kFour, argument), hn::Set(kFour, scale), hn::Set(kFour, middle));
+  };
+  const FourVector x = place(0, u);
+  FourVector farthest = hn::Abs(x), y;
+  if constexpr (kSurface) {
+    y = place(1, v);
+    farthest = hn::Max(farthest, hn::Abs(y));
+  }
   FourVector sum[kParts];
-  if constexpr (!kSurface) {
-    for (std::size_t part = 0; part < kParts; ++part)
-      sum[part] = in_u.At(map.points + part * hn::MaxLanes(kFour), 4);
-  } else {
-    const Whereabouts at_v(map.place[1], v);
-    least = hn::Min(least, hn::Min(at_v.s, at_v.t));
-    const Cubic in_v(at_v.s, at_v.t);
-    for (std::size_t part = 0; part < kParts; ++part) {
-      const double* points = map.points + part * hn::MaxLanes(kFour);
-      for (int i = 0; i <= 3; ++i) {
-        FourVector row = hn::Mul(in_v.weight[0], hn::Load(kFour, points));
-        for (int j = 1; j <= 3; ++j) row = hn::MulAdd(in_v.weight[j], hn::Load(kFour, points + 4 * j), row);
-        sum[part] = i == 0 ? hn::Mul(in_u.weight[0], row) : hn::MulAdd(in_u.weight[i], row, sum[part]);
-        points += 16;
-      }
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const double* const centred = map.centred + part * hn::MaxLanes(kFour);
+    const auto cubic = [&](const double* first, FourVector at) {
+      FourVector value = hn::Load(kFour, first + 12);
+      for (int i = 2; i >= 0; --i) value = hn::MulAdd(value, at, hn::Load(kFour, first + 4 * i));
+      return value;
+    };
+    if constexpr (kSurface) {
+      sum[part] = cubic(centred + 48, y);
+      for (int i = 2; i >= 0; --i) sum[part] = hn::MulAdd(sum[part], x, cubic(centred + 16 * i, y));
+    } else {
+      sum[part] = cubic(centred, x);
     }
   }
-  const bool inside = hn::AllTrue(kFour, hn::Ge(least, hn::Zero(kFour)));
+  const bool inside = hn::AllTrue(kFour, hn::Le(farthest, hn::Set(kFour, 1)));
   return Settled(map.test, sum, 0xF, position) && inside && IsNearest(map.probe);
 }
 

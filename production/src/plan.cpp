@@ -76,7 +76,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   for (const int slot : winners) {
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    bytes += 2 * BytesOf(ValuesOf({map.order(0), map.order(1)}, kSlotTable[slot].components));
+    bytes += 3 * BytesOf(ValuesOf({map.order(0), map.order(1)}, kSlotTable[slot].components));
   }
   constexpr std::size_t kDirectValues = 4 * 16;
   if (vertex_slot >= 0) bytes += BytesOf(kDirectValues);
@@ -110,8 +110,9 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const Map& placed = source.maps[loser ? first : slot];
     std::array<glev::Domain, 2> domain = {placed.domain(0), placed.domain(1)};
     if (GLEV_FAULTY(OneDomainForAllMaps) && a > 0) domain = plan->maps_[0].surface.domain;
-    double* const scaled = take(order, components);
-    plan->maps_[a] = glev::PrepareMap(points, order, components, domain, scaled, take(order, components));
+    double *const scaled = take(order, components), *const lowest = take(order, components);
+    plan->maps_[a] =
+        glev::PrepareMap(points, order, components, domain, scaled, lowest, take(order, components));
   }
 
   plan->automatic_normals_ = automatic_normals;

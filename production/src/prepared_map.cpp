@@ -31,8 +31,9 @@ double Unit(std::array<int, 2> order, const std::array<Domain, 2>& domain, doubl
   return 0x1p-53 * (1 + 0x1p-20) * largest;
 }
 
-// 1 / (u2 - u1) if that is exact, else 0.
+// 1 / (u2 - u1) if that and u1 + u2 are exact, else 0.
 double InverseWidth(const Domain& domain) {
+  if (TwoSum(domain.u1, domain.u2).low != 0) return 0;
   const DoubleDouble width = TwoSum(domain.u2, -domain.u1);
   int exponent = 0;
   const double fraction = std::frexp(width.high, &exponent);
@@ -52,10 +53,36 @@ bool IsDirect(const PreparedMap& map) {
   return true;
 }
 
+// In one direction: `count` polynomials of degree n, neighbours `step` apart, from control points to the
+// coefficients of powers of x: R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n.
+void CentreAlong(int n, int step, double* values) {
+  double result[kMaxCentredDegree + 1] = {};
+  for (int i = 0; i <= n; ++i) {
+    double power[kMaxCentredDegree + 1] = {1};  // small integers
+    for (int k = 1; k <= n; ++k) {
+      const double sign = k <= i ? 1 : -1;
+      for (int j = k; j > 0; --j) power[j] += sign * power[j - 1];
+    }
+    const double weight = std::ldexp(static_cast<double>(Binomials(n)[i]), -n);
+    for (int k = 0; k <= n; ++k) result[k] += weight * power[k] * values[i * step];
+  }
+  for (int k = 0; k <= n; ++k) values[k * step] = result[k];
+}
+
+// To the coefficients of x^i y^j, in the order of the control points.
+void Centre(std::array<int, 2> order, int components, double* values) {
+  const auto [columns, rows] = order;
+  for (int i = 0; i < columns; ++i) {
+    for (int k = 0; k < components; ++k)
+      CentreAlong(rows - 1, components, values + i * rows * components + k);
+  }
+  for (int j = 0; j < rows * components; ++j) CentreAlong(columns - 1, rows * components, values + j);
+}
+
 }  // namespace
 
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
-                       const std::array<Domain, 2>& domain, double* scaled, double* lowest) {
+                       const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred) {
   PreparedMap map;
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
   ScaleByBinomials(points, order, components, scaled);
@@ -101,6 +128,11 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
   map.inverse_width = {InverseWidth(domain[0]), InverseWidth(domain[1])};
   map.test = TestOf(map, WeightUnits(order[0] - 1, order[1] - 1, kRoundings), 1);
   map.is_direct = IsDirect(map);
+  if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
+    std::copy_n(points, count * components, centred);
+    Centre(order, components, centred);
+    map.centred = centred;
+  }
   return map;
 }
 
@@ -110,27 +142,21 @@ bool HasDirectMap(const PreparedMap& map) {
          (m == 0 || map.inverse_width[1] != 0);
 }
 
-DirectMap DirectMapOf(const PreparedMap& map, double* points) {
+DirectMap DirectMapOf(const PreparedMap& map, double* centred) {
   DirectMap direct;
   for (std::size_t d : {0, 1}) {
     const auto [u1, u2] = map.surface.domain[d];
     const double inverse = map.inverse_width[d];
-    direct.place[d] = {inverse, u1 * inverse, u2 * inverse};
+    direct.place[d] = {2 * inverse, (u1 + u2) * inverse};
   }
-  direct.test = map.test;
   const auto [n, m] = map.surface.degree;
-  const int components = map.surface.components;
-  const double* from = map.surface.scaled;
-  double* to = points;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= m; ++j, from += components, to += 4) {
-      std::copy_n(from, components, to);
-      if (components == 3) to[3] = static_cast<double>(Binomials(n)[i] * Binomials(m)[j]);
-    }
+  const int components = map.surface.components, points = (n + 1) * (m + 1);
+  direct.test = TestOf(map, CentredUnits(n, m), 1);
+  for (int i = 0; i < points; ++i) {
+    std::copy_n(map.centred + i * components, components, centred + 4 * i);
+    if (components == 3) centred[4 * i + 3] = i == 0 ? 1 : 0;
   }
-  // What is evaluated of these ones is within a few roundings of 1.
-  if (components == 3) direct.test.error[3] = 0x1p-40;
-  direct.points = points;
+  direct.centred = centred;
   return direct;
 }
 

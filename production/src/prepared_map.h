@@ -42,6 +42,15 @@ constexpr double HornerUnits(int n, int roundings) { return (3 * roundings + 4) 
 constexpr double WeightUnits(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
 // Of parameters of Locate.
 inline constexpr int kRoundings = 3;
+// Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of Centre: these are at most 2^(n+m)
+// max|R| together, and have n + 1 roundings of their own for each direction; 2 of a step; x is off by 4
+// units, where the derivative is at most n max|R|.
+constexpr double CentredUnits(int n, int m) {
+  const int growth = 1 << (n + m);
+  return growth * (3 * (n + m) + 2) + 4 * (n + m) + 8;
+}
+// The highest degree for which that is a good way.
+inline constexpr int kMaxCentredDegree = 3;
 
 // No components: no map.
 struct PreparedMap {
@@ -53,7 +62,9 @@ struct PreparedMap {
     std::array<double, 4> error{};
   };
   Test test;  // of weights with parameters of Locate
-  // 1 / (u2 - u1) of each direction where that is exact, else 0.
+  // Coefficients of the powers of x and y, as the control points are; null where a degree is too high.
+  const double* centred = nullptr;
+  // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
   // Sums that are these only in rounding to nearest. In memory, as compilers take that for granted.
   struct Probe {
@@ -67,25 +78,25 @@ struct PreparedMap {
 
 // A cubic or bicubic map of vertices for one call after another, where the inverse of each width is exact.
 struct DirectMap {
-  // s = last - u * inverse, t = u * inverse - first
+  // x = u * scale - middle
   struct Place {
-    double inverse = 0, first = 0, last = 0;
+    double scale = 0, middle = 0;
   };
   std::array<Place, 2> place;
   PreparedMap::Test test;
   PreparedMap::Probe probe;
-  // Four values each, v fastest, scaled. The fourth one is 1 where the map has none.
-  const double* points = nullptr;
+  // Of PreparedMap::centred, four values each. The fourth one is that of w = 1 where the map has none.
+  const double* centred = nullptr;
 };
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for
-// three values more, `lowest` for as many.
+// three values more, `lowest` and `centred` for as many.
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
-                       const std::array<Domain, 2>& domain, double* scaled, double* lowest);
+                       const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
 
 // Whether a map of vertices has one, and that, in room for 4 or 16 points.
 bool HasDirectMap(const PreparedMap& map);
-DirectMap DirectMapOf(const PreparedMap& map, double* points);
+DirectMap DirectMapOf(const PreparedMap& map, double* centred);
 
 // (|t| + |1 - t|)^degree: what an error inside the domain is multiplied with outside; rounded upward. At
 // least 1.
