@@ -686,6 +686,66 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
   }
 }
 
+// ---- Meshes of cubics inside their domain, in powers of x and y
+
+bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
+  const Parameter at = Locate(domain, GridArgument{grid, index});
+  return at.is_sure && at.t >= 0 && at.s >= 0;
+}
+
+// t - s
+double CentredAt(const Domain& domain, const GridArgument& argument) {
+  const Parameter at = Locate(domain, argument);
+  return at.t - at.s;
+}
+
+// False, and nothing done, for other maps.
+template <int kComponents>
+bool CubicMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
+  const auto [n, m] = map.surface.degree;
+  if (n != 3 || map.centred == nullptr) return false;
+  const auto [domain_u, domain_v] = map.surface.domain;
+  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
+                     j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
+  if (!IsInside(domain_u, range.u, range.i1) || !IsInside(domain_u, range.u, i2)) return false;
+  if (m > 0 && !(IsInside(domain_v, range.v, range.j1) && IsInside(domain_v, range.v, j2))) return false;
+
+  const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
+  double* const s = x + padded;
+  PlaceColumns(domain_u, range, n, padded, x, s);
+  for (std::size_t c = 0; c < padded; c += kLanes)
+    hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
+  const PreparedMap::Test test = TestOf(map, CentredUnits(n, m), 1);
+  for (std::size_t r = 0; r < range.rows; ++r) {
+    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
+    double row[4][kComponents];
+    const double y = m == 0 ? 0 : CentredAt(domain_v, v);
+    for (int i = 0; i <= 3; ++i) {
+      const double* const centred = map.centred + i * (m + 1) * kComponents;
+      for (int k = 0; k < kComponents; ++k) {
+        row[i][k] = centred[m * kComponents + k];
+        for (int j = m - 1; j >= 0; --j) row[i][k] = row[i][k] * y + centred[j * kComponents + k];
+      }
+    }
+    const Writer<kComponents> writer(test, to, to.data + r * to.row_stride);
+    for (std::size_t c = 0; c < range.columns; c += kStep) {
+      Vector at[kUnroll], value[kUnroll][kComponents];
+      for (std::size_t part = 0; part < kUnroll; ++part) at[part] = hn::Load(kDoubles, x + c + part * kLanes);
+      for (int k = 0; k < kComponents; ++k) {
+        for (int i = 3; i >= 0; --i) {
+          const Vector next = hn::Set(kDoubles, row[i][k]);
+          for (std::size_t part = 0; part < kUnroll; ++part)
+            value[part][k] = i == 3 ? next : hn::MulAdd(value[part][k], at[part], next);
+        }
+      }
+      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
+        return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v);
+      });
+    }
+  }
+  return true;
+}
+
 // ---- Fast meshes, in float
 
 using Floats = hn::CappedTag<float, 16>;
@@ -712,14 +772,10 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
     if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
   }
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
-  const auto is_inside = [](const Domain& domain, const Grid& grid, std::int64_t index) {
-    const Parameter at = Locate(domain, GridArgument{grid, index});
-    return at.is_sure && at.t >= 0 && at.s >= 0;
-  };
   const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
                      j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
-  if (n > 0 && !(is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, i2))) return false;
-  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
+  if (n > 0 && !(IsInside(domain_u, range.u, range.i1) && IsInside(domain_u, range.u, i2))) return false;
+  if (m > 0 && !(IsInside(domain_v, range.v, range.j1) && IsInside(domain_v, range.v, j2))) return false;
 
   const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
   double* const t = scratch;
@@ -791,6 +847,7 @@ void MeshOf(const PreparedMap& map, const MeshRange& range, bool fast, const Des
             std::byte* scratch) {
   auto* const doubles = reinterpret_cast<double*>(scratch);
   if (fast && FastMesh<kComponents>(map, range, to, doubles)) return;
+  if (CubicMesh<kComponents>(map, range, to, doubles)) return;
   RoundedMesh<kComponents>(map, range, to, doubles);
 }
 
