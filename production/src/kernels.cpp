@@ -634,6 +634,28 @@ HWY_INLINE void RowOf(const Surface& surface, const double* weights_v, double* r
   }
 }
 
+// Sums of products of so many weights, one row of them after another, and control points of four values each.
+template <int kComponents>
+HWY_INLINE void SumOf(int degree, const double* weights, std::size_t padded, const double* points,
+                      Vector (&value)[kUnroll][kComponents]) {
+  for (int k = 0; k < kComponents; ++k) {
+    for (std::size_t part = 0; part < kUnroll; ++part)
+      value[part][k] = hn::Mul(hn::Load(kDoubles, weights + part * kLanes), hn::Set(kDoubles, points[k]));
+  }
+  for (int i = 1; i <= degree; ++i) {
+    weights += padded;
+    points += 4;
+    Vector weight[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part)
+      weight[part] = hn::Load(kDoubles, weights + part * kLanes);
+    for (int k = 0; k < kComponents; ++k) {
+      const Vector next = hn::Set(kDoubles, points[k]);
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
+    }
+  }
+}
+
 template <int kComponents>
 void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* weights) {
   const auto [n, m] = map.surface.degree;
@@ -650,38 +672,33 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
   const int roundings = Spans(range.u, domain_u) && (m == 0 || Spans(range.v, domain_v)) ? 1 : kRoundings;
   const double units = WeightUnits(n, m, roundings);
   const PreparedMap::Test test = TestOf(map, units, 1);
-  for (std::size_t r = 0; r < range.rows; ++r) {
-    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
-    const Parameter at_v = Locate(map.surface.domain[1], v);
-    double weights_v[kMaxOrder], row[4 * kMaxOrder];
-    WeightsAt(m, at_v, weights_v);
-    RowOf<kComponents>(map.surface, weights_v, row);
-    const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
-    const Writer<kComponents> writer(growth == 1 ? test : TestOf(map, units, growth), to,
-                                     to.data + r * to.row_stride);
-    for (std::size_t c = 0; c < range.columns; c += kStep) {
-      Vector value[kUnroll][kComponents];
-      const double* column = weights + c;
-      for (int k = 0; k < kComponents; ++k) {
-        for (std::size_t part = 0; part < kUnroll; ++part)
-          value[part][k] = hn::Mul(hn::Load(kDoubles, column + part * kLanes), hn::Set(kDoubles, row[k]));
-      }
-      const double* point = row;
-      for (int i = 1; i <= n; ++i) {
-        column += padded;
-        point += 4;
-        Vector weight[kUnroll];
-        for (std::size_t part = 0; part < kUnroll; ++part)
-          weight[part] = hn::Load(kDoubles, column + part * kLanes);
-        for (int k = 0; k < kComponents; ++k) {
-          const Vector next = hn::Set(kDoubles, point[k]);
-          for (std::size_t part = 0; part < kUnroll; ++part)
-            value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
+  // The weights of a block of columns stay in the nearest cache for a group of rows.
+  constexpr std::size_t kRows = 8, kBlock = 2048;
+  const std::size_t block = std::max(kBlock / (n + 1) / kStep, std::size_t{1}) * kStep;
+  for (std::size_t first = 0; first < range.rows; first += kRows) {
+    const std::size_t rows = std::min(kRows, range.rows - first);
+    PreparedMap::Test tests[kRows];
+    double row[kRows][4 * kMaxOrder];
+    for (std::size_t r = 0; r < rows; ++r) {
+      const Parameter at_v = Locate(map.surface.domain[1], range.v_of(first + r));
+      double weights_v[kMaxOrder];
+      WeightsAt(m, at_v, weights_v);
+      RowOf<kComponents>(map.surface, weights_v, row[r]);
+      const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
+      tests[r] = growth == 1 ? test : TestOf(map, units, growth);
+    }
+    for (std::size_t begin = 0; begin < range.columns; begin += block) {
+      const std::size_t end = std::min(begin + block, range.columns);
+      for (std::size_t r = 0; r < rows; ++r) {
+        const Writer<kComponents> writer(tests[r], to, to.data + (first + r) * to.row_stride);
+        for (std::size_t c = begin; c < end; c += kStep) {
+          Vector value[kUnroll][kComponents];
+          SumOf<kComponents>(n, weights + c, padded, row[r], value);
+          writer.Write(writer.Round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
+            return Resolve(map, k, range.u_of(i), range.v_of(first + r));
+          });
         }
       }
-      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
-        return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v);
-      });
     }
   }
 }
@@ -717,7 +734,7 @@ bool CubicMesh(const PreparedMap& map, const MeshRange& range, const Destination
     hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
   const PreparedMap::Test test = TestOf(map, CentredUnits(n, m), 1);
   for (std::size_t r = 0; r < range.rows; ++r) {
-    const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
+    const GridArgument v = range.v_of(r);
     double row[4][kComponents];
     const double y = m == 0 ? 0 : CentredAt(domain_v, v);
     for (int i = 0; i <= 3; ++i) {
@@ -738,9 +755,8 @@ bool CubicMesh(const PreparedMap& map, const MeshRange& range, const Destination
             value[part][k] = i == 3 ? next : hn::MulAdd(value[part][k], at[part], next);
         }
       }
-      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c), [&](std::size_t i, int k) {
-        return Resolve(map, k, {range.u, range.i1 + static_cast<std::int64_t>(i)}, v);
-      });
+      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c),
+                   [&](std::size_t i, int k) { return Resolve(map, k, range.u_of(i), v); });
     }
   }
   return true;

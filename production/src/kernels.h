@@ -32,6 +32,9 @@ struct MeshRange {
   Grid u, v;
   std::int64_t i1, j1;
   std::size_t columns, rows;
+
+  GridArgument u_of(std::size_t column) const { return {u, i1 + static_cast<std::int64_t>(column)}; }
+  GridArgument v_of(std::size_t row) const { return {v, j1 + static_cast<std::int64_t>(row)}; }
 };
 
 // The position at real arguments that are no subnormal numbers, in whatever environment without traps, of
