@@ -14,14 +14,6 @@ namespace {
 
 bool IsOrdinary(double x) { return x == 0 || (std::fabs(x) >= 0x1p-300 && std::fabs(x) <= 0x1p300); }
 
-// One direction: V is power times a Horner sum in ratio.
-struct PreparedDirection {
-  bool from_last = false;
-  DoubleDouble ratio, power{1, 0};
-  double growth = 1;  // infinite where nothing is claimed
-  double argument_error = 0;
-};
-
 DoubleDouble PowerOf(DoubleDouble base, int exponent) {
   DoubleDouble power = {1, 0};
   for (;; base = base * base) {
@@ -30,6 +22,36 @@ DoubleDouble PowerOf(DoubleDouble base, int exponent) {
     if (exponent == 0) return power;
   }
 }
+
+// Horner's rule, from the last point with ratio t / s or from the first with s / t.
+template <class Coefficient>
+DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
+  const std::uint64_t* binomials = Binomials(degree);
+  const auto term = [&](int i) {
+    // Below 2^60: the sum of two doubles.
+    const double high = static_cast<double>(binomials[i] & ~0xFFFull),
+                 low = static_cast<double>(binomials[i] & 0xFFF);
+    return coefficient(i) * FastTwoSum(high, low);
+  };
+  const int last = direction.from_last ? degree : 0, step = direction.from_last ? -1 : 1;
+  DoubleDouble sum = term(last);
+  for (int k = 1; k <= degree; ++k) sum = sum * direction.ratio + term(last + k * step);
+  return sum;
+}
+
+// Of control points point(i, j).
+template <class Point>
+Enclosure EncloseNet(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
+                     const GridArgument& u, const GridArgument& v, const Point& point) {
+  const auto [n, m] = degree;
+  const PreparedDirection in_u = Prepare(domain[0], u, n), in_v = Prepare(domain[1], v, m);
+  if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
+  const DoubleDouble sum =
+      Horner(n, in_u, [&](int i) { return Horner(m, in_v, [&](int j) { return point(i, j); }); });
+  return EnclosureOf(sum, degree, in_u, in_v, largest);
+}
+
+}  // namespace
 
 PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, int degree) {
   PreparedDirection direction;
@@ -65,42 +87,23 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
   direction.ratio = smaller / larger;
   direction.power = PowerOf(larger / width, degree);
   const double base = (std::fabs(a.high) + std::fabs(b.high)) / std::fabs(width.high) * (1 + 0x1p-50);
-  direction.growth = std::pow(base, degree) * (1 + 0x1p-40);
+  // Inside the domain the power would take as long as all the rest.
+  direction.growth = base <= 1 + 0x1p-48 ? 1 + 0x1p-40 : std::pow(base, degree) * (1 + 0x1p-40);
   if (!(direction.growth <= 0x1p300)) direction.growth = HUGE_VAL;
   return direction;
 }
 
-// Horner's rule, from the last point with ratio t / s or from the first with s / t.
-template <class Coefficient>
-DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
-  const std::uint64_t* binomials = Binomials(degree);
-  const auto term = [&](int i) {
-    // Below 2^60: the sum of two doubles.
-    const double high = static_cast<double>(binomials[i] & ~0xFFFull),
-                 low = static_cast<double>(binomials[i] & 0xFFF);
-    return coefficient(i) * FastTwoSum(high, low);
-  };
-  const int last = direction.from_last ? degree : 0, step = direction.from_last ? -1 : 1;
-  DoubleDouble sum = term(last);
-  for (int k = 1; k <= degree; ++k) sum = sum * direction.ratio + term(last + k * step);
-  return sum;
+bool IsClaimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest) {
+  return in_u.growth * in_v.growth <= 0x1p300 && IsOrdinary(largest);
 }
 
-// Of control points point(i, j).
-template <class Point>
-Enclosure EncloseNet(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
-                     const GridArgument& u, const GridArgument& v, const Point& point) {
+Enclosure EnclosureOf(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
+                      const PreparedDirection& in_v, double largest) {
   const auto [n, m] = degree;
-  const PreparedDirection in_u = Prepare(domain[0], u, n), in_v = Prepare(domain[1], v, m);
   const double growth = in_u.growth * in_v.growth;
-  if (!(growth <= 0x1p300) || !IsOrdinary(largest)) return {{}, HUGE_VAL};
-  const DoubleDouble sum =
-      Horner(n, in_u, [&](int i) { return Horner(m, in_v, [&](int j) { return point(i, j); }); });
   const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
   return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
 }
-
-}  // namespace
 
 Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
   const auto [order_u, order_v] = component.order;

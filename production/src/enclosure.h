@@ -22,6 +22,19 @@ struct Enclosure {
 // is claimed where magnitudes are beyond 2^300 or 2^-300: then products of parts could leave the range.
 Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v);
 
+// One direction of it: V is power times a Horner sum in ratio, from the last point or the first.
+struct PreparedDirection {
+  bool from_last = false;
+  DoubleDouble ratio, power{1, 0};
+  double growth = 1;  // infinite where nothing is claimed
+  double argument_error = 0;
+};
+PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, int degree);
+bool IsClaimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest);
+// Where something is claimed, what a sum in both ratios encloses.
+Enclosure EnclosureOf(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
+                      const PreparedDirection& in_v, double largest);
+
 // The derivative by the normalised coordinate of a direction (0: u, 1: v), from the exact differences of
 // control points: R is degree times these, and the degree in that direction is one less. Exactly zero if they
 // all are.

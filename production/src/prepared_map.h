@@ -4,6 +4,7 @@
 #include <array>
 
 #include "production/src/bernstein.h"
+#include "production/src/enclosure_kernels.h"
 #include "production/src/exact.h"
 #include "production/src/parameter.h"
 
@@ -66,6 +67,7 @@ struct PreparedMap {
   const double* centred = nullptr;
   // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
+  Encloses encloses = Enclose;
   // Sums that are these only in rounding to nearest. In memory, as compilers take that for granted.
   struct Probe {
     std::array<double, 2> first = {1, 1}, second = {0x1p-54, 0x3p-54}, sum = {1, 1 + 0x1p-52};

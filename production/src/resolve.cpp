@@ -71,7 +71,7 @@ float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
   if (component.kind == PreparedComponent::Kind::kLine &&
       OnLine(component, component.line_direction == 0 ? u : v, &result))
     return result;
-  const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
+  const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
   if (Settle(enclosure.value, enclosure.error, &result)) return result;
   return RoundExactly(component.lowest, u, v);
 }
@@ -80,7 +80,7 @@ double InDouble(const PreparedMap& map, int k, const GridArgument& u, const Grid
   const PreparedComponent& component = map.component[k];
   if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
     return Plainly(map, k, u, v);
-  const Enclosure enclosure = Enclose(component.lowest, component.lowest_largest, u, v);
+  const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
   // Half an ULP of rounding and this are less than one.
   if (!(enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))
     return RoundExactly<double>(component.lowest, u, v);

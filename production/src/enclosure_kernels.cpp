@@ -1,0 +1,203 @@
+// Compiled once for each instruction set. The bound is that of Enclose: sums take the same steps, in another
+// order, or, along a curve, a quarter of them in the fourth power of the ratio, whose error is at most that
+// of four ratios and three products.
+#include "production/src/enclosure_kernels.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "production/src/binomials.h"
+
+#define HWY_IS_DEBUG_BUILD 0
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "production/src/enclosure_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+namespace enclosure {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Four = hn::CappedTag<double, 4>;
+constexpr Four kFour;
+constexpr std::size_t kLanes = hn::MaxLanes(kFour);
+using Vector = hn::Vec<Four>;
+
+// As DoubleDouble, with the same names and errors.
+struct Pairs {
+  Vector high, low;
+};
+
+HWY_INLINE Pairs PairsOf(const DoubleDouble& x) { return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)}; }
+
+HWY_INLINE Pairs FastTwoSums(Vector x, Vector y) {
+  const Vector sum = hn::Add(x, y);
+  return {sum, hn::Sub(y, hn::Sub(sum, x))};
+}
+
+HWY_INLINE Pairs TwoSums(Vector x, Vector y) {
+  const Vector sum = hn::Add(x, y), part = hn::Sub(sum, x);
+  return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, part)), hn::Sub(y, part))};
+}
+
+HWY_INLINE Pairs TwoProducts(Vector x, Vector y) {
+  const Vector product = hn::Mul(x, y);
+#if HWY_NATIVE_FMA
+  return {product, hn::MulSub(x, y, product)};
+#else
+  const auto split = [](Vector z) -> Pairs {
+    const Vector shifted = hn::Mul(z, hn::Set(kFour, 0x1p27 + 1)),
+                 high = hn::Sub(shifted, hn::Sub(shifted, z));
+    return {high, hn::Sub(z, high)};
+  };
+  const Pairs a = split(x), b = split(y);
+  const Vector rest = hn::Add(hn::Add(hn::Sub(hn::Mul(a.high, b.high), product), hn::Mul(a.high, b.low)),
+                              hn::Mul(a.low, b.high));
+  return {product, hn::Add(rest, hn::Mul(a.low, b.low))};
+#endif
+}
+
+HWY_INLINE Pairs Sums(const Pairs& x, const Pairs& y) {
+  const Pairs sum = TwoSums(x.high, y.high);
+  return TwoSums(sum.high, hn::Add(sum.low, hn::Add(x.low, y.low)));
+}
+
+HWY_INLINE Pairs Products(const Pairs& x, const Pairs& y) {
+  const Pairs product = TwoProducts(x.high, y.high);
+  const Vector cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
+  return FastTwoSums(product.high, hn::Add(product.low, cross));
+}
+
+// Up to 64 pairs, and zeros up to the next multiple of four.
+struct Row {
+  alignas(32) double high[kMaxOrder], low[kMaxOrder];
+
+  HWY_INLINE Pairs At(std::size_t i) const { return {hn::Load(kFour, high + i), hn::Load(kFour, low + i)}; }
+  HWY_INLINE void Put(std::size_t i, const Pairs& pairs) {
+    hn::Store(pairs.high, kFour, high + i);
+    hn::Store(pairs.low, kFour, low + i);
+  }
+  DoubleDouble operator[](std::size_t i) const { return {high[i], low[i]}; }
+};
+
+constexpr std::size_t RoundUp(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
+
+// Below 2^60: sums of two doubles.
+DoubleDouble Binomial(int n, int i) {
+  const std::uint64_t binomial = Binomials(n)[i];
+  return FastTwoSum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
+}
+
+// The sum of the terms times the powers of the ratio from 0 on.
+DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
+  const DoubleDouble square = ratio * ratio, third = square * ratio;
+  const Pairs fourth = PairsOf(square * square);
+  Row last;  // four sums of every fourth term, without its power below four
+  const std::size_t end = RoundUp(degree + 1);
+  for (std::size_t lane = 0; lane < 4; lane += kLanes) {
+    Pairs sum = terms.At(end - 4 + lane);
+    for (std::size_t i = end - 4; i != 0; i -= 4) sum = Sums(Products(sum, fourth), terms.At(i - 4 + lane));
+    last.Put(lane, sum);
+  }
+  return (last[0] + last[1] * ratio) + (last[2] * square + last[3] * third);
+}
+
+Enclosure EncloseAll(const Component& component, double largest, const GridArgument& u,
+                     const GridArgument& v) {
+  const auto [order_u, order_v] = component.order;
+  const int n = order_u - 1, m = order_v - 1;
+  const PreparedDirection in_u = Prepare(component.domain[0], u, n),
+                          in_v = Prepare(component.domain[1], v, m);
+  if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
+  // Of a curve in v with the terms S_j: control points, or sums over i. A curve in u is one in v here.
+  const bool is_curve = m == 0;
+  const PreparedDirection& along = is_curve ? in_u : in_v;
+  const int degree = is_curve ? n : m;
+  Row points;
+  const std::size_t padded = RoundUp(degree + 1);
+  if (is_curve || n == 0) {
+    std::memcpy(points.high, component.points, (static_cast<std::size_t>(degree) + 1) * sizeof(double));
+    std::memset(points.low, 0, padded * sizeof(double));
+  } else {
+    // Horner's rule over i for several j at once.
+    Row binomials;
+    for (int i = 0; i <= n; ++i) {
+      const DoubleDouble binomial = Binomial(n, i);
+      binomials.high[i] = binomial.high;
+      binomials.low[i] = binomial.low;
+    }
+    const Pairs ratio = PairsOf(in_u.ratio);
+    const int last = in_u.from_last ? n : 0, step = in_u.from_last ? -1 : 1;
+    for (std::size_t j = 0; j < padded; j += kLanes) {
+      const auto term = [&](int i) {
+        const Vector point =
+            hn::LoadU(kFour, component.points + static_cast<std::ptrdiff_t>(i) * order_v + j);
+        return Products({point, hn::Zero(kFour)}, PairsOf(binomials[static_cast<std::size_t>(i)]));
+      };
+      Pairs sum = term(last);
+      for (int k = 1; k <= n; ++k) sum = Sums(Products(sum, ratio), term(last + k * step));
+      points.Put(j, sum);
+    }
+  }
+  // The terms in the order of their powers.
+  Row terms, binomials;
+  for (std::size_t j = 0; j < padded; ++j) {
+    const int i = static_cast<int>(j);
+    const auto from = static_cast<std::size_t>(along.from_last ? i : degree - i);
+    const bool is_there = i <= degree;
+    terms.high[j] = is_there ? points.high[from] : 0;
+    terms.low[j] = is_there ? points.low[from] : 0;
+    const DoubleDouble binomial = is_there ? Binomial(degree, i) : DoubleDouble{};
+    binomials.high[j] = binomial.high;
+    binomials.low[j] = binomial.low;
+  }
+  for (std::size_t j = 0; j < padded; j += kLanes) terms.Put(j, Products(terms.At(j), binomials.At(j)));
+  return EnclosureOf(SumOf(terms, degree, along.ratio), {n, m}, in_u, in_v, largest);
+}
+
+constexpr Encloses MakeEncloses() { return EncloseAll; }
+
+}  // namespace enclosure
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace glev {
+namespace {
+
+struct NamedEncloses {
+  const char* name;
+  Encloses encloses;
+};
+
+constexpr NamedEncloses kEncloses[] = {
+#if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
+    {"AVX3", N_AVX3::enclosure::MakeEncloses()},
+#endif
+#if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
+    {"AVX2", N_AVX2::enclosure::MakeEncloses()},
+#endif
+#if (HWY_TARGETS & HWY_SSE4) && HWY_STATIC_TARGET != HWY_SSE4
+    {"SSE4", N_SSE4::enclosure::MakeEncloses()},
+#endif
+    {"baseline", HWY_STATIC_DISPATCH(enclosure::MakeEncloses)()},
+};
+
+}  // namespace
+
+Encloses EnclosesOf(const char* name) {
+  for (const auto& [own, encloses] : kEncloses) {
+    if (std::strcmp(own, name) == 0) return encloses;
+  }
+  return Enclose;
+}
+
+}  // namespace glev
+#endif  // HWY_ONCE
