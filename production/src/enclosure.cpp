@@ -43,7 +43,7 @@ DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coeffi
 template <class Point>
 Enclosure EncloseNet(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
                      const GridArgument& u, const GridArgument& v, const Point& point) {
-  const auto [n, m] = degree;
+  const int n = degree[0], m = degree[1];
   const PreparedDirection in_u = Prepare(domain[0], u, n), in_v = Prepare(domain[1], v, m);
   if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
   const DoubleDouble sum =
@@ -106,11 +106,12 @@ Enclosure EnclosureOf(const DoubleDouble& sum, std::array<int, 2> degree, const 
 }
 
 Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
-  const auto [order_u, order_v] = component.order;
-  return EncloseNet({order_u - 1, order_v - 1}, component.domain, largest, u, v, [&](int i, int j) {
-    return DoubleDouble{component.points[(static_cast<std::ptrdiff_t>(i) * order_v + j) * component.stride],
-                        0};
-  });
+  const int order_v = component.order[1];
+  return EncloseNet(
+      {component.order[0] - 1, order_v - 1}, component.domain, largest, u, v, [&](int i, int j) {
+        return DoubleDouble{
+            component.points[(static_cast<std::ptrdiff_t>(i) * order_v + j) * component.stride], 0};
+      });
 }
 
 Enclosure EncloseDerivative(const Component& component, int direction, const GridArgument& u,

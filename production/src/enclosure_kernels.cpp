@@ -111,8 +111,7 @@ DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
 
 Enclosure EncloseAll(const Component& component, double largest, const GridArgument& u,
                      const GridArgument& v) {
-  const auto [order_u, order_v] = component.order;
-  const int n = order_u - 1, m = order_v - 1;
+  const int order_v = component.order[1], n = component.order[0] - 1, m = order_v - 1;
   const PreparedDirection in_u = Prepare(component.domain[0], u, n),
                           in_v = Prepare(component.domain[1], v, m);
   if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
