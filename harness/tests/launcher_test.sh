@@ -25,7 +25,8 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
   libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
-everything="$required libosmesa6 xvfb python3 libmpfi-dev clang clang-tidy-14 clang-format-14 gcovr libvalijson-dev
+everything="$required libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev clang clang-tidy-14
+  clang-format-14 gcovr libvalijson-dev
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -211,7 +212,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev clang"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev gfortran pkg-config libpng-dev clang"
 called_not apt-get
 called_not ctest
 
@@ -443,7 +444,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 libmpfi-dev ["
+called "libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev ["
 called "ctest --preset debug in"
 called_not release
 

@@ -1,0 +1,5 @@
+C     The declarations of fgl.inc and the tokens as a module.
+      MODULE fgl
+      IMPLICIT NONE
+      INCLUDE 'fgl.inc'
+      END MODULE
