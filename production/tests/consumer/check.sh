@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Installs the library, moves it, and builds and runs programs against it, through find_package and pkg-config.
+# check.sh BUILD EXAMPLES WORK FORTRAN(ON|OFF)
+set -euo pipefail
+build=$1 examples=$2 work=$3 fortran=$4
+here=$(cd -- "$(dirname -- "$0")" && pwd)
+fail() { echo "$*" >&2; exit 1; }
+
+rm -rf "$work"
+mkdir -p "$work"
+cmake --install "$build" --component glevaluator_runtime --prefix "$work/runtime" >/dev/null
+[[ $(find "$work/runtime" ! -type d -printf '%f\n' | sort | tr '\n' ' ') =~ ^libglevaluator\.so\.0\ libglevaluator\.so\.0\.[0-9.]+\ $ ]] ||
+  fail "the component glevaluator_runtime is not the shared library alone"
+
+cmake --install "$build" --component glevaluator --prefix "$work/installed" >/dev/null
+[[ $fortran == OFF ]] || cmake --install "$build" --component glevaluator_fortran --prefix "$work/installed" >/dev/null
+mkdir "$work/elsewhere"
+prefix=$work/elsewhere/moved
+mv "$work/installed" "$prefix"
+places=$(grep -rlF -e "$build" -e "$work/installed" -e "$(dirname "$examples")" "$prefix" || true)
+[[ ! $places ]] || fail "these name places of this machine: $places"
+libraries=$(dirname "$(find "$prefix" -name libglevaluator.a)")
+
+same() { # name, command...: it prints what the first one printed
+  "${@:2}" >"$work/$1.txt"
+  [[ -s $work/$1.txt ]] || fail "$1 prints nothing"
+  cmp "$work/$1.txt" "$work/first.txt"
+}
+
+consume() { # name, CMake-option...
+  local log=$work/$1.log
+  cmake -G Ninja -S "$here" -B "$work/$1" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" -DCMAKE_BUILD_TYPE=Release \
+    "${@:2}" >"$log" 2>&1 || { cat "$log"; fail "$1: find_package fails"; }
+  cmake --build "$work/$1" >"$log" 2>&1 || { cat "$log"; fail "$1 does not build"; }
+}
+
+# Without a C++ compiler; and a project that has one links its C programs without it.
+CXX=false consume build -DFORTRAN="$fortran"
+consume mixed -DMIXED=ON
+[[ $(ninja -C "$work/mixed" -t commands curve_glevaluator) != *++* ]] || fail "the C++ compiler links"
+"$work/build/curve_glevaluator" >"$work/first.txt"
+grep -q '^    2.000000    1.500000' "$work/first.txt" || fail "that is not the middle of the curve"
+same find_package_shared "$work/build/curve_glevaluator_shared"
+[[ $(ldd "$work/build/curve_glevaluator") != *@(glevaluator|stdc++)* ]] || fail "the static library is not linked alone"
+[[ $(ldd "$work/build/curve_glevaluator_shared") == *"$libraries/libglevaluator.so.0"* ]] || fail "not the installed library"
+[[ $fortran == OFF ]] || same find_package_fortran "$work/build/curve_fortran"
+
+# A version that is not there is not found.
+sed 's/glevaluator 0.1/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLists.txt"
+! cmake -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1 &&
+  grep -q 'requested version "99.0"' "$work/refused.log" || fail "version 99 was found"
+
+command -v pkg-config >/dev/null || { echo "there is no pkg-config: without its part"; exit; }
+export PKG_CONFIG_PATH=$libraries/pkgconfig
+# shellcheck disable=SC2046 # words
+{
+  cc "$examples/curve.c" -o "$work/pc_shared" $(pkg-config --cflags --libs glevaluator)
+  LD_LIBRARY_PATH=$libraries same pkg_config_shared "$work/pc_shared"
+  cc -static "$examples/curve.c" -o "$work/pc_static" $(pkg-config --static --cflags --libs glevaluator)
+  same pkg_config_static "$work/pc_static"
+  if [[ $fortran == ON ]]; then
+    gfortran "$examples/curve.f" -o "$work/pc_fortran" $(pkg-config --cflags --libs fglev)
+    LD_LIBRARY_PATH=$libraries same pkg_config_fortran "$work/pc_fortran"
+  fi
+}
