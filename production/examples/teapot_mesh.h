@@ -1,0 +1,24 @@
+/* The teapot as one vertex buffer and one index buffer, as glDrawElements wants them. */
+#ifndef TEAPOT_MESH_H_
+#define TEAPOT_MESH_H_
+
+#include <stddef.h>
+
+typedef struct teapot_vertex {
+  float position[3];
+  float normal[3];
+} teapot_vertex;
+
+/* Patch after patch, each with vertices of its own; triangles that are counterclockwise seen from outside. */
+typedef struct teapot_mesh {
+  size_t vertex_count, index_count;
+  teapot_vertex* vertices;
+  unsigned* indices;
+} teapot_mesh;
+
+/* Makes the mesh with segments x segments quadrilaterals a patch. 0 if a call fails or there is no memory:
+ * then there is nothing to free. */
+int teapot_create_mesh(int segments, teapot_mesh* mesh);
+void teapot_free_mesh(teapot_mesh* mesh);
+
+#endif /* TEAPOT_MESH_H_ */
