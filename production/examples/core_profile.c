@@ -14,12 +14,12 @@ int make_core_profile(core_profile* gl) {
                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                               EGL_NONE};
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
   if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return 0;
   EGLConfig config;
   EGLint count = 0;
   if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) return 0;
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return 0;
 #define GL_LOAD(type, name) \
   if (!(gl->name = (type)eglGetProcAddress("gl" #name))) return 0;

@@ -140,10 +140,11 @@ static void upload(const core_profile* gl, const teapot_mesh* mesh) {
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
   gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(mesh->index_count * sizeof *mesh->indices),
                  mesh->indices, GL_STATIC_DRAW);
+  const char* const start = NULL; /* of the buffer */
   gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(teapot_vertex),
-                          (const void*)offsetof(teapot_vertex, position));
+                          start + offsetof(teapot_vertex, position));
   gl->VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(teapot_vertex),
-                          (const void*)offsetof(teapot_vertex, normal));
+                          start + offsetof(teapot_vertex, normal));
   gl->EnableVertexAttribArray(0);
   gl->EnableVertexAttribArray(1);
 }
