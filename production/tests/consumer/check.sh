@@ -58,6 +58,11 @@ export PKG_CONFIG_PATH=$libraries/pkgconfig
   LD_LIBRARY_PATH=$libraries same pkg_config_shared "$work/pc_shared"
   cc -static "$examples/curve.c" -o "$work/pc_static" $(pkg-config --static --cflags --libs glevaluator)
   same pkg_config_static "$work/pc_static"
+  # The first program of the README, which is installed as well.
+  awk '/^```/ { if (on) exit; on = /^```c$/; next } on' "$prefix/share/doc/glevaluator/README.md" >"$work/readme.c"
+  cc -static "$work/readme.c" -o "$work/readme" $(pkg-config --static --cflags --libs glevaluator)
+  [[ $("$work/readme" | tr '\n' ' ') == "0 0 0 0.90625 1.125 0 2 1.5 0 3.09375 1.125 0 4 0 0 2 1.5 0 " ]] ||
+    fail "the program of the README prints something else"
   if [[ $fortran == ON ]]; then
     gfortran "$examples/curve.f" -o "$work/pc_fortran" $(pkg-config --cflags --libs fglev)
     LD_LIBRARY_PATH=$libraries same pkg_config_fortran "$work/pc_fortran"
