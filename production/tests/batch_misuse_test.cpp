@@ -265,11 +265,11 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   Memory memory(kNoRoom), scratch(kNoRoom);
   struct {
     glev_mesh mesh;
-    unsigned char rest[9];
+    unsigned char rest[16];  // no padding: it would have to be zero, too
   } later = {{sizeof later, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, {}, scratch.data(), scratch.size()}, {}};
   struct {
     glev_output output;
-    unsigned char rest[5];
+    unsigned char rest[8];
   } output = {memory.Output(0, 12, 3), {}};
   output.output.size = sizeof output;
   later.mesh.outputs.vertex = &output.output;
