@@ -2,8 +2,8 @@
 // forgets to renew shows. A failure depends on the past; its case has all of it.
 #include <fmt/format.h>
 
+#include "harness/fuzz/random_program.h"
 #include "harness/judge/prediction.h"
-#include "suites/random_commands.h"
 #include "suites/refusal.h"
 
 namespace evalcts::suite_after_random_commands {
@@ -14,10 +14,11 @@ constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0
 // Makes cases with another past each; `play` appends the commands under test and plays them.
 void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) {
   // A baseline knows one verdict for all depths: what fails at full depth has to fail at quick depth, too.
-  const int cases = t.by_depth(6, 6, 60);
-  for (int i = 0; i < cases; ++i) {
-    gl::Case c(fmt::format("past {}", i));
-    add_random_commands(c, t.random(), t.by_depth(40, 40, 80));
+  const auto cases = static_cast<std::uint32_t>(t.by_depth(6, 6, 60));
+  const auto seed = static_cast<std::uint32_t>(t.random()());
+  for (std::uint32_t i = 0; i < cases; ++i) {
+    gl::Case c = fuzz::random_past(seed, i, t.by_depth(120, 120, 240), t.max_order());
+    c.set_identity(fmt::format("past {}", i));
     play(c);
   }
 }

@@ -28,6 +28,7 @@ struct Parts {
   bool given_vertices = true, current_values = true, automatic_normals = true, disabling = true;
   bool meshes = true, lists = true, stack = true, errors = true, queries = true, other_unit = true;
   bool errors_in_lists = false;  // GetError follows each CallList then
+  bool daring = true;  // what crashes libraries: lists that call lists, queries of maps that are refused
 };
 
 bool makes_vertices(GLenum map) {
@@ -54,11 +55,13 @@ class Dice {
 
 class Writer {
  public:
-  Writer(gl::Case& c, Dice& dice, int max_eval_order) : c_(c), dice_(dice), max_order_(max_eval_order) {
+  Writer(gl::Case& c, Dice& dice, int max_eval_order, bool past)
+      : c_(c), dice_(dice), max_order_(max_eval_order) {
     const int kind = dice_.below(8);
-    kind_ = kind == 0 ? Kind::lines : kind == 1 ? Kind::polygons : Kind::points;
+    kind_ = past || kind > 1 ? Kind::points : kind == 0 ? Kind::lines : Kind::polygons;
     hostile_ = dice_.one_in(4);
     choose_parts();
+    has_.daring = !past;
   }
 
   void write(int length) {
@@ -459,10 +462,10 @@ class Writer {
         c_.Enable(GL_COEFF);
         break;
       case 15:
-        c_.GetMapfv(GL_COEFF, GL_COEFF, gl::out<GLfloat>(8));
+        if (has_.daring) c_.GetMapfv(GL_COEFF, GL_COEFF, gl::out<GLfloat>(8));
         break;
       case 16:
-        c_.GetMapdv(target1, target2, gl::out<GLdouble>(8));
+        if (has_.daring) c_.GetMapdv(target1, target2, gl::out<GLdouble>(8));
         break;
       case 17:
         c_.Begin(GL_POLYGON + 20);
@@ -575,7 +578,7 @@ class Writer {
           if (has_.meshes) mesh();
           break;
         case 6:  // never itself
-          if (name > kFirstList)
+          if (has_.daring && name > kFirstList)
             call(kFirstList + static_cast<GLuint>(dice_.below(static_cast<int>(name - kFirstList))));
           break;
         case 7:
@@ -615,18 +618,27 @@ class Writer {
   int depth_ = 0;
 };
 
-}  // namespace
-
-SpecifiedProgram random_specified_program(std::uint32_t seed, std::uint32_t number, int length,
-                                          int max_eval_order) {
+SpecifiedProgram write_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order,
+                               bool past) {
   // Where chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));
-    Writer(program, dice, max_eval_order).write(length);
+    Writer(program, dice, max_eval_order, past).write(length);
     if (std::optional<Specified> specified = specify_if_defined(program, max_eval_order))
       return {std::move(program), *std::move(specified)};
   }
+}
+
+}  // namespace
+
+SpecifiedProgram random_specified_program(std::uint32_t seed, std::uint32_t number, int length,
+                                          int max_eval_order) {
+  return write_program(seed, number, length, max_eval_order, false);
+}
+
+gl::Case random_past(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order) {
+  return write_program(seed, number, length, max_eval_order, true).program;
 }
 
 gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order) {

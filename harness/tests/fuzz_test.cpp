@@ -88,6 +88,27 @@ TEST(RandomProgram, LeavesPartsOut) {
   EXPECT_GT(errors_from_lists, 0);
 }
 
+TEST(RandomPast, DrawsPointsAndLeavesNothingOpen) {
+  const std::unique_ptr<Implementation> specification = open_implementation({.name = "reference"});
+  for (std::uint32_t number = 0; number < 60; ++number) {
+    SCOPED_TRACE(number);
+    gl::Case c = random_past(1, number, kLength, kMaxOrder);
+    for (const reference::Primitive& primitive : predict(c, kMaxOrder).primitives)
+      EXPECT_EQ(primitive.mode, GLenum{GL_POINTS});
+    const gl::Ref left = c.GetError();
+    const gl::Ref list = c.GetIntegerv(GL_LIST_INDEX, gl::out<GLint>(1));
+    const gl::Ref depth = c.GetIntegerv(GL_ATTRIB_STACK_DEPTH, gl::out<GLint>(1));
+    const gl::Ref unit = c.GetIntegerv(GL_ACTIVE_TEXTURE, gl::out<GLint>(1));
+    const gl::Ref error = c.GetError();  // GL_INVALID_OPERATION between Begin and End
+    const gl::Trace trace = specification->create_context()->play(c);
+    EXPECT_EQ(trace.error(left), GLenum{GL_NO_ERROR});
+    EXPECT_EQ(trace.values<GLint>(list)[0], 0);
+    EXPECT_EQ(trace.values<GLint>(depth)[0], 0);
+    EXPECT_EQ(trace.values<GLint>(unit)[0], GL_TEXTURE0);
+    EXPECT_EQ(trace.error(error), GLenum{GL_NO_ERROR});
+  }
+}
+
 TEST(IsDefined, TellsWhatTheSpecificationLeavesOpen) {
   EXPECT_TRUE(specify_if_defined(small_curve(), kMaxOrder));
   gl::Case outside;
