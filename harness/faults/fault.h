@@ -25,7 +25,7 @@ struct Injection {
 
 struct Fault {
   std::string_view name;
-  std::string_view implementation;  // that it is put into: see implementation_kinds(), or a stand-in
+  std::string_view implementation;  // that it is put into: see implementation_kinds(), or one of those below
   Level level;                      // at which a test has to catch it
   std::string_view requirements;    // IDs (or halves, "ID/2-D") with blanks between: each betrayed by a test
   std::string_view what;            // the mistake, in words
@@ -48,9 +48,10 @@ inline Memory memory;
 // Wrappers and switches, by name.
 const std::vector<Fault>& all_faults();
 
-// An implementation that has what none at hand has, made by a provider of this build: a fault names it as its
-// implementation, the suite program is told the provider as --context.
-inline constexpr std::string_view kNvVertexProgram = "nv-vertex-program";
+// Implementations for faults in what none at hand has, or follows.
+inline constexpr std::string_view kNvVertexProgram = "nv-vertex-program";  // a provider of this build
+inline constexpr std::string_view kRepairedOSMesa = "repaired-osmesa";     // see repaired_osmesa.h
+inline constexpr std::string_view kOSMesa30 = "osmesa-3.0";  // Mesa's, when asked for that version
 
 // The implementation with the fault; `inner` has to be of the kind that the fault is for. Throws CannotStart
 // where there is no such fault.

@@ -37,9 +37,7 @@ bool decides(const std::string& named, const std::string& wanted) {
 
 // What tells the suite program which implementation the fault is for.
 std::vector<std::string> opening_of(const json& fault) {
-  const std::string context = fault.value("context", "");
-  if (!context.empty()) return {"--context", context};
-  return {"--implementation", fault["implementation"]};
+  return fault.value("arguments", std::vector<std::string>{"--implementation", fault["implementation"]});
 }
 
 int rank(const std::string& level) { return level == "must" ? 2 : level == "interpretation" ? 1 : 0; }
@@ -57,7 +55,7 @@ class Trial {
   // What became of the fault.
   json try_fault(const json& fault) {
     json result = fault;
-    result.erase("context");
+    result.erase("arguments");
     result["outcome"] = "caught";
     result["reason"] = "";
     result["requirements"] = json::array();

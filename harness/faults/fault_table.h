@@ -10,7 +10,7 @@ namespace evalcts::faults {
 
 struct TableRequest {
   std::filesystem::path suite_program;  // the one with faults
-  nlohmann::json faults;                // to try: as it lists them ("context" is for the suite program)
+  nlohmann::json faults;                // to try: as it lists them ("arguments" are for the suite program)
   nlohmann::json tests;                 // all: {"name", "requirements", "level", "from"}
   int jobs = 1;                         // faults side by side
   double seconds_per_test = 20;

@@ -1,36 +1,49 @@
-// The suite program with faults: the implementation under test has the one that --fault names. --list-faults
-// FILE writes all of them as JSON.
+// The suite program with faults: the implementation under test has the one that --fault names, and is the one
+// of fault.h that --base names. --list-faults FILE writes all faults as JSON.
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "harness/faults/fault.h"
+#include "harness/faults/repaired_osmesa.h"
 #include "harness/runner/suite_main.h"
 
 namespace {
 
-// The provider of a stand-in; empty for any other implementation.
-std::string_view context_of(std::string_view implementation) {
-  return implementation == evalcts::faults::kNvVertexProgram ? NV_VERTEX_PROGRAM_PROVIDER : "";
+using namespace evalcts;
+
+// What tells this program the implementation of a fault.
+std::vector<std::string_view> arguments_of(std::string_view implementation) {
+  if (implementation == faults::kNvVertexProgram) return {"--context", NV_VERTEX_PROGRAM_PROVIDER};
+  if (implementation == faults::kRepairedOSMesa || implementation == faults::kOSMesa30)
+    return {"--implementation", "osmesa", "--base", implementation};
+  return {"--implementation", implementation};
 }
 
 void list_faults(const char* file) {
   nlohmann::json all = nlohmann::json::array();
-  for (const evalcts::faults::Fault& fault : evalcts::faults::all_faults())
+  for (const faults::Fault& fault : faults::all_faults())
     all.push_back({{"name", fault.name},
                    {"implementation", fault.implementation},
-                   {"context", context_of(fault.implementation)},
-                   {"level", evalcts::name_of(fault.level)},
+                   {"arguments", arguments_of(fault.implementation)},
+                   {"level", name_of(fault.level)},
                    {"requirements", fault.requirements},
                    {"what", fault.what},
                    {"kind", fault.inject ? "wrapper" : "switch"}});
   std::ofstream(file) << nlohmann::json{{"faults", all}}.dump(1) << "\n";
 }
 
+std::unique_ptr<Implementation> wrapped(std::unique_ptr<Implementation> implementation,
+                                        const std::string& base, const std::string& fault) {
+  if (base == faults::kRepairedOSMesa) implementation = faults::repaired_osmesa(std::move(implementation));
+  return fault.empty() ? std::move(implementation) : faults::with_fault(std::move(implementation), fault);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string fault;
+  std::string fault, base;
   std::vector<char*> rest;  // what the suite program itself knows
   for (int i = 0; i < argc; ++i) {
     const bool has_value = i + 1 < argc;
@@ -40,14 +53,15 @@ int main(int argc, char** argv) {
     }
     if (has_value && std::strcmp(argv[i], "--fault") == 0)
       fault = argv[++i];
+    else if (has_value && std::strcmp(argv[i], "--base") == 0)
+      base = argv[++i];
     else
       rest.push_back(argv[i]);
   }
   rest.push_back(nullptr);
-  return evalcts::suite_main(static_cast<int>(rest.size()) - 1, rest.data(),
-                             [&](std::unique_ptr<evalcts::Implementation> implementation) {
-                               return fault.empty()
-                                          ? std::move(implementation)
-                                          : evalcts::faults::with_fault(std::move(implementation), fault);
-                             });
+  if (base == faults::kOSMesa30) setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+  return suite_main(static_cast<int>(rest.size()) - 1, rest.data(),
+                    [&](std::unique_ptr<Implementation> implementation) {
+                      return wrapped(std::move(implementation), base, fault);
+                    });
 }

@@ -1,0 +1,18 @@
+// OSMesa without those of its own defects for which a rule would have no sound implementation to put a fault
+// into: wrappers that do what the rule says, in the commands that the plain deliveries of its tests use. A
+// test counts on it only where it passes.
+#pragma once
+
+#include <memory>
+
+#include "harness/gl/table.h"
+#include "harness/implementations/implementation.h"
+
+namespace evalcts::faults {
+
+std::unique_ptr<Implementation> repaired_osmesa(std::unique_ptr<Implementation> osmesa);
+
+// The commands of OSMesa itself.
+const gl::Table& unrepaired();
+
+}  // namespace evalcts::faults
