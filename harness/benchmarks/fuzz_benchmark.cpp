@@ -8,6 +8,7 @@
 
 #include "harness/fuzz/campaign.h"
 #include "harness/fuzz/random_program.h"
+#include "harness/implementations/reused_context.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -32,8 +33,8 @@ bool has_lists(const gl::Case& program) {
 }
 
 // Only the playing and judging, of programs in which the implementation does as specified: a difference costs
-// hundreds of plays more. Without display lists where those crash.
-void Judge(benchmark::State& state, const char* name, bool with_lists) {
+// hundreds of plays more. Without display lists where those crash; in fresh contexts, or all in one.
+void Judge(benchmark::State& state, const char* name, bool with_lists, bool fresh) {
   std::unique_ptr<Implementation> implementation;
   Subject subject;
   try {
@@ -54,6 +55,15 @@ void Judge(benchmark::State& state, const char* name, bool with_lists) {
     if (!judge_program(subject, program.program, program.specified).finding)
       programs.push_back(std::move(program));
   }
+  captures.prove_all();
+  std::unique_ptr<Implementation> shared;
+  if (!fresh) {
+    shared = reuse_context(*implementation, subject.info, Programs::kept);
+    subject.implementation = shared.get();
+  }
+  if (!fresh)  // what the library keeps of a program is there
+    for (const SpecifiedProgram& program : programs)
+      judge_program(subject, program.program, program.specified);
   std::uint64_t commands = 0;
   for (auto _ : state)
     for (const SpecifiedProgram& program : programs) {
@@ -64,8 +74,12 @@ void Judge(benchmark::State& state, const char* name, bool with_lists) {
 }
 
 BENCHMARK(Write)->Arg(120)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(Judge, production, "production", true)->Arg(120)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(Judge, osmesa, "osmesa", false)->Arg(120)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Judge, production, "production", true, true)->Arg(120)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Judge, osmesa, "osmesa", false, true)->Arg(120)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Judge, osmesa_in_one_context, "osmesa", false, false)
+    ->Arg(20)
+    ->Arg(120)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace evalcts::fuzz

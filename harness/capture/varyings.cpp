@@ -1,12 +1,28 @@
 #include "harness/capture/varyings.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace evalcts {
 namespace {
 
 GLenum recorded_mode(PrimitiveKind kind) {
   return kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_TRIANGLES;
+}
+
+gl::Ref make_program(gl::Case& c, const VaryingShader& shader) {
+  const gl::Ref vertex_shader = c.CreateShader(GL_VERTEX_SHADER);
+  c.ShaderSource(vertex_shader, 1, gl::Strings{{shader.source}}, nullptr);
+  c.CompileShader(vertex_shader);
+  const gl::Ref program = c.CreateProgram();
+  c.AttachShader(program, vertex_shader);
+  for (const auto& [location, name] : shader.locations)
+    c.BindAttribLocation(program, location, gl::text(name));
+  c.TransformFeedbackVaryings(program, shader.varyings.size(), gl::Strings{shader.varyings},
+                              GL_INTERLEAVED_ATTRIBS);
+  c.LinkProgram(program);
+  return program;
 }
 
 }  // namespace
@@ -21,19 +37,17 @@ RecordedVaryings record_varyings(Implementation& implementation, const VaryingSh
   const std::size_t room = most_vertices + vertices_of_recorded(kind);
   const std::size_t bytes = room * shader.floats * sizeof(GLfloat);
 
+  const std::unique_ptr<Context> context = implementation.create_context();
+  std::map<std::string, GLuint>* const kept = context->kept_programs();
   gl::Case prologue;
-  const gl::Ref vertex_shader = prologue.CreateShader(GL_VERTEX_SHADER);
-  prologue.ShaderSource(vertex_shader, 1, gl::Strings{{shader.source}}, nullptr);
-  prologue.CompileShader(vertex_shader);
-  const gl::Ref program = prologue.CreateProgram();
-  prologue.AttachShader(program, vertex_shader);
-  for (const auto& [location, name] : shader.locations)
-    prologue.BindAttribLocation(program, location, gl::text(name));
-  prologue.TransformFeedbackVaryings(program, shader.varyings.size(), gl::Strings{shader.varyings},
-                                     GL_INTERLEAVED_ATTRIBS);
-  prologue.LinkProgram(program);
-  const gl::Ref linked = prologue.GetProgramiv(program, GL_LINK_STATUS, gl::out<GLint>(1));
-  prologue.UseProgram(program);
+  std::optional<gl::Ref> made, linked;
+  if (kept && kept->contains(shader.source)) {
+    prologue.UseProgram(kept->at(shader.source));
+  } else {
+    made = make_program(prologue, shader);
+    linked = prologue.GetProgramiv(*made, GL_LINK_STATUS, gl::out<GLint>(1));
+    prologue.UseProgram(*made);
+  }
   const gl::ResultOf buffer{prologue.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
   prologue.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
   prologue.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STATIC_READ);
@@ -51,11 +65,12 @@ RecordedVaryings record_varyings(Implementation& implementation, const VaryingSh
   const gl::Ref data =
       c.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, gl::out<GLfloat>(room * shader.floats));
 
-  const std::unique_ptr<Context> context = implementation.create_context();
   const gl::Trace trace = context->play(c);
-  if (trace.values<GLint>(linked)[0] != GL_TRUE) throw NotObservable("the capturing shader does not link");
+  if (linked && trace.values<GLint>(*linked)[0] != GL_TRUE)
+    throw NotObservable("the capturing shader does not link");
   if (trace.error(wrapped.error_before) != GL_NO_ERROR)
     throw NotObservable("transform feedback cannot be set up");
+  if (kept && made) kept->emplace(shader.source, static_cast<GLuint>(trace.result(*made)));
 
   RecordedVaryings recorded;
   recorded.error = trace.error(wrapped.error_after);

@@ -61,6 +61,7 @@ struct FuzzOptions {
   std::optional<std::uint32_t> programs;
   double seconds = 0;  // 0: no limit
   int length = 120;    // commands of a program, about
+  bool fresh_contexts = false;
   std::optional<int> jobs;
   std::string output;  // empty: the usual folder
 };

@@ -56,6 +56,7 @@ int fuzz(const FuzzOptions& options) {
                                .seconds = options.seconds > 0 || options.programs ? options.seconds : 60,
                                .length = options.length,
                                .jobs = options.jobs.value_or(usual_jobs()),
+                               .fresh_contexts = options.fresh_contexts,
                                .known = known_causes(),
                                .output = output};
   const fuzz::Hunt hunt = fuzz::hunt(request, [&](const fuzz::Hunt& now) {
@@ -78,6 +79,10 @@ int fuzz(const FuzzOptions& options) {
       "new\n",
       request.name, request.seed, hunt.programs, hunt.judged, hunt.commands, hunt.seconds, hunt.causes.size(),
       unexpected);
+  if (hunt.not_repeated)
+    text +=
+        fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
+                    hunt.not_repeated);
   line.print(text);
   if (!hunt.cannot_start.empty()) {
     std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);

@@ -139,6 +139,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   fuzz_command->add_option("--length", fuzz_options.length, "commands of a program, about")
       ->check(CLI::Range(1, 100000));
+  fuzz_command->add_flag("--fresh-contexts", fuzz_options.fresh_contexts,
+                         "a context for each program; without, most share one where that is faster");
   fuzz_command->add_option("--jobs", fuzz_options.jobs, "processes side by side (default: one for each core)")
       ->check(CLI::Range(1, 256));
   fuzz_command->add_option("--output", fuzz_options.output, "folder for what is found");

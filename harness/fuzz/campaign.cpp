@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "harness/gl/case_json.h"
 #include "harness/gl/explicit_vertices.h"
 #include "harness/gl/tokens.h"
+#include "harness/implementations/reused_context.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -24,7 +26,10 @@ using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
-constexpr double kGrace = 30;  // seconds after the end for a program that is being made smaller
+constexpr double kGrace = 30;              // seconds after the end for a program that is being made smaller
+constexpr std::uint64_t kFreshEvery = 16;  // one program of so many has a context of its own
+constexpr std::size_t kMostHistory = 8;    // programs
+constexpr int kInShared = 5;               // attempts for one in a fresh context
 
 // "position.x of vertex 3" -> "position". Vertices too many or too few show in their number where all are
 // points, else in the primitives.
@@ -57,6 +62,13 @@ std::set<std::string> words_of(const gl::Case& program) {
   std::set<std::string> words;
   for (const gl::Command& command : program.commands()) words.insert(word_of(command));
   return words;
+}
+
+gl::Case without_word(const gl::Case& program, const std::string& word) {
+  gl::Case without(program.identity());
+  for (const gl::Command& command : program.commands())
+    if (word_of(command) != word) without.add(command);
+  return without;
 }
 
 bool uses(const gl::Case& program, EntryPoint entry) {
@@ -154,12 +166,8 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
   }
   const std::set<std::string> needed = words_of(reduced);
   if (fmt::format(", {}, ", fmt::join(needed, ", ")) != words || !still(reduced)) return std::nullopt;
-  for (const std::string& word : needed) {
-    gl::Case without(program.identity());
-    for (const gl::Command& command : reduced.commands())
-      if (word_of(command) != word) without.add(command);
-    if (still(without)) return std::nullopt;
-  }
+  for (const std::string& word : needed)
+    if (still(without_word(reduced, word))) return std::nullopt;
   return reduced;
 }
 
@@ -181,7 +189,8 @@ gl::Case without_evaluators(const gl::Case& program) {
 
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
   Record record;
-  record.name = program.identity();
+  // Of some names the other captures check the first: not of what is only looked at again.
+  record.name = look == Look::all ? program.identity() : "a smaller version";
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
   if (record.verdict == Verdict::internal_error)
@@ -205,6 +214,73 @@ json to_json(const Finding& finding) {
 
 namespace {
 
+// One context for many programs, beside the fresh ones of others.
+class SharedContext {
+ public:
+  // Null where the implementation makes no such contexts, or none is needed: a sink is as fast without.
+  static std::unique_ptr<SharedContext> of(const Subject& fresh) {
+    const std::unique_ptr<Context> one = fresh.implementation->create_beside();
+    return one && !one->has_sink() ? std::make_unique<SharedContext>(fresh) : nullptr;
+  }
+
+  explicit SharedContext(const Subject& fresh) : beside_(*fresh.implementation), subject_(fresh) { renew(); }
+
+  Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::all) {
+    history_.push_back(program);
+    if (history_.size() > kMostHistory + 1) history_.pop_front();
+    return judge_program(subject_, program, specified, look);
+  }
+
+  // The program that was judged last, behind so many that were played before it; empty where there were less.
+  gl::Case behind(std::size_t count) const {
+    gl::Case joint(history_.back().identity());
+    if (count >= history_.size()) return joint;
+    for (std::size_t i = history_.size() - 1 - count; i < history_.size(); ++i) joint.append(history_[i]);
+    return joint;
+  }
+
+  void renew() {
+    reused_ = nullptr;
+    reused_ = reuse_context(beside_, subject_.info, Programs::kept);
+    subject_.implementation = reused_.get();
+    history_.clear();
+  }
+
+ private:
+  // Current again whenever something is played: the first of each case is what restores its state.
+  class BesideContext final : public Context {
+   public:
+    explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
+    const gl::Table& table() const override { return inner_->table(); }
+    gl::Trace play(const gl::Case& script) override {
+      inner_->make_current();
+      return inner_->play(script);
+    }
+
+   private:
+    std::unique_ptr<Context> inner_;
+  };
+  class Beside final : public Implementation {
+   public:
+    explicit Beside(Implementation& inner) : inner_(inner) {}
+    std::string name() const override { return inner_.name(); }
+    std::string library() const override { return inner_.library(); }
+    std::unique_ptr<Context> create_context() override {
+      std::unique_ptr<Context> context = inner_.create_beside();
+      if (!context) throw CannotStart("there is no room for another context");
+      return std::make_unique<BesideContext>(std::move(context));
+    }
+
+   private:
+    Implementation& inner_;
+  };
+
+  Beside beside_;
+  Subject subject_;
+  std::unique_ptr<Implementation> reused_;
+  std::deque<gl::Case> history_;
+};
+
 class Player {
  public:
   using Report = std::function<void(const json&)>;
@@ -215,7 +291,8 @@ class Player {
         report_(report),
         table_(subject.implementation->create_context()->table()),
         max_order_(std::clamp(subject.info.max_eval_order, 8, 64)),
-        causes_(campaign.known) {
+        causes_(campaign.known),
+        shared_(campaign.fresh_contexts ? nullptr : SharedContext::of(subject)) {
     // A cause that needs fewer commands comes first: where both show, it is the one.
     std::ranges::stable_sort(causes_, {}, &std::string::size);
   }
@@ -243,7 +320,11 @@ class Player {
   }
 
   void report_progress() {
-    report_({{"event", "progress"}, {"programs", programs_}, {"judged", judged_}, {"commands", commands_}});
+    report_({{"event", "progress"},
+             {"programs", programs_},
+             {"judged", judged_},
+             {"commands", commands_},
+             {"not_repeated", not_repeated_}});
     reported_ = Clock::now();
   }
 
@@ -257,12 +338,32 @@ class Player {
       program = std::move(left);
       specified = *std::move(of_left);
     }
-    Judged outcome = judge_program(subject_, program, specified);
+    const bool shares = shared_ && programs_ % kFreshEvery != 0;
+    const Judged outcome =
+        shares ? shared_->judge(program, specified) : judge_program(subject_, program, specified);
     judged_ += outcome.judged;
     commands_ += program.commands().size();
-    if (!outcome.finding) return;
-    const Finding finding = explain(program, *std::move(outcome.finding));
+    std::optional<Finding> found = outcome.finding;
+    if (found && shares) found = repeated(program, specified);
+    if (!found) return;
+    const gl::Case shown = found->program;
+    const Finding finding = explain(shown, *std::move(found));
     report_({{"event", "finding"}, {"number", number}, {"finding", to_json(finding)}});
+  }
+
+  // What differed in the shared context, in a fresh one: the program, or it behind some that were played
+  // there before.
+  std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
+    if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
+    for (std::size_t count = 1; count <= kMostHistory; count *= 2) {
+      const gl::Case joint = shared_->behind(count);
+      const std::optional<Specified> of_joint = specify_if_defined(joint, max_order_);
+      if (!of_joint || joint.commands().empty()) continue;
+      if (std::optional<Finding> found = judge_program(subject_, joint, *of_joint).finding) return found;
+    }
+    ++not_repeated_;
+    shared_->renew();
+    return {};
   }
 
   // What shows the cause of the difference, as small as can be where the cause is new.
@@ -270,32 +371,74 @@ class Player {
     const std::string kind = kind_of(finding.failure.what);
     // What differs is an answer or a vertex: only that is looked at again.
     const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
-    const auto still = [&](const gl::Case& candidate) {
+    const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
       report_progress_now_and_then();  // and shows that it goes on
       if (is_over(kGrace) ||
           with_commands_of(table_, candidate).commands().size() < candidate.commands().size())
-        return false;
+        return {};
       const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
-      if (!of_candidate || !takes_off(candidate)) return false;
-      std::optional<Finding> found = judge_program(subject_, candidate, *of_candidate, look).finding;
-      if (!found || kind_of(found->failure.what) != kind) return false;
+      if (!of_candidate || !takes_off(candidate)) return {};
+      std::optional<Finding> found = judge(candidate, *of_candidate).finding;
+      return found && kind_of(found->failure.what) == kind ? std::move(found) : std::nullopt;
+    };
+    bool outside = false;
+    const auto still = [&](const gl::Case& candidate) {
+      std::optional<Finding> found = look_at(candidate, [&](const gl::Case& c, const Specified& specified) {
+        return judge_program(subject_, c, specified, look);
+      });
+      if (!found) return false;
       finding = *std::move(found);
+      finding.outside_evaluators = outside;
       return true;
     };
-    // Most differences are of a cause that has been seen: the commands of that alone show it then.
-    for (const gl::Case& form : forms_of(program)) {
-      const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
-      for (const std::string& cause : causes_)
-        if (of_form && cause.ends_with(": " + kind) && reduced_to(cause, form, *of_form, still)) {
-          finding.cause = cause;
-          return landed(finding);
-        }
+    const auto still_in_shared = [&](const gl::Case& candidate) {
+      return look_at(candidate,
+                     [&](const gl::Case& c, const Specified& specified) {
+                       return shared_->judge(c, specified, look);
+                     })
+          .has_value();
+    };
+    // Most differences are of a cause that has been seen: the commands of that alone show it then. Which one
+    // it can be, is soon known in the shared context.
+    const std::vector<gl::Case> forms = forms_of(program);
+    for (const bool in_shared : {true, false}) {
+      if (in_shared && !shared_) continue;
+      for (const gl::Case& form : forms) {
+        const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
+        for (const std::string& cause : causes_)
+          if (of_form && cause.ends_with(": " + kind) &&
+              (!in_shared || reduced_to(cause, form, *of_form, still_in_shared)) &&
+              reduced_to(cause, form, *of_form, still)) {
+            finding.cause = cause;
+            return landed(finding);
+          }
+      }
     }
-    shrink(program, still, campaign_.most_attempts, [&](const gl::Case&) {
+    const auto smaller = [&](const gl::Case&) {
       report_({{"event", "smaller"}, {"finding", to_json(finding)}});
-    });
-    // Then the control stands for it, whose cause names no evaluation: it cannot hide what only that shows.
-    if (still(without_evaluators(gl::Case(finding.program)))) finding.outside_evaluators = true;
+    };
+    // Where it goes wrong with the control as well, that stands for it, whose cause names no evaluation: it
+    // cannot hide what only that shows.
+    gl::Case shown = program;
+    const auto shows_outside = [&](const gl::Case& control) {
+      outside = true;
+      return outside = still(control);
+    };
+    int most = campaign_.most_attempts;
+    if (shows_outside(without_evaluators(program))) {
+      shown = finding.program;
+      most /= 4;  // nobody has to debug that
+    }
+    for (const std::string& word : words_of(shown))
+      if (still(without_word(shown, word))) shown = finding.program;
+    // All the way in the shared context first, where a program costs little: from there it is short in fresh
+    // ones.
+    if (shared_ && still_in_shared(shown)) {
+      const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
+      if (still(small)) shown = small;
+    }
+    shrink(shown, still, most, smaller);
+    if (!outside) shows_outside(without_evaluators(gl::Case(finding.program)));
     causes_.push_back(finding.cause);
     return landed(finding);
   }
@@ -320,8 +463,9 @@ class Player {
   const int max_order_;
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
-  std::uint64_t programs_ = 0, judged_ = 0, commands_ = 0;
-  std::vector<std::string> causes_;  // that have been seen
+  std::uint64_t programs_ = 0, judged_ = 0, commands_ = 0, not_repeated_ = 0;
+  std::vector<std::string> causes_;        // that have been seen
+  std::unique_ptr<SharedContext> shared_;  // may be null
 };
 
 }  // namespace

@@ -26,6 +26,10 @@ struct Campaign {
   // library dies in it; the file is empty meanwhile. Empty: nowhere.
   std::string in_flight = {};
   std::vector<nlohmann::json> deadly = {};  // such programs that the library has died in: not played again
+  // A context for each program. Otherwise most share one, where the implementation makes contexts that live
+  // beside it: making one, and shaders in it, takes most of the time of a program. What differs there has to
+  // differ in a fresh one as well, at least behind programs that were played before.
+  bool fresh_contexts = false;
 };
 
 // One difference from the executable specification.
@@ -77,7 +81,8 @@ nlohmann::json to_json(const Finding& finding);
 //   {"event": "start", "name": "program 17"};
 //   {"event": "smaller", "finding": ...} while a failing one shrinks;
 //   {"event": "finding", "number": 17, "finding": ...};
-//   {"event": "progress", "programs", "judged", "commands"}: "judged" are those of which all could be seen.
+//   {"event": "progress", "programs", "judged", "commands", "not_repeated"}: "judged" are those of which all
+//   could be seen, "not_repeated" those that differed in the shared context only.
 void play(const Subject& subject, const Campaign& campaign,
           const std::function<void(const nlohmann::json& event)>& report);
 

@@ -62,9 +62,9 @@ class Hunter {
     std::unique_ptr<SuiteChild> child;
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
-    std::uint64_t played = 0, judged = 0, commands = 0;  // as the child last said
-    json smaller;                                        // finding: the smallest so far of what it works on
-    json deadly = json::array();                         // programs it died in on the way there
+    std::uint64_t played = 0, judged = 0, commands = 0, not_repeated = 0;  // as the child last said
+    json smaller;                 // finding: the smallest so far of what it works on
+    json deadly = json::array();  // programs it died in on the way there
   };
 
   // The programs K, K + jobs, K + 2 jobs, ... of one lane.
@@ -118,6 +118,7 @@ class Hunter {
                     "--length", std::to_string(request_.length), "--known", scratch(k, "known").string(),
                     "--records", scratch(k, "jsonl").string(), "--in-flight",
                     scratch(k, "in-flight").string(), "--deadly", scratch(k, "deadly").string()});
+    if (request_.fresh_contexts) command.push_back("--fresh-contexts");
     if (programs) command.insert(command.end(), {"--programs", std::to_string(*programs)});
     if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
     fs::remove(scratch(k, "jsonl"));
@@ -157,6 +158,8 @@ class Hunter {
       hunt_.programs += event["programs"].get<std::uint64_t>() - lane.played;
       hunt_.commands += event["commands"].get<std::uint64_t>() - lane.commands;
       hunt_.judged += event["judged"].get<std::uint64_t>() - lane.judged;
+      hunt_.not_repeated += event["not_repeated"].get<std::uint64_t>() - lane.not_repeated;
+      lane.not_repeated = event["not_repeated"];
       lane.judged = event["judged"];
       lane.played = event["programs"];
       lane.commands = event["commands"];

@@ -24,6 +24,7 @@ struct HuntRequest {
   double seconds = 0;                     // 0: no limit
   int length = 120;
   int jobs = 1;
+  bool fresh_contexts = false;  // as of Campaign
   double seconds_per_program = 20;
   std::map<std::string, std::string> known;  // causes, and what each is known as
   std::filesystem::path output;              // an existing folder
@@ -41,6 +42,7 @@ struct Cause {
 
 struct Hunt {
   std::uint64_t programs = 0, judged = 0, commands = 0;  // judged: all that they do could be seen
+  std::uint64_t not_repeated = 0;                        // that differed in a shared context only
   double seconds = 0;
   std::vector<Cause> causes;  // in the order of their first programs
   std::string cannot_start;   // why nothing was played; else empty

@@ -39,6 +39,10 @@ class MadeContext final : public Context {
   MadeContext& operator=(const MadeContext&) = delete;
 
   const gl::Table& table() const override { return table_; }
+  void make_current() override {
+    of_the_case_ = this;
+    maker_.make_current(handle_);
+  }
 
   // The commands of gl/contexts.h.
   static void other(GLuint number) {

@@ -1,6 +1,7 @@
 // Implementations: what can be judged, how its library is loaded and how a context of it is made.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -26,6 +27,10 @@ class Context {
   virtual const gl::Table& table() const = 0;
   // Plays the case on this context; every case of a test or capture goes through here.
   virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
+  // Programs that captures keep, by their source, in a context that many cases share; null in any other.
+  virtual std::map<std::string, GLuint>* kept_programs() { return nullptr; }
+  // Of a context of create_beside(): makes it current again, when no other one is in use.
+  virtual void make_current() {}
   // Whether vertices come straight out of the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
   // What of a vertex comes out there.

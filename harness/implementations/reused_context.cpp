@@ -285,9 +285,11 @@ class Remains {
   }
 
   // To be played when nothing is bound any more.
-  Case deleting() const {
+  Case deleting(const std::map<std::string, GLuint>& kept) const {
     Case c;
-    for (const GLuint program : programs_) c.DeleteProgram(program);
+    for (const GLuint program : programs_)
+      if (std::ranges::none_of(kept, [&](const auto& one) { return one.second == program; }))
+        c.DeleteProgram(program);
     for (const GLuint shader : shaders_) c.DeleteShader(shader);
     if (!queries_.empty()) c.DeleteQueries(queries_.size(), array_of(queries_));
     if (!framebuffers_.empty()) c.DeleteFramebuffers(framebuffers_.size(), array_of(framebuffers_));
@@ -330,8 +332,8 @@ Case available(const Case& commands, const gl::Table& table) {
 // The context that all handles share.
 class Shared {
  public:
-  Shared(std::unique_ptr<Context> context, const ImplementationInfo& info)
-      : context_(std::move(context)), table_(context_->table()) {
+  Shared(std::unique_ptr<Context> context, const ImplementationInfo& info, Programs programs)
+      : context_(std::move(context)), table_(context_->table()), programs_(programs) {
     table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
     table_.ContextOfKindEVALCTS = nullptr;
     table_.CopyContextEVALCTS = nullptr;
@@ -353,6 +355,8 @@ class Shared {
   Attributes emitted_attributes() const { return context_->emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
 
+  std::map<std::string, GLuint>* kept_programs() { return programs_ == Programs::kept ? &kept_ : nullptr; }
+
   gl::Trace play(const Case& script) {
     gl::Trace trace = gl::play(script, table_);
     remains_.add(script, trace);
@@ -363,7 +367,7 @@ class Shared {
     const Remains remains = std::exchange(remains_, {});
     Case commands = available(remains.closing(), table());
     commands.append(restoring_);
-    commands.append(available(remains.deleting(), table()));
+    commands.append(available(remains.deleting(kept_), table()));
     context_->play(commands);  // which drains the errors, too
     context_->take_emitted();
   }
@@ -371,6 +375,8 @@ class Shared {
  private:
   std::unique_ptr<Context> context_;
   gl::Table table_;
+  Programs programs_;
+  std::map<std::string, GLuint> kept_;
   Case restoring_;
   Remains remains_;
 };
@@ -380,6 +386,7 @@ class Handle final : public Context {
   explicit Handle(Shared& shared) : shared_(shared) {}
   const gl::Table& table() const override { return shared_.table(); }
   gl::Trace play(const Case& script) override { return shared_.play(script); }
+  std::map<std::string, GLuint>* kept_programs() override { return shared_.kept_programs(); }
   bool has_sink() const override { return shared_.has_sink(); }
   Attributes emitted_attributes() const override { return shared_.emitted_attributes(); }
   std::vector<ObservedPrimitive> take_emitted() override { return shared_.take_emitted(); }
@@ -390,7 +397,8 @@ class Handle final : public Context {
 
 class ReusedContext final : public Implementation {
  public:
-  ReusedContext(Implementation& inner, const ImplementationInfo& info) : inner_(inner), info_(info) {}
+  ReusedContext(Implementation& inner, const ImplementationInfo& info, Programs programs)
+      : inner_(inner), info_(info), programs_(programs) {}
 
   std::string name() const override { return inner_.name(); }
   std::string library() const override { return inner_.library(); }
@@ -398,7 +406,7 @@ class ReusedContext final : public Implementation {
     if (shared_) {
       shared_->restore();
     } else {
-      shared_.emplace(inner_.create_context(), info_);
+      shared_.emplace(inner_.create_context(), info_, programs_);
     }
     return std::make_unique<Handle>(*shared_);
   }
@@ -406,6 +414,7 @@ class ReusedContext final : public Implementation {
  private:
   Implementation& inner_;
   ImplementationInfo info_;
+  Programs programs_;
   std::optional<Shared> shared_;
 };
 
@@ -417,8 +426,9 @@ Case restoring_commands(const ImplementationInfo& info) {
   return c;
 }
 
-std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info) {
-  return std::make_unique<ReusedContext>(inner, info);
+std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
+                                              Programs programs) {
+  return std::make_unique<ReusedContext>(inner, info, programs);
 }
 
 }  // namespace evalcts

@@ -259,6 +259,8 @@ void parse(int argc, char** argv, Options& options) {
   app.add_option("--deadly", options.deadly, "file of smaller versions that are not to be played (JSON)")
       ->needs("--fuzz");
   app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
+  app.add_flag("--fresh-contexts", options.campaign.fresh_contexts, "a context for each program")
+      ->needs("--fuzz");
   app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
   app.add_flag("--reuse-context", options.reuse_context,
