@@ -116,8 +116,11 @@ int main(int argc, char** argv) {
       ->check([](const std::string& text) {
         return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
       });
-  faults_command->add_flag("--complete", faults_options.complete,
-                           "exit code 1 where a requirement that tests decide has no fault, too");
+  faults_command
+      ->add_flag("--complete", faults_options.complete,
+                 "exit code 1 where a requirement that tests decide has no fault that was tried, too")
+      ->excludes("--filter")
+      ->excludes("--shard");
   faults_command->add_option("--timeout", faults_options.seconds_per_test, "seconds for each test")
       ->check(CLI::PositiveNumber);
   faults_command

@@ -355,15 +355,17 @@ class Player {
   // there before.
   std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
     if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
-    for (std::size_t count = 1; count <= kMostHistory; count *= 2) {
+    std::optional<Finding> found;
+    for (std::size_t count = 1; count <= kMostHistory && !found; count *= 2) {
       const gl::Case joint = shared_->behind(count);
       const std::optional<Specified> of_joint = specify_if_defined(joint, max_order_);
-      if (!of_joint || joint.commands().empty()) continue;
-      if (std::optional<Finding> found = judge_program(subject_, joint, *of_joint).finding) return found;
+      if (of_joint && !joint.commands().empty() && takes_off(joint))
+        found = judge_program(subject_, joint, *of_joint).finding;
     }
-    ++not_repeated_;
-    shared_->renew();
-    return {};
+    landed();
+    not_repeated_ += !found;
+    shared_->renew();  // what no call restores is not as in a fresh one
+    return found;
   }
 
   // What shows the cause of the difference, as small as can be where the cause is new.
@@ -410,7 +412,8 @@ class Player {
               (!in_shared || reduced_to(cause, form, *of_form, still_in_shared)) &&
               reduced_to(cause, form, *of_form, still)) {
             finding.cause = cause;
-            return landed(finding);
+            landed();
+            return finding;
           }
       }
     }
@@ -429,18 +432,20 @@ class Player {
       shown = finding.program;
       most /= 4;  // nobody has to debug that
     }
+    smaller(shown);  // so that it is not lost where the library dies on the way
     for (const std::string& word : words_of(shown))
       if (still(without_word(shown, word))) shown = finding.program;
     // All the way in the shared context first, where a program costs little: from there it is short in fresh
-    // ones.
-    if (shared_ && still_in_shared(shown)) {
+    // ones. Not where it leads to programs that the library dies in.
+    if (shared_ && campaign_.deadly.empty() && still_in_shared(shown)) {
       const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
       if (still(small)) shown = small;
     }
     shrink(shown, still, most, smaller);
     if (!outside) shows_outside(without_evaluators(gl::Case(finding.program)));
     causes_.push_back(finding.cause);
-    return landed(finding);
+    landed();
+    return finding;
   }
 
   // Leaves word of the program that is played next. False where the library has died in it before.
@@ -451,9 +456,8 @@ class Player {
     std::ofstream(campaign_.in_flight) << data;
     return true;
   }
-  Finding landed(Finding finding) const {
+  void landed() const {
     if (!campaign_.in_flight.empty()) std::ofstream(campaign_.in_flight).flush();
-    return finding;
   }
 
   const Subject& subject_;

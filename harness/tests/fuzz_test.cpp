@@ -399,9 +399,10 @@ class FuzzCommand : public ProgramTest {
     arguments.insert(arguments.begin(), {"fuzz", "--output", folder_.string()});
     return evalcts(arguments);
   }
-  Outcome fuzz_drill(const char* drill) {
+  Outcome fuzz_drill(const char* drill, std::vector<std::string> more = {}) {
     setenv("EVALCTS_DRILL", drill, 1);
-    return fuzz({"--implementation", "osmesa", "--library", DRILL_LIBRARY, "--programs", "150"});
+    more.insert(more.end(), {"--implementation", "osmesa", "--library", DRILL_LIBRARY, "--programs", "150"});
+    return fuzz(more);
   }
   json finding(int number = 1) const {
     std::ifstream file(folder_ / ("fuzz-osmesa-" + std::to_string(number) + ".json"));
@@ -459,6 +460,24 @@ TEST_F(FuzzCommand, AWrongAnswerIsMadeSmall) {
   ASSERT_TRUE(finding().is_object()) << outcome.text;
   EXPECT_EQ(finding()["what"], "glGetError");
   EXPECT_EQ(finding()["program"].size(), 2u) << finding()["program"];
+}
+
+// Most programs share a context: what several together show is found, and made small in a fresh one.
+TEST_F(FuzzCommand, WhatDependsOnHistoryIsFound) {
+  const Outcome outcome = fuzz_drill("worn", {"--jobs", "1"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  ASSERT_TRUE(finding().is_object()) << outcome.text;
+  EXPECT_TRUE(finding()["cause"].get<std::string>().ends_with("IsEnabled: glIsEnabled"))
+      << finding()["cause"];
+  EXPECT_GT(finding()["program"].size(), 90u);
+  EXPECT_EQ(fuzz_drill("worn", {"--fresh-contexts"}).code, 0);
+}
+
+// What only hundreds of primitives show, nine programs do not repeat: no finding.
+TEST_F(FuzzCommand, WhatAFreshContextDoesNotRepeatIsNoFinding) {
+  const Outcome outcome = fuzz_drill("worn-out", {"--jobs", "1"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("differed in a shared context only"), std::string::npos) << outcome.text;
 }
 
 }  // namespace

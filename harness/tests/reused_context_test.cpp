@@ -210,6 +210,25 @@ TEST_P(ReusedContexts, HoldNoObjectsOfTheCaseBefore) {
     EXPECT_EQ(trace.error(ref), static_cast<GLenum>(GL_INVALID_VALUE)) << ref.index;
 }
 
+// Programs that captures keep outlive the case that made them, where that is asked for.
+TEST_P(ReusedContexts, KeepProgramsOfCaptures) {
+  const std::unique_ptr<Implementation> reused = reuse_context(*implementation_, info_, Programs::kept);
+  if (!gl::has(reused->create_context()->table(), gl::EntryPoint::CreateProgram))
+    GTEST_SKIP() << "has no programs";
+  Case making;
+  const gl::Ref program = making.CreateProgram();
+  {
+    const std::unique_ptr<Context> context = reused->create_context();
+    ASSERT_TRUE(context->kept_programs());
+    context->kept_programs()->emplace("", static_cast<GLuint>(context->play(making).result(program)));
+  }
+  const std::unique_ptr<Context> context = reused->create_context();
+  Case question;
+  question.LinkProgram(context->kept_programs()->at(""));
+  const gl::Ref error = question.GetError();
+  EXPECT_EQ(context->play(question).error(error), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ReusedContexts,
                          testing::Values("reference", "production"
 #ifndef __SANITIZE_ADDRESS__

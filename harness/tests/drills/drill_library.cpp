@@ -11,7 +11,8 @@
 //   "lenient": strides below k are taken for k; "fragile": the same, and a crash where nothing was enabled
 //   before; "control": every explicit vertex crashes, "control-error": it leaves an error behind, and every
 //   evaluated one loses the current colour; "history": in a context where that happened, GetMapiv says that
-//   maps of VERTEX_3 have one point more.
+//   maps of VERTEX_3 have one point more; "worn": in a context with 45 primitives, which one random program
+//   has not, IsEnabled says the opposite; "worn-out": with 400.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -23,6 +24,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 
 #include "harness/gl/table.h"
 
@@ -33,6 +35,7 @@ namespace {
 glev_context* current = nullptr;
 [[maybe_unused]] bool seven_was_seen = false;
 [[maybe_unused]] bool odd_context = false, enabled_something = false;
+[[maybe_unused]] std::map<glev_context*, int> primitives;  // of each context
 
 bool drill(const char* name) {
   const char* wanted = std::getenv("EVALCTS_DRILL");
@@ -78,7 +81,10 @@ EXPORT GLboolean OSMesaMakeCurrent(void* context, void*, GLenum, GLsizei, GLsize
   current = static_cast<glev_context*>(context);
   return GL_TRUE;
 }
-EXPORT void OSMesaDestroyContext(void* context) { glevDestroyContext(static_cast<glev_context*>(context)); }
+EXPORT void OSMesaDestroyContext(void* context) {
+  primitives.erase(static_cast<glev_context*>(context));
+  glevDestroyContext(static_cast<glev_context*>(context));
+}
 #endif
 
 EXPORT const GLubyte* glGetString(GLenum name) { return current ? glevGetString(current, name) : nullptr; }
@@ -93,8 +99,15 @@ EXPORT void glEnable(GLenum cap) {
   glevEnable(current, cap);
 }
 EXPORT void glDisable(GLenum cap) { glevDisable(current, cap); }
-EXPORT GLboolean glIsEnabled(GLenum cap) { return glevIsEnabled(current, cap); }
-EXPORT void glBegin(GLenum mode) { glevBegin(current, mode); }
+EXPORT GLboolean glIsEnabled(GLenum cap) {
+  const bool worn =
+      (drill("worn") && primitives[current] >= 45) || (drill("worn-out") && primitives[current] >= 400);
+  return glevIsEnabled(current, cap) != worn;
+}
+EXPORT void glBegin(GLenum mode) {
+  ++primitives[current];
+  glevBegin(current, mode);
+}
 EXPORT void glEnd() { glevEnd(current); }
 EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture); }
 EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
