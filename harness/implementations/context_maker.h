@@ -45,13 +45,17 @@ class ContextMaker {
   virtual std::string library() const = 0;
 };
 
-// Mesa's off-screen library: `library`, or the usual soname where empty. Throws CannotStart.
-std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library);
+// Mesa's off-screen library: `library`, or the usual soname where empty. `in_front`: see SharedLibrary.
+// Throws CannotStart.
+std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library,
+                                                   const std::string& in_front = "");
 
 enum class EglPlatform { any, surfaceless, device };
 // EGL without a window system: `library`, or libEGL.so.1 where empty. Each context has a complete framebuffer
-// object bound, or a pbuffer where EGL cannot do without surfaces. Throws CannotStart.
-std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform);
+// object bound, or a pbuffer where EGL cannot do without surfaces. `in_front`: see SharedLibrary. Throws
+// CannotStart.
+std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform,
+                                                const std::string& in_front = "");
 
 // EGL's OpenGL ES 2, with a pbuffer for each context: for layers of GL over it, which bring the commands.
 // Throws CannotStart.

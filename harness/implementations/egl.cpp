@@ -103,8 +103,8 @@ enum class Api { opengl, gles2 };
 
 class EglContexts final : public ContextMaker {
  public:
-  EglContexts(const std::string& library, EglPlatform platform, Api api)
-      : library_(library), egl_(functions_of(library_)), api_(api) {
+  EglContexts(const std::string& library, EglPlatform platform, Api api, const std::string& in_front = "")
+      : library_(library, in_front), egl_(functions_of(library_)), api_(api) {
     const char* extensions = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     client_extensions_ = extensions ? extensions : "";
     if (!extensions) egl_.GetError();
@@ -401,8 +401,10 @@ std::string usual_library() {
 
 }  // namespace
 
-std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform) {
-  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::opengl);
+std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform,
+                                                const std::string& in_front) {
+  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::opengl,
+                                       in_front);
 }
 
 std::unique_ptr<ContextMaker> make_gles2_contexts() {

@@ -21,8 +21,8 @@ using GetProcAddress = void* (*)(const char* name);
 
 class OSMesaContexts final : public ContextMaker {
  public:
-  explicit OSMesaContexts(const std::string& library)
-      : library_(library),
+  OSMesaContexts(const std::string& library, const std::string& in_front)
+      : library_(library, in_front),
         create_(library_.find_as<CreateContext>("OSMesaCreateContext")),
         create_ext_(library_.find_as<CreateContextExt>("OSMesaCreateContextExt")),
         get_proc_address_(library_.find_as<GetProcAddress>("OSMesaGetProcAddress")) {
@@ -103,13 +103,13 @@ class OSMesaContexts final : public ContextMaker {
 
 }  // namespace
 
-std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library) {
-  if (!library.empty()) return std::make_unique<OSMesaContexts>(library);
+std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library, const std::string& in_front) {
+  if (!library.empty()) return std::make_unique<OSMesaContexts>(library, in_front);
   try {
-    return std::make_unique<OSMesaContexts>("libOSMesa.so.8");
+    return std::make_unique<OSMesaContexts>("libOSMesa.so.8", in_front);
   } catch (const CannotStart&) {
     try {
-      return std::make_unique<OSMesaContexts>("libOSMesa.so");
+      return std::make_unique<OSMesaContexts>("libOSMesa.so", in_front);
     } catch (const CannotStart&) {
       throw CannotStart(
           "libOSMesa.so.8 is not installed (package libosmesa6), or name a library with --library");

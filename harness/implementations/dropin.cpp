@@ -1,0 +1,33 @@
+// production/dropin: the evaluators of this project before those of a GL.
+#include <cstdlib>
+#include <filesystem>
+
+#include "harness/implementations/context_maker.h"
+#include "harness/implementations/kinds.h"
+
+namespace evalcts {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Beside this program's libraries where it is installed, in its own folder in a build.
+std::string built_library() {
+  const std::string name = "libglevaluator_dropin.so.0";
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const char* const place : {"../../production/dropin", "../lib", "."})
+    if (const fs::path file = folder / place / name; fs::exists(file)) return fs::canonical(file).string();
+  return name;
+}
+
+}  // namespace
+
+std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library) {
+  const std::string in_front = library.empty() ? built_library() : library;
+  // It is opened here, not loaded before the GL: it has to be told what that is.
+  const bool egl = name == "dropin-egl";
+  setenv("GLEVALUATOR_GL", egl ? "libEGL.so.1" : "libOSMesa.so.8", 0);
+  return make_gl_library(
+      name, egl ? make_egl_contexts("", EglPlatform::any, in_front) : make_osmesa_contexts("", in_front), "");
+}
+
+}  // namespace evalcts

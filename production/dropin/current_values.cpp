@@ -1,0 +1,154 @@
+// The commands that set what maps stand in for: passed on, and kept while something may have to be brought
+// back.
+#include <limits>
+
+#include "production/dropin/context.h"
+
+using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
+
+namespace {
+
+// The context, if it has to know the value.
+Context* Watching() {
+  Context* const context = Current();
+  return context != nullptr && context->IsWatching() ? context : nullptr;
+}
+
+template <class Values>
+Setter MakeSetter(void (*send)(const void*), const Values& values) {
+  static_assert(sizeof values <= sizeof(Setter::values));
+  Setter setter;
+  setter.send = send;
+  std::memcpy(setter.values, &values, sizeof values);
+  return setter;
+}
+
+// The values that a command of fewer leaves at (0, 0, 0, 1): of colours, 1 is the largest of an integer.
+template <class Type, int kMost>
+struct Complete {
+  Complete(Attribute attribute, int count, const Type* v) : of{} {
+    of[kMost - 1] =
+        attribute == kColor && std::is_integral_v<Type> ? std::numeric_limits<Type>::max() : Type(1);
+    std::memcpy(of, v, static_cast<std::size_t>(count) * sizeof(Type));
+  }
+  Type of[kMost];
+};
+
+// Where both are used in a primitive, Mesa may keep the fourth value of one command for the next one of
+// three; so the same value is sent by the longest form as soon as evaluation may come between.
+template <auto kCommand, auto kLongest, int kCount, int kMost, class Type>
+void Set(Attribute attribute, const Type* v) {
+  Context* const context = Watching();
+  if (context == nullptr) return (Gl().*kCommand)(v);
+  const Complete<Type, kMost> values(attribute, kCount, v);
+  if (context->MayEvaluate())
+    (Gl().*kLongest)(values.of);
+  else
+    (Gl().*kCommand)(v);
+  context->Note(
+      attribute,
+      MakeSetter([](const void* kept) { (Gl().*kLongest)(static_cast<const Type*>(kept)); }, values));
+}
+
+// Maps give the texture coordinates of unit 0.
+template <auto kCommand, auto kLongest, int kCount, class Type>
+void SetUnit(GLenum unit, const Type* v) {
+  Context* const context = unit == GL_TEXTURE0 ? Watching() : nullptr;
+  if (context == nullptr) return (Gl().*kCommand)(unit, v);
+  const Complete<Type, 4> values(kTexCoord, kCount, v);
+  if (context->MayEvaluate())
+    (Gl().*kLongest)(unit, values.of);
+  else
+    (Gl().*kCommand)(unit, v);
+  context->Note(
+      kTexCoord,
+      MakeSetter([](const void* kept) { (Gl().*kLongest)(GL_TEXTURE0, static_cast<const Type*>(kept)); },
+                 values));
+}
+
+struct Packed {
+  GLenum type;
+  GLuint value;
+};
+
+template <auto kCommand>
+void SetPacked(Attribute attribute, GLenum type, GLuint value) {
+  (Gl().*kCommand)(type, value);
+  if (Context* const context = Watching())
+    context->Note(attribute, MakeSetter(
+                                 [](const void* kept) {
+                                   const auto* const packed = static_cast<const Packed*>(kept);
+                                   (Gl().*kCommand)(packed->type, packed->value);
+                                 },
+                                 Packed{type, value}));
+}
+
+template <auto kCommand>
+void SetPackedUnit(GLenum unit, GLenum type, GLuint value) {
+  (Gl().*kCommand)(unit, type, value);
+  Context* const context = unit == GL_TEXTURE0 ? Watching() : nullptr;
+  if (context == nullptr) return;
+  context->Note(kTexCoord, MakeSetter(
+                               [](const void* kept) {
+                                 const auto* const packed = static_cast<const Packed*>(kept);
+                                 (Gl().*kCommand)(GL_TEXTURE0, packed->type, packed->value);
+                               },
+                               Packed{type, value}));
+}
+
+}  // namespace
+
+#define PARAMETERS_1(type) type x
+#define PARAMETERS_2(type) type x, type y
+#define PARAMETERS_3(type) type x, type y, type z
+#define PARAMETERS_4(type) type x, type y, type z, type w
+#define VALUES_1 x
+#define VALUES_2 x, y
+#define VALUES_3 x, y, z
+#define VALUES_4 x, y, z, w
+
+#define X(attribute, command, n, most, letter, type)                                                 \
+  DROPIN_EXPORT void gl##command##n##letter##v(const type* v) {                                      \
+    Set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
+  }                                                                                                  \
+  DROPIN_EXPORT void gl##command##n##letter(PARAMETERS_##n(type)) {                                  \
+    const type v[] = {VALUES_##n};                                                                   \
+    Set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
+  }
+DROPIN_SETTERS(X)
+#undef X
+
+#define X(attribute, command, n, most, letter, type)                                          \
+  DROPIN_EXPORT void gl##command##n##letter##v(GLenum unit, const type* v) {                  \
+    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                           \
+  DROPIN_EXPORT void gl##command##n##letter(GLenum unit, PARAMETERS_##n(type)) {              \
+    const type v[] = {VALUES_##n};                                                            \
+    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                           \
+  DROPIN_EXPORT void gl##command##n##letter##vARB(GLenum unit, const type* v) {               \
+    SetUnit<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n>(unit, v); \
+  }                                                                                           \
+  DROPIN_EXPORT void gl##command##n##letter##ARB(GLenum unit, PARAMETERS_##n(type)) {         \
+    gl##command##n##letter(unit, VALUES_##n);                                                 \
+  }
+DROPIN_UNIT_SETTERS(X)
+#undef X
+
+#define X(attribute, command)                                 \
+  DROPIN_EXPORT void gl##command(GLenum type, GLuint value) { \
+    SetPacked<&GlBelow::command>(attribute, type, value);     \
+  }                                                           \
+  DROPIN_EXPORT void gl##command##v(GLenum type, const GLuint* value) { gl##command(type, *value); }
+DROPIN_PACKED_SETTERS(X)
+#undef X
+
+#define X(command)                                                                   \
+  DROPIN_EXPORT void gl##command(GLenum unit, GLenum type, GLuint value) {           \
+    SetPackedUnit<&GlBelow::command>(unit, type, value);                             \
+  }                                                                                  \
+  DROPIN_EXPORT void gl##command##v(GLenum unit, GLenum type, const GLuint* value) { \
+    gl##command(unit, type, *value);                                                 \
+  }
+DROPIN_PACKED_UNIT_SETTERS(X)
+#undef X

@@ -1,0 +1,56 @@
+// The GL that is loaded: what the drop-in library stands in front of.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "production/dropin/setters.h"
+
+namespace glev::dropin {
+
+// Every command of the GL that this library issues itself or passes on, apart from those of setters.h.
+// clang-format off
+#define DROPIN_EVALUATORS(X)                                                                \
+  X(Map1f) X(Map1d) X(Map2f) X(Map2d) X(MapGrid1f) X(MapGrid1d) X(MapGrid2f) X(MapGrid2d)   \
+  X(EvalCoord1f) X(EvalCoord1d) X(EvalCoord1fv) X(EvalCoord1dv)                             \
+  X(EvalCoord2f) X(EvalCoord2d) X(EvalCoord2fv) X(EvalCoord2dv)                             \
+  X(EvalPoint1) X(EvalPoint2) X(EvalMesh1) X(EvalMesh2)                                     \
+  X(GetMapfv) X(GetMapdv) X(GetMapiv) X(GetnMapfv) X(GetnMapdv) X(GetnMapiv)
+#define DROPIN_COMMANDS(X)                                                                  \
+  X(Begin) X(End) X(Vertex3fv) X(Vertex4fv)                                                 \
+  X(Enable) X(Disable) X(IsEnabled)                                                         \
+  X(GetBooleanv) X(GetIntegerv) X(GetInteger64v) X(GetFloatv) X(GetDoublev)                 \
+  X(GetError) X(GetString) X(GetStringi) X(ActiveTexture)                                   \
+  X(PushAttrib) X(PopAttrib)                                                                \
+  X(NewList) X(EndList) X(CallList) X(CallLists) X(ListBase)                                \
+  X(GenLists) X(IsList) X(DeleteLists)                                                      \
+  X(GetAttachedShaders) X(GetShaderiv) X(GetProgramPipelineiv)
+// clang-format on
+
+// A null pointer: the GL has no such command.
+struct GlBelow {
+#define X(name) decltype(&::gl##name) name;
+  DROPIN_EVALUATORS(X)
+  DROPIN_COMMANDS(X)
+#undef X
+#define X(attribute, command, n, most, letter, type) \
+  decltype(&::gl##command##n##letter##v) command##n##letter##v;
+  DROPIN_SETTERS(X)
+  DROPIN_UNIT_SETTERS(X)
+#undef X
+#define X(attribute, command) decltype(&::gl##command) command;
+  DROPIN_PACKED_SETTERS(X)
+#undef X
+#define X(command) decltype(&::gl##command) command;
+  DROPIN_PACKED_UNIT_SETTERS(X)
+#undef X
+};
+
+// Finds them when it is first called; says so and ends the program where there is no GL.
+const GlBelow& Gl();
+
+// A symbol that the library below exports: the one that GLEVALUATOR_GL names, or else the next one that is
+// loaded. Null where there is none.
+void* FindBelow(const char* symbol);
+
+}  // namespace glev::dropin
