@@ -278,7 +278,7 @@ DROPIN_EXPORT GLenum glGetError() {
 
 DROPIN_EXPORT void glBegin(GLenum mode) {
   OF_EVALUATORS(Begin, mode);
-  context->Begin(mode);
+  context->IssueBegin(mode);
 }
 DROPIN_EXPORT void glEnd() {
   OF_EVALUATORS(End);

@@ -258,6 +258,7 @@ class Context {
   void DeleteLists(GLuint first, GLsizei range);
   void IssuePushAttrib(GLbitfield mask);
   void IssuePopAttrib();
+  void IssueBegin(GLenum mode);
   void Begin(GLenum mode);
   void End();
   void RunSegment(GLuint name, const Summary* summary);

@@ -259,20 +259,33 @@ void Context::EndDeferral() {
   OpenSegment();
 }
 
-void Context::Begin(GLenum mode) {
-  if (!list.open) {
-    BeforePrimitive();
+// Drivers do not bring back all of a primitive that ends in another list than the one it begins in (Mesa forgets
+// attributes before the first vertex, and strips of few vertices altogether). So Begin stands beside their lists.
+void Context::IssueBegin(GLenum mode) {
+  if (!list.open) return Begin(mode);
+  const bool legal = mode <= 0x000E;  // PATCHES
+  if (!legal || !evaluators_used || (Executes() && maybe_inside)) {
     Gl().Begin(mode);
-    maybe_inside = true;
-    tracking = HasVertexMap();
+    if (!legal) return;
+    list.summary.primitive = Primitive::kOpen;
+    if (Executes()) maybe_inside = true;
     return;
   }
-  const bool legal = mode <= 0x000E;  // PATCHES
-  if (Executes() && evaluators_used && !maybe_inside && legal) BeginDeferral();
+  CloseSegment();
+  if (Executes()) {
+    list.deferring = true;
+    list.deferred = list.code.size();
+  }
+  EndRecording(list.code.Append([mode](Context& context, const unsigned char*) { context.Begin(mode); }) !=
+               nullptr);
+  list.primitive = Primitive::kOpen;
+}
+
+void Context::Begin(GLenum mode) {
+  BeforePrimitive();
   Gl().Begin(mode);
-  if (!legal) return;
-  list.summary.primitive = Primitive::kOpen;
-  if (Executes()) maybe_inside = true;
+  if (!maybe_inside) tracking = HasVertexMap();
+  maybe_inside = true;
 }
 
 void Context::End() {
