@@ -269,7 +269,6 @@ class Context {
     if (list.open) list.summary.last[attribute] = setter;
   }
   bool IsWatching() const { return tracking || list.open; }
-  bool MayEvaluate() const { return tracking || evaluators_used; }
 
  private:
   Context() = default;

@@ -34,36 +34,38 @@ struct Complete {
   Type of[kMost];
 };
 
-// Where both are used in a primitive, Mesa may keep the fourth value of one command for the next one of
-// three; so the same value is sent by the longest form as soon as evaluation may come between.
+// Mesa may keep the last values of one command for the next one that has fewer; so where evaluation may come
+// between, the same values are sent by the longest form.
 template <auto kCommand, auto kLongest, int kCount, int kMost, class Type>
 void Set(Attribute attribute, const Type* v) {
   Context* const context = Watching();
-  if (context == nullptr) return (Gl().*kCommand)(v);
+  if (context == nullptr && !evaluators_used) return (Gl().*kCommand)(v);
   const Complete<Type, kMost> values(attribute, kCount, v);
-  if (context->MayEvaluate())
+  if (evaluators_used)
     (Gl().*kLongest)(values.of);
   else
     (Gl().*kCommand)(v);
-  context->Note(
-      attribute,
-      MakeSetter([](const void* kept) { (Gl().*kLongest)(static_cast<const Type*>(kept)); }, values));
+  if (context != nullptr)
+    context->Note(
+        attribute,
+        MakeSetter([](const void* kept) { (Gl().*kLongest)(static_cast<const Type*>(kept)); }, values));
 }
 
 // Maps give the texture coordinates of unit 0.
 template <auto kCommand, auto kLongest, int kCount, class Type>
 void SetUnit(GLenum unit, const Type* v) {
   Context* const context = unit == GL_TEXTURE0 ? Watching() : nullptr;
-  if (context == nullptr) return (Gl().*kCommand)(unit, v);
+  if (context == nullptr && !evaluators_used) return (Gl().*kCommand)(unit, v);
   const Complete<Type, 4> values(kTexCoord, kCount, v);
-  if (context->MayEvaluate())
+  if (evaluators_used)
     (Gl().*kLongest)(unit, values.of);
   else
     (Gl().*kCommand)(unit, v);
-  context->Note(
-      kTexCoord,
-      MakeSetter([](const void* kept) { (Gl().*kLongest)(GL_TEXTURE0, static_cast<const Type*>(kept)); },
-                 values));
+  if (context != nullptr)
+    context->Note(
+        kTexCoord,
+        MakeSetter([](const void* kept) { (Gl().*kLongest)(GL_TEXTURE0, static_cast<const Type*>(kept)); },
+                   values));
 }
 
 struct Packed {

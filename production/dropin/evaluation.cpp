@@ -132,6 +132,10 @@ void Context::PushAttrib(GLbitfield mask) {
 
 void Context::PopAttrib() {
   const GLint before = Integer(GL_ATTRIB_STACK_DEPTH, -1);
+  if (evaluators_used && before > 0) {
+    GLfloat color[4];
+    Gl().GetFloatv(GL_CURRENT_COLOR, color);  // Mesa: what is still pending would come after PopAttrib
+  }
   Gl().PopAttrib();
   list_base_known = false;
   if (before < 1 || before > 64 || Integer(GL_ATTRIB_STACK_DEPTH, -1) != before - 1) return;

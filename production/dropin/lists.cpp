@@ -259,8 +259,9 @@ void Context::EndDeferral() {
   OpenSegment();
 }
 
-// Drivers do not bring back all of a primitive that ends in another list than the one it begins in (Mesa forgets
-// attributes before the first vertex, and strips of few vertices altogether). So Begin stands beside their lists.
+// Drivers do not bring back all of a primitive that ends in another list than the one it begins in (Mesa
+// forgets attributes before the first vertex, and strips of few vertices altogether). So Begin stands beside
+// their lists.
 void Context::IssueBegin(GLenum mode) {
   if (!list.open) return Begin(mode);
   const bool legal = mode <= 0x000E;  // PATCHES
