@@ -63,8 +63,9 @@ std::unique_ptr<ContextMaker> make_gles2_contexts();
 
 enum class GlxRendering { direct, indirect };
 // GLX: `library`, or libGL.so.1 where empty. The X server is that of DISPLAY, or an Xvfb of its own where
-// that does not answer. Each context has a pbuffer. Throws CannotStart.
-std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering);
+// that does not answer. Each context has a pbuffer. `in_front`: see SharedLibrary. Throws CannotStart.
+std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering,
+                                                const std::string& in_front = "");
 
 // A shared library that fills in evalcts_provider.h. Throws CannotStart.
 std::unique_ptr<ContextMaker> load_provider(const std::string& path);

@@ -24,10 +24,20 @@ std::string built_library() {
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library) {
   const std::string in_front = library.empty() ? built_library() : library;
   // It is opened here, not loaded before the GL: it has to be told what that is.
-  const bool egl = name == "dropin-egl";
-  setenv("GLEVALUATOR_GL", egl ? "libEGL.so.1" : "libOSMesa.so.8", 0);
-  return make_gl_library(
-      name, egl ? make_egl_contexts("", EglPlatform::any, in_front) : make_osmesa_contexts("", in_front), "");
+  const auto in_front_of = [&](const char* gl, std::unique_ptr<ContextMaker> (*make)(const std::string&)) {
+    setenv("GLEVALUATOR_GL", gl, 0);
+    return make_gl_library(name, make(in_front), "");
+  };
+  if (name == "dropin-egl")
+    return in_front_of("libEGL.so.1", [](const std::string& front) {
+      return make_egl_contexts("", EglPlatform::any, front);
+    });
+  if (name == "dropin-glx")
+    return in_front_of("libGL.so.1", [](const std::string& front) {
+      return make_glx_contexts("", GlxRendering::direct, front);
+    });
+  return in_front_of("libOSMesa.so.8",
+                     [](const std::string& front) { return make_osmesa_contexts("", front); });
 }
 
 }  // namespace evalcts

@@ -68,9 +68,9 @@ Glx glx_of(const SharedLibrary& library) {
   return glx;
 }
 
-SharedLibrary usual(const char* name, const char* package) {
+SharedLibrary usual(const char* name, const char* package, const std::string& in_front = "") {
   try {
-    return SharedLibrary(name);
+    return SharedLibrary(name, in_front);
   } catch (const CannotStart& error) {
     throw CannotStart(fmt::format("{} is not installed (package {}); {}", name, package, error.what()));
   }
@@ -100,8 +100,9 @@ int end(Display*) {
 
 class GlxContexts final : public ContextMaker {
  public:
-  GlxContexts(const std::string& library, GlxRendering rendering)
-      : library_(library.empty() ? usual("libGL.so.1", "libgl1") : SharedLibrary(library)),
+  GlxContexts(const std::string& library, GlxRendering rendering, const std::string& in_front)
+      : library_(library.empty() ? usual("libGL.so.1", "libgl1", in_front)
+                                 : SharedLibrary(library, in_front)),
         xlib_library_(usual("libX11.so.6", "libx11-6")),
         xlib_(xlib_of(xlib_library_)),
         glx_(glx_of(library_)),
@@ -382,8 +383,9 @@ class GlxContexts final : public ContextMaker {
 
 }  // namespace
 
-std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering) {
-  return std::make_unique<GlxContexts>(library, rendering);
+std::unique_ptr<ContextMaker> make_glx_contexts(const std::string& library, GlxRendering rendering,
+                                                const std::string& in_front) {
+  return std::make_unique<GlxContexts>(library, rendering, in_front);
 }
 
 }  // namespace evalcts

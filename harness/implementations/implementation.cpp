@@ -83,6 +83,7 @@ const std::vector<ImplementationKind>& implementation_kinds() {
       {"dropin", "libglevaluator_dropin, the drop-in library of this project, in front of libOSMesa",
        "libosmesa6", false},
       {"dropin-egl", "the same in front of libEGL, without a window system", "libegl1", false},
+      {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
       {"sink", "an evaluator of your own that is no GL, with --library", "", false},
   };
   return kinds;
@@ -106,7 +107,8 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
     const GlxRendering rendering = name == "glx" ? GlxRendering::direct : GlxRendering::indirect;
     return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
   }
-  if (name == "dropin" || name == "dropin-egl") return open_dropin(name, options.library);
+  if (name == "dropin" || name == "dropin-egl" || name == "dropin-glx")
+    return open_dropin(name, options.library);
   if (name == "sink") return open_sink(options.library);
   if (name == "reference" || name == "production") {
     if (!options.library.empty())

@@ -11,7 +11,8 @@ namespace evalcts {
 // The executable specification and the production evaluator, both in this process.
 std::unique_ptr<Implementation> open_reference();
 std::unique_ptr<Implementation> open_production();
-// The drop-in library, `library` or that of this build where empty, in front of libOSMesa or libEGL. Throws
+// The drop-in library, `library` or that of this build where empty, in front of libOSMesa, libEGL
+// or libGL. Throws
 // CannotStart.
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library);
 // A shared library that fills in evalcts_sink.h. Throws CannotStart.
