@@ -212,7 +212,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev gfortran pkg-config libpng-dev clang"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev gfortran pkg-config libpng-dev clang libglu1-mesa-dev"
 called_not apt-get
 called_not ctest
 
@@ -444,7 +444,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev ["
+called "libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev libglu1-mesa-dev ["
 called "ctest --preset debug in"
 called_not release
 

@@ -95,7 +95,7 @@ static void draw(const char* title, void (*drawing)(void)) {
 }
 
 int main(int argc, char** argv) {
-  GLfloat v[4];
+  GLfloat v[4] = {0, 0, 0, 0};
   void* const other = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, NULL);
   void* const context = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, NULL);
   if (!context || !OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 64, 64)) return 2;
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   draw("curve", curve);
   /* Another context's evaluators are its own. */
   OSMesaMakeCurrent(other, pixels, GL_UNSIGNED_BYTE, 64, 64);
-  enable(GL_MAP1_VERTEX_4);
+  map1f(GL_MAP1_TEXTURE_COORD_4, 0, 1, 4, 1, v);
   OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, 64, 64);
   draw("surface", surface);
   draw("listed curve", listed_curve);
