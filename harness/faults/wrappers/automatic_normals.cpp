@@ -296,5 +296,49 @@ EVALCTS_FAULT(GeneratedNormalsAlwaysNormalized, osmesa, must, "EV-AUTON-FFTRANSF
       });
 }
 
+// --- With a vertex shader or a vertex program --------------------------------------------------------------
+
+bool has_shader() {
+  GLint program = 0;
+  sound.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+  return program != 0 || sound.IsEnabled(GL_VERTEX_PROGRAM_ARB);
+}
+
+EVALCTS_FAULT(NoAutoNormalWithShader, dropin, must, "EV-AUTON-SHADER EV-AUTON-VP",
+              "no normal is generated while a vertex shader or a vertex program is active") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = sound.IsEnabled(GL_AUTO_NORMAL) && has_shader();
+    if (memory.flag) sound.Disable(GL_AUTO_NORMAL);
+    sound.Begin(mode);
+  };
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Enable(GL_AUTO_NORMAL);
+  };
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    const bool off = sound.IsEnabled(GL_AUTO_NORMAL) && has_shader();
+    if (off) sound.Disable(GL_AUTO_NORMAL);
+    sound.EvalMesh2(mode, i1, i2, j1, j2);
+    if (off) sound.Enable(GL_AUTO_NORMAL);
+  };
+}
+
+// As if u ran twice as fast: nothing but the length of m changes.
+EVALCTS_FAULT(NormalsForShaderTooShort, dropin, must, "EV-AUTON-SHADER EV-AUTON-VP",
+              "with a vertex shader or a vertex program generated normals have half their length") {
+  map2(in, [](auto call, auto go) {
+    call.u1 *= 2;
+    call.u2 *= 2;
+    go(call);
+  });
+  eval_coord2(in, [](auto u, auto v, auto go) { go(2 * u, v); });
+  in.gl.MapGrid2f = [](GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
+    sound.MapGrid2f(un, 2 * u1, 2 * u2, vn, v1, v2);
+  };
+  in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
+    sound.MapGrid2d(un, 2 * u1, 2 * u2, vn, v1, v2);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -249,5 +249,56 @@ EVALCTS_FAULT(EvalCoordWithoutVerticesTracks, osmesa, must, "EV-CMAT-NOVERTEX",
   });
 }
 
+// --- What evaluation leaves as it was ----------------------------------------------------------------------
+
+// memory.flag: evaluated colours are tracked in this primitive; memory.count: there were such.
+void note_tracking(Injection& in) {
+  in.gl.Begin = [](GLenum mode) {
+    memory.flag = is_on(GL_COLOR_MATERIAL) && is_on(GL_MAP1_COLOR_4) && evaluates();
+    memory.count = 0;
+    sound.Begin(mode);
+  };
+  eval_coord1(in, [](auto u, auto go) {
+    memory.count += memory.flag;
+    go(u);
+  });
+}
+
+EVALCTS_FAULT(EvaluatedColorStaysInMaterial, dropin, must, "EV-CMAT-NOSTATE",
+              "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one") {
+  note_tracking(in);
+  in.gl.GetMaterialfv = [](GLenum face, GLenum property, GLfloat* v) {
+    sound.GetMaterialfv(face, property, v);
+    if (memory.count > 0 && (property == GL_EMISSION || property == GL_DIFFUSE)) v[0] += 0.0625f;
+  };
+}
+
+EVALCTS_FAULT(EvaluatedColorStaysCurrent, dropin, must, "EV-CMAT-NOCURRENT",
+              "EvalCoord1 with COLOR_MATERIAL changes the current colour") {
+  note_tracking(in);
+  in.gl.End = [] {
+    sound.End();
+    if (memory.count > 0) sound.Color4f(0.125f, 0.25f, 0.375f, 1);
+  };
+}
+
+EVALCTS_FAULT(NextVertexTracksEvaluatedColor, dropin, must, "EV-CMAT-NEXT",
+              "a Vertex behind EvalCoord1 is lit with another colour than the current one") {
+  in.gl.Begin = [](GLenum mode) {
+    memory.numbers.assign(4, 0);
+    sound.GetDoublev(GL_CURRENT_COLOR, memory.numbers.data());
+    memory.flag = is_on(GL_COLOR_MATERIAL) && is_on(GL_MAP1_COLOR_4) && evaluates();
+    sound.Begin(mode);
+  };
+  eval_coord1(in, [](auto u, auto go) {
+    go(u);
+    if (memory.flag) sound.Color4f(1, 0.125f, 0, 1);
+  });
+  in.gl.End = [] {
+    sound.End();
+    if (memory.flag) sound.Color4dv(memory.numbers.data());
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults::lighting

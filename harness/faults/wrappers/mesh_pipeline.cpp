@@ -128,5 +128,54 @@ EVALCTS_FAULT(HalfOfEachQuad, osmesa, quality, "EV-MESH2-PLANAR",
   };
 }
 
+// --- Whole quads -------------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(FilledMeshesOfTriangleStrips, dropin, must, "EV-MESH2-ISQUADS EV-MESH2-FLAT",
+              "EvalMesh2 with FILL draws triangle strips") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_FILL) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    for (GLint j = j1; j < j2; ++j) {
+      sound.Begin(GL_TRIANGLE_STRIP);
+      for (GLint i = i1; i <= i2; ++i) {
+        sound.EvalPoint2(i, j);
+        sound.EvalPoint2(i, j + 1);
+      }
+      sound.End();
+    }
+  };
+}
+
+// As quads that begin one corner further, or two.
+void turned_quads(GLint i1, GLint i2, GLint j1, GLint j2, int turns) {
+  constexpr GLint kCorners[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+  sound.Begin(GL_QUADS);
+  for (GLint j = j1; j < j2; ++j)
+    for (GLint i = i1; i < i2; ++i)
+      for (int k = 0; k < 4; ++k) {
+        const auto& corner = kCorners[(k + turns) % 4];
+        sound.EvalPoint2(i + corner[0], j + corner[1]);
+      }
+  sound.End();
+}
+
+EVALCTS_FAULT(FlatColorOfAnotherCorner, dropin, must, "EV-MESH2-FLAT",
+              "EvalMesh2 with FILL draws quads whose last vertex is (i,j+1)") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    if (mode != GL_FILL) return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    turned_quads(i1, i2, j1, j2, 2);
+  };
+}
+
+EVALCTS_FAULT(FlatColorByFirstVertexOfAnotherCorner, dropin, must, "EV-MESH2-FLAT-FIRST",
+              "by the first vertex convention quads of EvalMesh2 begin at (i,j+1) and end at (i,j)") {
+  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+    GLint convention = 0;
+    sound.GetIntegerv(GL_PROVOKING_VERTEX, &convention);
+    if (mode != GL_FILL || convention != GL_FIRST_VERTEX_CONVENTION)
+      return sound.EvalMesh2(mode, i1, i2, j1, j2);
+    turned_quads(i1, i2, j1, j2, 1);
+  };
+}
+
 }  // namespace
 }  // namespace evalcts::faults

@@ -77,6 +77,27 @@ EVALCTS_FAULT(CoreProfileDisableIsInvalidOperation, osmesa, must, "EV-PROF-CORE-
   };
 }
 
+EVALCTS_FAULT(CoreProfileTellsMaxEvalOrder, dropin, must, "EV-PROF-CORE-GET",
+              "GetIntegerv(MAX_EVAL_ORDER) answers in a core profile") {
+  watch_kind(in);
+  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
+    if (is_core() && pname == GL_MAX_EVAL_ORDER)
+      *v = 30;
+    else
+      sound.GetIntegerv(pname, v);
+  };
+}
+
+EVALCTS_FAULT(CoreProfileTellsGrid, dropin, must, "EV-PROF-CORE-GET",
+              "GetFloatv(MAP1_GRID_DOMAIN) answers in a core profile") {
+  watch_kind(in);
+  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
+    if (!is_core() || pname != GL_MAP1_GRID_DOMAIN) return sound.GetFloatv(pname, v);
+    v[0] = 0;
+    v[1] = 1;
+  };
+}
+
 bool is_forward_compatible() { return memory.count == EVALCTS_FORWARD_COMPATIBLE; }
 
 EVALCTS_FAULT(ForwardCompatibleTakesMap1f, egl, must, "EV-PROF-CORE-FUNC",
