@@ -14,7 +14,7 @@ namespace {
 // A command that lists take.
 template <class Operation>
 void Issue(Context* context, const Operation& operation) {
-  evaluators_used = true;
+  evaluators_used.Note();
   context->Issue([operation](Context& executing, const unsigned char*) { operation(executing); });
 }
 
@@ -35,7 +35,7 @@ std::size_t ComponentsOf(GLenum name, const GLint (&orders)[kDimension], const G
 template <class Real>
 void DefineMap1(Context* context, GLenum target, Real u1, Real u2, GLint stride, GLint order,
                 const Real* points) {
-  evaluators_used = true;
+  evaluators_used.Note();
   if (!context->list.open) return context->Map1(target, u1, u2, stride, order, points);
   const std::size_t k = points != nullptr ? ComponentsOf<1>(target, {order}, {stride}) : 0;
   const auto packed = static_cast<GLint>(k);
@@ -56,7 +56,7 @@ void DefineMap1(Context* context, GLenum target, Real u1, Real u2, GLint stride,
 template <class Real>
 void DefineMap2(Context* context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1,
                 Real v2, GLint vstride, GLint vorder, const Real* points) {
-  evaluators_used = true;
+  evaluators_used.Note();
   if (!context->list.open)
     return context->Map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
   const std::size_t k = points != nullptr ? ComponentsOf<2>(target, {uorder, vorder}, {ustride, vstride}) : 0;
@@ -310,7 +310,7 @@ DROPIN_EXPORT void glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
 }
 DROPIN_EXPORT void glListBase(GLuint base) {
   OF_EVALUATORS(ListBase, base);
-  list_base_used = true;
+  list_base_used.Note();
   context->list_base_known = false;
   Gl().ListBase(base);
 }

@@ -2,6 +2,7 @@
 // rest to leave the current values alone and display lists in order.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -20,10 +21,23 @@ namespace glev::dropin {
 
 class Context;
 
-// Set by the first command of evaluators: until then lists are left to the driver wherever possible.
-extern bool evaluators_used;
-// Set by the first ListBase: until then it is 0.
-extern bool list_base_used;
+// What the program has done once, in any thread.
+class Once {
+ public:
+  void Note() {
+    if (!*this) noted_.store(true, std::memory_order_relaxed);
+  }
+  explicit operator bool() const { return noted_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<bool> noted_{false};
+};
+// A command of evaluators: until then lists are left to the driver wherever possible.
+inline Once evaluators_used;
+// NewList.
+inline Once lists_used;
+// ListBase: until then it is 0.
+inline Once list_base_used;
 
 // The current values that maps can stand in for.
 enum Attribute { kColor, kNormal, kTexCoord, kAttributeCount };
@@ -134,6 +148,7 @@ class Group {
   class Lock;
   Group() = default;
   std::size_t LowerBound(GLuint name);
+  std::size_t PlaceOfSegment(GLuint name);
   void Drop(List* list);
 
   unsigned references_ = 1;

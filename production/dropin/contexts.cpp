@@ -8,9 +8,6 @@
 
 namespace glev::dropin {
 
-bool evaluators_used = false;
-bool list_base_used = false;
-
 namespace {
 
 // A context by the handle of its window system.
@@ -32,8 +29,11 @@ Array<Known*>& All() {
 
 // What the window system was last told in this thread; where it was not told through this library, it is
 // asked each time.
-thread_local bool told = false;
-thread_local Known* bound = nullptr;
+struct ThisThread {
+  bool told;
+  Known* bound;
+};
+thread_local ThisThread this_thread = {false, nullptr};
 
 class Lock {
  public:
@@ -96,10 +96,10 @@ void NoteDestroyed(const void* handle) {
 
 void NoteCurrent(const void* handle) {
   const Lock lock;
-  Known* const before = bound;
-  bound = handle != nullptr ? FindOrAdd(handle) : nullptr;
-  told = true;
-  if (bound != nullptr) ++bound->bound;
+  Known* const before = this_thread.bound;
+  Known* const now = handle != nullptr ? FindOrAdd(handle) : nullptr;
+  this_thread = {true, now};
+  if (now != nullptr) ++now->bound;
   if (before != nullptr && --before->bound == 0 && before->destroyed) Free(before);
 }
 
@@ -111,7 +111,8 @@ Context* ContextOf(const void* handle) {
 
 Context* CurrentOfAnyKind() {
   Gl();
-  if (told) return bound != nullptr ? bound->context : nullptr;
+  const ThisThread& thread = this_thread;
+  if (thread.told) return thread.bound != nullptr ? thread.bound->context : nullptr;
   return ContextOf(AskForCurrent());
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 // The context, if it has to know the value.
 Context* Watching() {
+  if (!evaluators_used && !lists_used) return nullptr;
   Context* const context = Current();
   return context != nullptr && context->IsWatching() ? context : nullptr;
 }

@@ -10,8 +10,18 @@ namespace {
 
 constexpr int kMaxNesting = 64;
 
-void DeleteSegments(List* list) {
-  for (const GLuint segment : list->segments) Gl().DeleteLists(segment, 1);
+// The first element that is not less than `name`, in an array sorted by `name_of`.
+template <class T, class NameOf>
+std::size_t LowerBoundIn(Array<T>& sorted, GLuint name, const NameOf& name_of) {
+  std::size_t first = 0, last = sorted.size();
+  while (first < last) {
+    const std::size_t middle = (first + last) / 2;
+    if (name_of(sorted[middle]) < name)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  return first;
 }
 
 }  // namespace
@@ -61,15 +71,11 @@ void Group::Release() {
 }
 
 std::size_t Group::LowerBound(GLuint name) {
-  std::size_t first = 0, last = lists_.size();
-  while (first < last) {
-    const std::size_t middle = (first + last) / 2;
-    if (lists_[middle]->name < name)
-      first = middle + 1;
-    else
-      last = middle;
-  }
-  return first;
+  return LowerBoundIn(lists_, name, [](const List* list) { return list->name; });
+}
+
+std::size_t Group::PlaceOfSegment(GLuint name) {
+  return LowerBoundIn(segments_, name, [](GLuint segment) { return segment; });
 }
 
 List* Group::Find(GLuint name) {
@@ -95,13 +101,11 @@ bool Group::IsEmpty() {
 // With the lock held.
 void Group::Drop(List* list) {
   if (--list->references > 0) return;
-  DeleteSegments(list);
-  for (const GLuint segment : list->segments)
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-      if (segments_[i] == segment) {
-        segments_.Erase(i);
-        break;
-      }
+  for (const GLuint segment : list->segments) {
+    Gl().DeleteLists(segment, 1);
+    const std::size_t place = PlaceOfSegment(segment);
+    if (place < segments_.size() && segments_[place] == segment) segments_.Erase(place);
+  }
   list->~List();
   std::free(list);
 }
@@ -139,9 +143,8 @@ GLuint Group::NewSegment() {
 
 bool Group::IsSegment(GLuint name) {
   const Lock lock;
-  for (const GLuint segment : segments_)
-    if (segment == name) return true;
-  return false;
+  const std::size_t place = PlaceOfSegment(name);
+  return place < segments_.size() && segments_[place] == name;
 }
 
 // --- Compiling
@@ -152,6 +155,7 @@ void Context::NewList(GLuint name, GLenum mode) {
     Gl().NewList(name, mode);  // has the error
     return;
   }
+  lists_used.Note();
   list.name = name;
   list.mode = mode;
   list.primitive = Primitive::kUnchanged;
@@ -159,7 +163,7 @@ void Context::NewList(GLuint name, GLenum mode) {
   list.code.clear();
   list.segments.clear();
   // Until EndList the name stands for the list that it stands for now.
-  list.begins_elsewhere = evaluators_used && Gl().IsList(name);
+  list.begins_elsewhere = static_cast<bool>(evaluators_used) && Gl().IsList(name);
   if (list.begins_elsewhere) {
     OpenSegment();
   } else {
