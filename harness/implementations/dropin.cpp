@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 // Beside this program's libraries where it is installed, in its own folder in a build.
 std::string built_library() {
-  const std::string name = "libglevaluator_dropin.so.0";
+  const char* const name = "libglevaluator_dropin.so.0";
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* const place : {"../../production/dropin", "../lib", "."})
     if (const fs::path file = folder / place / name; fs::exists(file)) return fs::canonical(file).string();

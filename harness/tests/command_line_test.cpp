@@ -69,7 +69,7 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_EQ(requirements["requirements"].size(), 395u);
   const json implementations =
       json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
-  EXPECT_EQ(implementations["implementations"].size(), 7u);
+  EXPECT_EQ(implementations["implementations"].size(), 10u);
   const json coverage = json::parse(evalcts({"coverage", "--json"}).text, nullptr, false);
   EXPECT_EQ(coverage["requirements"].size(), 395u);
   EXPECT_TRUE(coverage["problems"].empty());

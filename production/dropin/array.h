@@ -28,7 +28,7 @@ class Array {
   T* Grow(std::size_t count) {
     if (size_ + count > capacity_) {
       const std::size_t capacity = (size_ + count) + (size_ + count) / 2;
-      void* const data = std::realloc(data_, capacity * sizeof(T));
+      void* const data = std::realloc(data_, capacity * kBytes);
       if (data == nullptr) return nullptr;
       data_ = static_cast<T*>(data);
       capacity_ = capacity;
@@ -38,12 +38,12 @@ class Array {
   }
   bool Insert(std::size_t place, const T& value) {
     if (Grow(1) == nullptr) return false;
-    std::memmove(data_ + place + 1, data_ + place, (size_ - 1 - place) * sizeof(T));
+    std::memmove(data_ + place + 1, data_ + place, (size_ - 1 - place) * kBytes);
     data_[place] = value;
     return true;
   }
   void Erase(std::size_t place, std::size_t count = 1) {
-    std::memmove(data_ + place, data_ + place + count, (size_ - place - count) * sizeof(T));
+    std::memmove(data_ + place, data_ + place + count, (size_ - place - count) * kBytes);
     size_ -= count;
   }
   void Swap(Array& other) {
@@ -54,6 +54,8 @@ class Array {
   }
 
  private:
+  static constexpr std::size_t kBytes = sizeof(T);  // NOLINT(bugprone-sizeof-expression): also of pointers
+
   T* data_ = nullptr;
   std::size_t size_ = 0, capacity_ = 0;
 };
