@@ -1,42 +1,10 @@
-// The evaluators' state, and the vertices that come out of them: sent to the GL below as Color4, Normal3,
-// TexCoord and Vertex commands, with the current values brought back behind them.
-#include <cmath>
-
+// What is evaluated goes to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, with the current
+// values brought back behind them.
 #include "production/dropin/context.h"
+#include "production/dropin/enables.h"
 
 namespace glev::dropin {
 namespace {
-
-// The bits of Context::enabled: nine maps of each dimension, in the order of their tokens, and AUTO_NORMAL.
-constexpr int kColorMap = 0, kNormalMap = 2, kFirstTextureMap = 3, kLastTextureMap = 6, kVertex3Map = 7,
-              kVertex4Map = 8, kMaps = 9;
-constexpr std::uint32_t kAutoNormal = 1u << (2 * kMaps);
-
-constexpr std::uint32_t Bit(int dimension, int map) { return 1u << (map + (dimension - 1) * kMaps); }
-constexpr std::uint32_t BothBits(int map) { return Bit(1, map) | Bit(2, map); }
-
-GLenum CapOf(int bit) {
-  if (bit == 2 * kMaps) return GL_AUTO_NORMAL;
-  return static_cast<GLenum>(bit < kMaps ? GL_MAP1_COLOR_4 + bit : GL_MAP2_COLOR_4 + bit - kMaps);
-}
-
-// What the enabled maps of a dimension give: components, 0 for nothing.
-struct Given {
-  bool color, normal;
-  int texture, vertex;
-};
-
-Given GivenBy(std::uint32_t enabled, int dimension) {
-  Given given = {};
-  given.color = (enabled & Bit(dimension, kColorMap)) != 0;
-  given.normal =
-      (enabled & Bit(dimension, kNormalMap)) != 0 || (dimension == 2 && (enabled & kAutoNormal) != 0);
-  for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map)
-    if ((enabled & Bit(dimension, map)) != 0) given.texture = map - kFirstTextureMap + 1;
-  for (const int map : {kVertex3Map, kVertex4Map})
-    if ((enabled & Bit(dimension, map)) != 0) given.vertex = map - kVertex3Map + 3;
-  return given;
-}
 
 template <auto kCommand>
 Setter Keep(const GLfloat (&values)[4]) {
@@ -47,121 +15,6 @@ Setter Keep(const GLfloat (&values)[4]) {
 }
 
 }  // namespace
-
-// --- State
-
-void Context::UpdateEnabled() {
-  enabled = 0;
-  for (int bit = 0; bit <= 2 * kMaps; ++bit)
-    if (glevIsEnabled(evaluators, CapOf(bit))) enabled |= 1u << bit;
-}
-
-bool Context::HasVertexMap() const {
-  return (enabled & (BothBits(kVertex3Map) | BothBits(kVertex4Map))) != 0;
-}
-
-void Context::SetEnabled(GLenum cap, bool on) {
-  if (!IsOutside()) return;
-  if (on)
-    glevEnable(evaluators, cap);
-  else
-    glevDisable(evaluators, cap);
-  Report();
-  UpdateEnabled();
-}
-
-// Map wants unit 0 to be the active one.
-void Context::SetActiveTexture() {
-  const bool is_first = !multitexture || Integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) == GL_TEXTURE0;
-  glevActiveTexture(evaluators, is_first ? GL_TEXTURE0 : GL_TEXTURE1);
-}
-
-template <>
-void Context::Map1(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
-  glevMap1f(evaluators, target, u1, u2, stride, order, points);
-  Report();
-}
-template <>
-void Context::Map1(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
-  glevMap1d(evaluators, target, u1, u2, stride, order, points);
-  Report();
-}
-template <>
-void Context::Map2(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
-  glevMap2f(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  Report();
-}
-template <>
-void Context::Map2(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
-  glevMap2d(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  Report();
-}
-
-void Context::MapGrid1(GLint n, double u1, double u2) {
-  if (!IsOutside()) return;
-  glevMapGrid1d(evaluators, n, u1, u2);
-  Report();
-}
-void Context::MapGrid2(GLint un, double u1, double u2, GLint vn, double v1, double v2) {
-  if (!IsOutside()) return;
-  glevMapGrid2d(evaluators, un, u1, u2, vn, v1, v2);
-  Report();
-}
-
-// Whether there was room, or anything to pop, the GL below knows.
-void Context::PushAttrib(GLbitfield mask) {
-  const GLint before = Integer(GL_ATTRIB_STACK_DEPTH, -1);
-  Gl().PushAttrib(mask);
-  if (before < 0 || before >= 64 || Integer(GL_ATTRIB_STACK_DEPTH, -1) != before + 1) return;
-  pushed[before] = (mask & (GL_EVAL_BIT | GL_ENABLE_BIT)) != 0;
-  if (!pushed[before]) return;
-  glevPushAttrib(evaluators, mask & (GL_EVAL_BIT | GL_ENABLE_BIT));
-  pushed[before] = glevGetError(evaluators) == GLEV_NO_ERROR;
-}
-
-void Context::PopAttrib() {
-  const GLint before = Integer(GL_ATTRIB_STACK_DEPTH, -1);
-  if (evaluators_used && before > 0) {
-    GLfloat color[4];
-    Gl().GetFloatv(GL_CURRENT_COLOR, color);  // Mesa: what is still pending would come after PopAttrib
-  }
-  Gl().PopAttrib();
-  list_base_known = false;
-  if (before < 1 || before > 64 || Integer(GL_ATTRIB_STACK_DEPTH, -1) != before - 1) return;
-  if (!pushed[before - 1]) return;
-  pushed[before - 1] = false;
-  glevPopAttrib(evaluators);
-  UpdateEnabled();
-}
-
-void Context::CopyEvalAttributes(const Context& from, bool grids) {
-  for (int bit = 0; bit <= 2 * kMaps; ++bit)
-    if (glevIsEnabled(from.evaluators, CapOf(bit)))
-      glevEnable(evaluators, CapOf(bit));
-    else
-      glevDisable(evaluators, CapOf(bit));
-  UpdateEnabled();
-  if (!grids) return;
-  GLint n[2] = {};
-  GLdouble ends[4] = {};
-  glevGetIntegerv(from.evaluators, GL_MAP1_GRID_SEGMENTS, n);
-  glevGetDoublev(from.evaluators, GL_MAP1_GRID_DOMAIN, ends);
-  glevMapGrid1d(evaluators, n[0], ends[0], ends[1]);
-  glevGetIntegerv(from.evaluators, GL_MAP2_GRID_SEGMENTS, n);
-  glevGetDoublev(from.evaluators, GL_MAP2_GRID_DOMAIN, ends);
-  glevMapGrid2d(evaluators, n[0], ends[0], ends[1], n[1], ends[2], ends[3]);
-}
 
 // --- Current values
 
@@ -201,66 +54,6 @@ void Context::Restore(int dimension) {
   if (given.color) current[kColor].Send();
   if (given.normal) current[kNormal].Send();
   if (given.texture > 0) current[kTexCoord].Send();
-}
-
-// --- Automatic normals with a vertex shader: m = q_u x q_v as it is (GL 2.0 5.1, ARB_vertex_program issue
-// 92)
-
-bool Context::VertexShaderIsActive() {
-  if (vertex_programs && Gl().IsEnabled(GL_VERTEX_PROGRAM_ARB)) return true;
-  if (version < 20) return false;
-  const auto program = static_cast<GLuint>(Integer(GL_CURRENT_PROGRAM, 0));
-  if (program == 0) {
-    const auto pipeline = static_cast<GLuint>(version >= 41 ? Integer(GL_PROGRAM_PIPELINE_BINDING, 0) : 0);
-    GLint shader = 0;
-    if (pipeline != 0) Gl().GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &shader);
-    return shader != 0;
-  }
-  GLuint shaders[16];
-  GLsizei count = 0;
-  Gl().GetAttachedShaders(program, 16, &count, shaders);
-  for (GLsizei i = 0; i < count; ++i) {
-    GLint type = 0;
-    Gl().GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
-    if (type == GL_VERTEX_SHADER) return true;
-  }
-  return count == 0;  // detached after linking
-}
-
-// Of one point, whose arguments are in either.
-double Context::LengthOfNormal(const glev_batch* batch, const glev_mesh* mesh) {
-  const glev_plan_info info = {sizeof info, 2};
-  glev_plan* plan = nullptr;
-  if (glevCreatePlan(evaluators, &info, &plan) != GLEV_SUCCESS) return 1;
-  double p[4] = {0, 0, 0, 1}, p_u[4] = {}, p_v[4] = {};
-  const auto output = [](double* values) {
-    return glev_output{sizeof(glev_output), values, 4 * sizeof(double), 4 * sizeof(double), 4,
-                       GLEV_DOUBLE,         0};
-  };
-  const glev_output vertex = output(p), tangent_u = output(p_u), tangent_v = output(p_v);
-  const glev_outputs outputs = {&vertex, nullptr, nullptr, nullptr, &tangent_u, &tangent_v};
-  glev_result result;
-  if (batch != nullptr) {
-    glev_batch request = *batch;
-    request.outputs = outputs;
-    result = glevEvaluate(plan, &request);
-  } else {
-    glev_mesh request = *mesh;
-    request.outputs = outputs;
-    request.scratch_size = glevGetMeshScratchSize(plan, &request);
-    request.scratch = request.scratch_size > 0 ? std::malloc(request.scratch_size) : nullptr;
-    result = glevEvaluateMesh(plan, &request);
-    std::free(request.scratch);
-  }
-  glevReleasePlan(plan);
-  if (result != GLEV_SUCCESS) return 1;
-  // q = p / w. Without w it is 1 and its derivatives are 0.
-  double a[3], b[3];
-  for (int k = 0; k < 3; ++k) {
-    a[k] = (p_u[k] * p[3] - p[k] * p_u[3]) / (p[3] * p[3]);
-    b[k] = (p_v[k] * p[3] - p[k] * p_v[3]) / (p[3] * p[3]);
-  }
-  return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
 }
 
 // --- Evaluation

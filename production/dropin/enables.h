@@ -1,0 +1,42 @@
+// Which maps are enabled, and what they give together.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+
+#include "production/dropin/gl_below.h"
+
+namespace glev::dropin {
+
+// The bits of Context::enabled: nine maps of each dimension, in the order of their tokens, and AUTO_NORMAL.
+inline constexpr int kColorMap = 0, kNormalMap = 2, kFirstTextureMap = 3, kLastTextureMap = 6,
+                     kVertex3Map = 7, kVertex4Map = 8, kMaps = 9;
+inline constexpr std::uint32_t kAutoNormal = 1u << (2 * kMaps);
+
+constexpr std::uint32_t Bit(int dimension, int map) { return 1u << (map + (dimension - 1) * kMaps); }
+constexpr std::uint32_t BothBits(int map) { return Bit(1, map) | Bit(2, map); }
+
+inline GLenum CapOf(int bit) {
+  if (bit == 2 * kMaps) return GL_AUTO_NORMAL;
+  return static_cast<GLenum>(bit < kMaps ? GL_MAP1_COLOR_4 + bit : GL_MAP2_COLOR_4 + bit - kMaps);
+}
+
+// What the enabled maps of a dimension give: components, 0 for nothing.
+struct Given {
+  bool color, normal;
+  int texture, vertex;
+};
+
+inline Given GivenBy(std::uint32_t enabled, int dimension) {
+  Given given = {};
+  given.color = (enabled & Bit(dimension, kColorMap)) != 0;
+  given.normal =
+      (enabled & Bit(dimension, kNormalMap)) != 0 || (dimension == 2 && (enabled & kAutoNormal) != 0);
+  for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map)
+    if ((enabled & Bit(dimension, map)) != 0) given.texture = map - kFirstTextureMap + 1;
+  for (const int map : {kVertex3Map, kVertex4Map})
+    if ((enabled & Bit(dimension, map)) != 0) given.vertex = map - kVertex3Map + 3;
+  return given;
+}
+
+}  // namespace glev::dropin
