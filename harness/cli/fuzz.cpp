@@ -83,6 +83,7 @@ int fuzz(const FuzzOptions& options) {
     text +=
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
                     hunt.not_repeated);
+  if (hunt.slow) text += fmt::format("{} took too long, but not once more by themselves\n", hunt.slow);
   line.print(text);
   if (!hunt.cannot_start.empty()) {
     std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);
