@@ -33,9 +33,10 @@ constexpr int kInShared = 5;               // attempts for one in a fresh contex
 
 // "position.x of vertex 3" -> "position". Vertices too many or too few show in their number where all are
 // points, else in the primitives.
+constexpr char kPrimitives[] = "primitives";
 std::string kind_of(const std::string& what) {
   const std::string kind = what.substr(0, what.find_first_of(". "));
-  return kind == "number" ? "primitives" : kind;
+  return kind == "number" ? kPrimitives : kind;
 }
 
 // "glMap1fv" -> "Map1": the form of the arguments does not make a cause.
@@ -144,7 +145,7 @@ std::string requirement_of(const gl::Case& program, const std::string& what) {
                                                                         : "EV-CUR-NORMAL";
   if (has_argument(program, EntryPoint::GetFloatv, 0, GL_CURRENT_TEXTURE_COORDS)) return "EV-CUR-TEX";
   if (kind.starts_with("glGet")) return "EV-CUR-COLOR";
-  if (kind != "position" && kind != "primitives")
+  if (kind != "position" && kind != kPrimitives)
     return uses_stem(program, "Vertex") ? "EV-CUR-NEXTVERTEX" : "EV-COORD-CURRENT";
   if (uses(program, EntryPoint::EvalMesh1)) return "EV-MESH1-COORDS";
   if (uses(program, EntryPoint::EvalMesh2)) return "EV-MESH2-COORDS";
@@ -373,6 +374,7 @@ class Player {
     const std::string kind = kind_of(finding.failure.what);
     // What differs is an answer or a vertex: only that is looked at again.
     const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
+    std::string wanted = kind;
     const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
       report_progress_now_and_then();  // and shows that it goes on
       if (is_over(kGrace) ||
@@ -381,7 +383,7 @@ class Player {
       const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
       if (!of_candidate || !takes_off(candidate)) return {};
       std::optional<Finding> found = judge(candidate, *of_candidate).finding;
-      return found && kind_of(found->failure.what) == kind ? std::move(found) : std::nullopt;
+      return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
     };
     bool outside = false;
     const auto still = [&](const gl::Case& candidate) {
@@ -403,19 +405,29 @@ class Player {
     // Most differences are of a cause that has been seen: the commands of that alone show it then. Which one
     // it can be, is soon known in the shared context.
     const std::vector<gl::Case> forms = forms_of(program);
-    for (const bool in_shared : {true, false}) {
-      if (in_shared && !shared_) continue;
+    const auto is_known = [&](bool in_shared) {
       for (const gl::Case& form : forms) {
         const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
         for (const std::string& cause : causes_)
-          if (of_form && cause.ends_with(": " + kind) &&
+          if (of_form && cause.ends_with(": " + wanted) &&
               (!in_shared || reduced_to(cause, form, *of_form, still_in_shared)) &&
               reduced_to(cause, form, *of_form, still)) {
             finding.cause = cause;
-            landed();
-            return finding;
+            return true;
           }
       }
+      return false;
+    };
+    bool known = (shared_ && is_known(true)) || is_known(false);
+    if (!known && look == Look::vertices && kind != kPrimitives) {
+      // Where vertices are lost and others come twice, their number is right and nothing else of them.
+      wanted = kPrimitives;
+      known = is_known(false);
+      wanted = kind;
+    }
+    if (known) {
+      landed();
+      return finding;
     }
     const auto smaller = [&](const gl::Case&) {
       report_({{"event", "smaller"}, {"finding", to_json(finding)}});
