@@ -71,9 +71,17 @@ bool Prediction::has_automatic_normals() const {
 }
 
 bool Prediction::has_nonpositive_w() const {
+  const auto may_be_anything = [](const reference::Component& component) {
+    return std::holds_alternative<reference::Sample>(component) && !reference::must_applies(component);
+  };
+  const auto may_be_nonpositive = [](const reference::Component& w) {
+    if (const float* given = std::get_if<float>(&w)) return !(*given > 0);
+    return !(reference::exact(w) > reference::acceptance_bound(w));
+  };
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
-      if (!(reference::rounded(vertex.position[3]) > 0)) return true;
+      if (std::ranges::any_of(vertex.position, may_be_anything) || may_be_nonpositive(vertex.position[3]))
+        return true;
   return false;
 }
 
