@@ -75,6 +75,24 @@ struct RoundingOptions {
   std::optional<int> jobs;
 };
 
+struct UlpOptions {
+  std::vector<std::string> implementations;  // empty: the usual ones
+  std::string library, context, label;
+  std::vector<std::string> targets;  // empty: vertex_3
+  std::string filter;                // of the classes of maps; empty: all
+  std::uint64_t values = 20'000;     // of each row of the table
+  std::uint32_t seed = 1;
+  std::optional<int> jobs;
+  std::string output;  // empty: the usual folder
+  bool verbose = false;
+  // One input instead: its orders, control points and arguments.
+  std::vector<int> orders;
+  std::vector<double> points, at;
+  std::string rows;     // for the process that measures one implementation: the file to fill
+  std::string command;  // as typed
+  std::string program;  // how it was called
+};
+
 struct VectorsOptions {
   std::string output;              // folder to write into; empty: the usual one
   std::vector<std::string> files;  // to look at; empty: those that are shipped
@@ -92,10 +110,15 @@ int reproduce(const ReproduceOptions& options);
 int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
 int rounding(const RoundingOptions& options);
+int ulp(const UlpOptions& options);
 int write_vectors(const VectorsOptions& options);
 int lint_vectors(const VectorsOptions& options);
 int emit_vectors(const VectorsOptions& options);
 int check_vectors(const VectorsOptions& options);
+
+// What `ulp` takes for --implementation beside the implementations, and for --target.
+std::vector<std::string> own_subject_names();
+std::vector<std::string> ulp_targets();
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.
@@ -123,5 +146,7 @@ std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& t
 // a
 // '-' excluded.
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter);
+// Whether the filter, which may be empty, leaves the name in.
+bool is_chosen(const std::string& name, const std::string& filter);
 
 }  // namespace evalcts::cli

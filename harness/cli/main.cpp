@@ -174,6 +174,45 @@ int main(int argc, char** argv) {
   rounding_command->add_option("--jobs", rounding_options.jobs, "threads (default: one for each core)")
       ->check(CLI::Range(1, 256));
 
+  UlpOptions ulp_options;
+  ulp_options.program = program;
+  ulp_options.command = run_options.command;
+  CLI::App* ulp_command = app.add_subcommand(
+      "ulp", "how far from the exact values? errors of implementations in ULP and beside their condition");
+  ulp_command
+      ->add_option("--implementation", ulp_options.implementations,
+                   fmt::format("what to measure, also {}; may be repeated (default: osmesa and all that need "
+                               "no library)",
+                               fmt::join(own_subject_names(), ", ")))
+      ->expected(1)
+      ->take_all();
+  ulp_command->add_option("--library", ulp_options.library, "shared library instead of the usual one");
+  ulp_command->add_option("--context", ulp_options.context, "what makes the contexts, as for run");
+  ulp_command->add_option("--name", ulp_options.label,
+                          "label in the output, instead of the implementation's name");
+  ulp_command->add_option("--target", ulp_options.targets, "kind of map; may be repeated (default: vertex_3)")
+      ->expected(1)
+      ->take_all()
+      ->check(CLI::IsMember(ulp_targets()));
+  ulp_command->add_option("--filter", ulp_options.filter,
+                          "classes of maps: patterns as in GoogleTest, 'curve/4/*'");
+  ulp_command->add_option("--values", ulp_options.values, "of each row of the table")
+      ->check(CLI::Range(1.0, 1e15));
+  ulp_command->add_option("--seed", ulp_options.seed, "of maps and arguments");
+  ulp_command
+      ->add_option("--jobs", ulp_options.jobs, "implementations side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  ulp_command->add_option("--output", ulp_options.output, "folder for ulp.json and ulp.csv");
+  ulp_command->add_flag("--verbose", ulp_options.verbose, "the worst inputs of every row");
+  ulp_command->add_option("--orders", ulp_options.orders, "one input instead: its order, or its two orders")
+      ->delimiter(',')
+      ->expected(1, 2);
+  ulp_command->add_option("--points", ulp_options.points, "its control points, v fastest")->delimiter(',');
+  ulp_command->add_option("--at", ulp_options.at, "its argument, or its two arguments")
+      ->delimiter(',')
+      ->expected(1, 2);
+  ulp_command->add_option("--rows", ulp_options.rows)->group("");
+
   VectorsOptions vectors_options;
   CLI::App* vectors_command = app.add_subcommand("vectors", "golden vectors: right answers as data");
   vectors_command->require_subcommand(1);
@@ -204,6 +243,7 @@ int main(int argc, char** argv) {
     if (*faults_command) return faults(faults_options);
     if (*fuzz_command) return fuzz(fuzz_options);
     if (*rounding_command) return rounding(rounding_options);
+    if (*ulp_command) return ulp(ulp_options);
     if (*write_command) return write_vectors(vectors_options);
     if (*lint_command) return lint_vectors(vectors_options);
     if (*emit_command) return emit_vectors(vectors_options);

@@ -43,4 +43,9 @@ nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) 
   return matched;
 }
 
+bool is_chosen(const std::string& name, const std::string& filter) {
+  const nlohmann::json named = {{"name", name}};
+  return filter.empty() || !matching({{"tests", nlohmann::json::array({named})}}, filter).empty();
+}
+
 }  // namespace evalcts::cli

@@ -10,15 +10,6 @@
 
 namespace evalcts::cli {
 
-namespace {
-
-bool is_chosen(const std::string& name, const std::string& filter) {
-  const nlohmann::json named = {{"name", name}};
-  return !matching({{"tests", nlohmann::json::array({named})}}, filter).empty();
-}
-
-}  // namespace
-
 int rounding(const RoundingOptions& options) {
   stop_when_asked();
   ProgressLine line;
@@ -37,7 +28,7 @@ int rounding(const RoundingOptions& options) {
   try {
     for (const rounding::Class& what : rounding::classes()) {
       const std::string name = what.name();
-      if (interrupted || (!options.filter.empty() && !is_chosen(name, options.filter))) continue;
+      if (interrupted || !is_chosen(name, options.filter)) continue;
       rounding::Request request = {.what = what,
                                    .samples = options.samples,
                                    .seed = options.seed,

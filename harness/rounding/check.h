@@ -9,15 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "harness/accuracy/samples.h"
+
 namespace evalcts::rounding {
 
-// What is sampled: maps of one pair of orders (vorder 0: of one dimension) and one kind of data.
-struct Class {
-  int uorder, vorder;
-  std::string data;
-
-  std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
-};
+// What is sampled: maps of one pair of orders and one kind of data.
+using accuracy::Class;
 std::vector<Class> classes();
 
 // Against the proven filter with the exact route behind it, or against the exact route alone.

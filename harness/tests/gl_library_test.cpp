@@ -60,6 +60,28 @@ TEST_F(GlLibrary, OSMesaContexts) {
   EXPECT_NE(outcome.text.find("glGetString"), std::string::npos) << outcome.text;
 }
 
+// What is measured through captures is what single calls gave: replays give the same bits.
+TEST_F(GlLibrary, ErrorsAreMeasuredAndReplayed) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  const Outcome outcome =
+      evalcts({"ulp", "--implementation", "osmesa", "--values", "700", "--target", "vertex_4", "--target",
+               "texture_coord_1", "--filter", "curve/6/ordinary:surface/4x4/lines", "--output", folder_});
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  std::ifstream file(folder_ / "ulp.json");
+  const json entry = json::parse(file)["implementations"][0];
+  EXPECT_EQ(entry["status"], "complete");
+  ASSERT_EQ(entry["rows"].size(), 4u);
+  for (const json& row : entry["rows"]) {
+    ASSERT_TRUE(row.contains("worst_ulp")) << row;
+    EXPECT_EQ(row["capture"], "TransformFeedback");
+    EXPECT_GT(row["not_correctly_rounded"].get<int>(), 100) << "float arithmetic";
+    EXPECT_LT(row["max_condition_aware"].get<double>(), 60) << "float arithmetic";
+    const Outcome again = start(row["worst_ulp"]["replay"].get<std::vector<std::string>>());
+    EXPECT_EQ(again.code, 0);
+    EXPECT_NE(again.text.find(row["worst_ulp"]["got"]["bits"]), std::string::npos) << again.text;
+  }
+}
+
 TEST_F(GlLibrary, EglContexts) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   expect_judged(run({"--implementation", "egl"}), "egl");

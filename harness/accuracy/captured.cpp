@@ -1,0 +1,115 @@
+// An implementation as its users see it: glMap, glEnable, glBegin(GL_POINTS), glEvalCoord, glEnd, and what a
+// capture observes of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/accuracy/subject.h"
+#include "harness/capture/capture.h"
+#include "harness/gl/case.h"
+#include "harness/gl/tokens.h"
+
+namespace evalcts::accuracy {
+namespace {
+
+Attributes attribute_of(GLenum target) {
+  switch (target) {
+    case GL_MAP1_VERTEX_3:
+    case GL_MAP1_VERTEX_4:
+    case GL_MAP2_VERTEX_3:
+    case GL_MAP2_VERTEX_4:
+      return kPosition;
+    case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
+      return kColor;
+    case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
+      return kNormal;
+    default:
+      return kTextureCoordinate0;
+  }
+}
+
+const float* values_of(const ObservedVertex& vertex, Attributes attribute) {
+  if (attribute == kPosition) return vertex.position.data();
+  if (attribute == kColor) return vertex.color.data();
+  if (attribute == kNormal) return vertex.normal.data();
+  return vertex.texture_coordinate[0].data();
+}
+
+gl::Case commands_of(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v) {
+  gl::Case c;
+  const std::vector<float> points(map.points.begin(), map.points.end());
+  const bool two_dimensional = !v.empty();
+  if (two_dimensional) {
+    c.Map2f(target, 0, 1, map.vorder * map.components, map.uorder, 0, 1, map.components, map.vorder, points);
+  } else {
+    c.Map1f(target, 0, 1, map.components, map.uorder, points);
+  }
+  c.Enable(target);
+  // Without an enabled vertex map nothing comes out at all: the initial one is of order 1.
+  if (attribute_of(target) != kPosition) c.Enable(two_dimensional ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    if (two_dimensional) {
+      c.EvalCoord2f(u[i], v[i]);
+    } else {
+      c.EvalCoord1f(u[i]);
+    }
+  }
+  c.End();
+  return c;
+}
+
+class Captured final : public Subject {
+ public:
+  explicit Captured(const ImplementationOptions& options)
+      : implementation_(open_implementation(options)),
+        info_(inquire(*implementation_)),
+        captures_(*implementation_, info_) {}
+
+  ImplementationInfo info() const override { return info_; }
+  std::string capture() const override { return used_; }
+
+  void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
+                std::span<float> results) override {
+    const Attributes attribute = attribute_of(target);
+    const Capture* const capture = capture_for(attribute);
+    const Observation seen =
+        capture->observe(*implementation_, commands_of(target, map, u, v), {attribute, u.size()});
+    if (seen.error != GL_NO_ERROR)
+      throw NotObservable(fmt::format("the commands raised {}", gl::error_name(seen.error)));
+    if (seen.overflow || seen.vertex_count() != u.size())
+      throw NotObservable(
+          fmt::format("{} vertices should have come out, {} did", u.size(), seen.vertex_count()));
+    if (attribute == kColor && seen.clamped_colors)
+      throw NotObservable("colours are clamped to [0,1] on the way");
+    float* next = results.data();
+    for (const ObservedPrimitive& primitive : seen.primitives)
+      for (const ObservedVertex& vertex : primitive.vertices)
+        next = std::copy_n(values_of(vertex, attribute), map.components, next);
+    used_ = capture->name();
+  }
+
+ private:
+  const Capture* capture_for(Attributes attribute) {
+    for (std::size_t i = 0; i < captures_.size(); ++i) {
+      const Capture* const capture = captures_.at(i);
+      if (capture != nullptr && (capture->attributes() & attribute) != 0) return capture;
+    }
+    throw NotObservable(fmt::format("no capture shows the {}", describe(attribute)));
+  }
+
+  std::unique_ptr<Implementation> implementation_;
+  ImplementationInfo info_;
+  Captures captures_;
+  std::string used_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_captured(const ImplementationOptions& options) {
+  return std::make_unique<Captured>(options);
+}
+
+}  // namespace evalcts::accuracy

@@ -1,0 +1,57 @@
+#include "harness/accuracy/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <reference/rounding.h>
+
+namespace evalcts::accuracy {
+namespace {
+
+void keep_worst(Worst& worst, double error, float got, const reference::Rational& exact, const Input& input) {
+  if (error <= worst.error) return;
+  worst = {error, input, got, reference::round_to_float(exact), reference::describe(exact)};
+}
+
+std::size_t bin_of(double ulp) {
+  int exponent = 0;
+  const double significand = std::frexp(ulp, &exponent);  // ulp = significand * 2^exponent, 1/2 <= it < 1
+  if (ulp <= 0.5) return 0;
+  return static_cast<std::size_t>(std::clamp(exponent + (significand == 0.5 ? 0 : 1), 0, Errors::kBins - 1));
+}
+
+}  // namespace
+
+reference::Surface Input::surface() const { return {points.data(), vorder, 1, uorder, vorder, 0, 1, 0, 1}; }
+
+void Errors::add(float got, const reference::Evaluation& exact, const Input& input) {
+  if (exact.magnitude.is_zero()) {
+    ++without_terms;
+    if (got != 0) ++without_terms_wrong;
+    return;
+  }
+  const double condition = reference::condition_distance(got, exact.value, exact.magnitude);
+  if (exact.value.is_zero()) {
+    ++zeros;
+    if (got != 0) {
+      ++zeros_wrong;
+      keep_worst(zero, condition, got, exact.value, input);
+    }
+    return;
+  }
+  ++values;
+  const double distance = reference::ulp_distance(got, exact.value);
+  const float right = reference::round_to_float(exact.value);
+  if (got != right) ++not_correctly_rounded;
+  keep_worst(ulp, distance, got, exact.value, input);
+  keep_worst(condition_aware, condition, got, exact.value, input);
+  if (!std::isfinite(got) && std::isfinite(right)) {
+    ++not_finite;
+    return;
+  }
+  sum_of_ulp += distance;
+  sum_of_condition_aware += condition;
+  ++histogram[bin_of(distance)];
+}
+
+}  // namespace evalcts::accuracy

@@ -1,0 +1,50 @@
+// Maps at random: classes of orders and data, and seeded numbers that are the same on every machine.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace evalcts::accuracy {
+
+// Reproducible, which the distributions of the standard library are not.
+class Random {
+ public:
+  // `item`: numbers of their own for each part of a task, so that parts can be done in any order.
+  Random(std::uint32_t seed, std::uint64_t item) {
+    std::seed_seq sequence{seed, static_cast<std::uint32_t>(item), static_cast<std::uint32_t>(item >> 32)};
+    engine_.seed(sequence);
+  }
+  std::uint64_t below(std::uint64_t limit) { return engine_() % limit; }
+  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0,1)
+  double between(double low, double high) { return low + (high - low) * uniform(); }
+  bool once_in(int n) { return below(n) == 0; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// Maps of one pair of orders (vorder 0: of one dimension) and one kind of data: ordinary, integers, lines,
+// cancelling, wide, extreme, doubles.
+struct Class {
+  int uorder, vorder;
+  std::string data;
+
+  std::string name() const;  // "curve/4/ordinary", "surface/4x4/integers"
+};
+
+struct Map {
+  int uorder, vorder;  // vorder 1: of one dimension
+  int components;
+  bool is_float;                 // all control points are floats
+  std::array<double, 4> domain;  // u1, u2, v1, v2
+  std::vector<double> points;    // v fastest, components innermost
+};
+
+// Fills map.points with components that have nothing to do with each other. Orders and number of components
+// are those of the map.
+void draw_points(Map& map, const Class& what, Random& random);
+
+}  // namespace evalcts::accuracy

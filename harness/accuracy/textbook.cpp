@@ -1,0 +1,103 @@
+// What textbooks teach, for comparison. Each is one polynomial after the other: of a surface those in the
+// direction of v give the control points of the one in the direction of u. Compiled without contraction, so
+// that the results are the same on every machine with IEEE arithmetic.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "harness/accuracy/subject.h"
+
+namespace evalcts::accuracy {
+namespace {
+
+constexpr int kMaxOrder = 64;
+
+// Each gives SUM C(n,i) t^i (1-t)^(n-i) R_i, n = order - 1, for the points in `points`, which may change.
+template <class Real>
+using Polynomial = Real (*)(std::span<Real> points, Real t);
+
+template <class Real>
+Real de_casteljau(std::span<Real> points, Real t) {
+  const Real s = 1 - t;
+  for (std::size_t left = points.size() - 1; left > 0; --left)
+    for (std::size_t i = 0; i < left; ++i) points[i] = s * points[i] + t * points[i + 1];
+  return points[0];
+}
+
+// Horner's scheme in s = 1 - t, with binomials and powers of t multiplied up on the way.
+template <class Real>
+Real horner(std::span<Real> points, Real t) {
+  const Real s = 1 - t;
+  const auto order = static_cast<int>(points.size());
+  Real sum = points[0], binomial = 1, power = 1;
+  for (int i = 1; i < order; ++i) {
+    binomial = binomial * static_cast<Real>(order - i) / static_cast<Real>(i);
+    power *= t;
+    sum = sum * s + binomial * power * points[i];
+  }
+  return sum;
+}
+
+template <class Real>
+Real sum_of_terms(std::span<Real> points, Real t) {
+  const Real s = 1 - t;
+  const auto order = static_cast<int>(points.size());
+  std::array<Real, kMaxOrder> power_of_s;
+  power_of_s[0] = 1;
+  for (int i = 1; i < order; ++i) power_of_s[i] = power_of_s[i - 1] * s;
+  Real sum = 0, binomial = 1, power = 1;
+  for (int i = 0; i < order; ++i) {
+    sum += binomial * power * power_of_s[order - 1 - i] * points[i];
+    binomial = binomial * static_cast<Real>(order - 1 - i) / static_cast<Real>(i + 1);
+    power *= t;
+  }
+  return sum;
+}
+
+template <class Real>
+class Textbook final : public Subject {
+ public:
+  Textbook(std::string name, Polynomial<Real> polynomial) : polynomial_(polynomial) {
+    info_.name = std::move(name);
+    info_.max_eval_order = kMaxOrder;
+  }
+  ImplementationInfo info() const override { return info_; }
+  bool has_targets() const override { return false; }
+
+  void evaluate(GLenum, const Map& map, std::span<const float> u, std::span<const float> v,
+                std::span<float> results) override {
+    const int stride = map.components;
+    std::array<Real, kMaxOrder> row, column;
+    for (std::size_t a = 0; a < u.size(); ++a) {
+      for (int k = 0; k < map.components; ++k) {
+        for (int i = 0; i < map.uorder; ++i) {
+          for (int j = 0; j < map.vorder; ++j)
+            row[j] = static_cast<Real>(map.points[(i * map.vorder + j) * stride + k]);
+          column[i] = v.empty() ? row[0]
+                                : polynomial_({row.data(), static_cast<std::size_t>(map.vorder)},
+                                              static_cast<Real>(v[a]));
+        }
+        results[a * stride + k] = static_cast<float>(
+            polynomial_({column.data(), static_cast<std::size_t>(map.uorder)}, static_cast<Real>(u[a])));
+      }
+    }
+  }
+
+ private:
+  Polynomial<Real> polynomial_;
+  ImplementationInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_textbook(const std::string& name) {
+  if (name == "casteljau-float") return std::make_unique<Textbook<float>>(name, de_casteljau<float>);
+  if (name == "casteljau-double") return std::make_unique<Textbook<double>>(name, de_casteljau<double>);
+  if (name == "horner-float") return std::make_unique<Textbook<float>>(name, horner<float>);
+  if (name == "horner-double") return std::make_unique<Textbook<double>>(name, horner<double>);
+  if (name == "sum-float") return std::make_unique<Textbook<float>>(name, sum_of_terms<float>);
+  if (name == "sum-double") return std::make_unique<Textbook<double>>(name, sum_of_terms<double>);
+  return nullptr;
+}
+
+}  // namespace evalcts::accuracy

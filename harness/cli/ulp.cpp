@@ -1,0 +1,424 @@
+// `evalcts ulp`: the accuracy table. Each implementation is measured in a process of its own, since libraries
+// do not share one well and may crash; it writes one line of JSON for each row.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include <reference/bernstein.h>
+#include <reference/rounding.h>
+
+#include "harness/accuracy/table.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/terminal.h"
+#include "harness/runner/child_process.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultTarget = "vertex_3";
+
+std::vector<std::string> targets_of(const UlpOptions& options) {
+  return options.targets.empty() ? std::vector<std::string>{kDefaultTarget} : options.targets;
+}
+
+std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
+  std::vector<accuracy::RowRequest> rows;
+  for (const std::string& target : targets_of(options))
+    for (const accuracy::Class& what : accuracy::table_classes())
+      if (is_chosen(what.name(), options.filter))
+        rows.push_back({what, target, options.values, options.seed});
+  return rows;
+}
+
+ImplementationOptions implementation_of(const UlpOptions& options) {
+  return {options.implementations.empty() ? "" : options.implementations.front(), options.library,
+          options.context};
+}
+
+// ---- The process that measures
+
+json info_as_json(const ImplementationInfo& info) {
+  json entry = {{"kind", info.name}, {"max_eval_order", info.max_eval_order}};
+  for (const auto& [name, value] : {std::pair{"library", &info.library},
+                                    {"vendor", &info.vendor},
+                                    {"renderer", &info.renderer},
+                                    {"version", &info.version}})
+    if (!value->empty()) entry[name] = *value;
+  return entry;
+}
+
+int measure_rows(const UlpOptions& options) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::ofstream file(options.rows);
+  const auto write = [&](const json& line) { file << line.dump() << std::endl; };
+  try {
+    const auto subject = accuracy::open_subject(implementation_of(options));
+    const ImplementationInfo info = subject->info();
+    write({{"implementation", info_as_json(info)}});
+    for (const accuracy::RowRequest& request : chosen_rows(options)) {
+      // What has no targets is measured once.
+      if (!subject->has_targets() && request.target != targets_of(options).front()) break;
+      const int order = std::max(request.what.uorder, request.what.vorder);
+      if (info.max_eval_order > 0 && order > info.max_eval_order) {
+        write(accuracy::row_as_json(request, fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order)));
+        continue;
+      }
+      try {
+        const accuracy::Errors errors = accuracy::measure(*subject, request, interrupted);
+        write(accuracy::row_as_json(request, *subject, errors));
+      } catch (const NotObservable& reason) {
+        write(accuracy::row_as_json(request, reason.what()));
+      } catch (const gl::MissingEntryPoint& missing) {
+        write(accuracy::row_as_json(request, missing.what()));
+      }
+    }
+  } catch (const CannotStart& reason) {
+    write({{"cannot_start", reason.what()}});
+  }
+  return file ? kNothingUnexpected : kWrongUse;
+}
+
+// ---- One input
+
+int replay(const UlpOptions& options) {
+  const auto wrong_use = [](const std::string& words) {
+    std::cerr << "evalcts: " << words << "\n";
+    return kWrongUse;
+  };
+  const bool two_dimensional = options.orders.size() == 2;
+  std::size_t points = 1;
+  for (const int order : options.orders) {
+    if (order < 1 || order > reference::kMaxOrder)
+      return wrong_use(fmt::format("--orders are from 1 to {}", reference::kMaxOrder));
+    points *= static_cast<std::size_t>(order);
+  }
+  if (options.orders.empty() || options.points.size() != points || options.at.size() != options.orders.size())
+    return wrong_use("one input has --orders N or N,M, as many --points, and --at u or u,v");
+  for (const std::vector<double>* numbers : {&options.points, &options.at})
+    for (const double x : *numbers)
+      if (!(static_cast<double>(static_cast<float>(x)) == x) || std::isinf(x))
+        return wrong_use(fmt::format("{:a} is no finite float", x));
+  if (options.implementations.size() > 1) return wrong_use("one input is for one implementation");
+
+  accuracy::Input input;
+  input.two_dimensional = two_dimensional;
+  input.uorder = options.orders[0];
+  if (two_dimensional) input.vorder = options.orders[1];
+  input.points = options.points;
+  input.u = static_cast<float>(options.at[0]);
+  if (two_dimensional) input.v = static_cast<float>(options.at[1]);
+  const reference::Evaluation exact =
+      reference::evaluate_with_magnitude(input.surface(), input.argument_u(), input.argument_v());
+  try {
+    const auto subject = accuracy::open_subject(implementation_of(options));
+    const float right = reference::round_to_float(exact.value);
+    for (const std::string& target : targets_of(options)) {
+      const float got = accuracy::replay(*subject, target, input);
+      std::cout << fmt::format(
+          "{}, {}: {} ({}), correctly rounded {} ({})\nexact value {}: error {} ULP, {} beside the "
+          "condition\n",
+          subject->info().name, target, accuracy::hex(got), accuracy::bits(got), accuracy::hex(right),
+          accuracy::bits(right), reference::describe(exact.value),
+          exact.value.is_zero() ? "no" : fmt::format("{:.6g}", reference::ulp_distance(got, exact.value)),
+          exact.magnitude.is_zero()
+              ? "none"
+              : fmt::format("{:.6g}", reference::condition_distance(got, exact.value, exact.magnitude)));
+    }
+  } catch (const CannotStart& reason) {
+    return wrong_use(reason.what());
+  } catch (const NotObservable& reason) {
+    return wrong_use(reason.what());
+  }
+  return kNothingUnexpected;
+}
+
+// ---- What comes of it
+
+std::string joined(const json& strings) {
+  return fmt::format("{}", fmt::join(strings.get<std::vector<std::string>>(), ","));
+}
+
+std::vector<std::string> how_to_replay(const UlpOptions& options, const std::string& implementation,
+                                       const json& row, const json& worst) {
+  std::vector<std::string> command = {options.program, "ulp"};
+  const auto add = [&](const std::string& option, const std::string& value) {
+    if (!value.empty()) command.insert(command.end(), {option, value});
+  };
+  add("--implementation", implementation);
+  add("--library", options.library.empty() ? "" : fs::absolute(options.library).lexically_normal().string());
+  add("--context", options.context);
+  if (row.contains("target")) add("--target", row["target"]);
+  add("--orders", fmt::format("{}", fmt::join(worst["orders"].get<std::vector<int>>(), ",")));
+  // A value that begins with '-' has to stand in the same word.
+  command.push_back("--points=" + joined(worst["points"]));
+  add("--at", joined(worst["at"]));
+  return command;
+}
+
+std::string number(const json& value) {
+  return value.is_null() ? "inf" : fmt::format("{:.4g}", value.get<double>());
+}
+
+double share(const json& row) {
+  const double values = row["values"];
+  return values > 0 ? row["not_correctly_rounded"].get<double>() / values : 0;
+}
+
+// The row's name, with its target where there are several.
+std::string name_of(const json& row, bool with_target) {
+  return row["name"].get<std::string>() +
+         (with_target && row.contains("target") ? "/" + row["target"].get<std::string>() : "");
+}
+
+std::string worst_in_words(const json& row, const char* which, const char* unit) {
+  const json& worst = row[which];
+  std::string replay = shell_line(worst["replay"].get<std::vector<std::string>>());
+  return fmt::format("  {} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n    {}\n",
+                     number(worst["error"]), unit, joined(worst["at"]),
+                     worst["got"]["value"].get<std::string>(), worst["got"]["bits"].get<std::string>(),
+                     worst["right"]["value"].get<std::string>(), worst["right"]["bits"].get<std::string>(),
+                     worst["exact"].get<std::string>(), replay);
+}
+
+// null counts as infinite
+double error_of(const json& row, const char* which) {
+  const json& value = row[which];
+  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
+
+std::string in_words(const json& entry, bool with_target, bool verbose) {
+  std::string text = entry["name"].get<std::string>() + ":";
+  for (const char* part : {"vendor", "renderer", "version"})
+    if (entry.contains(part)) text += " " + entry[part].get<std::string>();
+  text += "\n";
+  if (entry.contains("reason")) text += fmt::format("  {}\n", entry["reason"].get<std::string>());
+  if (entry["rows"].empty()) return text;
+  text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}\n", "maps", "values",
+                      "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong");
+  const json* largest[2] = {nullptr, nullptr};
+  constexpr const char* kMaxima[2] = {"max_ulp", "max_condition_aware"};
+  constexpr std::pair<const char*, const char*> kWorst[2] = {
+      {"worst_ulp", "ULP"}, {"worst_condition_aware", "beside the condition"}};
+  for (const json& row : entry["rows"]) {
+    if (row.contains("not_measured")) {
+      text += fmt::format("{:<27} not measured: {}\n", name_of(row, with_target),
+                          row["not_measured"].get<std::string>());
+      continue;
+    }
+    const std::uint64_t zeros = row["zeros"]["values"], zeros_wrong = row["zeros"]["wrong"];
+    text += fmt::format("{:<27} {:>8} {:>7.2f} % {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}\n",
+                        name_of(row, with_target), row["values"].get<std::uint64_t>(), 100 * share(row),
+                        number(row["max_ulp"]), number(row["mean_ulp"]), number(row["max_condition_aware"]),
+                        number(row["mean_condition_aware"]), row["not_finite"].get<std::uint64_t>(),
+                        zeros == 0 ? "-" : fmt::format("{} of {}", zeros_wrong, zeros));
+    for (int i = 0; i < 2; ++i) {
+      if (!row.contains(kWorst[i].first)) continue;
+      if (verbose) text += worst_in_words(row, kWorst[i].first, kWorst[i].second);
+      // Near the end of the range floats are coarser than that unit, whatever was computed.
+      if (i == 1 && row["data"] == "extreme") continue;
+      if (largest[i] == nullptr || error_of(row, kMaxima[i]) > error_of(*largest[i], kMaxima[i]))
+        largest[i] = &row;
+    }
+  }
+  for (int i = 0; i < 2 && !verbose; ++i)
+    if (largest[i] != nullptr)
+      text += "worst in " + name_of(*largest[i], with_target) + ":\n" +
+              worst_in_words(*largest[i], kWorst[i].first, kWorst[i].second);
+  return text;
+}
+
+std::string as_csv(const json& document) {
+  std::string text =
+      "implementation,maps,target,values,not_correctly_rounded,not_finite,max_ulp,mean_ulp,"
+      "max_condition_aware,mean_condition_aware,zeros,zeros_wrong,without_terms,without_terms_wrong\n";
+  for (const json& entry : document["implementations"])
+    for (const json& row : entry["rows"]) {
+      if (row.contains("not_measured")) continue;
+      const auto exactly = [&](const char* name) {
+        return row[name].is_null() ? "inf" : fmt::format("{:.17g}", row[name].get<double>());
+      };
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry["name"].get<std::string>(),
+          row["name"].get<std::string>(), row.value("target", ""), row["values"].get<std::uint64_t>(),
+          row["not_correctly_rounded"].get<std::uint64_t>(), row["not_finite"].get<std::uint64_t>(),
+          exactly("max_ulp"), exactly("mean_ulp"), exactly("max_condition_aware"),
+          exactly("mean_condition_aware"), row["zeros"]["values"].get<std::uint64_t>(),
+          row["zeros"]["wrong"].get<std::uint64_t>(), row["without_terms"]["values"].get<std::uint64_t>(),
+          row["without_terms"]["wrong"].get<std::uint64_t>());
+    }
+  return text;
+}
+
+// ---- The process that asks for it
+
+struct Measurement {
+  std::string implementation, name;
+  fs::path rows, log;
+  std::unique_ptr<ChildProcess> child = nullptr;
+  std::optional<Ending> ending = std::nullopt;
+};
+
+std::vector<json> lines_of(const fs::path& file) {
+  std::vector<json> lines;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+    if (json value = json::parse(line, nullptr, false); value.is_object()) lines.push_back(std::move(value));
+  return lines;
+}
+
+void start(Measurement& measurement, const UlpOptions& options) {
+  std::error_code error;
+  fs::remove(measurement.rows, error);
+  fs::remove(measurement.log, error);
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(),
+                                      "ulp",
+                                      "--rows",
+                                      measurement.rows.string(),
+                                      "--seed",
+                                      std::to_string(options.seed),
+                                      "--values",
+                                      std::to_string(options.values)};
+  const auto add = [&](const std::string& option, const std::string& value) {
+    if (!value.empty()) command.push_back(option + "=" + value);
+  };
+  add("--implementation", measurement.implementation);
+  add("--library", options.library);
+  add("--context", options.context);
+  add("--filter", options.filter);
+  for (const std::string& target : options.targets) add("--target", target);
+  measurement.child = std::make_unique<ChildProcess>(command, measurement.log.string());
+}
+
+// The implementation's part of the document. Files that have nothing more to say are removed.
+json result_of(const Measurement& measurement, const UlpOptions& options) {
+  json entry = {{"name", measurement.name}, {"status", "complete"}, {"rows", json::array()}};
+  for (json& line : lines_of(measurement.rows)) {
+    if (line.contains("implementation")) {
+      entry.update(line["implementation"]);
+    } else if (line.contains("cannot_start")) {
+      entry["status"] = "not-started";
+      entry["reason"] = line["cannot_start"];
+    } else {
+      for (const char* which : {"worst_ulp", "worst_condition_aware", "worst_zero"})
+        if (line.contains(which))
+          line[which]["replay"] = how_to_replay(options, measurement.implementation, line, line[which]);
+      entry["rows"].push_back(std::move(line));
+    }
+  }
+  const bool well = measurement.ending && !measurement.ending->signalled && measurement.ending->value == 0;
+  if (interrupted) {
+    // The row in flight is lost with its process.
+    entry["status"] = "interrupted";
+    entry["reason"] = "interrupted; these rows were finished";
+  } else if (!well) {
+    entry["status"] = "crashed";
+    entry["reason"] =
+        fmt::format("the process ended with {}; its output: {}",
+                    measurement.ending ? describe(*measurement.ending) : "nothing", measurement.log.string());
+  }
+  std::error_code error;
+  fs::remove(measurement.rows, error);
+  if (entry["status"] != "crashed") fs::remove(measurement.log, error);
+  return entry;
+}
+
+}  // namespace
+
+std::vector<std::string> own_subject_names() {
+  std::vector<std::string> names;
+  for (const accuracy::SubjectKind& kind : accuracy::own_subjects()) names.push_back(kind.name);
+  return names;
+}
+
+std::vector<std::string> ulp_targets() { return accuracy::target_names(); }
+
+int ulp(const UlpOptions& options) {
+  if (!options.rows.empty()) return measure_rows(options);
+  if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
+
+  const auto wrong_use = [](const std::string& words) {
+    std::cerr << "evalcts: " << words << "\n";
+    return kWrongUse;
+  };
+  std::vector<std::string> known = own_subject_names();
+  for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
+  for (const std::string& name : options.implementations)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return wrong_use(
+          fmt::format("there is no implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
+  std::vector<std::string> names = options.implementations;
+  const bool own_library = !options.library.empty() || !options.context.empty();
+  if (own_library && names.empty()) names.emplace_back();
+  if ((own_library || !options.label.empty()) && names.size() != 1)
+    return wrong_use("--library, --context and --name go with one implementation");
+  const bool named = !names.empty();
+  if (!named) {
+    for (const ImplementationKind& kind : implementation_kinds())
+      if (kind.by_default) names.push_back(kind.name);
+    for (const std::string& own : own_subject_names()) names.push_back(own);
+  }
+  if (chosen_rows(options).empty())
+    return wrong_use(fmt::format("no class of maps matches '{}'; without --filter all of them are measured",
+                                 options.filter));
+  const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error || access(output.c_str(), W_OK) != 0)
+    return wrong_use(
+        fmt::format("cannot write into '{}'; choose another folder with --output", output.string()));
+
+  stop_when_asked();
+  ProgressLine line;
+  std::vector<Measurement> all;
+  for (const std::string& name : names) {
+    const std::string label = !options.label.empty() ? options.label : name.empty() ? "library" : name;
+    all.push_back({name, label, output / fmt::format("ulp-{}-{}.rows", label, all.size()),
+                   output / fmt::format("log-ulp-{}-{}.txt", label, all.size())});
+  }
+  const std::size_t rows = chosen_rows(options).size();
+  const auto jobs = static_cast<std::size_t>(options.jobs.value_or(usual_jobs()));
+  std::size_t started = 0, ended = 0;
+  while (ended < all.size() && !interrupted) {
+    for (; started < all.size() && started - ended < jobs; ++started) start(all[started], options);
+    for (std::size_t i = 0; i < started; ++i) {
+      if (all[i].ending) continue;
+      all[i].ending = all[i].child->wait(0.05);
+      if (all[i].ending) ++ended;
+      line.show(all[i].name,
+                all[i].ending ? "done" : fmt::format("{} of {}", lines_of(all[i].rows).size(), rows));
+    }
+  }
+  for (Measurement& measurement : all) measurement.child.reset();  // killed, where it still runs
+
+  const bool with_target = targets_of(options).size() > 1;
+  json document = {{"format", "evalcts-ulp-1"},  {"evalcts_version", EVALCTS_VERSION},
+                   {"command", options.command}, {"status", interrupted ? "interrupted" : "complete"},
+                   {"seed", options.seed},       {"implementations", json::array()}};
+  int code = interrupted ? kWrongUse : kNothingUnexpected;
+  for (const Measurement& measurement : all) {
+    json entry = result_of(measurement, options);
+    line.print(in_words(entry, with_target, options.verbose) + "\n");
+    if (entry["status"] == "crashed") code = std::max(code, kUnexpected);
+    if (entry["status"] == "not-started" && named) code = std::max(code, kWrongUse);
+    document["implementations"].push_back(std::move(entry));
+  }
+  write_atomically(output / "ulp.json", document.dump(1) + "\n");
+  write_atomically(output / "ulp.csv", as_csv(document));
+  line.print(fmt::format("seed {}; all of it: {}, {}\n", options.seed, (output / "ulp.json").string(),
+                         (output / "ulp.csv").string()));
+  if (interrupted) std::cerr << "evalcts: interrupted; what was measured is in the output folder\n";
+  return code;
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,186 @@
+// `evalcts ulp` as its users start it: table, files, replays, exit codes.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <regex>
+#include <thread>
+
+#include "harness/tests/program.h"
+#include "vectors/lint/lint.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+
+class UlpCommand : public ProgramTest {
+ protected:
+  Outcome ulp(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "ulp");
+    for (const char* more : {"--output", folder_.c_str()}) arguments.emplace_back(more);
+    return evalcts(arguments);
+  }
+  std::string content(const std::string& name) const {
+    std::ifstream file(folder_ / name);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  json document() const { return json::parse(content("ulp.json"), nullptr, false); }
+  // Nothing else stays behind.
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
+  }
+  static std::string complaints(const json& file) {
+    if (!vectors::has_schema_validator()) return {};
+    std::ifstream schema(ULP_SCHEMA);
+    return vectors::complaints_by_schema(file, json::parse(schema));
+  }
+};
+
+TEST_F(UlpCommand, MeasuresImplementations) {
+  const Outcome outcome =
+      ulp({"--implementation", "production", "--implementation", "reference", "--implementation", "sum-float",
+           "--values", "500", "--filter", "*/4/*:*/3x8/*"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const json file = document();
+  EXPECT_EQ(complaints(file), "");
+  ASSERT_EQ(file["implementations"].size(), 3u);
+  EXPECT_EQ(file["status"], "complete");
+  for (const json& entry : file["implementations"]) {
+    EXPECT_EQ(entry["status"], "complete");
+    ASSERT_EQ(entry["rows"].size(), 12u);
+    std::uint64_t wrong = 0;
+    for (const json& row : entry["rows"]) {
+      ASSERT_FALSE(row.contains("not_measured")) << row;
+      EXPECT_GE(row["values"].get<int>() + row["zeros"]["values"].get<int>(), 500);
+      EXPECT_FALSE(row["proven"]);
+      wrong += row["not_correctly_rounded"].get<std::uint64_t>() + row["zeros"]["wrong"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(wrong == 0, entry["name"] != "sum-float") << entry["name"];
+  }
+  EXPECT_EQ(file["implementations"][0]["rows"][0]["target"], "vertex_3");
+  EXPECT_EQ(file["implementations"][0]["rows"][0]["capture"], "Sink");
+  EXPECT_TRUE(std::regex_search(outcome.text, std::regex("curve/4/ordinary +[5-9]\\d\\d +0\\.00 %")))
+      << outcome.text;
+  const std::string table = content("ulp.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 12) << table;
+  EXPECT_EQ(files(), 3u) << "ulp.json, ulp.csv, the log of this test";
+}
+
+TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
+  ASSERT_EQ(ulp({"--implementation", "horner-float", "--values", "500", "--filter", "*/wide"}).code, 0);
+  const json file = document();
+  ASSERT_EQ(file["implementations"][0]["rows"].size(), 11u);
+  for (const json& row : file["implementations"][0]["rows"])
+    for (const char* which : {"worst_ulp", "worst_condition_aware"}) {
+      const json& worst = row[which];
+      const Outcome again = start(worst["replay"].get<std::vector<std::string>>());
+      EXPECT_EQ(again.code, 0) << again.text;
+      EXPECT_NE(again.text.find(": " + worst["got"]["value"].get<std::string>() + " (" +
+                                worst["got"]["bits"].get<std::string>() + "), correctly rounded " +
+                                worst["right"]["value"].get<std::string>()),
+                std::string::npos)
+          << again.text << worst;
+      EXPECT_NE(again.text.find("exact value " + worst["exact"].get<std::string>()), std::string::npos);
+    }
+}
+
+TEST_F(UlpCommand, GivesTheSameWhateverTheNumberOfJobs) {
+  const auto measured = [&](const char* seed, const char* jobs) {
+    EXPECT_EQ(ulp({"--implementation", "production", "--implementation", "sum-float", "--values", "300",
+                   "--filter", "curve/4/*", "--seed", seed, "--jobs", jobs})
+                  .code,
+              0);
+    return content("ulp.csv") + document()["implementations"].dump();
+  };
+  const std::string one = measured("3", "1");
+  EXPECT_EQ(measured("3", "2"), one);
+  EXPECT_NE(measured("4", "1"), one);
+}
+
+TEST_F(UlpCommand, MeasuresTargetsApart) {
+  const Outcome outcome = ulp({"--implementation", "reference", "--implementation", "casteljau-float",
+                               "--values", "100", "--filter", "curve/3/integers", "--target", "normal",
+                               "--target", "color_4", "--target", "texture_coord_2"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const json file = document();
+  EXPECT_EQ(complaints(file), "");
+  const json& rows = file["implementations"][0]["rows"];
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0]["target"], "normal");
+  EXPECT_EQ(rows[2]["target"], "texture_coord_2");
+  for (const json& row : rows) EXPECT_EQ(row["not_correctly_rounded"], 0);
+  EXPECT_EQ(file["implementations"][1]["rows"].size(), 1u) << "an algorithm has no targets";
+  EXPECT_NE(outcome.text.find("curve/3/integers/color_4"), std::string::npos) << outcome.text;
+}
+
+TEST_F(UlpCommand, SaysWhatItCannotMeasure) {
+  // A sink of points only: its evaluator has no colours.
+  const Outcome outcome = ulp({"--library", BEZIER_SINK, "--values", "100", "--filter", "curve/3/integers",
+                               "--target", "vertex_3", "--target", "color_4", "--name", "mine"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const json entry = document()["implementations"][0];
+  EXPECT_EQ(complaints(document()), "");
+  EXPECT_EQ(entry["name"], "mine");
+  ASSERT_EQ(entry["rows"].size(), 2u);
+  EXPECT_TRUE(entry["rows"][0].contains("max_ulp")) << entry;
+  EXPECT_TRUE(entry["rows"][1].contains("not_measured")) << entry;
+
+  const Outcome none = ulp({"--library", "/no/such/library.so", "--filter", "curve/3/integers"});
+  EXPECT_EQ(none.code, 2) << none.text;
+  EXPECT_EQ(document()["implementations"][0]["status"], "not-started");
+  EXPECT_EQ(complaints(document()), "");
+}
+
+TEST_F(UlpCommand, SurvivesACrash) {
+  setenv("EVALCTS_DRILL", "start", 1);
+  const Outcome outcome = ulp({"--library", DRILL_LIBRARY, "--implementation", "osmesa", "--filter",
+                               "curve/3/integers", "--values", "100"});
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_NE(outcome.text.find("SIGSEGV"), std::string::npos) << outcome.text;
+  EXPECT_EQ(document()["implementations"][0]["status"], "crashed");
+  EXPECT_EQ(complaints(document()), "");
+}
+
+TEST_F(UlpCommand, WrongUseIsTwo) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"--implementation", "nonsense"},
+        {"--filter", "No/Such"},
+        {"--target", "index"},
+        {"--values", "0"},
+        {"--values", "-1"},
+        {"--jobs", "0"},
+        {"--implementation", "osmesa", "--implementation", "production", "--library", "libOSMesa.so.8"},
+        {"--implementation", "sum-float", "--orders", "3", "--points", "1,2", "--at", "0.5"},
+        {"--implementation", "sum-float", "--orders", "2,2", "--points", "1,2,3,4", "--at", "0.5"},
+        {"--implementation", "sum-float", "--orders", "0", "--points", "1", "--at", "0.5"},
+        {"--implementation", "sum-float", "--orders", "1", "--points", "0.1", "--at", "0.5"},
+        {"--implementation", "sum-float", "--at", "0.5"},
+        {"--implementation", "production-fast", "--orders", "1", "--points", "1", "--at", "0x1p-25"},
+        {"--orders", "1", "--points", "1", "--at", "0.5"},
+        {"nonsense"}}) {
+    std::string typed;
+    for (const std::string& argument : arguments) typed += argument + " ";
+    EXPECT_EQ(ulp(arguments).code, 2) << typed;
+  }
+  EXPECT_EQ(evalcts({"ulp", "--output", "/proc/nowhere"}).code, 2);
+  EXPECT_EQ(ulp({"--help"}).code, 0);
+}
+
+TEST_F(UlpCommand, KeepsWhatWasMeasuredWhenInterrupted) {
+  ChildProcess child({EVALCTS_PROGRAM, "ulp", "--implementation", "sum-float", "--values", "100000000",
+                      "--filter", "curve/4/*", "--output", folder_.string()},
+                     (folder_ / "interrupted.log").string());
+  for (int i = 0; i < 500 && !std::filesystem::exists(folder_ / "ulp-sum-float-0.rows"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  kill(child.id(), SIGINT);
+  const auto ending = child.wait(60);
+  ASSERT_TRUE(ending);
+  EXPECT_EQ(ending->value, 2);
+  EXPECT_EQ(document()["status"], "interrupted");
+  EXPECT_EQ(document()["implementations"][0]["status"], "interrupted");
+  EXPECT_EQ(complaints(document()), "");
+}
+
+}  // namespace
+}  // namespace evalcts
