@@ -13,16 +13,16 @@ void keep_worst(Worst& worst, double error, float got, const reference::Rational
   worst = {error, input, got, reference::round_to_float(exact), reference::describe(exact)};
 }
 
-std::size_t bin_of(double ulp) {
-  int exponent = 0;
-  const double significand = std::frexp(ulp, &exponent);  // ulp = significand * 2^exponent, 1/2 <= it < 1
-  if (ulp <= 0.5) return 0;
-  return static_cast<std::size_t>(std::clamp(exponent + (significand == 0.5 ? 0 : 1), 0, Errors::kBins - 1));
-}
-
 }  // namespace
 
 reference::Surface Input::surface() const { return {points.data(), vorder, 1, uorder, vorder, 0, 1, 0, 1}; }
+
+std::size_t Errors::bin_of(double ulp) {
+  int exponent = 0;
+  const double significand = std::frexp(ulp, &exponent);  // ulp = significand * 2^exponent, 1/2 <= it < 1
+  if (ulp <= 0.5) return 0;
+  return static_cast<std::size_t>(std::clamp(exponent + (significand == 0.5 ? 0 : 1), 0, kBins - 1));
+}
 
 void Errors::add(float got, const reference::Evaluation& exact, const Input& input) {
   if (exact.magnitude.is_zero()) {

@@ -36,6 +36,7 @@ struct Worst {
 struct Errors {
   // Errors up to 1/2 ULP, 1, 2, 4, ... 2^22, and above: powers of two from 2^-1 on.
   static constexpr int kBins = 25;
+  static std::size_t bin_of(double ulp);
 
   std::uint64_t values = 0;
   std::uint64_t not_correctly_rounded = 0;

@@ -88,9 +88,14 @@ struct UlpOptions {
   // One input instead: its orders, control points and arguments.
   std::vector<int> orders;
   std::vector<double> points, at;
-  std::string rows;     // for the process that measures one implementation: the file to fill
-  std::string command;  // as typed
-  std::string program;  // how it was called
+  // Every float of an interval instead.
+  bool sweep = false;
+  float from = 0, to = 1;
+  std::string shard;       // "K/N"; empty: all
+  std::string checkpoint;  // file; empty: one in the output folder
+  std::string rows;        // for the process that measures one implementation: the file to fill
+  std::string command;     // as typed
+  std::string program;     // how it was called
 };
 
 struct VectorsOptions {

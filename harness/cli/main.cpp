@@ -211,6 +211,18 @@ int main(int argc, char** argv) {
   ulp_command->add_option("--at", ulp_options.at, "its argument, or its two arguments")
       ->delimiter(',')
       ->expected(1, 2);
+  ulp_command->add_flag("--sweep", ulp_options.sweep,
+                        "every float of an interval as argument of one curve: --orders and --points");
+  ulp_command->add_option("--from", ulp_options.from, "where the interval begins (default: 0)");
+  ulp_command->add_option("--to", ulp_options.to, "where it ends (default: 1)");
+  ulp_command
+      ->add_option("--shard", ulp_options.shard, "K/N: every N-th block of the sweep, from the K-th on")
+      ->check([](const std::string& text) {
+        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+      });
+  ulp_command->add_option(
+      "--checkpoint", ulp_options.checkpoint,
+      "the file from which a sweep goes on, and its result (default: in the output folder)");
   ulp_command->add_option("--rows", ulp_options.rows)->group("");
 
   VectorsOptions vectors_options;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <iostream>
@@ -15,8 +16,8 @@
 #include <reference/rounding.h>
 
 #include "harness/accuracy/table.h"
-#include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
+#include "harness/cli/ulp.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
 
@@ -32,6 +33,8 @@ std::vector<std::string> targets_of(const UlpOptions& options) {
   return options.targets.empty() ? std::vector<std::string>{kDefaultTarget} : options.targets;
 }
 
+bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x && !std::isinf(x); }
+
 std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   std::vector<accuracy::RowRequest> rows;
   for (const std::string& target : targets_of(options))
@@ -39,11 +42,6 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
       if (is_chosen(what.name(), options.filter))
         rows.push_back({what, target, options.values, options.seed});
   return rows;
-}
-
-ImplementationOptions implementation_of(const UlpOptions& options) {
-  return {options.implementations.empty() ? "" : options.implementations.front(), options.library,
-          options.context};
 }
 
 // ---- The process that measures
@@ -96,19 +94,12 @@ int replay(const UlpOptions& options) {
     std::cerr << "evalcts: " << words << "\n";
     return kWrongUse;
   };
+  if (const std::string wrong = wrong_points(options); !wrong.empty()) return wrong_use(wrong);
+  if (options.at.size() != options.orders.size())
+    return wrong_use("one input has --at u, or u,v for a surface");
+  for (const double x : options.at)
+    if (!is_float(x)) return wrong_use(fmt::format("{:a} is no finite float", x));
   const bool two_dimensional = options.orders.size() == 2;
-  std::size_t points = 1;
-  for (const int order : options.orders) {
-    if (order < 1 || order > reference::kMaxOrder)
-      return wrong_use(fmt::format("--orders are from 1 to {}", reference::kMaxOrder));
-    points *= static_cast<std::size_t>(order);
-  }
-  if (options.orders.empty() || options.points.size() != points || options.at.size() != options.orders.size())
-    return wrong_use("one input has --orders N or N,M, as many --points, and --at u or u,v");
-  for (const std::vector<double>* numbers : {&options.points, &options.at})
-    for (const double x : *numbers)
-      if (!(static_cast<double>(static_cast<float>(x)) == x) || std::isinf(x))
-        return wrong_use(fmt::format("{:a} is no finite float", x));
   if (options.implementations.size() > 1) return wrong_use("one input is for one implementation");
 
   accuracy::Input input;
@@ -335,6 +326,25 @@ json result_of(const Measurement& measurement, const UlpOptions& options) {
 
 }  // namespace
 
+ImplementationOptions implementation_of(const UlpOptions& options) {
+  return {options.implementations.empty() ? "" : options.implementations.front(), options.library,
+          options.context};
+}
+
+std::string wrong_points(const UlpOptions& options) {
+  std::size_t points = 1;
+  for (const int order : options.orders) {
+    if (order < 1 || order > reference::kMaxOrder)
+      return fmt::format("--orders are from 1 to {}", reference::kMaxOrder);
+    points *= static_cast<std::size_t>(order);
+  }
+  if (options.orders.empty() || options.points.size() != points)
+    return "one map has --orders N or N,M and as many --points";
+  for (const double x : options.points)
+    if (!is_float(x)) return fmt::format("{:a} is no finite float", x);
+  return {};
+}
+
 std::vector<std::string> own_subject_names() {
   std::vector<std::string> names;
   for (const accuracy::SubjectKind& kind : accuracy::own_subjects()) names.push_back(kind.name);
@@ -345,6 +355,7 @@ std::vector<std::string> ulp_targets() { return accuracy::target_names(); }
 
 int ulp(const UlpOptions& options) {
   if (!options.rows.empty()) return measure_rows(options);
+  if (options.sweep) return sweep(options);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
   const auto wrong_use = [](const std::string& words) {

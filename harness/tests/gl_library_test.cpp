@@ -82,6 +82,30 @@ TEST_F(GlLibrary, ErrorsAreMeasuredAndReplayed) {
   }
 }
 
+// A sweep calls the library without a case in between: it sees what a case sees.
+TEST_F(GlLibrary, EveryFloatOfAnIntervalIsMeasured) {
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  const fs::path file = folder_ / "sweep.json";
+  const std::vector<std::string> map = {"--implementation", "osmesa",    "--orders", "4",
+                                        "--points",         "1,-1,2,0.5"};
+  std::vector<std::string> arguments = {"ulp",  "--sweep", "--from",       "0.5",
+                                        "--to", "0.52",    "--checkpoint", file};
+  arguments.insert(arguments.end(), map.begin(), map.end());
+  const Outcome outcome = evalcts(arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  std::ifstream stream(file);
+  const json sweep = json::parse(stream);
+  EXPECT_EQ(sweep["status"], "complete");
+  EXPECT_EQ(sweep["result"]["values"], 335545);
+  EXPECT_GT(sweep["result"]["not_correctly_rounded"].get<int>(), 1000) << "float arithmetic";
+  const json worst = sweep["result"]["worst_condition_aware"];
+  EXPECT_LT(worst["error"].get<double>(), 20) << "float arithmetic";
+  arguments = {"ulp", "--target", "texture_coord_1", "--at", worst["at"].get<std::string>()};
+  arguments.insert(arguments.end(), map.begin(), map.end());
+  const Outcome again = evalcts(arguments);
+  EXPECT_NE(again.text.find(worst["got"]["bits"]), std::string::npos) << again.text << worst;
+}
+
 TEST_F(GlLibrary, EglContexts) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   expect_judged(run({"--implementation", "egl"}), "egl");

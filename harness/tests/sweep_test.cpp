@@ -1,0 +1,338 @@
+// Sweeps beside the exact route, value by value; digests, shards, resumption; and the command.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <thread>
+
+#include <reference/rounding.h>
+
+#include "harness/accuracy/checkpoint.h"
+#include "harness/accuracy/table.h"
+#include "harness/tests/program.h"
+#include "vectors/lint/lint.h"
+
+namespace evalcts::accuracy {
+namespace {
+
+using nlohmann::json;
+
+const std::atomic<bool> kNever = false;
+
+SweepState swept(const SweepTask& task, const StreamSource& source, int threads = 2) {
+  SweepState state{BlockSet(task.blocks()), {}};
+  sweep(task, source, threads, state, kNever, [](const SweepState&) {});
+  return state;
+}
+
+bool operator==(const SweepResult::Largest& a, const SweepResult::Largest& b) {
+  return a.error == b.error && a.number == b.number &&
+         std::bit_cast<std::uint32_t>(a.got) == std::bit_cast<std::uint32_t>(b.got);
+}
+
+void expect_same(const SweepResult& a, const SweepResult& b) {
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(a.decided_exactly, b.decided_exactly);
+  EXPECT_EQ(a.not_correctly_rounded, b.not_correctly_rounded);
+  EXPECT_EQ(a.not_finite, b.not_finite);
+  EXPECT_EQ(a.zeros, b.zeros);
+  EXPECT_EQ(a.zeros_wrong, b.zeros_wrong);
+  EXPECT_EQ(a.histogram, b.histogram);
+  EXPECT_TRUE(a.ulp == b.ulp);
+  EXPECT_TRUE(a.condition_aware == b.condition_aware);
+  EXPECT_EQ(a.digest, b.digest);
+}
+
+TEST(FloatNumbers, AreInOrder) {
+  EXPECT_EQ(number_of(0.0F), 0);
+  EXPECT_EQ(number_of(-0.0F), 0);
+  EXPECT_EQ(number_of(0x1p-149F), 1);
+  EXPECT_EQ(number_of(-0x1p-149F), -1);
+  EXPECT_EQ(number_of(1.0F) + 1, 1065353217) << "floats from 0 to 1";
+  for (const float x : {0.0F, 1.5F, -1.5F, 0x1p-130F, std::numeric_limits<float>::max()}) {
+    EXPECT_EQ(float_of(number_of(x)), x);
+    EXPECT_EQ(number_of(std::nextafter(x, -INFINITY)), number_of(x) - 1);
+  }
+}
+
+// The counts of a sweep are those of the exact route for every single argument.
+TEST(Sweep, CountsWhatTheExactRouteCounts) {
+  struct Trial {
+    const char* name;
+    std::vector<double> points;
+    float from, to;
+  };
+  for (const Trial& trial : {Trial{"sum-float", {0.125, 0.75, -0.5, 0.875}, 0.3F, 0.302F},
+                             {"horner-float", {1, -1, 1, -1}, 0.4999F, 0.5001F},
+                             {"casteljau-float", {0, 1, 2, 3}, 0.3F, 0.3005F},
+                             {"sum-double", {0, 0x1p-140, 0}, 0, 0x1p-147F},
+                             {"sum-float", {0, 0x1p-130, -0x1p-130}, 0.66F, 0.6605F},
+                             {"horner-float", {0x1.fp127, 0x1.ep127, 0x1.fp127}, -0.01F, -0.00995F},
+                             {"casteljau-float", {3, 1, 4, 1, 5}, -0x1p-140F, 0x1p-140F}}) {
+    const SweepTask task{trial.points, trial.from, trial.to};
+    const SweepResult got = swept(task, stream_source({trial.name})).result;
+    Errors want;
+    Input input{static_cast<int>(trial.points.size()), 1, false, trial.points};
+    const std::unique_ptr<Subject> subject = make_textbook(trial.name);
+    std::uint64_t wrong_finite = 0;
+    for (std::int64_t n = number_of(trial.from); n <= number_of(trial.to); ++n) {
+      input.u = float_of(n);
+      const reference::Evaluation exact =
+          reference::evaluate_with_magnitude(input.surface(), input.argument_u(), input.argument_v());
+      const float result = replay(*subject, "texture_coord_1", input);
+      want.add(result, exact, input);
+      if (!exact.value.is_zero() && std::isfinite(result) && result != reference::round_to_float(exact.value))
+        ++wrong_finite;
+    }
+    SCOPED_TRACE(std::string(trial.name) + " at " + std::to_string(trial.from));
+    EXPECT_EQ(got.values, want.values + want.zeros + want.without_terms);
+    EXPECT_EQ(got.not_correctly_rounded, want.not_correctly_rounded);
+    EXPECT_EQ(got.not_finite, want.not_finite);
+    EXPECT_EQ(got.zeros, want.zeros + want.without_terms);
+    EXPECT_EQ(got.zeros_wrong, want.zeros_wrong + want.without_terms_wrong);
+    std::uint64_t in_bins = 0;
+    for (std::size_t bin = 1; bin < Errors::kBins; ++bin) {
+      EXPECT_LE(got.histogram[bin], want.histogram[bin]);
+      in_bins += got.histogram[bin];
+    }
+    EXPECT_EQ(in_bins + got.histogram[0], wrong_finite);
+    for (std::size_t bin = 2; bin < Errors::kBins; ++bin) EXPECT_EQ(got.histogram[bin], want.histogram[bin]);
+    if (want.not_correctly_rounded == 0) {
+      EXPECT_EQ(got.ulp.error, 0);
+      continue;
+    }
+    EXPECT_TRUE(got.ulp.error == want.ulp.error || got.ulp.error > want.ulp.error * (1 - 1e-8))
+        << got.ulp.error << " " << want.ulp.error;
+    EXPECT_LE(got.ulp.error, want.ulp.error);
+    // Results that are correctly rounded count for `want` as well, not much.
+    EXPECT_LE(got.condition_aware.error, want.condition_aware.error);
+    if (want.condition_aware.got != want.condition_aware.right) {
+      EXPECT_GT(got.condition_aware.error, want.condition_aware.error * (1 - 1e-8));
+    }
+  }
+}
+
+TEST(Sweep, IsTheSameInThreadsAndShards) {
+  const std::vector<double> points = {0.125, 0.75, -0.5, 0.875};
+  for (const char* name : {"sum-float", "production"}) {
+    const StreamSource source = stream_source({name});
+    const SweepTask task{points, 0.4F, 0.43F};
+    ASSERT_GT(task.blocks(), 7);
+    const SweepState whole = swept(task, source, 1);
+    EXPECT_EQ(whole.result.not_correctly_rounded == 0, std::string(name) == "production");
+    expect_same(swept(task, source, 3).result, whole.result);
+    StreamSource fed = source;  // one thread evaluates, the others judge
+    fed.for_threads = false;
+    expect_same(swept(task, fed, 2).result, whole.result);
+    SweepResult sum;
+    for (std::int64_t shard = 0; shard < 3; ++shard) {
+      const SweepState part = swept({points, task.from, task.to, shard, 3}, source);
+      EXPECT_EQ(part.done.size(), (SweepTask{points, task.from, task.to, shard, 3}.blocks_of_shard()));
+      sum.add(part.result);
+    }
+    expect_same(sum, whole.result);
+  }
+}
+
+TEST(Sweep, DigestTellsResultsApart) {
+  const SweepTask task{{0.125, 0.75, -0.5, 0.875}, 0.4F, 0.401F};
+  const auto digest = [&](const char* name) { return swept(task, stream_source({name})).result.digest; };
+  EXPECT_EQ(digest("production"), digest("sum-double")) << "both are right everywhere";
+  EXPECT_NE(digest("production"), digest("sum-float"));
+}
+
+// One thread that cannot evaluate ends it.
+TEST(Sweep, EndsWithTheFirstProblem) {
+  StreamSource source;
+  struct Broken final : Stream {
+    void evaluate(std::span<const float>, std::span<float>) override { throw NotObservable("broken"); }
+  };
+  source.make = [](const std::vector<double>&) { return std::make_unique<Broken>(); };
+  for (const bool for_threads : {false, true}) {
+    source.for_threads = for_threads;
+    EXPECT_THROW(swept({{1, 2}, 0.25F, 0.5F}, source), NotObservable);
+  }
+}
+
+class Checkpoints : public ProgramTest {
+ protected:
+  const SweepTask task_{{0.125, 0.75, -0.5, 0.875}, 0.4F, 0.43F};
+  const StreamSource source_ = stream_source({"sum-float"});
+  const json identity_ = identity_of(task_, source_.info);
+  std::filesystem::path file() const { return folder_ / "sweep.json"; }
+  std::string content() const {
+    std::ifstream stream(file());
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+TEST_F(Checkpoints, HoldAllOfAState) {
+  SweepState state{BlockSet(task_.blocks()), {}};
+  std::atomic<bool> stop = false;
+  // The first report comes after a second, or at the end: stop by hand after two blocks.
+  StreamSource slow = source_;
+  std::atomic<int> evaluated = 0;
+  struct Counting final : Stream {
+    Counting(std::unique_ptr<Stream> inner, std::atomic<int>& count, std::atomic<bool>& end)
+        : inner_(std::move(inner)), count_(count), end_(end) {}
+    void evaluate(std::span<const float> u, std::span<float> results) override {
+      inner_->evaluate(u, results);
+      if (++count_ == 2) end_ = true;
+    }
+    std::unique_ptr<Stream> inner_;
+    std::atomic<int>& count_;
+    std::atomic<bool>& end_;
+  };
+  slow.make = [&](const std::vector<double>& points) {
+    return std::make_unique<Counting>(source_.make(points), evaluated, stop);
+  };
+  sweep(task_, slow, 1, state, stop, [](const SweepState&) {});
+  ASSERT_EQ(state.done.size(), 2);
+  write_checkpoint(file(), checkpoint_of(task_, identity_, state, 1.5));
+  Resumed resumed = read_checkpoint(file(), task_, identity_);
+  EXPECT_EQ(resumed.seconds, 1.5);
+  EXPECT_EQ(resumed.state.done.ranges(), state.done.ranges());
+  expect_same(resumed.state.result, state.result);
+  sweep(task_, source_, 2, resumed.state, kNever, [](const SweepState&) {});
+  expect_same(resumed.state.result, swept(task_, source_).result);
+  EXPECT_EQ(resumed.state.done.size(), task_.blocks());
+}
+
+TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
+  write_checkpoint(file(), checkpoint_of(task_, identity_, swept(task_, source_), 1));
+  const std::string whole = content();
+  ASSERT_NO_THROW(read_checkpoint(file(), task_, identity_));
+  const auto complaint = [&](const std::string& text) -> std::string {
+    std::ofstream(file()) << text;
+    try {
+      read_checkpoint(file(), task_, identity_);
+    } catch (const BadCheckpoint& problem) {
+      EXPECT_EQ(content(), text) << "left as it is";
+      return problem.what();
+    }
+    return "none";
+  };
+  for (const std::size_t length : {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 10})
+    EXPECT_NE(complaint(whole.substr(0, length)).find("damaged (no whole JSON)"), std::string::npos)
+        << length;
+  std::string changed = whole;
+  changed.replace(changed.find("\"values\": ") + 10, 1, "9");
+  if (changed == whole) changed.replace(changed.find("\"values\": ") + 10, 1, "8");
+  EXPECT_NE(complaint(changed).find("damaged (its checksum does not fit)"), std::string::npos);
+  EXPECT_NE(complaint("[1, 2]").find("damaged"), std::string::npos);
+}
+
+TEST_F(Checkpoints, OfAnotherSweepAreRefused) {
+  write_checkpoint(file(), checkpoint_of(task_, identity_, swept(task_, source_), 1));
+  const auto complaint = [&](const SweepTask& task, const ImplementationInfo& info) -> std::string {
+    try {
+      read_checkpoint(file(), task, identity_of(task, info));
+    } catch (const BadCheckpoint& problem) {
+      return problem.what();
+    }
+    return "none";
+  };
+  SweepTask other = task_;
+  other.points[2] = 1;
+  EXPECT_NE(complaint(other, source_.info).find("its points is"), std::string::npos);
+  other = task_;
+  other.to = 0.44F;
+  EXPECT_NE(complaint(other, source_.info).find("its interval is"), std::string::npos);
+  other = task_;
+  other.shards = 2;
+  EXPECT_NE(complaint(other, source_.info).find("its shard is \"1/1\", not \"1/2\""), std::string::npos);
+  ImplementationInfo info = source_.info;
+  info.version = "another";
+  EXPECT_NE(complaint(task_, info).find("its implementation is"), std::string::npos);
+}
+
+class SweepCommand : public ProgramTest {
+ protected:
+  std::vector<std::string> command(std::vector<std::string> more = {}) const {
+    std::vector<std::string> all = {"ulp", "--sweep",  "--implementation", "sum-float", "--orders",
+                                    "4",   "--points", "1,-1,2,0.5",       "--output",  folder_};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  json checkpoint(const std::string& name) const {
+    std::ifstream stream(folder_ / name);
+    return json::parse(stream, nullptr, false);
+  }
+  static std::string complaints(const json& file) {
+    if (!vectors::has_schema_validator()) return {};
+    std::ifstream schema(SWEEP_SCHEMA);
+    return vectors::complaints_by_schema(file, json::parse(schema));
+  }
+};
+
+TEST_F(SweepCommand, GoesOnAfterItWasKilled) {
+  const std::string file = folder_ / "sweep.json";
+  const std::vector<std::string> arguments =
+      command({"--from", "0.25", "--to", "1", "--checkpoint", file, "--jobs", "1"});
+  std::vector<std::string> killed = arguments;
+  killed.insert(killed.begin(), EVALCTS_PROGRAM);
+  {
+    ChildProcess child(killed, "");
+    for (int i = 0; i < 1500 && !std::filesystem::exists(file); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(child.id(), SIGKILL);
+    child.wait(60);
+  }
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const json before = checkpoint("sweep.json");
+  EXPECT_EQ(complaints(before), "");
+  const Outcome outcome = evalcts(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
+  const json after = checkpoint("sweep.json");
+  EXPECT_EQ(complaints(after), "");
+  EXPECT_EQ(after["status"], "complete");
+  EXPECT_EQ(after["proven"], true);
+  EXPECT_EQ(after["result"]["values"], 2 * (1 << 23) + 1);
+
+  const Outcome again = evalcts(arguments);
+  EXPECT_EQ(again.code, 0) << again.text;
+  EXPECT_EQ(checkpoint("sweep.json"), after) << "nothing is left to do";
+
+  // In one go.
+  ASSERT_EQ(evalcts(command({"--from", "0.25", "--to", "1", "--checkpoint", file + ".whole"})).code, 0);
+  EXPECT_EQ(checkpoint("sweep.json.whole")["result"], after["result"]);
+  EXPECT_EQ(evalcts(command({"--from", "0.5", "--checkpoint", file})).code, 2) << "another interval";
+  EXPECT_EQ(checkpoint("sweep.json"), after);
+}
+
+TEST_F(SweepCommand, WorstInputsAreReplayed) {
+  const std::string file = folder_ / "sweep.json";
+  ASSERT_EQ(evalcts(command({"--from", "0.5", "--to", "0.55", "--checkpoint", file})).code, 0);
+  const json worst = checkpoint("sweep.json")["result"]["worst_ulp"];
+  const Outcome again = evalcts({"ulp", "--implementation", "sum-float", "--orders", "4", "--points",
+                                 "1,-1,2,0.5", "--at", worst["at"].get<std::string>()});
+  EXPECT_NE(again.text.find(worst["got"]["bits"]), std::string::npos) << again.text << worst;
+  EXPECT_NE(again.text.find(worst["right"]["bits"]), std::string::npos) << again.text << worst;
+}
+
+TEST_F(SweepCommand, WrongUseIsTwo) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--at", "0.5"},
+                                               {"--from", "1", "--to", "0.5"},
+                                               {"--from", "nan"},
+                                               {"--to", "inf"},
+                                               {"--shard", "3/2"},
+                                               {"--target", "normal"},
+                                               {"--implementation", "production"},
+                                               {"--checkpoint", "/proc/nowhere/sweep.json"}})
+    EXPECT_EQ(evalcts(command(more)).code, 2) << more.front();
+  EXPECT_EQ(evalcts({"ulp", "--sweep", "--implementation", "sum-float"}).code, 2);
+  EXPECT_EQ(
+      evalcts({"ulp", "--sweep", "--implementation", "production-fast", "--orders", "1", "--points", "1"})
+          .code,
+      2);
+  EXPECT_EQ(
+      evalcts({"ulp", "--sweep", "--implementation", "sum-float", "--orders", "2,2", "--points", "1,2,3,4"})
+          .code,
+      2);
+}
+
+}  // namespace
+}  // namespace evalcts::accuracy
