@@ -13,6 +13,8 @@
 #include <reference/filter.h>
 #include <reference/rounding.h>
 
+#include "harness/accuracy/exact_line.h"
+
 namespace evalcts::accuracy {
 namespace {
 
@@ -45,6 +47,7 @@ class Judge {
       : points_(points),
         curve_{points_.data(), 1, static_cast<int>(points_.size()), 0, 1},
         right_(curve_),
+        line_(ExactLine::of(points)),
         filter_(curve_),
         exact_(curve_) {}
 
@@ -54,7 +57,11 @@ class Judge {
     rights_.resize(count);
     SweepResult result;
     result.values = count;
-    result.decided_exactly = right_.to_float({arguments_}, rights_);
+    if (line_) {
+      for (std::size_t i = 0; i < count; ++i) rights_[i] = line_->to_float(u[i]);
+    } else {
+      result.decided_exactly = right_.to_float({arguments_}, rights_);
+    }
     for (std::size_t i = 0; i < count; ++i)
       result.digest += mixed(static_cast<std::uint64_t>(first + static_cast<std::int64_t>(i)) << 32 ^
                              std::bit_cast<std::uint32_t>(got[i]));
@@ -131,6 +138,7 @@ class Judge {
   const std::vector<double>& points_;
   reference::Curve curve_;
   reference::CorrectlyRounded right_;
+  std::optional<ExactLine> line_;
   reference::Filter filter_;
   reference::BernsteinForm exact_;
   std::vector<double> arguments_, wrong_arguments_;

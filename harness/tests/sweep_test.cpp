@@ -7,9 +7,11 @@
 #include <limits>
 #include <thread>
 
+#include <reference/bernstein_form.h>
 #include <reference/rounding.h>
 
 #include "harness/accuracy/checkpoint.h"
+#include "harness/accuracy/exact_line.h"
 #include "harness/accuracy/table.h"
 #include "harness/tests/program.h"
 #include "vectors/lint/lint.h"
@@ -45,6 +47,54 @@ void expect_same(const SweepResult& a, const SweepResult& b) {
   EXPECT_EQ(a.digest, b.digest);
 }
 
+TEST(ExactLine, RoundsAsTheExactRouteDoes) {
+  Random random(20240611, 0);
+  int lines = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    // First and last point, and points between them where these are floats.
+    const bool integers = random.once_in(2);
+    const auto end = [&] {
+      return integers ? static_cast<double>(random.below(2000)) - 1000
+                      : static_cast<double>(static_cast<float>(
+                            std::ldexp(random.between(-1, 1), static_cast<int>(random.below(40)) - 20)));
+    };
+    const double first = end(), last = random.once_in(9) ? first : end();
+    const std::vector<double> points = {first, (first + last) / 2, last};
+    if (static_cast<double>(static_cast<float>(points[1])) != points[1]) continue;
+    const auto line = ExactLine::of(points);
+    if (!line) continue;
+    ++lines;
+    const reference::BernsteinForm exact(reference::Curve{points.data(), 1, 3, 0, 1});
+    for (int i = 0; i < 200; ++i) {
+      const float u =
+          i < 10
+              ? static_cast<float>(i - 5) / 4
+              : static_cast<float>(std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(150))));
+      ASSERT_EQ(line->to_float(u), exact.to_float(reference::Argument::coordinate(u)))
+          << first << " " << last << " " << u;
+    }
+  }
+  EXPECT_GT(lines, 100);
+}
+
+// What is next to a tie of floats is a tie once it has been rounded to double.
+TEST(ExactLine, IsNotRoundedTwice) {
+  const std::vector<double> points = {1 + 0x1p-23, 2 - 0x1p-20 + 0x1p-23};
+  const auto line = ExactLine::of(points);
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->to_float(0x1p-24F * (1 + 0x1p-20F)), 1 + 0x1p-23F);
+}
+
+TEST(ExactLine, IsOnlyOfLines) {
+  EXPECT_TRUE(ExactLine::of({0, 1, 2, 3}));
+  EXPECT_TRUE(ExactLine::of({5}));
+  EXPECT_TRUE(ExactLine::of({5, 5, 5}));
+  EXPECT_FALSE(ExactLine::of({0, 1, 2, 4}));
+  EXPECT_FALSE(ExactLine::of({0, 0x1.000002p0, 2}));
+  EXPECT_FALSE(ExactLine::of({1, 0x1p-40})) << "no short difference";
+  EXPECT_FALSE(ExactLine::of({1, 0x1p-140})) << "no difference in double";
+}
+
 TEST(FloatNumbers, AreInOrder) {
   EXPECT_EQ(number_of(0.0F), 0);
   EXPECT_EQ(number_of(-0.0F), 0);
@@ -67,9 +117,11 @@ TEST(Sweep, CountsWhatTheExactRouteCounts) {
   for (const Trial& trial : {Trial{"sum-float", {0.125, 0.75, -0.5, 0.875}, 0.3F, 0.302F},
                              {"horner-float", {1, -1, 1, -1}, 0.4999F, 0.5001F},
                              {"casteljau-float", {0, 1, 2, 3}, 0.3F, 0.3005F},
+                             {"sum-float", {3, 2, 1, 0}, 0.99999F, 1.00001F},
                              {"sum-double", {0, 0x1p-140, 0}, 0, 0x1p-147F},
                              {"sum-float", {0, 0x1p-130, -0x1p-130}, 0.66F, 0.6605F},
                              {"horner-float", {0x1.fp127, 0x1.ep127, 0x1.fp127}, -0.01F, -0.00995F},
+                             {"horner-float", {1, -1, 1, -1, 1, -1, 1, -1, 1, -1}, 0.49995F, 0.50005F},
                              {"casteljau-float", {3, 1, 4, 1, 5}, -0x1p-140F, 0x1p-140F}}) {
     const SweepTask task{trial.points, trial.from, trial.to};
     const SweepResult got = swept(task, stream_source({trial.name})).result;
@@ -136,11 +188,24 @@ TEST(Sweep, IsTheSameInThreadsAndShards) {
   }
 }
 
+// Parts come in any order.
+TEST(Sweep, OfEqualErrorsKeepsTheLeastArgument) {
+  const SweepResult::Largest early{2.5, 7, 1}, late{2.5, 9, 2}, small{1, 3, 3};
+  for (const auto& order : {std::vector{early, late, small}, {small, late, early}, {late, early, small}}) {
+    SweepResult::Largest largest;
+    for (const SweepResult::Largest& one : order) largest.keep(one);
+    EXPECT_TRUE(largest == early);
+  }
+}
+
 TEST(Sweep, DigestTellsResultsApart) {
   const SweepTask task{{0.125, 0.75, -0.5, 0.875}, 0.4F, 0.401F};
   const auto digest = [&](const char* name) { return swept(task, stream_source({name})).result.digest; };
   EXPECT_EQ(digest("production"), digest("sum-double")) << "both are right everywhere";
   EXPECT_NE(digest("production"), digest("sum-float"));
+  // The same result of another argument.
+  const auto at = [](float u) { return swept({{1, 1}, u, u}, stream_source({"sum-double"})).result.digest; };
+  EXPECT_NE(at(0.25F), at(0.5F));
 }
 
 // One thread that cannot evaluate ends it.
