@@ -1,16 +1,7 @@
 # What the shared library shows: nothing but glev*, every function that the header declares, its soname; and what it asks
 # for: no C++ run time (RUNTIME=ON skips that part, for instrumented builds).
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DSONAME= -DRUNTIME= -P check_abi.cmake
-function(symbols result)
-  execute_process(COMMAND ${NM} -D --format=posix ${ARGN} ${LIBRARY} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
-  string(REGEX MATCHALL "[^\n]+" lines "${text}")
-  set(names)
-  foreach(line IN LISTS lines)
-    string(REGEX REPLACE " .*" "" name "${line}")
-    list(APPEND names ${name})
-  endforeach()
-  set(${result} ${names} PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/symbols.cmake)
 
 symbols(exported --defined-only)
 set(strangers ${exported})

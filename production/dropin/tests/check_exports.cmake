@@ -1,16 +1,7 @@
 # What the drop-in library shows: names of the GL and of its window systems, all evaluators among them; and what it asks
 # for: no C++ run time (RUNTIME=ON skips that part, for instrumented builds), no GL.
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DRUNTIME= -P check_exports.cmake
-function(symbols result)
-  execute_process(COMMAND ${NM} -D --format=posix ${ARGN} ${LIBRARY} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
-  string(REGEX MATCHALL "[^\n]+" lines "${text}")
-  set(names)
-  foreach(line IN LISTS lines)
-    string(REGEX REPLACE " .*" "" name "${line}")
-    list(APPEND names ${name})
-  endforeach()
-  set(${result} ${names} PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../../tests/symbols.cmake)
 
 symbols(exported --defined-only)
 set(strangers ${exported})

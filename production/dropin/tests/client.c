@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "client.h"
+#include "feedback.h"
 
 /* GL/osmesa.h is not everywhere. */
 void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint accumulation, void* shared);
@@ -26,19 +27,6 @@ static void (*enable)(GLenum) = glEnable;
 static void look_up(void* command, const char* name) {
   void (*const address)(void) = OSMesaGetProcAddress(name);
   memcpy(command, &address, sizeof address);
-}
-
-static void print_feedback(const char* title, const GLfloat* buffer, GLint count) {
-  GLint i = 0;
-  printf("%s\n", title);
-  while (i + 1 < count) {
-    int vertices = 1;
-    const GLenum token = (GLenum)buffer[i++];
-    if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) vertices = 2;
-    if (token == GL_POLYGON_TOKEN) vertices = (int)buffer[i++];
-    for (; vertices > 0; --vertices, i += 12)
-      printf("%a %a %a %a\n", buffer[i + 8], buffer[i + 9], buffer[i + 10], buffer[i + 11]);
-  }
 }
 
 static void state(void) {

@@ -9,6 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "feedback.h"
+
 void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint accumulation, void* shared);
 GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 void OSMesaDestroyContext(void* context);
@@ -49,22 +51,14 @@ static void surface(GLUnurbs* nurbs) {
   gluEndSurface(nurbs);
 }
 
-static void print_feedback(const char* title, GLUnurbs* nurbs, void (*drawing)(GLUnurbs*)) {
+static void draw_to_feedback(const char* title, GLUnurbs* nurbs, void (*drawing)(GLUnurbs*)) {
   GLfloat* const buffer = malloc(kRoom * sizeof *buffer);
-  GLint i = 0, count;
+  GLint count;
   glFeedbackBuffer(kRoom, GL_4D_COLOR_TEXTURE, buffer);
   glRenderMode(GL_FEEDBACK);
   drawing(nurbs);
   count = glRenderMode(GL_RENDER);
-  printf("%s\n", title);
-  while (i + 1 < count) {
-    int vertices = 1;
-    const GLenum token = (GLenum)buffer[i++];
-    if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) vertices = 2;
-    if (token == GL_POLYGON_TOKEN) vertices = (int)buffer[i++];
-    for (; vertices > 0; --vertices, i += 12)
-      printf("%a %a %a %a\n", buffer[i + 8], buffer[i + 9], buffer[i + 10], buffer[i + 11]);
-  }
+  print_feedback(title, buffer, count);
   free(buffer);
 }
 
@@ -91,8 +85,8 @@ int main(int argc, char** argv) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glEnable(GL_TEXTURE_2D);
-  print_feedback("curve", nurbs, curve);
-  print_feedback("surface", nurbs, surface);
+  draw_to_feedback("curve", nurbs, curve);
+  draw_to_feedback("surface", nurbs, surface);
   glDisable(GL_TEXTURE_2D);
 
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

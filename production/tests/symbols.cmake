@@ -1,0 +1,11 @@
+# symbols(RESULT [NM_OPTION]...): the dynamic symbols of LIBRARY that NM lists with these options.
+function(symbols result)
+  execute_process(COMMAND ${NM} -D --format=posix ${ARGN} ${LIBRARY} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCHALL "[^\n]+" lines "${text}")
+  set(names)
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE " .*" "" name "${line}")
+    list(APPEND names ${name})
+  endforeach()
+  set(${result} ${names} PARENT_SCOPE)
+endfunction()
