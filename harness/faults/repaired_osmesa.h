@@ -1,6 +1,6 @@
 // OSMesa without those of its own defects for which a rule would have no sound implementation to put a fault
-// into: wrappers that do what the rule says, in the commands that the plain deliveries of its tests use. A
-// test counts on it only where it passes.
+// into, `dropin` included: edge flags of filled meshes, and CopyContext. Wrappers do what the rule says, in
+// the commands that the plain deliveries of its tests use. A test counts on it only where it passes.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,5 @@
 namespace evalcts::faults {
 
 std::unique_ptr<Implementation> repaired_osmesa(std::unique_ptr<Implementation> osmesa);
-
-// The commands of OSMesa itself.
-const gl::Table& unrepaired();
 
 }  // namespace evalcts::faults
