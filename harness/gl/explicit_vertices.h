@@ -5,8 +5,8 @@
 
 namespace evalcts::gl {
 
-// Each EvalCoord and EvalPoint becomes a Vertex3f, each EvalMesh a primitive of two of them, or nothing
-// between Begin and End; nothing else changes.
+// Each EvalCoord and EvalPoint becomes a Vertex3f, each EvalMesh the primitives that GL 1.0 5.1 defines it
+// by, of at most 16 vertices in each direction, or nothing between Begin and End; nothing else changes.
 Case with_explicit_vertices(const Case& script);
 
 }  // namespace evalcts::gl

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "harness/gl/call_log.h"
 
 namespace evalcts::gl {
@@ -33,16 +35,41 @@ TEST(ExplicitVertices, StandInThePlaceOfEveryEvaluation) {
   EXPECT_NE(lines[3], lines[4]);
 }
 
-TEST(ExplicitVertices, MakeAPrimitiveOfAMesh) {
-  Case c("meshes");
-  c.EvalMesh1(GL_LINE, 0, 9);
-  c.EvalMesh2(GL_POINT, 0, 1, 0, 1);
-  const Lines lines = calls_of(with_explicit_vertices(c));
-  ASSERT_EQ(lines.size(), 8u);
-  EXPECT_EQ(lines[0], "glBegin(GL_LINE_STRIP);");
-  EXPECT_EQ(lines[3], "glEnd();");
-  EXPECT_EQ(lines[4], "glBegin(GL_POINTS);");
-  EXPECT_EQ(lines[7], "glEnd();");
+// What the commands are, without their vertices: "LINE_STRIP 3" is a primitive of three.
+Lines primitives_of(const Case& script) {
+  Lines primitives;
+  int vertices = 0;
+  for (const std::string& line : calls_of(script)) {
+    if (line.starts_with("glBegin(GL_")) {
+      primitives.push_back(line.substr(11, line.size() - 13));
+      vertices = 0;
+    } else if (line.starts_with("glVertex3f(")) {
+      ++vertices;
+    } else {
+      EXPECT_EQ(line, "glEnd();");
+      primitives.back() += " " + std::to_string(vertices);
+    }
+  }
+  return primitives;
+}
+
+TEST(ExplicitVertices, MakeThePrimitivesOfAMesh) {
+  const auto of = [](auto record) {
+    Case c("mesh");
+    record(c);
+    return primitives_of(with_explicit_vertices(c));
+  };
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh1(GL_LINE, -1, 9); }), (Lines{"LINE_STRIP 11"}));
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh1(GL_POINT, 2, 1); }), (Lines{"POINTS 0"}));
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }), Lines{});
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh2(GL_POINT, 0, 1, 0, 2); }), (Lines{"POINTS 6"}));
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh2(GL_LINE, 0, 1, 0, 2); }),
+            (Lines{"LINE_STRIP 2", "LINE_STRIP 2", "LINE_STRIP 2", "LINE_STRIP 3", "LINE_STRIP 3"}));
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh2(GL_FILL, 1, 3, 0, 2); }), (Lines{"QUAD_STRIP 6", "QUAD_STRIP 6"}));
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh2(GL_FILL, 0, 1, 2, 2); }), Lines{});
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh2(GL_QUAD_STRIP, 0, 1, 0, 2); }), Lines{});
+  EXPECT_EQ(of([](Case& c) { c.EvalMesh1(GL_LINE, 0, std::numeric_limits<GLint>::max()); }),
+            (Lines{"LINE_STRIP 16"}));
 }
 
 // There a mesh is an error, which must not end the primitive.
