@@ -36,6 +36,9 @@ class Capture {
   // Whether vertices with w <= 0 are lost on the way; valid after prove().
   virtual bool loses_nonpositive_w() const { return false; }
 
+  // Whether vertices whose position is no number, or beyond float, may be lost on the way.
+  virtual bool loses_vertices_beyond_float() const { return false; }
+
   // Whether it can see a case that draws these kinds of primitives.
   virtual bool takes(PrimitiveKinds) const { return true; }
 

@@ -83,6 +83,7 @@ class FeedbackBuffer final : public Capture {
 
   Attributes attributes() const override { return attributes_; }
   bool loses_nonpositive_w() const override { return keep_w_; }
+  bool loses_vertices_beyond_float() const override { return true; }  // 0 * infinity is clipped
 
   Observation observe(Implementation& implementation, const gl::Case& script,
                       const Wanted& asked) const override {

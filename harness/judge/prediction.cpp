@@ -13,6 +13,10 @@
 namespace evalcts {
 namespace {
 
+bool may_be_anything(const reference::Component& component) {
+  return std::holds_alternative<reference::Sample>(component) && !reference::must_applies(component);
+}
+
 // Apart from the context of an implementation under test, which may be the same class.
 struct Oracle {
   static inline thread_local reference::Specification* current = nullptr;
@@ -70,10 +74,14 @@ bool Prediction::has_automatic_normals() const {
   return false;
 }
 
+bool Prediction::has_positions_beyond_float() const {
+  for (const reference::Primitive& primitive : primitives)
+    for (const reference::Vertex& vertex : primitive.vertices)
+      if (std::ranges::any_of(vertex.position, may_be_anything)) return true;
+  return false;
+}
+
 bool Prediction::has_nonpositive_w() const {
-  const auto may_be_anything = [](const reference::Component& component) {
-    return std::holds_alternative<reference::Sample>(component) && !reference::must_applies(component);
-  };
   const auto may_be_nonpositive = [](const reference::Component& w) {
     if (const float* given = std::get_if<float>(&w)) return !(*given > 0);
     return !(reference::exact(w) > reference::acceptance_bound(w));

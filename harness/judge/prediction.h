@@ -16,6 +16,8 @@ struct Prediction {
 
   std::size_t vertex_count() const;
   bool has_nonpositive_w() const;
+  // Whether a position may come out as infinity or no number: where the GL promises nothing of its value.
+  bool has_positions_beyond_float() const;
   bool has_automatic_normals() const;
 };
 

@@ -453,6 +453,11 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     return judgement;
   };
   const Judgement judgement = judged(observation);
+  if (capture->loses_vertices_beyond_float() && prediction.has_positions_beyond_float())
+    for (const Mismatch& mismatch : judgement.mismatches)
+      if (mismatch.of == Mismatch::Of::vertices)
+        throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
+                                        capture->name(), mismatch.message));
   note_lists(script, *capture, capture->attributes());
   fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
