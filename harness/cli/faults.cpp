@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 json known_faults() {
   const fs::path program = places().faulty_suite_program;
   if (!fs::exists(program))
-    throw std::runtime_error(fmt::format("'{}' is missing; ./evalcts faults builds it", program.string()));
+    throw CannotStart(fmt::format(
+        "'{}' is missing. In a checkout ./evalcts faults builds it; what is installed has no faults",
+        program.string()));
   const fs::path file = fs::temp_directory_path() / fmt::format("evalcts-faults-{}.json", getpid());
   ChildProcess child({program.string(), "--list-faults", file.string()}, "");
   const std::optional<Ending> ending = child.wait(60);

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "harness/cli/commands.h"
+#include "harness/cli/manual.h"
 #include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
 
@@ -242,12 +243,16 @@ int main(int argc, char** argv) {
     command->add_option("--kind", vectors_options.kinds, "only these (the same for emit and check)")
         ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
 
+  // For the packages.
+  CLI::App* manual_command = app.add_subcommand("manual", "the manual page, for man")->group("");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kNothingUnexpected : kWrongUse;
   }
   try {
+    if (*manual_command) return write_manual(app, std::cout), kNothingUnexpected;
     if (*run_command) return run(run_options);
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json, complete);
@@ -261,6 +266,9 @@ int main(int argc, char** argv) {
     if (*emit_command) return emit_vectors(vectors_options);
     if (*check_command) return check_vectors(vectors_options);
     return explain(name);
+  } catch (const evalcts::CannotStart& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;

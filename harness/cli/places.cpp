@@ -11,16 +11,23 @@ namespace fs = std::filesystem;
 Places places() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   // In a checkout the program lies in build/PRESET/harness/cli.
-  const fs::path top = folder / "../../../..";
-  const bool in_checkout = fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json");
-  return {
-      folder / "evalcts-suite",
-      folder / "evalcts-faulty-suite",
-      in_checkout ? fs::weakly_canonical(top / "reports/out") : fs::current_path() / "evalcts-results",
-      in_checkout ? fs::weakly_canonical(top / "suites/baselines") : folder / "../share/evalcts/baselines",
-      in_checkout ? fs::weakly_canonical(top / "vectors") : folder / "../share/evalcts/vectors",
-      in_checkout ? fs::weakly_canonical(top / "production/include") : fs::path(),
-      in_checkout ? fs::weakly_canonical(folder / "../../production/libglevaluator.a") : fs::path()};
+  const fs::path top = fs::weakly_canonical(folder / "../../../..");
+  if (fs::exists(top / "reports/schema") && fs::exists(top / "suites/requirements.json"))
+    return {.suite_program = folder / "evalcts-suite",
+            .faulty_suite_program = folder / "evalcts-faulty-suite",
+            .output = top / "reports/out",
+            .baselines = top / "suites/baselines",
+            .vectors = top / "vectors",
+            .production_headers = top / "production/include",
+            .production_library = fs::weakly_canonical(folder / "../../production/libglevaluator.a")};
+  const fs::path data = fs::weakly_canonical(folder / EVALCTS_DATA_FROM_PROGRAMS);
+  return {.suite_program = folder / "evalcts-suite",
+          .faulty_suite_program = folder / "evalcts-faulty-suite",
+          .output = fs::current_path() / "evalcts-results",
+          .baselines = data / "baselines",
+          .vectors = data / "vectors",
+          .production_headers = {},
+          .production_library = {}};
 }
 
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {

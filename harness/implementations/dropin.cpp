@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 std::string built_library() {
   const char* const name = "libglevaluator_dropin.so.0";
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const char* const place : {"../../production/dropin", "../lib", "."})
+  for (const char* const place : {"../../production/dropin", EVALCTS_LIBRARIES_FROM_PROGRAMS})
     if (const fs::path file = folder / place / name; fs::exists(file)) return fs::canonical(file).string();
   return name;
 }
