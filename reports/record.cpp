@@ -164,6 +164,10 @@ TestResult read_test(const Object& in) {
   out.debug = in.text("debug");
   out.reproducer = in.text("reproducer");
   out.history = in.texts("history");
+  out.flake = in.boolean("flake");
+  if (const json* again = in.find("again"))
+    out.again =
+        text_of(parse_verdict(Object(*again, in.path("again")).text("verdict"), in.path("again"))).word;
   out.seconds = in.real("seconds");
   if (in.find("verdict")) {
     out.verdict = parse_verdict(in.text("verdict"), in.path("verdict"));
@@ -243,6 +247,7 @@ Record read_record(const json& value) {
   out.depth = in.text("depth");
   out.pass = in.word("pass", {"reuse-context"});
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
+  out.not_played_again = in.natural("not_played_again").value_or(0);
   if (const json* readings = in.find("readings")) {
     const Object by_text(*readings, "readings");
     for (const auto& item : readings->items()) out.readings[clean(item.key())] = by_text.texts(item.key());

@@ -74,6 +74,8 @@ struct TestResult {
   std::optional<Accuracy> accuracy;
   std::string rerun, debug, reproducer;  // commands
   std::vector<std::string> history;      // the tests that have to come before, where the context is shared
+  bool flake = false;                    // it did not come out the same when it was played again
+  std::string again;                     // the verdict that it had then, where that is known
   std::optional<double> seconds;
 
   bool bad() const { return verdict <= Verdict::kFail; }
@@ -92,6 +94,7 @@ struct TestResult {
 struct Record {
   std::string evalcts_version, status, reason, command, depth, pass;
   std::vector<std::string> stale_baseline_entries;
+  std::uint64_t not_played_again = 0;  // unexpected fails, because there were too many
   // Of ambiguous texts, by their names: one where the implementation is consistent.
   std::map<std::string, std::vector<std::string>> readings;
   Implementation implementation;

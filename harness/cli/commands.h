@@ -25,6 +25,8 @@ struct RunOptions {
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
+  std::uint64_t mebibytes = 4096;  // of memory, for each process
+  int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
   std::string output;       // empty: the usual folder
   std::string baseline;     // folder, "none", or empty for the shipped ones
@@ -34,7 +36,7 @@ struct RunOptions {
   std::vector<std::string> interpretations;  // NAME=READING
   std::string shard;                         // "K/N"; empty: all
   std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
-  bool verbose = false;
+  bool quiet = false, verbose = false;
   std::string command;  // as typed
   std::string program;  // how it was called
 };

@@ -3,17 +3,25 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
+#include "harness/cli/command_line.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/manual.h"
+#include "harness/cli/environment.h"
+#include "harness/cli/help.h"
 #include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
+#include "harness/runner/events.h"
 
-int main(int argc, char** argv) {
-  using namespace evalcts::cli;
+int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators"};
+  app.footer(
+      "'evalcts COMMAND --help' shows the options of a command with examples.\n"
+      "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something\n"
+      "could not be started, read or written; 3 a fault of evalcts.");
   app.set_version_flag("--version", "evalcts " EVALCTS_VERSION);
   app.require_subcommand(1);
 
@@ -45,6 +53,10 @@ int main(int argc, char** argv) {
   run_command->add_option("--seed", run_options.seed, "seed of the random tests");
   run_command->add_option("--timeout", run_options.seconds_per_test, "seconds for each test")
       ->check(CLI::PositiveNumber);
+  run_command->add_option("--memory", run_options.mebibytes, "MiB of memory for a process that plays tests")
+      ->check(CLI::Range(64.0, 1e9));
+  run_command->add_option("--retry", run_options.retries, "how often an unexpected fail is played again")
+      ->check(CLI::Range(0, 100));
   run_command
       ->add_option("--jobs", run_options.jobs,
                    "processes that share the tests of an implementation (default: one for each core, at most "
@@ -74,7 +86,9 @@ int main(int argc, char** argv) {
   run_command->add_option("--shuffle", run_options.shuffle,
                           "run the tests in a random order (GoogleTest keeps those of a suite together): its "
                           "seed");
-  run_command->add_flag("--verbose", run_options.verbose, "all failing tests and what was not judged");
+  CLI::Option* verbose =
+      run_command->add_flag("--verbose", run_options.verbose, "all failing tests and what was not judged");
+  run_command->add_flag("--quiet", run_options.quiet, "one line for each implementation")->excludes(verbose);
 
   std::string what;
   bool as_json = false;
@@ -246,13 +260,20 @@ int main(int argc, char** argv) {
   // For the packages.
   CLI::App* manual_command = app.add_subcommand("manual", "the manual page, for man")->group("");
 
+  add_examples(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kNothingUnexpected : kWrongUse;
+    if (app.exit(error) == 0) return kNothingUnexpected;
+    const std::string words = suggestion(app, {argv + std::min(argc, 1), argv + argc});
+    if (!words.empty()) std::cerr << words << "\n";
+    return kWrongUse;
   }
+  if (only_parse) return kNothingUnexpected;
   try {
     if (*manual_command) return write_manual(app, std::cout), kNothingUnexpected;
+    if (run_options.shard.empty()) run_options.shard = shard_of_environment();
+    forget_googletest();
     if (*run_command) return run(run_options);
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json, complete);
@@ -269,8 +290,14 @@ int main(int argc, char** argv) {
   } catch (const evalcts::CannotStart& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;
+  } catch (const BadEnvironment& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
   } catch (const evalcts::BadBaseline& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  } catch (const evalcts::CannotWrite& error) {
+    std::cerr << "evalcts: " << error.what() << "; free some space, or choose another folder with --output\n";
     return kWrongUse;
   } catch (const std::exception& error) {
     std::cerr << "evalcts: " << error.what() << "\n";

@@ -16,7 +16,9 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
 #include "harness/runner/baseline.h"
+#include "harness/runner/child_process.h"
 #include "harness/runner/depth.h"
+#include "harness/runner/folder_lock.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts::cli {
@@ -40,10 +42,13 @@ int exit_code_of(const json& result, bool named, bool strict) {
   return code;
 }
 
+// With all that is put around it, a file's name has at most 255 bytes.
+constexpr std::size_t kLongestLabel = 100;
+
 bool is_file_name(const std::string& label) {
   for (const char c : label)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' && c != '.') return false;
-  return !label.empty() && label[0] != '.' && label[0] != '-';
+  return !label.empty() && label.size() <= kLongestLabel && label[0] != '.' && label[0] != '-';
 }
 
 }  // namespace
@@ -83,7 +88,8 @@ int run(const RunOptions& options) {
   request.suite_program = where.suite_program;
   request.depth = options.depth;
   request.seed = options.seed;
-  request.seconds_per_test = options.seconds_per_test;
+  request.limits = {options.seconds_per_test, options.mebibytes << 20};
+  request.retries = options.retries;
   // Which tests a process has behind it when it comes to the next depends on chance, but for a single one.
   request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
   request.output = output;
@@ -118,7 +124,9 @@ int run(const RunOptions& options) {
     return kWrongUse;
   }
   if (!options.label.empty() && !is_file_name(options.label)) {
-    std::cerr << "evalcts: --name becomes part of file names: letters, digits, '-', '_' and '.' only\n";
+    std::cerr
+        << "evalcts: --name becomes part of file names: letters, digits, '-', '_' and '.' only, at most "
+        << kLongestLabel << "\n";
     return kWrongUse;
   }
   for (const ImplementationOptions& implementation : chosen) {
@@ -142,6 +150,15 @@ int run(const RunOptions& options) {
   if (error || access(output.c_str(), W_OK) != 0) {
     std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
                              output.string());
+    return kWrongUse;
+  }
+
+  std::optional<FolderLock> lock;
+  try {
+    lock.emplace(output, fmt::format("process {}: {}", getpid(), options.command));
+  } catch (const FolderInUse& problem) {
+    std::cerr << fmt::format("evalcts: {}; wait for it, or choose another folder with --output\n",
+                             problem.what());
     return kWrongUse;
   }
 
@@ -187,8 +204,8 @@ int run(const RunOptions& options) {
       }
 
   stop_when_asked();
-  const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
-  ProgressLine line;
+  adopt_what_children_leave();
+  ProgressLine line(options.quiet);
   std::vector<json> results;
   int code = kNothingUnexpected;
   // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
@@ -200,14 +217,15 @@ int run(const RunOptions& options) {
                    : implementation.name.empty() ? "library"
                                                  : implementation.name;
     running.push_back(std::async(std::launch::async, [request, &line, &options]() mutable {
+      Pace pace;
       const auto show = [&](const Progress& progress) {
-        line.show(request.name, progress.phase == "test"
-                                    ? fmt::format("{} of {}", progress.done, progress.total)
-                                    : progress.phase);
+        line.show(request.name,
+                  progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
       };
       std::vector<json> passes = {run_implementation(request, show)};
       if (options.reuse_context && passes[0]["status"] == "complete") {
         const json first = passes[0];
+        pace = {};
         request.first_pass = &first;
         passes.push_back(run_implementation(request, show));
       }
@@ -215,7 +233,15 @@ int run(const RunOptions& options) {
     }));
   }
   for (auto& future : running) {
-    for (json& result : future.get()) {
+    std::vector<json> passes;
+    try {
+      passes = future.get();
+    } catch (const CannotWrite& problem) {
+      line.print("");
+      std::cerr << fmt::format("evalcts: {}\n", problem.what());
+      code = std::max(code, kWrongUse);
+    }
+    for (json& result : passes) {
       const std::string pass = result.value("pass", "");
       const std::string label = file_label(result["implementation"]["name"], request.shard, pass);
       if (with_baseline && result["status"] != "not-started") {
@@ -231,13 +257,17 @@ int run(const RunOptions& options) {
         write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       }
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
-      line.print(reports::terminal_summary(result, catalogue(), color, options.verbose) + "\n");
+      line.print(options.quiet ? reports::terminal_line(result, shows_colour())
+                               : reports::terminal_summary(result, catalogue(), shows_colour(),
+                                                           options.verbose, screen_of(STDOUT_FILENO).lines) +
+                                     "\n");
       code = std::max(code, exit_code_of(result, named, options.strict));
+      if (result["status"] == "interrupted") code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
   }
   write_atomically(output / "index.html", reports::html(results, catalogue()));
-  std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
+  if (!options.quiet) std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
   if (interrupted) {
     std::cerr << "evalcts: interrupted; what was obtained is in the output folder\n";
     code = std::max(code, kWrongUse);

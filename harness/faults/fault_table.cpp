@@ -172,7 +172,7 @@ class Trial {
                                         "--gtest_brief=1"};
     for (const std::string& argument : opening_of(fault)) command.push_back(argument);
     if (label == fault["name"]) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
-    SuiteChild child(command, events, request_.scratch / (label + ".log"), request_.seconds_per_test);
+    SuiteChild child(command, events, request_.scratch / (label + ".log"), {request_.seconds_per_test});
     while (!child.look(kLook)) continue;
     return child.run();
   }

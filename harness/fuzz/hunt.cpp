@@ -14,6 +14,7 @@
 #include "harness/fuzz/shrink.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
+#include "harness/runner/events.h"
 #include "harness/runner/runner.h"
 #include "harness/runner/suite_child.h"
 
@@ -126,7 +127,7 @@ class Hunter {
     write_atomically(scratch(k, "deadly"), lane.deadly.dump());
     write_atomically(scratch(k, "known"), json(causes_seen("")).dump());
     lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
-                                              request_.seconds_per_program);
+                                              Limits{request_.seconds_per_program});
   }
 
   void look() {
@@ -172,6 +173,7 @@ class Hunter {
     const ChildRun run = lane.child->run();
     const Lane last = std::exchange(lane, {});
     if (run.complete || interrupted || run.cut_short) return;
+    if (!run.cannot_write.empty()) throw CannotWrite(run.cannot_write);
     constexpr int kOwnFault = 3;
     if (!run.ending.signalled && run.ending.value == kOwnFault)
       throw std::runtime_error(fmt::format("{}: {}", run.in_flight, last_line(scratch(k, "log"))));
@@ -283,7 +285,7 @@ class Hunter {
     write_atomically(file, gl::to_json(program).dump());
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
-    SuiteChild child(command, events, scratch_ / "alone.log", patience);
+    SuiteChild child(command, events, scratch_ / "alone.log", {patience});
     while (!child.look(kLook)) continue;
     fs::remove(events);
     return child.run().complete;
@@ -327,7 +329,7 @@ class Hunter {
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", replay.string(), "--records", events.string(), "--reproduce",
                                    fs::path(cause.file).replace_extension(".c").string()});
-    SuiteChild child(command, events, scratch_ / "write.log", request_.seconds_per_program);
+    SuiteChild child(command, events, scratch_ / "write.log", {request_.seconds_per_program});
     while (!child.look(kLook)) continue;
     fs::remove(events);
   }

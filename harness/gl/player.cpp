@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <list>
 #include <map>
 
@@ -251,7 +252,9 @@ class Player {
 };
 
 Trace play(const Case& script, const Table& table, const std::function<void(std::size_t)>& after_each) {
-  return Player(table).play(script, after_each);
+  Trace trace = Player(table).play(script, after_each);
+  std::fesetenv(FE_DFL_ENV);
+  return trace;
 }
 
 const Trace::Written& Trace::output(Ref command) const {

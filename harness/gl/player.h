@@ -85,7 +85,8 @@ class Trace {
 // Plays all commands of the case in order on the context that is current. The commands themselves are all
 // that is issued, but for GetError after the last one (never between: inside Begin/End it would leave an
 // error behind). Throws MissingEntryPoint before the first command if the table lacks one of them.
-// `after_each` is called after each command, with its position.
+// `after_each` is called after each command, with its position. The floating-point environment is the default
+// one afterwards, whatever the library makes of it: the judge computes in it.
 Trace play(const Case& script, const Table& table,
            const std::function<void(std::size_t position)>& after_each = {});
 

@@ -4,19 +4,54 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
 extern char** environ;
 
 namespace evalcts {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLook = 0.02;  // seconds between two looks, on a kernel before 5.3
+
+// The children that are in somebody's care.
+std::mutex children_mutex;
+std::set<pid_t> children;
+bool adopting = false;
+
+// Kills what a child left behind, and what that leaves behind. `children_mutex` is held.
+void kill_orphans() {
+  for (bool found = true; found;) {
+    found = false;
+    std::error_code error;
+    for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", error)) {
+      std::ifstream file(task.path() / "children");
+      for (pid_t child = 0; file >> child;) {
+        if (children.contains(child)) continue;
+        ::kill(child, SIGKILL);
+        found = waitpid(child, nullptr, 0) == child || found;
+      }
+    }
+  }
+}
+
+}  // namespace
 
 std::string describe(const Ending& ending) {
   if (!ending.signalled) return fmt::format("exit code {}", ending.value);
@@ -42,29 +77,51 @@ std::string shell_line(const std::vector<std::string>& command) {
   return line;
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log) {
+void adopt_what_children_leave() {
+  const std::lock_guard lock(children_mutex);
+  adopting = prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log, Prints prints) {
+  if (prints == Prints::limited && !log.empty()) output_.emplace(log);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.empty() ? "/dev/null" : log.c_str(),
-                                   O_WRONLY | O_CREAT | O_APPEND, 0644);
+  if (output_) {
+    posix_spawn_file_actions_adddup2(&actions, output_->writer(), STDOUT_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.empty() ? "/dev/null" : log.c_str(),
+                                     O_WRONLY | O_CREAT | O_APPEND, 0644);
+  }
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
 
-  // A group of its own: Ctrl-C reaches the runner, which decides what becomes of the child.
+  // A group of its own: Ctrl-C reaches the runner, which decides what becomes of the child. What the runner
+  // ignores, the child need not.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setflags(&attributes,
+                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   posix_spawnattr_setpgroup(&attributes, 0);
+  sigset_t signals;
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&signals, signal);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
 
   std::vector<char*> arguments;
   for (const std::string& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.push_back(nullptr);
-  const int error =
-      posix_spawn(&id_, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
+  int error = 0;
+  {
+    const std::lock_guard lock(children_mutex);
+    error = posix_spawn(&id_, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
+    if (error == 0) children.insert(id_);
+  }
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0)
     throw std::runtime_error(fmt::format("cannot start '{}': {}", command.front(), std::strerror(error)));
+  if (output_) output_->close_writer();
   descriptor_ = static_cast<int>(syscall(SYS_pidfd_open, id_, 0));
 }
 
@@ -78,21 +135,51 @@ ChildProcess::~ChildProcess() {
 
 std::optional<Ending> ChildProcess::wait(double seconds) {
   if (ending_) return ending_;
-  const int milliseconds = static_cast<int>(seconds * 1000);
-  if (descriptor_ >= 0) {
-    pollfd events{descriptor_, POLLIN, 0};
-    poll(&events, 1, milliseconds);
-  } else {
-    poll(nullptr, 0, milliseconds);  // a kernel before 5.3: look now and then
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  for (double left = seconds; !has_ended();
+       left = std::chrono::duration<double>(end - Clock::now()).count()) {
+    if (left <= 0) return std::nullopt;
+    wait_for_news(left);
+    if (output_) output_->take();
   }
-  int status = 0;
-  if (waitpid(id_, &status, WNOHANG) != id_) return std::nullopt;
-  ending_ = WIFSIGNALED(status) ? Ending{true, WTERMSIG(status)} : Ending{false, WEXITSTATUS(status)};
+  reap();
+  if (output_) output_->finish();
   return ending_;
 }
 
+// Until it has printed something or ended, or the time is over.
+void ChildProcess::wait_for_news(double seconds) const {
+  pollfd events[] = {{descriptor_, POLLIN, 0}, {output_ ? output_->reader() : -1, POLLIN, 0}};
+  poll(events, 2, static_cast<int>((descriptor_ < 0 ? std::min(seconds, kLook) : seconds) * 1000));
+}
+
+bool ChildProcess::has_ended() const {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
+}
+
+// Its group goes before its id can belong to somebody else.
+void ChildProcess::reap() {
+  const std::lock_guard lock(children_mutex);
+  ::kill(-id_, SIGKILL);
+  int status = 0;
+  waitpid(id_, &status, 0);
+  children.erase(id_);
+  ending_ = WIFSIGNALED(status) ? Ending{true, WTERMSIG(status)} : Ending{false, WEXITSTATUS(status)};
+  if (adopting) kill_orphans();
+}
+
 void ChildProcess::kill() {
-  if (!ending_) ::kill(-id_, SIGKILL);
+  if (ending_) return;
+  ::kill(-id_, SIGKILL);
+  ::kill(id_, SIGKILL);  // in whatever group it is by now
+}
+
+std::uint64_t ChildProcess::memory() const {
+  std::ifstream file("/proc/" + std::to_string(id_) + "/statm");
+  std::uint64_t size = 0, resident = 0;
+  file >> size >> resident;
+  return file ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 }  // namespace evalcts

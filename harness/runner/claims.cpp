@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "harness/runner/events.h"
+
 namespace evalcts {
 
 static_assert(sizeof(std::atomic<unsigned char>) == 1 && std::atomic<unsigned char>::is_always_lock_free);
@@ -19,7 +21,7 @@ static_assert(sizeof(std::atomic<unsigned char>) == 1 && std::atomic<unsigned ch
 void Claims::create(const std::filesystem::path& path, std::size_t count) {
   std::ofstream file(path, std::ios::binary);
   file << std::string(count, '\0');
-  if (!file.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", path.string()));
+  if (!file.flush()) throw CannotWrite(fmt::format("cannot write '{}'", path.string()));
 }
 
 Claims::Claims(const std::filesystem::path& path) : count_(std::filesystem::file_size(path)) {

@@ -10,7 +10,7 @@ namespace evalcts {
 // A file of one byte for each test of the list, mapped by all who share it.
 class Claims {
  public:
-  // Writes the file for a list of `count` tests, none of them taken. Throws std::runtime_error.
+  // Writes the file for a list of `count` tests, none of them taken. Throws CannotWrite.
   static void create(const std::filesystem::path& path, std::size_t count);
 
   // Opens it. Throws std::runtime_error.

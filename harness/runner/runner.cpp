@@ -62,14 +62,28 @@ class Run {
       : request_(request),
         progress_(progress),
         scratch_(request.output / ("scratch-" + file_label(request.name, request.shard, pass()))) {}
+  ~Run() {
+    std::error_code error;
+    fs::remove_all(scratch_, error);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   json run() {
     remove_stale_files();
     json result = header();
     progress_({"starting", 0, request_.tests.size(), ""});
-    if (!start(result)) return finish(result, "not-started");
-    run_tests();
-    if (second_pass()) explain_by_history();
+    try {
+      if (!start(result)) return finish(result, "not-started");
+      run_tests();
+      if (second_pass())
+        explain_by_history();
+      else
+        play_failures_again(result);
+    } catch (const CannotWrite& error) {
+      result["reason"] = error.what();
+      return finish(result, "interrupted");
+    }
     return finish(result, interrupted ? "interrupted" : "complete");
   }
 
@@ -96,7 +110,8 @@ class Run {
                    {"command", request_.command},
                    {"depth", request_.depth},
                    {"seed", request_.seed},
-                   {"timeout", request_.seconds_per_test},
+                   {"timeout", request_.limits.seconds_per_test},
+                   {"memory", request_.limits.memory >> 20},
                    {"suite_command", suite_command()},
                    {"reason", ""},
                    {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
@@ -169,18 +184,22 @@ class Run {
     command.push_back("--die-with-parent");
     command.insert(command.end(), question.begin(), question.end());
     command.insert(command.end(), {"--answer", answer_file.string()});
-    return std::unique_ptr<Question>(
-        new Question{answer_file, ChildProcess(command, file("log", "txt").string())});
+    return std::unique_ptr<Question>(new Question{
+        answer_file, ChildProcess(command, file("log", "txt").string(), ChildProcess::Prints::limited)});
   }
 
   // Waits for it. An empty answer comes with a reason.
   json answer(Question& question, std::string& reason) const {
     auto& [answer_file, child, begin] = question;
     std::optional<Ending> ending;
-    while (!(ending = child.wait(kLook)) && !interrupted && seconds_since(begin) < kStartTimeout) continue;
+    bool swelled = false;
+    while (!(ending = child.wait(kLook)) && !interrupted && !swelled && seconds_since(begin) < kStartTimeout)
+      swelled = child.memory() > request_.limits.memory;
     if (!ending) {
       child.kill();
-      reason = interrupted ? "interrupted" : fmt::format("no answer within {} seconds", kStartTimeout);
+      reason = interrupted ? "interrupted"
+               : swelled   ? fmt::format("it took more than {} MiB of memory", request_.limits.memory >> 20)
+                           : fmt::format("no answer within {} seconds", kStartTimeout);
       return nullptr;
     }
     std::ifstream stream(answer_file);
@@ -233,7 +252,7 @@ class Run {
                                        const fs::path& events) const {
     std::ofstream stream(list);
     for (const std::string& test : tests) stream << test << '\n';
-    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", list.string()));
+    if (!stream.flush()) throw CannotWrite(fmt::format("cannot write '{}'", list.string()));
     fs::remove(events);
     std::vector<std::string> command = suite_command();
     command.insert(command.end(),
@@ -248,22 +267,23 @@ class Run {
     const fs::path events = scratch_ / "again.jsonl";
     std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
     if (trace_cases) command.push_back("--trace-cases");
-    SuiteChild child(command, events, file("log", "txt"), request_.seconds_per_test);
+    SuiteChild child(command, events, file("log", "txt"), request_.limits);
     while (!child.look(kLook, deadline_)) continue;
+    throw_if_it_cannot_write(child.run());
     return child.run();
   }
 
-  // Each of the tests in a process of its own, side by side, its cases traced: not results either.
-  std::vector<ChildRun> run_alone(const std::vector<std::string>& tests) const {
+  // Each of the tests in a process of its own, side by side: not results either.
+  std::vector<ChildRun> run_alone(const std::vector<std::string>& tests, bool trace_cases) const {
     std::vector<std::unique_ptr<SuiteChild>> children;
     const auto of_test = [this](std::size_t i, const char* extension) {
       return scratch_ / fmt::format("alone-{}.{}", i + 1, extension);
     };
     for (std::size_t i = 0; i < tests.size(); ++i) {
       std::vector<std::string> command = command_for({tests[i]}, of_test(i, "txt"), of_test(i, "jsonl"));
-      command.push_back("--trace-cases");
-      children.push_back(std::make_unique<SuiteChild>(command, of_test(i, "jsonl"), of_test(i, "log"),
-                                                      request_.seconds_per_test));
+      if (trace_cases) command.push_back("--trace-cases");
+      children.push_back(
+          std::make_unique<SuiteChild>(command, of_test(i, "jsonl"), of_test(i, "log"), request_.limits));
     }
     std::vector<bool> has_ended(children.size());
     while (std::ranges::count(has_ended, false) > 0)
@@ -274,8 +294,16 @@ class Run {
     for (std::size_t i = 0; i < children.size(); ++i) {
       runs.push_back(children[i]->run());
       append_to_log(of_test(i, "log"));
+      throw_if_it_cannot_write(runs.back());
     }
     return runs;
+  }
+
+  // Where the disk is full, how a child ends says nothing of the library.
+  void throw_if_it_cannot_write(const ChildRun& run) const {
+    if (!run.cannot_write.empty())
+      throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
+                                    run.cannot_write.substr(run.cannot_write.rfind(": ") + 2)));
   }
 
   void run_tests() {
@@ -298,8 +326,7 @@ class Run {
       const ChildRun& last = ended.back();
       for (const std::string& name : remaining)
         add_record(name, last.hung ? "timeout" : "crash",
-                   fmt::format("the process ended with {} before its first test", describe(last.ending)),
-                   nullptr);
+                   describe(last, request_.limits) + " before its first test", nullptr);
     }
   }
 
@@ -317,8 +344,8 @@ class Run {
     const auto start = [&](std::size_t job) {
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
       command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1"});
-      jobs[job] = std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"),
-                                               request_.seconds_per_test);
+      jobs[job] =
+          std::make_unique<SuiteChild>(command, of_job(job, "jsonl"), of_job(job, "log"), request_.limits);
     };
     for (std::size_t job = 0; job < jobs.size(); ++job) start(job);
     std::vector<ChildRun> ended;
@@ -332,6 +359,7 @@ class Run {
         jobs[job].reset();
         --running;
         append_to_log(of_job(job, "log"));
+        throw_if_it_cannot_write(run);
         sequences_.push_back(run.finished);
         if (interrupted) {
           run.in_flight.clear();
@@ -360,7 +388,8 @@ class Run {
   void append_to_records(const json& event) const {
     std::ofstream file(records_file_, std::ios::app);
     file << event.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
-    if (!file.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", records_file_.string()));
+    if (!file.flush())
+      throw CannotWrite(fmt::format("cannot write '{}': {}", records_file_.string(), std::strerror(errno)));
   }
 
   void append_to_log(const fs::path& part) const {
@@ -409,7 +438,7 @@ class Run {
       for (std::size_t i = begin; i < end; ++i) names.push_back(dead[i]->in_flight);
       progress_({"confirming", records_.size(), request_.tests.size(), names.front()});
       const std::vector<ChildRun> alone =
-          interrupted ? std::vector<ChildRun>(names.size()) : run_alone(names);
+          interrupted ? std::vector<ChildRun>(names.size()) : run_alone(names, true);
       for (std::size_t i = begin; i < end; ++i) record_death(*dead[i], alone[i - begin]);
     }
   }
@@ -417,8 +446,7 @@ class Run {
   void record_death(const ChildRun& child, const ChildRun& alone) {
     const std::string name = child.in_flight;
     const std::string verdict = child.hung ? "timeout" : "crash";
-    const std::string how = child.hung ? fmt::format("no answer within {} seconds", request_.seconds_per_test)
-                                       : "the process ended with " + describe(child.ending);
+    const std::string how = describe(child, request_.limits);
     if (interrupted) {
       add_record(name, verdict, how + "; not confirmed, the run was interrupted", nullptr);
       return;
@@ -432,8 +460,76 @@ class Run {
       add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case);
       return;
     }
-    add_record(name, verdict, how + "; passes alone", nullptr);
+    const auto result = alone.records.find(name);
+    const std::string again = result == alone.records.end() ? "" : result->second.value("verdict", "");
+    add_record(name, verdict, how + (again == "fail" ? "; fails alone" : "; passes alone"), nullptr);
     add_history(records_[name], child.finished);
+    if (records_[name].contains("flake") && !again.empty())
+      records_[name]["again"] = {{"verdict", again}, {"message", result->second.value("message", "")}};
+  }
+
+  // --- what does not come out the same ---------------------------------------------------------------------
+
+  // What a process made of the test alone, where that is not what the record says: its verdict and message.
+  // Null where it is the same, or where nothing came of it.
+  json other_outcome(const json& record, const ChildRun& again) const {
+    const std::string name = record["name"];
+    if (again.in_flight == name)
+      return {{"verdict", again.hung ? "timeout" : "crash"}, {"message", describe(again, request_.limits)}};
+    const auto found = again.records.find(name);
+    if (found == again.records.end()) return nullptr;
+    const json& other = found->second;
+    if (other["verdict"] == record["verdict"] && mismatches_of(other) == mismatches_of(record))
+      return nullptr;
+    return {{"verdict", other["verdict"]}, {"message", other.value("message", "")}};
+  }
+
+  // Fails that the baseline does not know, once more. (Deaths have been.)
+  void play_failures_again(json& result) {
+    std::vector<std::string> names;
+    for (const json& test : request_.tests) {
+      const auto found = records_.find(test["name"]);
+      if (found != records_.end() && found->second["verdict"] == "fail" &&
+          !baseline_.knows(found->second, request_.depth, request_.seed))
+        names.push_back(test["name"]);
+    }
+    if (request_.retries > 0 && names.size() > kMostPlayedAgain) {
+      result["not_played_again"] = names.size() - kMostPlayedAgain;
+      names.resize(kMostPlayedAgain);
+    }
+    for (int round = 0; round < request_.retries; ++round) {
+      std::vector<std::string> same;
+      const auto jobs = static_cast<std::size_t>(request_.jobs);
+      for (std::size_t begin = 0; begin < names.size() && !interrupted; begin += jobs) {
+        const std::vector<std::string> some(
+            names.begin() + static_cast<std::ptrdiff_t>(begin),
+            names.begin() + static_cast<std::ptrdiff_t>(std::min(begin + jobs, names.size())));
+        progress_({"playing again", begin, names.size(), some.front()});
+        const std::vector<ChildRun> runs = run_alone(some, false);
+        for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
+          const json other = other_outcome(records_[some[i]], runs[i]);
+          if (other.is_null())
+            same.push_back(some[i]);
+          else
+            explain_difference(records_[some[i]], other);
+        }
+      }
+      names = std::move(same);
+    }
+  }
+
+  // A failure that did not come out the same alone: it needs other tests before it, or it is a flake.
+  void explain_difference(json& record, const json& again) {
+    const json before = record;
+    progress_({"searching a history", records_.size(), request_.tests.size(), record["name"]});
+    add_history(record, predecessors_of(record["name"]));
+    if (record.contains("history") && !record["history"].empty()) return;
+    record = before;
+    record["flake"] = true;
+    record["again"] = again;
+    record["message"] =
+        fmt::format("{}; a flake: played again, alone in a new process, its verdict is {}",
+                    record["message"].get<std::string>(), again["verdict"].get<std::string>());
   }
 
   // --- what a failure depends on -------------------------------------------------------------------------
@@ -504,7 +600,8 @@ class Run {
     const auto begin = Clock::now();
     searched_.insert(record["name"]);
     double seconds = std::min(kSearchBudget, searches_left_);
-    if (record["verdict"] == "timeout") seconds += 4 * request_.seconds_per_test;  // to see it hang again
+    if (record["verdict"] == "timeout")
+      seconds += 4 * request_.limits.seconds_per_test;  // to see it hang again
     deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const std::optional<bool> alone = happens_again(record, {});
     History history;
@@ -526,6 +623,8 @@ class Run {
     record["message"] = words_for(history, only_case, predecessors.size(), record["message"]);
     if (history.found == History::Found::shortest || history.found == History::Found::shortened)
       record["history"] = history.tests;
+    else
+      record["flake"] = true;
     if (!only_case.empty()) record["history_case"] = only_case;
   }
 
@@ -585,7 +684,13 @@ class Run {
     result["summary"] = summary;
     if (!readings.empty()) result["readings"] = readings;
     fs::remove_all(scratch_);
-    write_atomically(file("results", "json"), to_text(result));
+    try {
+      write_atomically(file("results", "json"), to_text(result));
+    } catch (const CannotWrite& error) {
+      if (records_.empty()) throw;
+      throw CannotWrite(fmt::format("{}; what {} has shown until then is in {}", error.what(), request_.name,
+                                    file("records", "jsonl").filename().string()));
+    }
     return result;
   }
 
@@ -644,7 +749,7 @@ void write_atomically(const fs::path& path, const std::string& content) {
   const auto fail = [&](const char* what) {
     const int error = errno;
     fs::remove(temporary);
-    throw std::runtime_error(fmt::format("cannot {} '{}': {}", what, path.string(), std::strerror(error)));
+    throw CannotWrite(fmt::format("cannot {} '{}': {}", what, path.string(), std::strerror(error)));
   };
   const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) fail("create");

@@ -12,6 +12,8 @@
 
 #include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
+#include "harness/runner/events.h"
+#include "harness/runner/suite_child.h"
 
 namespace evalcts {
 
@@ -24,8 +26,9 @@ struct RunRequest {
   std::string depth = "full";
   std::vector<std::string> readings;  // NAME=READING, asked for
   std::uint32_t seed = 1;
-  double seconds_per_test = 60;
-  int jobs = 1;  // processes that share the tests (a pass over one shared context: always one)
+  Limits limits;
+  int retries = 1;  // how often an unexpected fail is played again
+  int jobs = 1;     // processes that share the tests (a pass over one shared context: always one)
   std::filesystem::path output;     // an existing folder
   std::string command;              // as the user typed it, for the record
   std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with
@@ -37,7 +40,7 @@ struct RunRequest {
 };
 
 struct Progress {
-  std::string phase;  // "starting", "test", "confirming"
+  std::string phase;  // "starting", "test", "confirming", "playing again", "searching a history"
   std::size_t done = 0;
   std::size_t total = 0;
   std::string test;
@@ -45,6 +48,9 @@ struct Progress {
 
 // Set from a signal handler: the run stops, and what was obtained is kept with the status "interrupted".
 extern std::atomic<bool> interrupted;
+
+// More unexpected fails than these are not chance; what is beyond is not played again.
+inline constexpr std::size_t kMostPlayedAgain = 100;
 
 // What a pass of a run is called in records, baselines and file names; empty: the first, with fresh contexts.
 inline constexpr const char* kReuseContext = "reuse-context";
@@ -56,8 +62,14 @@ std::string file_label(const std::string& name, const std::string& shard, const 
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
 // write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and
 // log-NAME.txt holds what the library and the suite print. An implementation that cannot be started gives a
-// record with the status "not-started" and its reason. Throws std::runtime_error where the output folder
-// cannot be written.
+// record with the status "not-started" and its reason. Where the folder cannot be written any more (disk
+// full) the run ends, "interrupted" with the reason; CannotWrite where not even what was obtained can be
+// written: it is in records-NAME.jsonl.
+//
+// A fail that no baseline knows is played again, alone in a new process, up to `retries` times (the first
+// kMostPlayedAgain of them); a crash or timeout always once. What does not come out the same either shows
+// again behind tests that came before it, which the message and "history" then name, or it is a flake:
+// "flake" is true and "again" what came. It keeps its verdict, for that is what the library did.
 //
 // A second pass has files of its own and "pass": "reuse-context" in its record. What fails in it as it failed
 // in the first is marked as expected and as "also_in_fresh_context"; for anything else that fails, the
@@ -73,7 +85,7 @@ nlohmann::json list_tests(const std::filesystem::path& suite_program);
 // A result record as the text of its file.
 std::string to_text(const nlohmann::json& result);
 
-// Writes the whole file or leaves the old one. Throws std::runtime_error.
+// Writes the whole file or leaves the old one. Throws CannotWrite.
 void write_atomically(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace evalcts

@@ -1,8 +1,12 @@
 #include "harness/runner/suite_child.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
+#include "harness/runner/events.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts {
@@ -10,9 +14,19 @@ namespace evalcts {
 using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
+namespace {
+constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it does then decides nothing
+}
+
+std::string describe(const ChildRun& run, const Limits& limits) {
+  if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
+  if (run.swelled) return fmt::format("it took more than {} MiB of memory", limits.memory >> 20);
+  return "the process ended with " + describe(run.ending);
+}
+
 SuiteChild::SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
-                       const std::filesystem::path& log, double seconds_per_test)
-    : events_(events), seconds_per_test_(seconds_per_test), process_(command, log.string()) {}
+                       const std::filesystem::path& log, const Limits& limits)
+    : events_(events), limits_(limits), process_(command, log.string(), ChildProcess::Prints::limited) {}
 
 bool SuiteChild::look(double seconds, const Deadline& deadline,
                       const std::function<void(const json& event)>& each) {
@@ -31,15 +45,23 @@ bool SuiteChild::look(double seconds, const Deadline& deadline,
   read_ += static_cast<std::streamoff>(begin);
   if (ending) {
     run_.ending = *ending;
+    if (!ending->signalled && ending->value == kExitCannotWrite &&
+        process_.own_words().starts_with(kCannotWriteEvent))
+      run_.cannot_write = process_.own_words();
     return true;
   }
+  const double patience =
+      run_.complete ? std::min(limits_.seconds_per_test, kMostToEnd) : limits_.seconds_per_test;
   if (interrupted) {
     process_.kill();
   } else if (deadline && Clock::now() > *deadline) {
     run_.cut_short = true;
     process_.kill();
-  } else if (std::chrono::duration<double>(Clock::now() - latest_event_).count() > seconds_per_test_) {
-    run_.hung = true;
+  } else if (process_.memory() > limits_.memory) {
+    run_.swelled = true;
+    process_.kill();
+  } else if (std::chrono::duration<double>(Clock::now() - latest_event_).count() > patience) {
+    run_.hung = !run_.complete;
     process_.kill();
   }
   return false;

@@ -1,7 +1,7 @@
 #include "harness/runner/suite_main.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -23,7 +22,9 @@
 #include "harness/gl/case_json.h"
 #include "harness/implementations/reused_context.h"
 #include "harness/runner/claims.h"
+#include "harness/runner/events.h"
 #include "harness/runner/reproduction.h"
+#include "harness/runner/surroundings.h"
 #include "harness/runner/test.h"
 
 namespace evalcts {
@@ -48,35 +49,6 @@ struct Options {
        reuse_context = false;
 };
 
-// One line for each event, written at once, so that nothing obtained is lost when the process dies.
-class RecordFile {
- public:
-  explicit RecordFile(const std::string& path) {
-    if (path.empty()) return;
-    descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-    if (descriptor_ < 0)
-      throw std::runtime_error(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
-  }
-  ~RecordFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-  RecordFile(const RecordFile&) = delete;
-  RecordFile& operator=(const RecordFile&) = delete;
-
-  void write(const json& event) const {
-    if (descriptor_ < 0) return;
-    const std::string line = event.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
-    const ssize_t written = ::write(descriptor_, line.data(), line.size());
-    if (written == static_cast<ssize_t>(line.size())) return;
-    std::cerr << "evalcts: cannot write the result of a test: "
-              << (written < 0 ? std::strerror(errno) : "disk full") << "\n";
-    _exit(kOwnFault);
-  }
-
- private:
-  int descriptor_ = -1;
-};
-
 // A test to run, all of it or its first cases only.
 struct Chosen {
   TestInfo info;
@@ -92,7 +64,7 @@ struct Program {
   std::unique_ptr<Captures> captures;
   std::unique_ptr<Reproduction> reproduction;
   Subject subject;
-  std::unique_ptr<RecordFile> records;
+  std::unique_ptr<EventFile> records;
   std::unique_ptr<Claims> claims;  // where several processes share the list of tests
 };
 
@@ -114,11 +86,18 @@ class GoogleTestAdapter : public testing::Test {
     program_.cases_left = chosen_.most_cases;
     program_.records->write({{"event", "start"}, {"name", record.name}});
     const auto start = std::chrono::steady_clock::now();
+    const Surroundings surroundings;
     evalcts::Test test(program_.subject, record);
     test.run(info.body);
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::vector<std::string> changed = surroundings.put_back();
     program_.records->write({{"event", "result"}, {"record", to_json(record)}});
     report(record);
+    if (!changed.empty())
+      std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
+                << std::endl;
+    // Who knows what else was closed: the rest is for a new process, which the runner starts.
+    if (program_.records->was_closed()) _exit(0);
   }
 
  private:
@@ -308,7 +287,10 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   static Program& program = *new Program;
   parse(argc, argv, program.options);
   const Options& options = program.options;
-  if (options.die_with_parent) prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (options.die_with_parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    std::ofstream("/proc/self/oom_score_adj") << 1000;  // where memory runs out it is this process that goes
+  }
   if (options.list) {
     answer(options, list_tests());
     return 0;
@@ -317,7 +299,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   const bool plays_programs = options.fuzz || !options.replay.empty();
   const std::vector<Chosen> tests =
       answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests);
-  program.records = std::make_unique<RecordFile>(options.records);
+  program.records = std::make_unique<EventFile>(options.records);
   if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
   const bool only_list = testing::GTEST_FLAG(list_tests);
   if (!only_list) {
@@ -388,6 +370,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
 int suite_main(int argc, char** argv, const Wrapping& wrapping) {
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test are recorded, not kept
+  std::signal(SIGXFSZ, SIG_IGN);     // a result that is too large for its file is no crash of the library
   try {
     return run(argc, argv, wrapping);
   } catch (const CannotStart& error) {

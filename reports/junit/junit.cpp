@@ -46,6 +46,8 @@ std::string details(const TestResult& test) {
     line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
   line("history", join(test.history, ", "));
+  if (test.flake)
+    line("flake", test.again.empty() ? "did not fail again" : test.again + " when played again");
   line("run just this test", test.rerun);
   line("open it in a debugger", test.debug);
   line("make a C program of it", test.reproducer);

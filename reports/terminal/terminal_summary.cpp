@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kMostInFull = 8;     // failures, where not all were asked for
+constexpr std::size_t kLinesInFull = 8;    // of a failure: commands take two lines
+constexpr std::size_t kLinesAtEnd = 6;     // what follows the failures, and the prompt
 constexpr std::size_t kMostOfSource = 24;  // columns
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
@@ -78,9 +80,15 @@ std::vector<const TestResult*> one_of_each(const std::vector<const TestResult*>&
   return tests;
 }
 
+// " (flake: pass when played again)", for one that did not come out the same.
+std::string flake_note(const TestResult& test) {
+  if (!test.flake) return {};
+  return test.again.empty() ? " (flake)" : fmt::format(" (flake: {} when played again)", test.again);
+}
+
 // A test in one line.
 std::string test_line(const TestResult& test) {
-  std::string out = fmt::format("{:<15} {}", text_of(test.verdict).word, test.name);
+  std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
   if (test.expected_bad())
     out += " (expected" + (test.baseline_reason.empty() ? "" : ": " + test.baseline_reason) + ")";
   if (test.unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
@@ -120,7 +128,7 @@ std::string demand(const TestResult& test, const Requirements& catalogue) {
 void write_in_full(Screen& screen, const TestResult& test, const Requirements& catalogue, bool all_cases) {
   const Failure none{};
   const Failure& failure = test.failures.empty() ? none : test.failures.front();
-  std::string first = fmt::format("{:<8} {}", text_of(test.verdict).word, test.name);
+  std::string first = fmt::format("{:<8} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
   if (test.failed_cases.value_or(0) && test.cases)
     first += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
   if (!failure.case_name.empty()) first += ", " + failure.case_name;
@@ -189,10 +197,29 @@ void write_captures(Screen& screen, const Record& record) {
   }
 }
 
+void write_last_line(Screen& screen, const Record& record, const std::string& head = {}) {
+  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
+  std::vector<std::string> last;
+  if (unexpected) last.push_back(count(unexpected, "unexpected result"));
+  if (expected) last.push_back(count(expected, "failing test") + " as the baseline expects");
+  if (!record.complete()) last.push_back("the run is not complete");
+  if (last.empty() || (!unexpected && record.complete())) last.insert(last.begin(), "nothing unexpected");
+  screen.line(head + join(last, ", "), unexpected          ? Colour::kRed
+                                       : record.complete() ? Colour::kGreen
+                                                           : Colour::kYellow);
+}
+
 }  // namespace
 
+std::string terminal_line(const nlohmann::json& result, bool colour) {
+  const Record record = read_record(result);
+  Screen screen(colour, true);
+  write_last_line(screen, record, record.heading("(unnamed)") + ": ");
+  return screen.text();
+}
+
 std::string terminal_summary(const nlohmann::json& result, const nlohmann::json& requirements, bool colour,
-                             bool verbose) {
+                             bool verbose, std::size_t lines) {
   const Record record = read_record(result);
   const Requirements catalogue = read_requirements(requirements);
   Screen screen(colour, !verbose);
@@ -211,14 +238,19 @@ std::string terminal_summary(const nlohmann::json& result, const nlohmann::json&
   std::stable_sort(others.begin(), others.end(), worse);
   failing = one_of_each(failing);
 
-  std::size_t left = 0;
-  if (!verbose && failing.size() > kMostInFull) {
-    left += failing.size() - kMostInFull;
-    failing.resize(kMostInFull);
+  std::size_t left = 0, most = kMostInFull;
+  if (lines > 0) {
+    const std::string& head = screen.text();
+    const std::size_t taken = kLinesAtEnd + static_cast<std::size_t>(std::ranges::count(head, '\n'));
+    most = std::clamp(lines > taken ? (lines - taken) / kLinesInFull : 0, std::size_t{1}, kMostInFull);
   }
-  if (!verbose && others.size() > kMostInFull) {
-    left += others.size() - kMostInFull;
-    others.resize(kMostInFull);
+  if (!verbose && failing.size() > most) {
+    left += failing.size() - most;
+    failing.resize(most);
+  }
+  if (!verbose && others.size() > most) {
+    left += others.size() - most;
+    others.resize(most);
   }
   for (const TestResult* test : failing) {
     screen.line("");
@@ -234,18 +266,13 @@ std::string terminal_summary(const nlohmann::json& result, const nlohmann::json&
   screen.line("");
   if (left)
     screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
+  if (record.not_played_again)
+    screen.line("so many failed that " + count(record.not_played_again, "unexpected failure") +
+                " had to stay without being played again");
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);
-  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
-  std::vector<std::string> last;
-  if (unexpected) last.push_back(count(unexpected, "unexpected result"));
-  if (expected) last.push_back(count(expected, "failing test") + " as the baseline expects");
-  if (!record.complete()) last.push_back("the run is not complete");
-  if (last.empty() || (!unexpected && record.complete())) last.insert(last.begin(), "nothing unexpected");
-  screen.line(join(last, ", "), unexpected          ? Colour::kRed
-                                : record.complete() ? Colour::kGreen
-                                                    : Colour::kYellow);
+  write_last_line(screen, record);
   return screen.text();
 }
 

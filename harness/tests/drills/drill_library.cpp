@@ -6,27 +6,30 @@
 // may need it.
 //
 // EVALCTS_DRILL names what happens when Map1f is called for INDEX with order 5 (most tests never do that):
-//   crash, abort, exit, hang, kill; "second": crash only if a map of order 7 was defined before in this
+//   one of misdeeds.h; "second": crash only if a map of order 7 was defined before in this
 //   process; "both": crash, and hang where Map1d is called so; "start": crash when a context is made;
 //   "lenient": strides below k are taken for k; "fragile": the same, and a crash where nothing was enabled
-//   before; "control": every explicit vertex crashes, "control-error": it leaves an error behind, and every
-//   evaluated one loses the current colour; "history": in a context where that happened, GetMapiv says that
-//   maps of VERTEX_3 have one point more; "worn": in a context with 45 primitives, which one random program
-//   has not, IsEnabled says the opposite; "worn-out": with 400.
+//   before; "now-and-then": orders of INDEX are one too many, in the first process of all (EVALCTS_DRILL_FILE
+//   is then there); "crash-now-and-then": it crashes; "control": every explicit vertex crashes,
+//   "control-error": it leaves an error behind, and every evaluated one loses the current colour; "history":
+//   in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more; "worn": in a
+//   context with 45 primitives, which one random program has not, IsEnabled says the opposite; "worn-out":
+//   with 400.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <dlfcn.h>
 #endif
+#include <fcntl.h>
 #include <glevaluator.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <map>
 
 #include "harness/gl/table.h"
+#include "harness/tests/drills/misdeeds.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 
@@ -34,27 +37,29 @@ namespace {
 
 glev_context* current = nullptr;
 [[maybe_unused]] bool seven_was_seen = false;
-[[maybe_unused]] bool odd_context = false, enabled_something = false;
+[[maybe_unused]] bool odd_context = false, odd_answers = false, enabled_something = false;
 [[maybe_unused]] std::map<glev_context*, int> primitives;  // of each context
+
+// Whether no process has come here before: the file EVALCTS_DRILL_FILE is not there yet.
+[[maybe_unused]] bool is_first_time() {
+  const char* const file = std::getenv("EVALCTS_DRILL_FILE");
+  const int descriptor = file ? open(file, O_WRONLY | O_CREAT | O_EXCL, 0644) : -1;
+  if (descriptor >= 0) close(descriptor);
+  return descriptor >= 0;
+}
 
 bool drill(const char* name) {
   const char* wanted = std::getenv("EVALCTS_DRILL");
   return wanted && std::strcmp(wanted, name) == 0;
 }
 
-void crash() {
-#ifdef __SANITIZE_ADDRESS__
-  signal(SIGSEGV, SIG_DFL);  // sanitizers would make an exit code of it
-#endif
-  raise(SIGSEGV);
-}
+using misdeeds::crash;
 
 [[maybe_unused]] void misbehave() {
-  if (drill("crash") || drill("both") || (drill("second") && seven_was_seen)) crash();
-  if (drill("abort")) std::abort();
-  if (drill("exit")) _exit(7);
-  if (drill("kill")) raise(SIGKILL);
-  while (drill("hang")) pause();
+  if (drill("both") || (drill("second") && seven_was_seen)) crash();
+  if (drill("now-and-then") && is_first_time()) odd_answers = true;
+  if (drill("crash-now-and-then") && is_first_time()) crash();
+  if (const char* const wanted = std::getenv("EVALCTS_DRILL")) misdeeds::do_misdeed(wanted);
 }
 
 }  // namespace
@@ -151,6 +156,7 @@ EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
 }
 EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
   glevGetMapiv(current, target, query, values);
+  if (odd_answers && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
   if (drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;
 }
 #endif

@@ -1,0 +1,107 @@
+#include "harness/cli/help.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+namespace evalcts::cli {
+namespace {
+
+const std::map<std::string, std::string>& examples() {
+  static const std::map<std::string, std::string> all = {
+      {"run", R"(  evalcts run                                         # osmesa, production and reference
+  evalcts run --library ./libOSMesa.so.8              # a library of your own
+  evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
+  evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
+  evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
+  evalcts run --shard 2/4 --output part-2             # on the second of four machines)"},
+      {"list", R"(  evalcts list implementations
+  evalcts list tests --json)"},
+      {"coverage", R"(  evalcts coverage
+  evalcts coverage --complete --json)"},
+      {"explain", R"(  evalcts explain EV-MAP1-COPY
+  evalcts explain Map1State.CopyOnCall/UNMAPPED
+  evalcts explain not-observable)"},
+      {"reproduce", R"(  evalcts reproduce IntegersSaturate/MAP1_INDEX
+  evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)"},
+      {"faults", R"(  evalcts faults
+  evalcts faults --filter 'Grid*' --jobs 2)"},
+      {"fuzz", R"(  evalcts fuzz --implementation osmesa --seconds 60
+  evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)"},
+      {"rounding", R"(  evalcts rounding
+  evalcts rounding --filter 'curve/4/*' --samples 1000000)"},
+      {"ulp", R"(  evalcts ulp --implementation osmesa --filter 'curve/4/*'
+  evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
+  evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)"},
+      {"report", R"(  evalcts report results-osmesa.json)"},
+      {"vectors", R"(  evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
+  evalcts vectors lint mine.json)"}};
+  return all;
+}
+
+// Damerau's distance, with each place edited once.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        cost[i][j] = i + j;
+        continue;
+      }
+      cost[i][j] =
+          std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
+    }
+  return cost[a.size()][b.size()];
+}
+
+constexpr std::size_t kLongestWord = 64;
+
+}  // namespace
+
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+  if (word.size() > kLongestWord) return {};
+  std::string best;
+  std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  for (const std::string& candidate : candidates)
+    if (const std::size_t cost = distance(word, candidate); cost < least) {
+      least = cost;
+      best = candidate;
+    }
+  return best;
+}
+
+void add_examples(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands({}))
+    if (const auto found = examples().find(command->get_name()); found != examples().end())
+      command->footer("Examples:\n" + found->second);
+}
+
+std::string suggestion(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* command = &app;
+  for (const std::string& argument : arguments) {
+    std::vector<std::string> known;
+    std::string word = argument;
+    if (argument.starts_with("-")) {
+      word = argument.substr(0, argument.find('='));
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    } else {
+      const std::vector<const CLI::App*> commands =
+          command->get_subcommands(std::function<bool(const CLI::App*)>());
+      const auto found =
+          std::ranges::find(commands, argument, [](const CLI::App* each) { return each->get_name(); });
+      if (found != commands.end()) {
+        command = *found;
+        continue;
+      }
+      for (const CLI::App* each : commands) known.push_back(each->get_name());
+    }
+    if (std::ranges::find(known, word) != known.end()) continue;
+    if (const std::string meant = nearest(word, known); !meant.empty()) return "did you mean " + meant + "?";
+  }
+  return {};
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,56 @@
+#include "harness/runner/events.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+namespace evalcts {
+
+EventFile::EventFile(const std::filesystem::path& path) : process_(getpid()) {
+  if (path.empty()) return;
+  path_ = std::filesystem::absolute(path);
+  open();
+}
+
+EventFile::~EventFile() {
+  if (is_open()) close(descriptor_);
+}
+
+void EventFile::open() {
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  struct stat file {};
+  if (descriptor_ < 0 || fstat(descriptor_, &file) != 0)
+    throw CannotWrite(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  device_ = file.st_dev;
+  inode_ = file.st_ino;
+}
+
+// Whether the number still stands for this file: who closes it may have opened another in its place.
+bool EventFile::is_open() const {
+  struct stat file {};
+  return descriptor_ >= 0 && fstat(descriptor_, &file) == 0 && file.st_dev == device_ &&
+         file.st_ino == inode_;
+}
+
+void EventFile::write(const nlohmann::json& event) {
+  if (path_.empty()) return;
+  if (getpid() != process_) _exit(0);
+  if (!is_open()) {
+    was_closed_ = true;
+    open();
+  }
+  const std::string line = event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const ssize_t written = ::write(descriptor_, line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size())) return;
+  const std::string words =
+      kCannotWriteEvent + std::string(written < 0 ? std::strerror(errno) : "no space left on device") + "\n";
+  [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, words.data(), words.size());
+  _exit(kExitCannotWrite);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,103 @@
+#include "harness/runner/output_log.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "harness/runner/events.h"
+
+namespace evalcts {
+namespace {
+
+constexpr char kTestBegins[] = "[ RUN      ] ", kOwnWords[] = "evalcts: ";
+constexpr std::size_t kLongestLine = 4096;    // longer ones are taken in pieces
+constexpr std::size_t kMostAtOnce = 1 << 20;  // bytes, so that a flood does not keep its reader
+
+}  // namespace
+
+OutputLog::OutputLog(const std::filesystem::path& log) {
+  std::array<int, 2> ends{};
+  log_ = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (log_ < 0 || pipe2(ends.data(), O_CLOEXEC) != 0) {
+    const int error = errno;
+    if (log_ >= 0) close(log_);
+    throw CannotWrite(fmt::format("cannot write '{}': {}", log.string(), std::strerror(error)));
+  }
+  reader_ = ends[0];
+  writer_ = ends[1];
+  fcntl(reader_, F_SETFL, O_NONBLOCK);
+}
+
+OutputLog::~OutputLog() {
+  for (const int descriptor : {reader_, writer_, log_})
+    if (descriptor >= 0) close(descriptor);
+}
+
+void OutputLog::close_writer() {
+  if (writer_ >= 0) close(writer_);
+  writer_ = -1;
+}
+
+void OutputLog::take() {
+  std::array<char, 65536> bytes{};
+  for (std::size_t taken = 0; reader_ >= 0 && taken < kMostAtOnce;) {
+    const ssize_t count = read(reader_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return;
+    if (count == 0) {
+      close(reader_);
+      reader_ = -1;
+      return;
+    }
+    taken += static_cast<std::size_t>(count);
+    partial_.append(bytes.data(), static_cast<std::size_t>(count));
+    std::size_t begin = 0;
+    for (std::size_t end; (end = partial_.find('\n', begin)) != std::string::npos; begin = end + 1)
+      take_line(partial_.substr(begin, end + 1 - begin));
+    partial_.erase(0, begin);
+    if (partial_.size() > kLongestLine) take_line(std::exchange(partial_, {}));
+  }
+}
+
+void OutputLog::finish() {
+  take();
+  if (!partial_.empty()) take_line(std::exchange(partial_, {}));
+  say_what_is_left_out();
+}
+
+void OutputLog::take_line(const std::string& line) {
+  // What the library printed last need not have ended its line.
+  if (const std::size_t test = line.find(kTestBegins); test != std::string::npos) {
+    say_what_is_left_out();
+    kept_ = 0;
+  }
+  if (line.starts_with(kOwnWords)) own_words_ = line.substr(0, line.find('\n'));
+  if (left_out_ > 0 || kept_ + line.size() > kMostPrinted) {
+    left_out_ += line.size();
+    return;
+  }
+  kept_ += line.size();
+  append(line);
+}
+
+void OutputLog::say_what_is_left_out() {
+  if (left_out_ > 0) append(fmt::format("evalcts: {} bytes more are left out here\n", left_out_));
+  left_out_ = 0;
+}
+
+void OutputLog::append(const std::string& text) const {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = write(log_, text.data() + done, text.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+}  // namespace evalcts

@@ -1,0 +1,152 @@
+// What a library can do to the process that it is in, by name. EVALCTS_DRILL_FILE, where it matters, is where
+// the ids of processes go that are started.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cfenv>
+#include <clocale>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace misdeeds {
+
+inline void crash() {
+#ifdef __SANITIZE_ADDRESS__
+  signal(SIGSEGV, SIG_DFL);  // sanitizers would make an exit code of it
+#endif
+  raise(SIGSEGV);
+}
+
+[[noreturn]] inline void wait_for_ever() {
+  for (;;) pause();
+}
+
+// 100 MB at a time, all of it in use.
+inline void eat_memory() {
+  for (;;) {
+    constexpr std::size_t kPiece = 100'000'000;
+    auto* const piece = static_cast<volatile char*>(std::malloc(kPiece));
+    if (!piece) wait_for_ever();
+    for (std::size_t i = 0; i < kPiece; i += 1024) piece[i] = 1;
+  }
+}
+
+inline void print_megabytes(int count) {
+  static const std::string line(1023, '.');
+  for (int i = 0; i != count * 1024; ++i) std::puts(line.c_str());
+  std::fflush(stdout);
+}
+
+inline void close_descriptors() {
+  for (int descriptor = 0; descriptor < 1024; ++descriptor) close(descriptor);
+}
+
+// ... and takes their numbers for a file of its own.
+inline void close_descriptors_and_open() {
+  close_descriptors();
+  for (int i = 0; i < 32; ++i) {
+    [[maybe_unused]] const int taken = open("/dev/null", O_RDWR);
+  }
+}
+
+inline void ignore_signals_and_hang() {
+  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_IGN);
+  wait_for_ever();
+}
+
+// A handler that comes back to what failed, for ever.
+inline void handle_crash_and_go_on() {
+  std::signal(SIGSEGV, [](int) {});
+  volatile std::uintptr_t nowhere = 64;
+  *reinterpret_cast<volatile int*>(nowhere) = 1;
+}
+
+inline void crash_in_thread() {
+  std::thread(crash).detach();
+  wait_for_ever();
+}
+
+inline void leave_thread() {
+  std::thread([] { wait_for_ever(); }).detach();
+  static std::atomic<bool> enough = false;
+  std::thread([] {
+    while (!enough) continue;
+  }).detach();
+}
+
+inline void corrupt_heap() {
+  auto* const small = static_cast<volatile char*>(std::malloc(24));
+  auto* const next = static_cast<char*>(std::malloc(24));
+  for (int i = 24; i < 64; ++i) small[i] = 0x55;
+  std::free(next);
+  std::free(const_cast<char*>(small));
+  std::free(std::malloc(5000));
+}
+
+inline void leave_process(bool own_session) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (own_session) setsid();
+    wait_for_ever();
+  }
+  if (const char* const file = std::getenv("EVALCTS_DRILL_FILE"))
+    std::ofstream(file, std::ios::app) << child << "\n";
+}
+
+inline void change_surroundings() {
+  if (chdir("/") != 0) std::abort();
+  std::setlocale(LC_ALL, "C.UTF-8");
+  alarm(1);
+}
+
+inline void change_arithmetic() {
+  std::fesetround(FE_UPWARD);
+#ifdef __SSE__
+  __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040);  // subnormals are zero
+#endif
+}
+
+inline bool do_misdeed(std::string_view name) {
+  static const std::map<std::string_view, void (*)()> all = {
+      {"crash", crash},
+      {"abort", std::abort},
+      {"exit", [] { _exit(7); }},
+      {"exit-well", [] { std::exit(0); }},
+      {"kill", [] { raise(SIGKILL); }},
+      {"hang", [] { wait_for_ever(); }},
+      {"stop", [] { raise(SIGSTOP); }},
+      {"memory", eat_memory},
+      {"flood", [] { print_megabytes(20); }},
+      {"endless-flood", [] { print_megabytes(-1); }},
+      {"close", close_descriptors},
+      {"close-and-open", close_descriptors_and_open},
+      {"deaf", ignore_signals_and_hang},
+      {"handler", handle_crash_and_go_on},
+      {"thread", crash_in_thread},
+      {"threads-stay", leave_thread},
+      {"heap", corrupt_heap},
+      {"process-stays", [] { leave_process(false); }},
+      {"daemon", [] { leave_process(true); }},
+      {"fork-goes-on", [] { [[maybe_unused]] const pid_t child = fork(); }},
+      {"surroundings", change_surroundings},
+      {"arithmetic", change_arithmetic},
+      {"at-exit", [] { std::atexit([] { wait_for_ever(); }); }}};
+  const auto found = all.find(name);
+  if (found == all.end()) return false;
+  found->second();
+  return true;
+}
+
+}  // namespace misdeeds
