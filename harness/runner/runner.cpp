@@ -81,7 +81,8 @@ class Run {
       else
         play_failures_again(result);
     } catch (const CannotWrite& error) {
-      result["reason"] = error.what();
+      result["reason"] =
+          error.what() + std::string("; free some space, or choose another folder with --output");
       return finish(result, "interrupted");
     }
     return finish(result, interrupted ? "interrupted" : "complete");

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "harness/tests/program.h"
+#include "harness/tests/drill.h"
 
 namespace evalcts {
 namespace {
@@ -20,21 +20,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-class CommandLine : public ProgramTest {
- protected:
-  // `evalcts run` on the drill library.
-  Outcome drill(const std::string& what, std::vector<std::string> more = {}) {
-    setenv("EVALCTS_DRILL", what.c_str(), 1);
-    std::vector<std::string> arguments = {
-        "run",   "--implementation", "osmesa",         "--library", DRILL_LIBRARY, "--name",
-        "drill", "--output",         folder_.string(), "--depth",   "quick"};
-    if (more.empty()) more = {"--filter", "Map1State.Stride/*:Map1State.SmallestStride/*:InitialState.O*"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return evalcts(arguments);
-  }
-};
-
-constexpr const char* kVictim = "Map1State.Stride/MAP1_INDEX_f";  // defines INDEX with order 5
+class CommandLine : public DrillTest {};
 
 TEST_F(CommandLine, WrongUseIsTwo) {
   for (const std::vector<std::string>& arguments :
@@ -136,55 +122,12 @@ TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   EXPECT_NE(outcome.text.find("EV-MAP1-ERR-STRIDE"), std::string::npos) << outcome.text;
 }
 
-// The drill libraries have no display lists.
-constexpr char kWithoutLists[] = ":-*/Compiled:*/Executed:*/Nested:*/Repeated:*/Split";
-
-struct Way {
-  const char* what;
-  const char* verdict;
-  const char* message;
-  const char* jobs = "1";
-  friend void PrintTo(const Way& way, std::ostream* out) { *out << way.what; }
-};
-
-class Deaths : public CommandLine, public testing::WithParamInterface<Way> {};
-
-TEST_P(Deaths, CostOneTestAndNameItsCalls) {
-  const auto [what, verdict, message, jobs] = GetParam();
-  const Outcome outcome =
-      drill(what, {"--filter", std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists, "--timeout",
-                   "2", "--jobs", jobs});
-  EXPECT_EQ(outcome.code, 1) << outcome.text;
-  const json result = results("drill");
-  EXPECT_EQ(result["status"], "complete");
-  const json victim = test_named(result, kVictim);
-  ASSERT_FALSE(victim.is_null());
-  EXPECT_EQ(victim["verdict"], verdict);
-  EXPECT_NE(victim["message"].get<std::string>().find(message), std::string::npos) << victim["message"];
-  EXPECT_NE(victim["message"].get<std::string>().find("confirmed alone"), std::string::npos)
-      << victim["message"];
-  ASSERT_FALSE(victim["calls"].empty());
-  EXPECT_NE(victim["calls"].dump().find("glMap1f(GL_MAP1_INDEX"), std::string::npos);
-  for (const json& test : result["tests"]) {
-    if (test["name"] != kVictim) {
-      EXPECT_EQ(test["verdict"], "pass") << test["name"];
-    }
-  }
-  EXPECT_GT(result["tests"].size(), 15u);
-}
-INSTANTIATE_TEST_SUITE_P(Ways, Deaths,
-                         testing::Values(Way{"crash", "crash", "SIGSEGV"}, Way{"abort", "crash", "SIGABRT"},
-                                         Way{"exit", "crash", "exit code 7"}, Way{"kill", "crash", "SIGKILL"},
-                                         Way{"hang", "timeout", "no answer within 2 seconds"},
-                                         Way{"crash", "crash", "SIGSEGV", "3"},
-                                         Way{"hang", "timeout", "no answer within 2 seconds", "3"}),
-                         [](const auto& way) { return std::string(way.param.what) + "_" + way.param.jobs; });
-
 // However many processes share the tests, each is run once, and the result is the same but for the times.
 TEST_F(CommandLine, JobsDecideTheSame) {
   const auto run = [&](const std::string& jobs) {
-    const Outcome outcome = drill(
-        "lenient", {"--filter", "Map1State.*_f:Map1Errors.StrideBelowK/*:InitialState.*", "--jobs", jobs});
+    const Outcome outcome =
+        drill("lenient", {"--filter", "Map1State.*_f:Map1Errors.StrideBelowK/*:InitialState.*", "--jobs",
+                          jobs, "--retry", "0"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     std::map<std::string, int> lines;
     std::ifstream records(folder_ / "records-drill.jsonl");

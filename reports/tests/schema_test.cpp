@@ -41,6 +41,8 @@ TEST(Schema, ChangedSamplesAreNot) {
   };
   EXPECT_EQ(changed("/reason", "another"), "valid");
   EXPECT_EQ(changed("/tests/1/failures/0/ulp", nullptr), "valid");  // infinite
+  EXPECT_EQ(changed("/tests/1/flake", true), "valid");
+  EXPECT_EQ(changed("/tests/1/again", {{"verdict", "pass"}, {"message", ""}}), "valid");
   for (const auto& [pointer, value] :
        std::vector<std::pair<const char*, json>>{{"/format", "evalcts-results-2"},
                                                  {"/status", "done"},
@@ -54,7 +56,10 @@ TEST(Schema, ChangedSamplesAreNot) {
                                                  {"/tests/0/cases", 1.5},
                                                  {"/tests/0/accuracy/values", "480"},
                                                  {"/tests/1/failures/0/calls", "glEnd();"},
-                                                 {"/tests/1/failures/0/ulp", "1"}}) {
+                                                 {"/tests/1/failures/0/ulp", "1"},
+                                                 {"/tests/1/flake", "pass"},
+                                                 {"/tests/1/again", {{"verdict", "passes"}, {"message", ""}}},
+                                                 {"/not_played_again", 0}}) {
     EXPECT_NE(changed(pointer, value), "valid") << pointer;
   }
 }

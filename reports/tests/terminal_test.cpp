@@ -80,6 +80,37 @@ TEST(Terminal, SaysEnough) {
   EXPECT_TRUE(contains(text, "and 192 unexpected results more; --verbose and index.html show all\n"));
 }
 
+// ... and fewer where the screen is small, but never none.
+TEST(Terminal, FitsTheScreen) {
+  for (const std::size_t lines : {10u, 24u, 30u, 50u}) {
+    const std::string text = terminal_summary(large_record(), nullptr, false, false, lines);
+    EXPECT_TRUE(contains(text, "  why: EV-0\n")) << lines;
+    EXPECT_LE(lines_of(text).size(), std::max<std::size_t>(lines, 12)) << lines;
+  }
+  EXPECT_EQ(terminal_summary(large_record(), nullptr, false, false, 200),
+            terminal_summary(large_record(), nullptr, false, false));
+}
+
+TEST(Terminal, OneLineWhereThatIsWanted) {
+  EXPECT_EQ(terminal_line(read_sample("results-reference.json"), false), "reference: nothing unexpected\n");
+  EXPECT_EQ(
+      terminal_line(read_sample("results-osmesa.json"), false),
+      "osmesa: 5 unexpected results, 1 failing test as the baseline expects, the run is not complete\n");
+  EXPECT_TRUE(
+      contains(terminal_line(large_record(), true), "\x1b[31mlarge: 200 unexpected results\x1b[0m\n"));
+}
+
+TEST(Terminal, TellsFlakesApart) {
+  json record = large_record();
+  record["tests"][0]["flake"] = true;
+  record["tests"][0]["again"] = {{"verdict", "pass"}, {"message", ""}};
+  record["not_played_again"] = 100;
+  const std::string text = terminal_summary(record, nullptr, false, false);
+  EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when played again), u=1\n")) << text;
+  EXPECT_TRUE(contains(text, "100 unexpected failures had to stay without being played again\n")) << text;
+  EXPECT_TRUE(contains(junit(record), "flake: pass when played again"));
+}
+
 TEST(Terminal, VerboseTellsAll) {
   const std::string text =
       terminal_summary(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, true);

@@ -1,0 +1,42 @@
+// Runs of evalcts on a library that misbehaves on command.
+#pragma once
+
+#include <cstdlib>
+
+#include "harness/tests/program.h"
+
+namespace evalcts {
+
+class DrillTest : public ProgramTest {
+ protected:
+  DrillTest() { setenv("EVALCTS_DRILL_FILE", drill_file().c_str(), 1); }
+  ~DrillTest() override { unsetenv("EVALCTS_DRILL_FILE"); }
+
+  std::filesystem::path drill_file() const { return folder_ / "drill-file"; }
+
+  // The arguments of `evalcts run` on the drill library.
+  std::vector<std::string> drill_arguments(const std::string& what,
+                                           std::vector<std::string> more = {}) const {
+    setenv("EVALCTS_DRILL", what.c_str(), 1);
+    std::vector<std::string> arguments = {
+        "run",   "--implementation", "osmesa",         "--library", DRILL_LIBRARY, "--name",
+        "drill", "--output",         folder_.string(), "--depth",   "quick"};
+    if (more.empty()) more = {"--filter", "Map1State.Stride/*:Map1State.SmallestStride/*:InitialState.O*"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  Outcome drill(const std::string& what, const std::vector<std::string>& more = {}) {
+    return evalcts(drill_arguments(what, more));
+  }
+
+  std::string text_of(const std::string& file) const {
+    std::ifstream stream(folder_ / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+// The test that defines INDEX with order 5; some without display lists, which the drill libraries have not.
+inline constexpr char kVictim[] = "Map1State.Stride/MAP1_INDEX_f";
+inline constexpr char kWithoutLists[] = ":-*/Compiled:*/Executed:*/Nested:*/Repeated:*/Split";
+
+}  // namespace evalcts

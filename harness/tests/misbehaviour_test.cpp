@@ -1,0 +1,402 @@
+// Libraries, disks and people that misbehave: the test in flight gets its verdict, the rest is run, nothing
+// that was obtained is lost.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "harness/runner/folder_lock.h"
+#include "harness/tests/drill.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+// --- libraries ---------------------------------------------------------------------------------------------
+
+struct Misdeed {
+  const char* what;
+  const char* verdict;
+  const char* message = "";
+  const char* jobs = "2";
+  friend void PrintTo(const Misdeed& misdeed, std::ostream* out) { *out << misdeed.what; }
+};
+
+class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {};
+
+// What the library does in one call costs that test at most, and the parent nothing.
+TEST_P(Misdeeds, CostOneTestAtMost) {
+  const auto [what, verdict, message, jobs] = GetParam();
+  const bool dies = std::string(verdict) != "pass";
+  const Outcome outcome =
+      drill(what, {"--filter", std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists, "--timeout",
+                   "2", "--memory", "600", "--jobs", jobs});
+  EXPECT_EQ(outcome.code, dies ? 1 : 0) << outcome.text;
+  const json result = results("drill");
+  EXPECT_EQ(result["status"], "complete");
+  EXPECT_GT(result["tests"].size(), 15u);
+  for (const json& test : result["tests"]) {
+    if (test["name"] != kVictim) {
+      EXPECT_EQ(test["verdict"], "pass") << test["name"];
+    }
+  }
+  const json victim = test_named(result, kVictim);
+  ASSERT_FALSE(victim.is_null());
+  EXPECT_EQ(victim["verdict"], verdict) << victim["message"];
+  if (dies) {
+    const std::string words = victim["message"];
+    EXPECT_NE(words.find(message), std::string::npos) << words;
+    EXPECT_NE(words.find("confirmed alone"), std::string::npos) << words;
+    ASSERT_FALSE(victim["calls"].empty());
+    EXPECT_NE(victim["calls"].dump().find("glMap1f(GL_MAP1_INDEX"), std::string::npos);
+  } else {
+    EXPECT_NE(text_of("log-drill.txt").find(message), std::string::npos) << text_of("log-drill.txt");
+  }
+  // Nothing stays behind: neither processes, nor files, nor a log that fills the disk.
+  std::ifstream processes(drill_file());
+  for (pid_t process = 0; processes >> process;) EXPECT_NE(kill(process, 0), 0) << process;
+  EXPECT_FALSE(fs::exists(folder_ / "scratch-drill"));
+  EXPECT_FALSE(fs::exists(folder_ / ".lock"));
+  EXPECT_LT(fs::file_size(folder_ / "log-drill.txt"), 200'000u);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Ways, Misdeeds,
+    testing::Values(
+        Misdeed{"crash", "crash", "SIGSEGV", "1"}, Misdeed{"crash", "crash", "SIGSEGV", "3"},
+        Misdeed{"abort", "crash", "SIGABRT"}, Misdeed{"exit", "crash", "exit code 7"},
+        Misdeed{"exit-well", "crash", "exit code 0"}, Misdeed{"kill", "crash", "SIGKILL"},
+        Misdeed{"thread", "crash", "SIGSEGV"}, Misdeed{"heap", "crash", "the process ended with"},
+        Misdeed{"memory", "crash", "more than 600 MiB of memory"},
+        Misdeed{"hang", "timeout", "no answer within 2 seconds", "1"},
+        Misdeed{"hang", "timeout", "no answer within 2 seconds", "3"},
+        Misdeed{"stop", "timeout", "no answer"}, Misdeed{"deaf", "timeout", "no answer"},
+        Misdeed{"handler", "timeout", "no answer"}, Misdeed{"endless-flood", "timeout", "no answer"},
+        Misdeed{"flood", "pass", " bytes more are left out here"}, Misdeed{"close", "pass"},
+        Misdeed{"close-and-open", "pass"}, Misdeed{"threads-stay", "pass"}, Misdeed{"process-stays", "pass"},
+        Misdeed{"daemon", "pass"}, Misdeed{"fork-goes-on", "pass"}, Misdeed{"arithmetic", "pass"},
+        Misdeed{"at-exit", "pass"},
+        Misdeed{"surroundings", "pass", "has changed the working directory, the locale, a timer; put back"}),
+    [](const auto& misdeed) {
+      std::string name = std::string(misdeed.param.what) + "_" + misdeed.param.jobs;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+// --- chance ------------------------------------------------------------------------------------------------
+
+class Flakes : public DrillTest {
+ protected:
+  Outcome play(const std::string& what, std::vector<std::string> more = {}) {
+    fs::remove(drill_file());
+    more.insert(more.end(), {"--filter", std::string("Map1State.Stride/*:InitialState.O*") + kWithoutLists});
+    return drill(what, more);
+  }
+};
+
+// What fails once and not again keeps its verdict, and says so everywhere.
+TEST_F(Flakes, AreToldApart) {
+  const Outcome outcome = play("now-and-then");
+  EXPECT_EQ(outcome.code, 1) << outcome.text;
+  EXPECT_NE(outcome.text.find("MAP1_INDEX_f (flake: pass when played again)"), std::string::npos)
+      << outcome.text;
+  const json flake = test_named(results("drill"), kVictim);
+  EXPECT_EQ(flake["verdict"], "fail");
+  EXPECT_EQ(flake["flake"], true);
+  EXPECT_EQ(flake["again"]["verdict"], "pass");
+  EXPECT_FALSE(flake["mismatches"].empty());
+  EXPECT_NE(text_of("junit-drill.xml").find("flake: pass when played again"), std::string::npos);
+
+  EXPECT_EQ(play("now-and-then", {"--retry", "0"}).code, 1);
+  EXPECT_FALSE(test_named(results("drill"), kVictim).contains("flake"));
+
+  EXPECT_EQ(play("crash-now-and-then").code, 1);
+  const json death = test_named(results("drill"), kVictim);
+  EXPECT_EQ(death["verdict"], "crash");
+  EXPECT_EQ(death["flake"], true);
+  EXPECT_EQ(death["again"]["verdict"], "pass");
+}
+
+// What fails each time is none, and neither is what the baseline knows to be one, which is not played again.
+TEST_F(Flakes, AreNotSeenElsewhere) {
+  EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
+            1);
+  EXPECT_FALSE(test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f").contains("flake"));
+  const auto times_played = [&] {
+    const std::string log = text_of("log-drill.txt"), line = std::string("[ RUN      ] ") + kVictim + "\n";
+    std::size_t times = 0;
+    for (std::size_t at = log.find(line); at != std::string::npos; at = log.find(line, at + 1)) ++times;
+    return times;
+  };
+  const fs::path baseline = folder_ / "baseline";
+  EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--write-baseline"}).code, 0);
+  EXPECT_GT(times_played(), 1u);
+  EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string()}).code, 0);
+  EXPECT_EQ(times_played(), 1u);
+  std::ofstream(baseline / "drill-flakes.txt") << "# now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n";
+  EXPECT_EQ(play("now-and-then", {"--baseline", baseline.string(), "--strict"}).code, 0);
+  EXPECT_EQ(times_played(), 1u);
+}
+
+// --- disks and folders -------------------------------------------------------------------------------------
+
+class Folders : public DrillTest {
+ protected:
+  // The command in a shell that may mount file systems, or skips the test.
+  Outcome with_mounts(const std::string& script) {
+    if (start({"/usr/bin/unshare", "-Urm", "true"}).code != 0) return {-1, "no name spaces here"};
+    return start({"/usr/bin/unshare", "-Urm", "/bin/sh", "-c", script});
+  }
+  std::string line(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
+    return shell_line(arguments);
+  }
+};
+
+// A disk that fills up says nothing of the library: no verdict comes of it, and what fits is kept.
+TEST_F(Folders, AFullDiskLosesNothingThatFits) {
+  const fs::path disk = folder_ / "disk", kept = folder_ / "kept";
+  fs::create_directory(disk);
+  fs::create_directory(kept);
+  std::vector<std::string> arguments = drill_arguments("nothing", {"--filter", "Map1State.*:Map1Errors.*"});
+  *std::ranges::find(arguments, folder_.string()) = disk.string();
+  const Outcome outcome =
+      with_mounts("mount -t tmpfs -o size=600k none " + disk.string() + " && { " + line(arguments) +
+                  "; code=$?; cp " + disk.string() + "/* " + kept.string() + "; exit $code; }");
+  if (outcome.code == -1) GTEST_SKIP() << outcome.text;
+  EXPECT_EQ(outcome.code, 2) << outcome.text;
+  EXPECT_NE(outcome.text.find("No space left on device"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("--output"), std::string::npos) << outcome.text;
+  std::ifstream records(kept / "records-drill.jsonl");
+  std::size_t judged = 0;
+  for (std::string record; std::getline(records, record);) {
+    const json event = json::parse(record, nullptr, false);
+    if (!event.is_object() || event["event"] != "result") continue;
+    const json verdict = event["record"]["verdict"];
+    EXPECT_TRUE(verdict == "pass" || verdict == "not-observable") << event["record"];
+    ++judged;
+  }
+  EXPECT_GT(judged, 100u);
+}
+
+TEST_F(Folders, AReadOnlyFolderIsSaidAtOnce) {
+  const fs::path disk = folder_ / "disk";
+  fs::create_directory(disk);
+  std::vector<std::string> arguments = drill_arguments("nothing");
+  *std::ranges::find(arguments, folder_.string()) = disk.string();
+  const Outcome outcome =
+      with_mounts("mount -t tmpfs -o ro none " + disk.string() + " && exec " + line(arguments));
+  if (outcome.code == -1) GTEST_SKIP() << outcome.text;
+  EXPECT_EQ(outcome.code, 2) << outcome.text;
+  EXPECT_NE(
+      outcome.text.find("cannot write into '" + disk.string() + "'; choose another folder with --output"),
+      std::string::npos)
+      << outcome.text;
+}
+
+TEST_F(Folders, BelongToOneRunAtATime) {
+  {
+    const FolderLock lock(folder_, "process 1: evalcts run, of somebody else");
+    const Outcome outcome = drill("nothing");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(
+        outcome.text.find("another run is writing into '" + folder_.string() +
+                          "' (process 1: evalcts run, of somebody else); wait for it, or choose another"),
+        std::string::npos)
+        << outcome.text;
+    EXPECT_FALSE(fs::exists(folder_ / "results-drill.json"));
+    EXPECT_THROW(FolderLock(folder_, "again"), FolderInUse);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / ".lock"));
+  // What a killed run leaves behind locks nothing.
+  std::ofstream(folder_ / ".lock") << "process 1";
+  EXPECT_EQ(drill("nothing").code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / ".lock"));
+}
+
+// Nobody reads the output to its end: the results are written all the same.
+TEST_F(Folders, AClosedPipeCostsNothing) {
+  start({"/bin/sh", "-c", line(drill_arguments("nothing")) + " | true"});
+  EXPECT_EQ(results("drill")["status"], "complete");
+  EXPECT_TRUE(fs::exists(folder_ / "index.html"));
+}
+
+// Nothing that is named on the command line becomes a path.
+TEST_F(Folders, NamesDoNotLeadOutOfThem) {
+  for (const std::string name :
+       {"../x", "/tmp/x", "..", ".x", "a/b", "", "a b", "a\nb", std::string(101, 'x').c_str()}) {
+    std::vector<std::string> arguments = drill_arguments("nothing");
+    *std::ranges::find(arguments, "drill") = name;
+    if (name.empty()) continue;  // means none
+    const Outcome outcome = evalcts(arguments);
+    EXPECT_EQ(outcome.code, 2) << name;
+    EXPECT_NE(outcome.text.find("--name becomes part of file names"), std::string::npos) << outcome.text;
+  }
+}
+
+// --- GoogleTest's own variables ----------------------------------------------------------------------------
+
+class Variables : public DrillTest {
+ protected:
+  ~Variables() override {
+    for (const char* name :
+         {"GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX", "GTEST_SHARD_STATUS_FILE", "GTEST_FILTER",
+          "GTEST_REPEAT", "GTEST_OUTPUT", "XML_OUTPUT_FILE", "TESTBRIDGE_TEST_ONLY"})
+      unsetenv(name);
+  }
+  static constexpr char kFilter[] =
+      "InitialState.*:Enables.*:Map1Errors.StrideBelowK/*:GetMap.*:Map1State.Stride/*";
+
+  std::set<std::string> played(const std::string& name) const {
+    std::set<std::string> tests;
+    const json result = results(name);
+    for (const json& test : result["tests"]) tests.insert(test["name"]);
+    return tests;
+  }
+};
+
+// `run --shard`, `run` under GoogleTest's variables, and the suite program under them play the same tests.
+TEST_F(Variables, ShardTheSameWay) {
+  std::set<std::string> together;
+  for (int shard = 0; shard < 3; ++shard) {
+    const std::string label = "production." + std::to_string(shard + 1) + "-of-3";
+    const std::vector<std::string> arguments = {"run",           "--implementation", "production", "--filter",
+                                                kFilter,         "--depth",          "quick",      "--output",
+                                                folder_.string()};
+    std::vector<std::string> sharded = arguments;
+    sharded.insert(sharded.end(), {"--shard", std::to_string(shard + 1) + "/3"});
+    EXPECT_EQ(evalcts(sharded).code, 0);
+    const std::set<std::string> by_option = played(label);
+    EXPECT_FALSE(by_option.empty());
+    fs::remove(folder_ / ("results-" + label + ".json"));
+
+    setenv("GTEST_TOTAL_SHARDS", "3", 1);
+    setenv("GTEST_SHARD_INDEX", std::to_string(shard).c_str(), 1);
+    setenv("GTEST_SHARD_STATUS_FILE", (folder_ / "status").c_str(), 1);
+    EXPECT_EQ(evalcts(arguments).code, 0);
+    EXPECT_EQ(played(label), by_option);
+    EXPECT_TRUE(fs::exists(folder_ / "status"));
+
+    const Outcome suite = start({SUITE_PROGRAM, "--implementation", "production", "--depth", "quick",
+                                 std::string("--gtest_filter=") + kFilter});
+    std::set<std::string> by_googletest;
+    std::istringstream lines(suite.text);
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("[ RUN      ] ")) by_googletest.insert(line.substr(13));
+    EXPECT_EQ(by_googletest, by_option);
+    for (const char* name : {"GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX", "GTEST_SHARD_STATUS_FILE"})
+      unsetenv(name);
+    for (const std::string& name : by_option) EXPECT_TRUE(together.insert(name).second) << name;
+  }
+  EXPECT_GT(together.size(), 50u);
+}
+
+TEST_F(Variables, ThatMakeNoSenseAreRefused) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"3", "3"}, {"3", ""}, {"x", "1"}, {"3", "-1"}, {"0", "0"}};
+  for (const auto& [total, index] : wrong) {
+    setenv("GTEST_TOTAL_SHARDS", total, 1);
+    setenv("GTEST_SHARD_INDEX", index, 1);
+    const Outcome outcome = drill("nothing");
+    EXPECT_EQ(outcome.code, 2) << total << " " << index;
+    EXPECT_NE(outcome.text.find("use --shard K/N"), std::string::npos) << outcome.text;
+  }
+}
+
+// Those for other programs change nothing of what is asked for.
+TEST_F(Variables, ForOthersAreForgotten) {
+  setenv("GTEST_FILTER", "Nothing.*", 1);
+  setenv("TESTBRIDGE_TEST_ONLY", "Nothing.*", 1);
+  setenv("GTEST_REPEAT", "3", 1);
+  setenv("GTEST_OUTPUT", ("xml:" + (folder_ / "own.xml").string()).c_str(), 1);
+  setenv("XML_OUTPUT_FILE", (folder_ / "own.xml").c_str(), 1);
+  const Outcome outcome = drill("nothing");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_GT(played("drill").size(), 15u);
+  EXPECT_FALSE(fs::exists(folder_ / "own.xml"));
+}
+
+// --- people ------------------------------------------------------------------------------------------------
+
+class Terminal : public DrillTest {
+ protected:
+  // What shows on a terminal of so many lines and 80 columns.
+  std::string shown(const std::vector<std::string>& arguments, int lines,
+                    const std::string& environment = {}) {
+    std::vector<std::string> command = arguments;
+    command.insert(command.begin(), EVALCTS_PROGRAM);
+    return start(
+               {"/usr/bin/script", "--quiet", "--command",
+                "stty rows " + std::to_string(lines) + " cols 80; " + environment + " " + shell_line(command),
+                "/dev/null"})
+        .text;
+  }
+};
+
+TEST_F(Terminal, ProgressColourAndTheSizeOfTheScreen) {
+  if (!fs::exists("/usr/bin/script")) GTEST_SKIP() << "no terminal without script(1)";
+  const std::vector<std::string> arguments =
+      drill_arguments("lenient", {"--filter", "Map1State.*:Map1Errors.*", "--retry", "0"});
+  const auto lines_of = [](const std::string& text) {
+    return std::ranges::count(text.substr(text.find("drill: evalcts")), '\n');
+  };
+  const std::string usual = shown(arguments, 24);
+  EXPECT_NE(usual.find("\r\x1b[K"), std::string::npos) << usual;
+  EXPECT_NE(usual.find("drill: 1"), std::string::npos);
+  EXPECT_NE(usual.find("\x1b[31mfail"), std::string::npos);
+  EXPECT_LT(lines_of(usual), 24);
+  const std::string plain = shown(arguments, 24, "NO_COLOR=1");
+  EXPECT_EQ(plain.find("\x1b[31m"), std::string::npos);
+  EXPECT_EQ(shown(arguments, 24, "NO_COLOR=").find("\x1b[31m") == std::string::npos, false);
+
+  std::vector<std::string> quiet = arguments;
+  quiet.push_back("--quiet");
+  const Outcome outcome = evalcts(quiet);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_TRUE(outcome.text.starts_with("drill: ")) << outcome.text;
+  EXPECT_NE(outcome.text.find(" unexpected results\n"), std::string::npos) << outcome.text;
+  EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1);
+  EXPECT_EQ(outcome.text.find('\x1b'), std::string::npos);
+  quiet.push_back("--verbose");
+  EXPECT_EQ(evalcts(quiet).code, 2);
+}
+
+TEST_F(Terminal, WhatWasMeantIsGuessed) {
+  const std::pair<std::vector<std::string>, std::string> slips[] = {
+      {{"rnu"}, "did you mean run?"},
+      {{"explian", "x"}, "did you mean explain?"},
+      {{"run", "--basline", "none"}, "did you mean --baseline?"},
+      {{"run", "--implementaion=osmesa"}, "did you mean --implementation?"},
+      {{"vectors", "emti"}, "did you mean emit?"}};
+  for (const auto& [arguments, words] : slips) {
+    const Outcome outcome = evalcts(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.text.find(words), std::string::npos) << outcome.text;
+  }
+  EXPECT_EQ(evalcts({"run", "--utterly-unlike"}).text.find("did you mean"), std::string::npos);
+}
+
+TEST_F(Terminal, EveryCommandHasExamples) {
+  const std::string all = evalcts({"--help"}).text;
+  std::istringstream lines(all.substr(all.find("Subcommands:")));
+  int commands = 0;
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line) && line.starts_with("  ");) {
+    if (line[2] == ' ') continue;  // the rest of a description
+    const std::string command = line.substr(2, line.find(' ', 2) - 2);
+    const std::string help = evalcts({command, "--help"}).text;
+    EXPECT_NE(help.find("Examples:\n  evalcts " + command), std::string::npos) << help;
+    ++commands;
+  }
+  EXPECT_GE(commands, 10);
+}
+
+}  // namespace
+}  // namespace evalcts

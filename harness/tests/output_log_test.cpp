@@ -1,0 +1,76 @@
+#include "harness/runner/output_log.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "harness/runner/events.h"
+
+namespace evalcts {
+namespace {
+
+class OutputLogTest : public testing::Test {
+ protected:
+  ~OutputLogTest() override { std::filesystem::remove(path_); }
+
+  void print(OutputLog& log, const std::string& text) {
+    for (std::size_t done = 0; done < text.size(); done += 4096) {
+      const std::string piece = text.substr(done, 4096);
+      ASSERT_EQ(write(log.writer(), piece.data(), piece.size()), static_cast<ssize_t>(piece.size()));
+      log.take();
+    }
+  }
+  std::string content() const {
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  const std::filesystem::path path_ =
+      std::filesystem::path(testing::TempDir()) / ("output-log-" + std::to_string(getpid()) + ".txt");
+};
+
+std::string lines(std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += "0123456789abcde\n";
+  return text;
+}
+
+TEST_F(OutputLogTest, KeepsTheBeginningOfWhatEachTestPrints) {
+  const std::string first = "[ RUN      ] A.B\n", second = "[ RUN      ] A.C\n",
+                    most = lines(kMostPrinted / 16 - 2);
+  {
+    OutputLog log(path_);
+    print(log, "before\n" + first + most + lines(1000) + second + most + "no end of line");
+    log.close_writer();
+    log.finish();
+    EXPECT_LT(log.reader(), 0);
+  }
+  const std::size_t more = std::filesystem::file_size(path_);
+  EXPECT_LT(more, 2 * kMostPrinted + 200);
+  const std::string text = content(), left_out = "evalcts: 16000 bytes more are left out here\n";
+  EXPECT_TRUE(text.starts_with("before\n" + first + most)) << text.substr(0, 100);
+  const std::size_t at = text.find(left_out);
+  ASSERT_NE(at, std::string::npos) << text.substr(text.size() - 200);
+  EXPECT_EQ(text.substr(at + left_out.size()), second + most + "no end of line");
+}
+
+TEST_F(OutputLogTest, ATestBeginsBehindWhatALibraryPrintedWithoutAnEnd) {
+  OutputLog log(path_);
+  print(log, lines(kMostPrinted / 8) + "half a line[ RUN      ] A.B\nshort\n");
+  log.finish();
+  EXPECT_TRUE(content().ends_with("half a line[ RUN      ] A.B\nshort\n"));
+}
+
+TEST_F(OutputLogTest, HearsOwnWordsInAFlood) {
+  OutputLog log(path_);
+  print(log, lines(kMostPrinted / 8) + "evalcts: the disk is full\n" + lines(10));
+  EXPECT_EQ(log.own_words(), "evalcts: the disk is full");
+}
+
+TEST_F(OutputLogTest, SaysWhereItCannotWrite) { EXPECT_THROW(OutputLog("/nonexistent/log"), CannotWrite); }
+
+}  // namespace
+}  // namespace evalcts
