@@ -10,9 +10,11 @@
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/cli/recorded.h"
 #include "harness/cli/wrap.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -29,18 +31,6 @@ struct CannotReproduce : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct Candidate {
-  json run;  // without its tests
-  json test;
-  std::string label() const { return run["implementation"]["name"]; }
-  std::string name() const { return test["name"]; }
-  std::string full_name() const { return label() + ":" + name(); }
-  bool failed() const {
-    const std::string verdict = test.value("verdict", "");
-    return verdict == "fail" || verdict == "crash" || verdict == "timeout";
-  }
-};
-
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -53,15 +43,13 @@ std::vector<Candidate> recorded_tests(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string file = entry.path().filename().string();
     if (!file.starts_with("results-") || entry.path().extension() != ".json") continue;
-    json run = json::parse(text_of(entry.path()), nullptr, false);
-    if (!run.is_object() || run.value("format", "") != "evalcts-results-1" || !run["tests"].is_array()) {
-      std::cerr << fmt::format("evalcts: {} holds no results; left out\n", entry.path().string());
-      continue;
+    try {
+      for (Candidate& test : candidates_of(json::parse(text_of(entry.path()), nullptr, false)))
+        tests.push_back(std::move(test));
+    } catch (const BadResults& problem) {
+      std::cerr << fmt::format("evalcts: {} holds no results; left out ({})\n", entry.path().string(),
+                               reports::clean(problem.what()));
     }
-    if (run.contains("pass")) continue;  // fails after others only: no program of one case shows that
-    const json list = std::move(run["tests"]);
-    run.erase("tests");
-    for (const json& test : list) tests.push_back({run, test});
   }
   if (tests.empty())
     throw CannotReproduce(
@@ -148,17 +136,12 @@ Replayed replay(const Candidate& failure) {
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
                           failure.test.value("rerun", "evalcts run"));
   const TemporaryFolder folder;
-  std::vector<std::string> command = failure.run["suite_command"];
-  command.front() = places().suite_program.string();
-  std::string captures;
-  for (const json& capture : failure.run["implementation"].value("captures", json::array()))
-    if (capture.value("available", false))
-      captures += (captures.empty() ? "" : ",") + capture.value("name", "");
+  std::vector<std::string> command = replay_options(failure.run);
+  command.insert(command.begin(), places().suite_program.string());
   std::ofstream(folder / "tests") << failure.name() << "\n";
   command.insert(command.end(),
                  {"--die-with-parent", "--tests", (folder / "tests").string(), "--records",
-                  (folder / "records").string(), "--captures", captures.empty() ? "none" : captures,
-                  "--reproduce", (folder / "program.c").string()});
+                  (folder / "records").string(), "--reproduce", (folder / "program.c").string()});
   Replayed result;
   bool started = false;
   {
@@ -200,7 +183,7 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
                                                   failure.test.value("verdict", "")));
   if (!cases.empty()) text += comment("Case: " + cases.front().value("case", ""));
   text += " *\n" + comment(test.value("message", ""));
-  for (const std::string id : failure.test["requirements"])
+  for (const std::string id : failure.test.value("requirements", json::array()))
     for (const json& requirement : catalogue()["requirements"])
       if (requirement["id"] == id.substr(0, id.find('/')))
         text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement["text"].get<std::string>(),
@@ -216,12 +199,6 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
   return text;
 }
 
-std::string file_name(std::string test) {
-  for (char& c : test)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_' && c != '-') c = '-';
-  return "reproduce-" + test + ".c";
-}
-
 // A path as short as it can be from here.
 std::string from_here(const fs::path& path) {
   const std::string relative = fs::proximate(path).string();
@@ -232,7 +209,7 @@ std::string from_here(const fs::path& path) {
 std::string compile_line(const Candidate& failure, const std::string& source) {
   const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
   std::vector<std::string> command = {"cc", "-o", program, source};
-  const std::vector<std::string> options = failure.run["suite_command"];
+  const std::vector<std::string> options = replay_options(failure.run);
   if (std::find(options.begin(), options.end(), "production") != options.end()) {
     const Places where = places();
     if (where.production_library.empty()) {
@@ -273,9 +250,9 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   if (!verdict.empty() && verdict != "fail")
     throw CannotReproduce(
         fmt::format("{} is {} now: {}", failure.name(), verdict, replayed.record.value("message", "")));
-  const fs::path file =
-      fs::absolute(options.output.empty() ? folder / file_name(failure.name()) : fs::path(options.output))
-          .lexically_normal();
+  const fs::path file = fs::absolute(options.output.empty() ? folder / reproducer_name(failure.name())
+                                                            : fs::path(options.output))
+                            .lexically_normal();
   const bool replaced = fs::exists(file);
   try {
     write_atomically(
@@ -293,7 +270,7 @@ int reproduce_or_throw(const ReproduceOptions& options) {
       std::cout
           << "The library ends the process by itself, so the program ends with that code instead of 1.\n";
   } else {
-    std::cout << "It shows: " << replayed.record.value("message", "") << "\n";
+    std::cout << "It shows: " << reports::clean(replayed.record.value("message", "")) << "\n";
   }
   std::cout << "Exit code 1: the failure shows; 0: it does not; 2: it cannot start.\n";
   return kNothingUnexpected;
@@ -305,7 +282,10 @@ int reproduce(const ReproduceOptions& options) {
   try {
     return reproduce_or_throw(options);
   } catch (const CannotReproduce& error) {
-    std::cerr << "evalcts: " << error.what() << "\n";
+    std::cerr << "evalcts: " << reports::clean(error.what()) << "\n";
+    return kWrongUse;
+  } catch (const BadResults& error) {
+    std::cerr << "evalcts: the results do not follow their format: " << reports::clean(error.what()) << "\n";
     return kWrongUse;
   }
 }

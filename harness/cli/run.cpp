@@ -20,6 +20,7 @@
 #include "harness/runner/depth.h"
 #include "harness/runner/folder_lock.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -158,7 +159,7 @@ int run(const RunOptions& options) {
     lock.emplace(output, fmt::format("process {}: {}", getpid(), options.command));
   } catch (const FolderInUse& problem) {
     std::cerr << fmt::format("evalcts: {}; wait for it, or choose another folder with --output\n",
-                             problem.what());
+                             reports::clean(problem.what()));
     return kWrongUse;
   }
 

@@ -1,6 +1,8 @@
 // Recording and playing cases, against a table of functions written for the purpose.
 #include <gtest/gtest.h>
 
+#include <cfenv>
+
 #include "harness/gl/player.h"
 
 namespace evalcts::gl {
@@ -48,6 +50,16 @@ TEST(Case, PassesArgumentsAndCopiesOfArrays) {
   play(c, table());
   EXPECT_EQ(seen_target, static_cast<GLenum>(GL_MAP1_INDEX));
   EXPECT_EQ(read_points, kPoints);
+}
+
+// What a library does to the arithmetic of its process is no matter of the judge.
+TEST(Case, LeavesTheUsualArithmetic) {
+  Table disturbing = table();
+  disturbing.Begin = [](GLenum) { std::fesetround(FE_UPWARD); };
+  Case c;
+  c.Begin(GL_POINTS);
+  play(c, disturbing);
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
 TEST(Case, ArraysEndBeforeAnInaccessiblePage) {

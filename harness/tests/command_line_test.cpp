@@ -602,6 +602,45 @@ TEST_F(Reproduce, RerunIsRight) {
   EXPECT_NE(debugged.text.find("1 FAILED TEST"), std::string::npos) << debugged.text;
 }
 
+// A file of results comes from anywhere: it names no file to write, no option and no path, and its text is no
+// order to the terminal.
+TEST_F(Reproduce, ResultsAreNotTrusted) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
+  const json good = results("drill");
+  const fs::path elsewhere = folder_ / "elsewhere";
+  const auto answer = [&](const json& changed) {
+    std::ofstream(folder_ / "results-drill.json") << changed;
+    return evalcts({"reproduce", "StrideBelowK", "--results", folder_.string()});
+  };
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--records", elsewhere},
+                                               {"--answer", elsewhere},
+                                               {"--reproduce", elsewhere},
+                                               {"--seed", "--records=" + elsewhere.string()},
+                                               {"--gtest_output=xml:" + elsewhere.string(), "x"},
+                                               {"--depth"}}) {
+    json changed = good;
+    for (const std::string& word : more) changed["suite_command"].push_back(word);
+    const Outcome outcome = answer(changed);
+    EXPECT_EQ(outcome.code, 2) << more[0];
+    EXPECT_NE(outcome.text.find("suite_command: "), std::string::npos) << outcome.text;
+    EXPECT_FALSE(fs::exists(elsewhere)) << more[0];
+  }
+  json changed = good;
+  changed["implementation"]["captures"] = {{{"name", "a,--records"}, {"available", true}}};
+  EXPECT_EQ(answer(changed).code, 2);
+  for (const char* member : {"timeout", "tests", "implementation", "suite_command"}) {
+    changed = good;
+    changed[member] = "something else";
+    EXPECT_EQ(answer(changed).code, 2) << member;
+  }
+  changed = good;
+  for (json& test : changed["tests"])
+    test["name"] = "../../StrideBelowK\x1b[2J" + test["name"].get<std::string>();
+  const Outcome outcome = answer(changed);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text.find('\x1b'), std::string::npos) << outcome.text;
+}
+
 TEST_F(Reproduce, WrongUseSaysWhatToDo) {
   const auto answer = [&](const std::string& failure) {
     return evalcts({"reproduce", failure, "--results", folder_.string()});

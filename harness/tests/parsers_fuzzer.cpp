@@ -1,14 +1,23 @@
 // What reads files and lines that anybody may have written, under libFuzzer: whatever comes, the answer is a
 // result or the exception that is documented. The first byte says who reads the rest. `./evalcts test
 // --preset fuzz`.
+#include <evalcts/reports.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "harness/accuracy/checkpoint.h"
+#include "harness/cli/command_line.h"
+#include "harness/cli/recorded.h"
 #include "harness/gl/case_json.h"
 #include "harness/runner/baseline.h"
 #include "vectors/lint/lint.h"
@@ -74,6 +83,72 @@ void read_baseline(const std::string& text) {
   }
 }
 
+// A result file: as pages, on a terminal, and as what to play again.
+void read_results(const std::string& text) {
+  const json result = json::parse(text, nullptr, false);
+  try {
+    const std::string shown = reports::terminal_summary(result, result, false, true, 24);
+    for (const char c : shown)
+      if (c != '\n' && static_cast<unsigned char>(c) < 0x20) std::abort();
+    reports::junit(result);
+    reports::html({result}, result);
+  } catch (const reports::FormatError&) {
+  }
+  try {
+    for (const cli::Candidate& test : cli::candidates_of(result)) {
+      const std::string file = cli::reproducer_name(test.full_name());
+      if (file.find('/') != std::string::npos || file.size() > 255) std::abort();
+      test.failed();
+      for (const std::string& option : cli::replay_options(test.run))
+        if (option.starts_with("--records") || option.starts_with("--gtest")) std::abort();
+    }
+  } catch (const cli::BadResults&) {
+  }
+}
+
+// A sweep's file: as it came, and as one that is of the right sweep and has the right checksum.
+void read_checkpoint(const std::string& text) {
+  using namespace accuracy;
+  static const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("evalcts-fuzz-{}.json", getpid());
+  const SweepTask task = {.points = {0.25, 0.75}};
+  const json identity = identity_of(task, {});
+  const auto read = [&] {
+    try {
+      const Resumed resumed = accuracy::read_checkpoint(file, task, identity);
+      checkpoint_of(task, identity, resumed.state, resumed.seconds);
+    } catch (const BadCheckpoint&) {
+    }
+  };
+  std::ofstream(file, std::ios::binary) << text;
+  read();
+  json checkpoint = json::parse(text, nullptr, false);
+  if (!checkpoint.is_object()) return;
+  checkpoint.update(identity);
+  checkpoint.erase("checksum");
+  try {
+    write_checkpoint(file, checkpoint);
+  } catch (const json::exception&) {
+    return;  // what is no UTF-8 is in no file of ours
+  }
+  read();
+}
+
+// A command line, one argument a line: it is understood, or refused with words.
+void read_command_line(const std::string& text) {
+  static std::ostringstream words;
+  static const bool quiet = (std::cout.rdbuf(words.rdbuf()), std::cerr.rdbuf(words.rdbuf()), true);
+  words.str("");
+  std::vector<std::string> arguments = {"evalcts"};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) arguments.push_back(line.substr(0, line.find('\0')));
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  const int code = cli::command_line(static_cast<int>(arguments.size()), pointers.data(), true);
+  if (!quiet || (code != 0 && code != 2) || (code == 2 && words.str().empty())) std::abort();
+}
+
 }  // namespace
 }  // namespace evalcts
 
@@ -92,6 +167,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 'b':
       evalcts::read_baseline(text);
+      break;
+    case 'r':
+      evalcts::read_results(text);
+      break;
+    case 's':
+      evalcts::read_checkpoint(text);
+      break;
+    case 'l':
+      evalcts::read_command_line(text);
       break;
     default:
       return -1;  // not worth keeping
