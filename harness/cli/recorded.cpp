@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <set>
 #include <string_view>
 
@@ -21,6 +22,15 @@ bool is_word(const std::string& text) {
          std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
 }
 
+// A member that is null is as good as missing.
+void drop_nulls(json& value) {
+  if (!value.is_structured()) return;
+  for (auto member = value.begin(); member != value.end();) {
+    drop_nulls(*member);
+    member = value.is_object() && member->is_null() ? value.erase(member) : std::next(member);
+  }
+}
+
 }  // namespace
 
 bool Candidate::failed() const {
@@ -34,6 +44,7 @@ std::vector<Candidate> candidates_of(json run) {
   } catch (const reports::FormatError& problem) {
     throw BadResults(problem.what());
   }
+  drop_nulls(run);
   const auto lacks = [](const char* what) { return BadResults(fmt::format("{} is missing", what)); };
   if (run.value("format", "") != "evalcts-results-1") throw lacks("the format 'evalcts-results-1'");
   if (!run.contains("implementation") || !run["implementation"].value("name", json()).is_string())
@@ -51,13 +62,6 @@ std::vector<Candidate> candidates_of(json run) {
   for (json test : list) {
     if (!test.contains("name") || !test["name"].is_string()) throw lacks("the name of a test");
     if (!test.contains("verdict") || !test["verdict"].is_string()) throw lacks("the verdict of a test");
-    // What is null is as good as missing.
-    for (auto member = test.begin(); member != test.end();)
-      member = member->is_null() ? test.erase(member) : std::next(member);
-    if (test.contains("failures"))
-      for (json& failure : test["failures"])
-        for (auto member = failure.begin(); member != failure.end();)
-          member = member->is_null() ? failure.erase(member) : std::next(member);
     tests.push_back({run, std::move(test)});
   }
   return tests;
