@@ -15,6 +15,7 @@
 #include "harness/fuzz/hunt.h"
 #include "harness/gl/case_json.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -84,9 +85,9 @@ int fuzz(const FuzzOptions& options) {
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
                     hunt.not_repeated);
   if (hunt.slow) text += fmt::format("{} took too long, but not once more by themselves\n", hunt.slow);
-  line.print(text);
+  line.print(reports::clean(text));
   if (!hunt.cannot_start.empty()) {
-    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, hunt.cannot_start);
+    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, reports::clean(hunt.cannot_start));
     return kWrongUse;
   }
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";

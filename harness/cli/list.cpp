@@ -11,6 +11,7 @@
 #include "harness/implementations/implementation.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -57,8 +58,9 @@ int list(const std::string& what, bool as_json) {
       for (const json& entry : all)
         std::cout << fmt::format("{:<12} {:<14} {}\n", entry["name"].get<std::string>(),
                                  entry["available"].get<bool>() ? "available" : "not available",
-                                 entry["available"].get<bool>() ? entry["what"].get<std::string>()
-                                                                : entry["reason"].get<std::string>());
+                                 entry["available"].get<bool>()
+                                     ? entry["what"].get<std::string>()
+                                     : reports::clean(entry["reason"].get<std::string>()));
     }
   } else if (what == "interpretations") {
     if (as_json) {

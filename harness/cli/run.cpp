@@ -200,7 +200,7 @@ int run(const RunOptions& options) {
       if (implementation.name == "osmesa") {
         const std::string reason = why_not("osmesa");
         if (reason.empty()) continue;
-        std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
+        std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reports::clean(reason));
         implementation.name = "egl";
       }
 

@@ -154,6 +154,11 @@ class Run {
     rerun.insert(rerun.begin(), {request_.program, "run"});
     if (request_.name != usual_name) rerun.insert(rerun.end(), {"--name", request_.name});
     if (second_pass()) rerun.push_back("--reuse-context");
+    const Limits& limits = request_.limits;
+    if (limits.seconds_per_test != Limits().seconds_per_test)
+      rerun.insert(rerun.end(), {"--timeout", fmt::format("{}", limits.seconds_per_test)});
+    if (limits.memory != Limits().memory)
+      rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
     rerun.insert(rerun.end(), {"--filter", filter});
     record["rerun"] = shell_line(rerun);
 

@@ -173,7 +173,7 @@ calls_are ''
 scenario "wrong use"
 evalcts rum
 exits 2
-says "unknown command 'rum'"
+says "unknown command 'rum' (did you mean run?)"
 evalcts test --al
 exits 2
 says "'--al'"

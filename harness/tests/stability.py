@@ -26,7 +26,8 @@ def outcome(record):
 def whole_run(program, name, depth, folder, *options):
     """The outcome of each test in one run of all, those that are known to be flaky, and the captures that were
     proved."""
-    command = [program, "run", "--implementation", name, "--depth", depth, "--output", str(folder), *options]
+    command = [program, "run", "--implementation", name, "--depth", depth, "--output", str(folder), "--retry", "0",
+               *options]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode not in (0, 1):
         print(f"{' '.join(command)} ended with {done.returncode}:\n{done.stdout}{done.stderr}", file=sys.stderr)
