@@ -168,6 +168,8 @@ TestResult read_test(const Object& in) {
   if (const json* again = in.find("again"))
     out.again =
         text_of(parse_verdict(Object(*again, in.path("again")).text("verdict"), in.path("again"))).word;
+  out.mismatches = in.texts("mismatches");
+  std::sort(out.mismatches.begin(), out.mismatches.end());
   out.seconds = in.real("seconds");
   if (in.find("verdict")) {
     out.verdict = parse_verdict(in.text("verdict"), in.path("verdict"));
@@ -246,6 +248,9 @@ Record read_record(const json& value) {
   out.command = in.text("command");
   out.depth = in.text("depth");
   out.pass = in.word("pass", {"reuse-context"});
+  out.shard = in.text("shard");
+  out.origin = in.text("origin");
+  out.seed = in.natural("seed");
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
   out.not_played_again = in.natural("not_played_again").value_or(0);
   if (const json* readings = in.find("readings")) {
@@ -276,6 +281,8 @@ Record read_record(const json& value) {
   return out;
 }
 
+void check_record(const json& result) { read_record(result); }
+
 const Requirement* find_requirement(const Requirements& catalogue, const std::string& id) {
   auto found = catalogue.find(id);
   if (found == catalogue.end()) found = catalogue.find(id.substr(0, id.find('/')));
@@ -287,11 +294,34 @@ Requirements read_requirements(const json& value) {
   if (value.is_null()) return out;
   Object(value, "the requirements").each("requirements", [&](const json& item, const std::string& where) {
     const Object in(item, where);
-    Requirement requirement{in.text("id"),    in.text("section"),     in.text("text"),     in.text("source"),
-                            in.text("since"), in.text("observation"), in.text("severity"), in.text("level")};
+    Requirement requirement{in.text("id"),       in.text("section"), in.text("text"),
+                            in.text("source"),   in.text("since"),   in.text("observation"),
+                            in.text("severity"), in.text("level"),   out.size()};
     if (requirement.id.empty()) throw FormatError(where + ".id is missing");
     out.emplace(requirement.id, requirement);
   });
+  return out;
+}
+
+Ambiguities read_ambiguities(const json& value) {
+  Ambiguities out;
+  if (value.is_null()) return out;
+  const Object catalogue(value, "the requirements");
+  const auto add = [&](const json& item, const std::string& where) {
+    const Object in(item, where);
+    const json* readings = in.find("readings");
+    if (!readings) return;
+    Ambiguity& ambiguity = out[in.text("id")];
+    // What is unclear stands under the word for its kind.
+    for (const char* kind : {"conflict", "change", "slip", "situation"})
+      if (in.find(kind)) ambiguity.text = in.text(kind);
+    ambiguity.where = in.text("where");
+    const Object meanings(*readings, in.path("readings"));
+    for (const auto& reading : readings->items())
+      ambiguity.readings[clean(reading.key())] = meanings.text(reading.key());
+  };
+  catalogue.each("contradictions", add);
+  catalogue.each("undefined", add);
   return out;
 }
 

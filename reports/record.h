@@ -76,6 +76,7 @@ struct TestResult {
   std::vector<std::string> history;      // the tests that have to come before, where the context is shared
   bool flake = false;                    // it did not come out the same when it was played again
   std::string again;                     // the verdict that it had then, where that is known
+  std::vector<std::string> mismatches;   // sorted identities of what is wrong, "case: what"
   std::optional<double> seconds;
 
   bool bad() const { return verdict <= Verdict::kFail; }
@@ -93,6 +94,9 @@ struct TestResult {
 
 struct Record {
   std::string evalcts_version, status, reason, command, depth, pass;
+  std::string shard;   // "1-of-4" where the tests are a part of all
+  std::string origin;  // where the record comes from, see reports.h
+  std::optional<std::uint64_t> seed;
   std::vector<std::string> stale_baseline_entries;
   std::uint64_t not_played_again = 0;  // unexpected fails, because there were too many
   // Of ambiguous texts, by their names: one where the implementation is consistent.
@@ -111,14 +115,23 @@ struct Record {
 
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
+  std::size_t place = 0;  // in the catalogue
 };
 using Requirements = std::map<std::string, Requirement>;
+
+// A text of the documents that has several readings, by name, and what they mean.
+struct Ambiguity {
+  std::string text, where;
+  std::map<std::string, std::string> readings;
+};
+using Ambiguities = std::map<std::string, Ambiguity>;
 
 // The requirement, or that which "ID/1-D" is one half of; null if there is none.
 const Requirement* find_requirement(const Requirements& catalogue, const std::string& id);
 
-// Both throw FormatError; a null catalogue is an empty one.
+// All throw FormatError; a null catalogue is an empty one.
 Record read_record(const nlohmann::json& json);
 Requirements read_requirements(const nlohmann::json& json);
+Ambiguities read_ambiguities(const nlohmann::json& json);
 
 }  // namespace evalcts::reports

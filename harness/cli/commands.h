@@ -48,6 +48,12 @@ struct ReproduceOptions {
   std::string program;  // how evalcts was called
 };
 
+struct ReportOptions {
+  std::vector<std::string> results;  // files and folders; empty: the usual folder
+  std::vector<std::string> before;   // of the earlier results; empty: nothing is compared
+  std::string output;                // empty: the usual folder
+};
+
 struct FaultsOptions {
   std::string filter;  // empty: all
   std::string shard;   // "K/N"; empty: all
@@ -113,6 +119,8 @@ int list(const std::string& what, bool as_json);
 int coverage(bool as_json, bool complete);
 int explain(const std::string& name);
 int reproduce(const ReproduceOptions& options);
+// Exit code 1 where --before names earlier results and something has become worse since.
+int report(const ReportOptions& options);
 // `complete`: a requirement that tests decide and no fault breaks is unexpected, too.
 int faults(const FaultsOptions& options);
 int fuzz(const FuzzOptions& options);
@@ -126,6 +134,11 @@ int check_vectors(const VectorsOptions& options);
 // What `ulp` takes for --implementation beside the implementations, and for --target.
 std::vector<std::string> own_subject_names();
 std::vector<std::string> ulp_targets();
+
+// Writes index.html and summary.md of these results, compared with the earlier ones, into an existing folder,
+// each whole or not at all. Throws std::runtime_error, and reports::FormatError where a result is none.
+void write_pages(const std::filesystem::path& output, const std::vector<nlohmann::json>& results,
+                 const std::vector<nlohmann::json>& before);
 
 // {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
 // std::runtime_error.

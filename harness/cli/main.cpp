@@ -123,6 +123,20 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   reproduce_command->add_option("--output", reproduce_options.output, "the C file to write");
   reproduce_command->add_option("--results", reproduce_options.results, "folder with the results of the run");
 
+  ReportOptions report_options;
+  CLI::App* report_command = app.add_subcommand(
+      "report", "pages from one or more results, side by side, and compared with earlier ones");
+  report_command->add_option(
+      "results", report_options.results,
+      "result files, and folders with results (default: those of the last run); shards are put together");
+  report_command
+      ->add_option("--before", report_options.before,
+                   "earlier results to compare with, a file or folder; may be repeated. Exit code 1 where "
+                   "something has become worse")
+      ->expected(1)
+      ->take_all();
+  report_command->add_option("--output", report_options.output, "folder for index.html and summary.md");
+
   FaultsOptions faults_options;
   CLI::App* faults_command = app.add_subcommand(
       "faults", "break one rule at a time on purpose: does the suite catch it? (the tests of the tests)");
@@ -278,6 +292,7 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
     if (*list_command) return list(what, as_json);
     if (*coverage_command) return coverage(as_json, complete);
     if (*reproduce_command) return reproduce(reproduce_options);
+    if (*report_command) return report(report_options);
     if (*faults_command) return faults(faults_options);
     if (*fuzz_command) return fuzz(fuzz_options);
     if (*rounding_command) return rounding(rounding_options);

@@ -267,7 +267,7 @@ int run(const RunOptions& options) {
       results.push_back(std::move(result));
     }
   }
-  write_atomically(output / "index.html", reports::html(results, catalogue()));
+  write_pages(output, results, {});
   if (!options.quiet) std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
   if (interrupted) {
     std::cerr << "evalcts: interrupted; what was obtained is in the output folder\n";

@@ -3,47 +3,81 @@
 (() => {
   const byId = (id) => document.getElementById(id);
   const tests = [...document.querySelectorAll('.test')];
-  const rows = new Map([...document.querySelectorAll('[data-test]')].map((row) => [row.dataset.test, row]));
+  const rows = [...document.querySelectorAll('#matrix .row')];  // of requirements; the tests know them by number
+  const rowsOf = new Map(tests.map((test) => [test, test.dataset.rows.split(' ').filter(Boolean).map(Number)]));
   const words = new Map();  // what the text filter looks through, read when first needed
 
-  const text = byId('filter-text'), verdict = byId('filter-verdict'), level = byId('filter-level');
-  const differs = byId('filter-differs');  // only with several implementations
+  const text = byId('filter-text'), theme = byId('filter-theme'), verdict = byId('filter-verdict');
+  const level = byId('filter-level');
+  const column = byId('filter-column'), differs = byId('filter-differs');  // only with several implementations
+
+  function hasVerdict(test) {
+    const columns = test.dataset.verdicts.split(' ');
+    const chosen = column && column.value ? [columns[column.value]] : columns;
+    return chosen.some((outcome) => (verdict.value ? outcome.split(',').includes(verdict.value) : outcome !== 'absent'));
+  }
 
   function matches(test, needles) {
-    if (verdict.value && !test.dataset.verdicts.split(' ').includes(verdict.value)) return false;
+    if (theme.value && test.dataset.theme !== theme.value) return false;
     if (level.value && test.dataset.level !== level.value) return false;
     if (differs && differs.checked && !('differs' in test.dataset)) return false;
+    if (!hasVerdict(test)) return false;
     if (!needles.length) return true;
     if (!words.has(test)) words.set(test, test.textContent.toLowerCase());
     return needles.every((needle) => words.get(test).includes(needle));
   }
 
+  // A requirement is shown with any of its tests.
   function filter() {
     const needles = text.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const shownRows = new Set();
     let shown = 0;
     for (const test of tests) {
-      test.hidden = !matches(test, needles);
-      shown += !test.hidden;
-      const row = rows.get(test.id);
-      if (row) row.hidden = test.hidden;
+      const hidden = !matches(test, needles);
+      if (test.hidden !== hidden) test.hidden = hidden;
+      if (hidden) continue;
+      ++shown;
+      for (const row of rowsOf.get(test)) shownRows.add(row);
     }
-    byId('filter-count').textContent = `${shown} of ${tests.length} tests shown`;
+    rows.forEach((row, number) => { row.hidden = !shownRows.has(number); });
+    for (const section of document.querySelectorAll('#matrix tbody'))
+      section.hidden = !section.querySelector('.row:not([hidden])');
+    byId('filter-count').textContent =
+      `${shown} of ${tests.length} tests, ${shownRows.size} of ${rows.length} requirements shown`;
   }
 
+  // What a link leads to is shown, whatever the filters say, opened, and has the focus.
   function openTarget() {
-    const target = byId(decodeURIComponent(location.hash.slice(1)));
-    if (!target || !target.matches('.test')) return;
+    let id = location.hash.slice(1);
+    try {
+      id = decodeURIComponent(id);
+    } catch {
+      return;  // no link of this page
+    }
+    const target = byId(id);
+    if (!target || !target.matches('.test, .row')) return;
     target.hidden = false;
-    target.open = true;
+    target.closest('.test, tbody').hidden = false;
+    const details = target.matches('details') ? target : target.querySelector('details');
+    details.open = true;
     target.scrollIntoView();
-    target.querySelector('summary').focus({preventScroll: true});
+    details.querySelector('summary').focus({preventScroll: true});
   }
 
   const form = byId('filters');
   form.hidden = tests.length === 0;
   form.addEventListener('input', filter);
+  form.addEventListener('reset', () => setTimeout(filter));
   form.addEventListener('submit', (event) => event.preventDefault());
+  for (const link of document.querySelectorAll('.show')) {
+    link.addEventListener('click', () => {
+      form.reset();
+      text.value = link.dataset.text;
+      setTimeout(filter);
+    });
+  }
   addEventListener('hashchange', openTarget);
+  // The browser may have kept what was chosen before the page was loaded again.
   filter();
   openTarget();
 

@@ -1,6 +1,11 @@
 // Pages from result records: the content of `results-NAME.json` in, text out. Nothing else is read, no file
 // is written, no clock is asked, so the same input always gives the same bytes.
 //
+// Results may be compared with earlier ones, `before`: those of one name, the first with the first and so on;
+// a single result on either side with the other, whatever they are called. A regression is a test that fails,
+// crashes, hangs or ends in an internal error and did not before, or not as badly, or (where depth and seed
+// are the same) not in all the cases in which it fails now; and an implementation that no longer starts.
+//
 // A record is a JSON object of the format "evalcts-results-1" (reports/schema/results-1.schema.json describes
 // it field by field). A field that is missing or null is tolerated and shown as unknown; a field of the wrong
 // type, an unknown format, verdict, level or status, or the same test twice in one record is refused with
@@ -8,12 +13,16 @@
 // become U+FFFD, other control characters become their pictures (U+2400...), and what remains is escaped for
 // the output at hand.
 //
+// A reader of files may put a string "origin" into a record: the folder or file that it comes from. It tells
+// records of one name apart.
+//
 // Counts are counted from "tests"; "summary" is believed only in a record that has no "tests" at all.
 // Distances are in ULP of binary32 (Harrison's definition) and, beside them, in units of 2^-24 * sum |B_i|
 // |R_i|.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -28,11 +37,41 @@ class FormatError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Throws FormatError where a record does not follow its format.
+void check_record(const nlohmann::json& result);
+
+struct PageOptions {
+  std::vector<nlohmann::json> before;  // earlier results; empty: nothing is compared
+  bool accuracy_page = false;          // whether accuracy.html lies beside the page
+};
+
 // One self-contained HTML page that compares any number of records (none gives a page that says so). It opens
 // from disk, loads nothing, and reads without JavaScript.
-// requirements: {"requirements": [{"id", "section", "text", "source", ...}]} for the texts beside the IDs, or
-// null. Throws FormatError.
-std::string html(const std::vector<nlohmann::json>& results, const nlohmann::json& requirements);
+// requirements: the catalogue, {"requirements": [{"id", "section", "text", "source", ...}], "contradictions":
+// [...], "undefined": [...]} for the texts beside the IDs, or null. Throws FormatError.
+std::string html(const std::vector<nlohmann::json>& results, const nlohmann::json& requirements,
+                 const PageOptions& options = {});
+
+// A short summary in GitHub's and GitLab's Markdown, for a pull request: counts for each record, changes, the
+// unexpected failures (at most ten of each record). Text of a record stands in code spans only, so that it
+// cannot become markup or a mention. Throws FormatError.
+std::string markdown_summary(const std::vector<nlohmann::json>& results,
+                             const std::vector<nlohmann::json>& before = {});
+
+// The changes for a terminal, at most eight of each kind, on lines of 100 columns, and how many regressions
+// there are. Throws FormatError.
+struct Changes {
+  std::string text;
+  std::uint64_t regressions = 0;
+};
+Changes changes(const std::vector<nlohmann::json>& results, const std::vector<nlohmann::json>& before);
+
+// Puts the shards of one run ("shard": "K-of-N") together: those with the same name, pass, depth, seed and N;
+// of several that are the same shard, each is of another run, those of one origin of the same. The result
+// stands where the first of them stood, its tests in the order of a run that is not sharded; where shards are
+// missing it is "interrupted" and says which. Throws FormatError, also where the shards judged libraries that
+// call themselves differently.
+std::vector<nlohmann::json> merge_shards(const std::vector<nlohmann::json>& results);
 
 // One JUnit XML document as Jenkins and GitLab read it: a testsuite named after the implementation, each test
 // a testcase "IMPLEMENTATION.Theme" / "Test/parameters".

@@ -1,0 +1,150 @@
+// evalcts report: pages from results that are there, of this run or another, of this machine or others.
+#include <evalcts/reports.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+#include "harness/cli/catalogue.h"
+#include "harness/cli/commands.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr const char* kFormat = "evalcts-results-1";
+
+// What is wrong with what the user named; the message says what to do.
+struct CannotReport : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+bool is_result_name(const fs::path& path) {
+  return path.filename().string().starts_with("results-") && path.extension() == ".json";
+}
+
+// The result files that an argument names, sorted.
+std::vector<fs::path> files_of(const fs::path& argument) {
+  std::error_code error;
+  const fs::file_status status = fs::status(argument, error);
+  if (!fs::exists(status)) throw CannotReport(fmt::format("there is no '{}'", argument.string()));
+  if (!fs::is_directory(status)) return {argument};
+  std::vector<fs::path> files;
+  fs::directory_iterator entry(argument, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_result_name(entry->path())) files.push_back(entry->path());
+  if (error)
+    throw CannotReport(fmt::format("cannot read the folder '{}': {}", argument.string(), error.message()));
+  if (files.empty())
+    throw CannotReport(fmt::format("there are no results in '{}': 'evalcts run' writes results-NAME.json",
+                                   argument.string()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+json read_result(const fs::path& file) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream || !fs::is_regular_file(file))
+    throw CannotReport(fmt::format("cannot read '{}'{}{}", file.string(), errno ? ": " : "",
+                                   errno ? std::strerror(errno) : ""));
+  json result;
+  try {
+    result = json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw CannotReport(fmt::format("'{}' is no JSON, or was cut off (byte {}); leave it out, or run again",
+                                   file.string(), error.byte));
+  }
+  const json* format = result.is_object() && result.contains("format") ? &result["format"] : nullptr;
+  if (!format || *format != kFormat)
+    throw CannotReport(fmt::format(
+        "'{}' holds no results: its \"format\" is {}, not \"{}\"", file.string(),
+        format ? format->dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 60) : "missing",
+        kFormat));
+  try {
+    reports::check_record(result);
+  } catch (const reports::FormatError& error) {
+    throw CannotReport(fmt::format("'{}' does not follow its format: {}", file.string(), error.what()));
+  }
+  return result;
+}
+
+// What tells results of one name apart: the folder that the user named.
+std::string origin_of(const fs::path& argument) {
+  const fs::path path = argument.has_filename() ? argument : argument.parent_path();
+  return is_result_name(path) && path.has_parent_path() ? path.parent_path().string() : path.string();
+}
+
+std::vector<json> read_results(const std::vector<std::string>& arguments, bool with_origin) {
+  std::vector<json> results;
+  std::set<fs::path> seen;
+  for (const std::string& argument : arguments)
+    for (const fs::path& file : files_of(argument)) {
+      if (!seen.insert(fs::weakly_canonical(file)).second) continue;
+      json result = read_result(file);
+      result.erase("origin");
+      if (with_origin) result["origin"] = origin_of(argument);
+      results.push_back(std::move(result));
+    }
+  return reports::merge_shards(results);
+}
+
+}  // namespace
+
+void write_pages(const fs::path& output, const std::vector<json>& results, const std::vector<json>& before) {
+  reports::PageOptions options;
+  options.before = before;
+  options.accuracy_page = fs::exists(output / "accuracy.html");
+  write_atomically(output / "index.html", reports::html(results, catalogue(), options));
+  write_atomically(output / "summary.md", reports::markdown_summary(results, before));
+}
+
+int report(const ReportOptions& options) {
+  const fs::path usual = places().output;
+  const fs::path output = options.output.empty() ? usual : fs::path(options.output);
+  std::vector<json> results, before;
+  reports::Changes changes;
+  try {
+    results =
+        options.results.empty() ? read_results({usual.string()}, false) : read_results(options.results, true);
+    before = read_results(options.before, true);
+    if (!before.empty()) changes = reports::changes(results, before);
+  } catch (const CannotReport& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  } catch (const reports::FormatError& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  }
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error || access(output.c_str(), W_OK) != 0) {
+    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
+                             output.string());
+    return kWrongUse;
+  }
+  const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
+  for (const json& result : results)
+    std::cout << reports::terminal_summary(result, catalogue(), color, false) << "\n";
+  if (!before.empty()) std::cout << changes.text << "\n";
+  try {
+    write_pages(output, results, before);
+  } catch (const std::runtime_error& failure) {
+    std::cerr << "evalcts: " << failure.what() << "; choose another folder with --output\n";
+    return kWrongUse;
+  }
+  std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
+  return changes.regressions ? kUnexpected : kNothingUnexpected;
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,149 @@
+#include "reports/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+#include "evalcts/reports.h"
+#include "reports/text.h"
+
+namespace evalcts::reports {
+namespace {
+
+constexpr std::array<ChangeText, kChangeKinds> kChangeTexts{{
+    {"regression", "regression", "regressions", "regression"},
+    {"new failure", "new failing test", "new failing tests", "new"},
+    {"fix", "fix", "fixes", "fix"},
+    {"no longer judged", "test no longer judged", "tests no longer judged", "changed"},
+    {"fails otherwise", "test that fails otherwise", "tests that fail otherwise", "changed"},
+    {"other change", "other change", "other changes", "changed"},
+    {"new test", "new test", "new tests", "new"},
+    {"vanished", "vanished test", "vanished tests", ""},
+}};
+
+bool judged(const TestResult& test) {
+  return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
+}
+
+// Whether something is wrong now that was not wrong before, as far as the records tell.
+bool fails_further(const TestResult& before, const TestResult& now) {
+  return !std::includes(before.mismatches.begin(), before.mismatches.end(), now.mismatches.begin(),
+                        now.mismatches.end());
+}
+
+// Whether the same cases were played: other depths and seeds have others.
+bool same_cases(const Record& before, const Record& now) {
+  return before.depth == now.depth && before.seed == now.seed;
+}
+
+// The kind of change of a test that is in both; none where there is none.
+std::optional<ChangeKind> change_of(const TestResult& before, const TestResult& now, bool cases_comparable) {
+  if (now.bad()) {
+    if (!before.bad() || now.verdict < before.verdict) return ChangeKind::kRegression;
+    const bool comparable = cases_comparable && !before.mismatches.empty() && !now.mismatches.empty();
+    if (comparable && fails_further(before, now)) return ChangeKind::kRegression;
+    if (before.verdict != now.verdict || (comparable && before.mismatches != now.mismatches))
+      return ChangeKind::kFailsOtherwise;
+    return std::nullopt;
+  }
+  if (judged(before) && !judged(now)) return ChangeKind::kNoLongerJudged;
+  if (before.bad()) return ChangeKind::kFix;
+  return before.verdict == now.verdict ? std::nullopt : std::optional(ChangeKind::kOther);
+}
+
+Comparison compared(const Column& before, const Column& now) {
+  Comparison out{now.label, &before.record, &now.record, false, {}, {}};
+  const Record &old_record = before.record, &new_record = now.record;
+  out.no_longer_starts = new_record.status == "not-started" && old_record.status != "not-started";
+  const auto caveat = [&out](const std::string& words) { out.caveats.push_back(words); };
+  if (out.no_longer_starts) caveat("It no longer starts: " + one_line(new_record.reason));
+  if (!out.no_longer_starts && !new_record.complete()) caveat("The run is not complete.");
+  if (!old_record.complete()) caveat("The earlier run is not complete.");
+  if (old_record.depth != new_record.depth && !old_record.depth.empty() && !new_record.depth.empty())
+    caveat(fmt::format("The depths differ: {}, before {}.", new_record.depth, old_record.depth));
+  else if (old_record.seed != new_record.seed && old_record.seed && new_record.seed)
+    caveat(fmt::format("The seeds differ: {}, before {}.", *new_record.seed, *old_record.seed));
+
+  const bool cases_comparable = same_cases(old_record, new_record);
+  std::map<std::string, const TestResult*> earlier;
+  for (const TestResult& test : old_record.tests) earlier[test.name] = &test;
+  for (const TestResult& test : new_record.tests) {
+    const auto found = earlier.find(test.name);
+    if (found == earlier.end()) {
+      out.changes.push_back({test.bad() ? ChangeKind::kNewFailure : ChangeKind::kNew, nullptr, &test});
+      continue;
+    }
+    if (const auto kind = change_of(*found->second, test, cases_comparable))
+      out.changes.push_back({*kind, found->second, &test});
+    found->second = nullptr;
+  }
+  if (!out.no_longer_starts)
+    for (const TestResult& test : old_record.tests)
+      if (earlier[test.name]) out.changes.push_back({ChangeKind::kVanished, &test, nullptr});
+  std::stable_sort(out.changes.begin(), out.changes.end(),
+                   [](const Change& a, const Change& b) { return a.kind < b.kind; });
+  return out;
+}
+
+}  // namespace
+
+const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
+
+std::string words_of(const Change& change) {
+  const TestResult& latest = change.now ? *change.now : *change.before;
+  std::string out(text_of(latest.verdict).word);
+  if (change.now && change.before && change.now->verdict != change.before->verdict)
+    out = fmt::format("{}, now {}", text_of(change.before->verdict).word, out);
+  const std::string message = one_line(latest.message);
+  return message.empty() ? out : out + ": " + message;
+}
+
+std::uint64_t Comparison::count(ChangeKind kind) const {
+  return static_cast<std::uint64_t>(std::count_if(
+      changes.begin(), changes.end(), [kind](const Change& change) { return change.kind == kind; }));
+}
+
+std::string Comparison::headline() const {
+  std::vector<std::string> parts;
+  if (no_longer_starts) parts.emplace_back("no longer starts");
+  for (std::size_t i = 0; i < kChangeKinds; ++i) {
+    const auto kind = static_cast<ChangeKind>(i);
+    if (const std::uint64_t n = count(kind))
+      parts.push_back(fmt::format("{} {}", n, n == 1 ? text_of(kind).one : text_of(kind).several));
+  }
+  return parts.empty() ? "nothing has changed" : join(parts, ", ");
+}
+
+std::uint64_t Comparisons::regressions() const {
+  return std::accumulate(pairs.begin(), pairs.end(), std::uint64_t{0},
+                         [](std::uint64_t n, const Comparison& pair) { return n + pair.regressions(); });
+}
+
+Comparisons compare(const std::vector<Column>& now, const std::vector<Column>& before) {
+  Comparisons out;
+  if (before.empty()) return out;
+  if (now.size() == 1 && before.size() == 1) {
+    out.pairs.push_back(compared(before[0], now[0]));
+    return out;
+  }
+  std::vector<bool> used(before.size());
+  for (const Column& column : now) {
+    const std::string name = column.record.heading("");
+    std::size_t i = 0;
+    while (i < before.size() && (used[i] || before[i].record.heading("") != name)) ++i;
+    if (i == before.size()) {
+      out.only_now.push_back(column.label);
+      continue;
+    }
+    used[i] = true;
+    out.pairs.push_back(compared(before[i], column));
+  }
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (!used[i]) out.only_before.push_back(before[i].label);
+  return out;
+}
+
+}  // namespace evalcts::reports

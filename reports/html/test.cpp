@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/html/view.h"
+#include "reports/text.h"
+
+namespace evalcts::reports::view {
+namespace {
+
+std::string baseline_sentence(const TestResult& test) {
+  const std::string reason = test.baseline_reason.empty() ? "no reason given" : test.baseline_reason;
+  if (test.expected_bad()) return "Expected by the baseline: " + reason;
+  if (test.baseline_reason.empty()) return {};
+  return (test.unexpected() ? "Not what the baseline expects: " : "Baseline: ") + reason;
+}
+
+void add_command(data& commands, const char* purpose, const std::string& command) {
+  if (command.empty()) return;
+  data item;
+  item.set("purpose", purpose);
+  item.set("command", command);
+  commands << item;
+}
+
+data failure_view(const Failure& failure, bool open) {
+  data out;
+  out.set("open", open);
+  out.set("case", failure.case_name.empty() ? "this test" : failure.case_name);
+  out.set("far", optional_text(distance(failure.ulp, failure.condition_aware)));
+  data rows = list();
+  add_row(rows, "Message", failure.message);
+  add_row(rows, "What", failure.what);
+  add_row(rows, "Expected", failure.expected, true);
+  add_row(rows, "Captured", failure.captured, true);
+  add_row(rows, "Exact", failure.exact, true);
+  add_row(rows, "ULP", failure.ulp ? number(failure.ulp) : "");
+  add_row(rows, "Condition-aware", failure.condition_aware ? number(failure.condition_aware) : "");
+  add_row(rows, "Capture", failure.capture);
+  out.set("rows", rows);
+  out.set("calls", optional_text(join(failure.calls, "\n")));
+  return out;
+}
+
+// "2 of 12 cases failed, 1 recorded, seed 1, 0.020 s"
+std::string facts_of(const TestResult& test) {
+  std::vector<std::string> facts;
+  if (test.failed_cases.value_or(0) && test.cases) {
+    facts.push_back(fmt::format("{} of {} failed", *test.failed_cases, count(*test.cases, "case")));
+  } else if (test.cases) {
+    facts.push_back(count(*test.cases, "case"));
+  }
+  if (test.failed_cases && *test.failed_cases > test.failures.size() && !test.failures.empty()) {
+    facts.push_back(fmt::format("{} recorded", test.failures.size()));
+  }
+  if (test.seed) facts.push_back(fmt::format("seed {}", *test.seed));
+  if (test.seconds) facts.push_back(fmt::format("{:.3f} s", *test.seconds));
+  return join(facts, ", ");
+}
+
+// "480 values, largest error 3.5 ULP, condition-aware 1.25; not correctly rounded: 20 % (96); ..."
+std::string accuracy_of(const TestResult& test) {
+  if (!test.accuracy) return {};
+  const Accuracy& accuracy = *test.accuracy;
+  std::string out = accuracy.values ? count(*accuracy.values, "value") : "an unknown number of values";
+  const std::string far = distance(accuracy.max_ulp, accuracy.max_condition_aware);
+  if (!far.empty()) out += ", largest error " + far;
+  if (accuracy.incorrectly_rounded) out += "; not correctly rounded: " + share(accuracy);
+  if (!accuracy.worst.empty()) out += "; worst input: " + accuracy.worst;
+  return out;
+}
+
+// Said in one line, together with others of which the same is to be said.
+bool is_quiet(const TestResult& test) {
+  return test.failures.empty() && !test.bad() && baseline_sentence(test).empty() && test.rerun.empty() &&
+         test.debug.empty() && test.reproducer.empty();
+}
+
+std::string quiet_words(const TestResult& test) {
+  std::string out(text_of(test.verdict).word);
+  const std::string accuracy = accuracy_of(test), facts = facts_of(test);
+  // Of what was not played there are none.
+  if (test.cases.value_or(1) && !facts.empty()) out += fmt::format(" ({})", facts);
+  if (!test.message.empty()) out += ": " + test.message;
+  return accuracy.empty() ? out : out + "; " + accuracy;
+}
+
+data outcome_view(const TestResult& test, const Column& column, bool several) {
+  data out;
+  set_verdict(out, test.verdict);
+  out.set("label", column.label);
+  // The summary line above shows the message of a test that has but one.
+  const bool shown_above = !several && one_line(test.message) == test.message;
+  out.set("message", optional_text(shown_above ? "" : test.message));
+  out.set("baseline", optional_text(baseline_sentence(test)));
+  out.set("facts_line", optional_text(facts_of(test)));
+  out.set("accuracy_line", optional_text(accuracy_of(test)));
+  data failures = list();
+  for (const Failure& failure : test.failures)
+    failures << failure_view(failure, &failure == &test.failures.front());
+  out.set("failures", failures);
+  data commands = list();
+  add_command(commands, "Run just this test", test.rerun);
+  add_command(commands, "Open it in a debugger", test.debug);
+  add_command(commands, "Make a C program of it", test.reproducer);
+  out.set("commands", commands);
+  return out;
+}
+
+data requirement_view(const std::string& id, const Requirements& catalogue, bool in_full) {
+  const Requirement* found = in_full ? find_requirement(catalogue, id) : nullptr;
+  const Requirement requirement = found ? *found : Requirement{};
+  data out;
+  out.set("id", id);
+  out.set("anchor", requirement_anchor(id));
+  out.set("section", optional_text(requirement.section));
+  out.set("text", optional_text(requirement.text));
+  out.set("source", optional_text(requirement.source));
+  out.set("since", optional_text(requirement.since));
+  return out;
+}
+
+// What the edge of a test's box says at a glance.
+const char* state_of(const TestResult& test) {
+  if (test.bad()) return test.expected_bad() ? "warn" : "bad";
+  if (test.verdict == Verdict::kQualityWarning || test.unexpected_pass()) return "warn";
+  return test.verdict == Verdict::kPass ? "good" : "undecided";
+}
+
+// One chip for each verdict that the implementations got, worst first.
+data chips_view(const Row& row, const std::vector<Column>& columns) {
+  std::map<int, std::pair<const TestResult*, std::vector<std::string>>> groups;  // by severity
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const TestResult* outcome = row.outcomes[i];
+    if (!outcome) continue;
+    auto& [example, labels] = groups[outcome->severity()];
+    example = outcome;
+    labels.push_back(columns[i].label);
+  }
+  data out = list();
+  for (const auto& [severity, group] : groups) {
+    data chip;
+    set_verdict(chip, group.first->verdict);
+    chip.set("note", optional_text(baseline_note(*group.first)));
+    chip.set("who", optional_text(columns.size() > 1 ? join(group.second, ", ") : ""));
+    out << chip;
+  }
+  return out;
+}
+
+// What the filters look at, for each column in order: the verdict, then "unexpected" and what has changed,
+// with commas between; "absent" where there is no outcome.
+std::string words_for_filters(const Row& row, const std::vector<const Change*>& changes) {
+  std::vector<std::string> columns;
+  for (std::size_t i = 0; i < row.outcomes.size(); ++i) {
+    const TestResult* outcome = row.outcomes[i];
+    std::string words(outcome ? text_of(outcome->verdict).word : "absent");
+    if (outcome && outcome->unexpected()) words += ",unexpected";
+    if (changes[i]) words += fmt::format(",{}", text_of(changes[i]->kind).filter);
+    columns.push_back(words);
+  }
+  return join(columns, " ");
+}
+
+}  // namespace
+
+data test(const Row& row, const std::vector<const Change*>& changes, const std::vector<Column>& columns,
+          const Requirements& catalogue, const Matrix& matrix) {
+  const TestResult& worst = row.worst();
+  const bool several = columns.size() > 1;
+  data out;
+  out.set("anchor", test_anchor(row.name));
+  set_name(out, row.name);
+  out.set("theme", row.name.substr(0, row.name.find('.')));
+  out.set("level", optional_text(worst.level));
+  out.set("headline", optional_text(one_line(worst.message)));
+  out.set("differs", row.differs());
+  out.set("state", state_of(worst));
+  out.set("verdict_words", words_for_filters(row, changes));
+  out.set("verdict_chips", chips_view(row, columns));
+
+  // Records of different versions of the suite may name different requirements.
+  std::vector<std::string> ids, row_numbers;
+  std::vector<std::pair<std::string, std::vector<std::string>>> quiet;  // what is said, of whom
+  data outcomes = list();
+  bool all_pass = true;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const TestResult* outcome = row.outcomes[i];
+    if (!outcome) continue;
+    for (const std::string& id : outcome->requirements) {
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    }
+    all_pass = all_pass && outcome->verdict == Verdict::kPass;
+    if (!is_quiet(*outcome)) {
+      outcomes << outcome_view(*outcome, columns[i], several);
+      continue;
+    }
+    const std::string what = quiet_words(*outcome);
+    auto same =
+        std::find_if(quiet.begin(), quiet.end(), [&](const auto& other) { return other.first == what; });
+    if (same == quiet.end()) same = quiet.insert(same, {what, {}});
+    same->second.push_back(columns[i].label);
+  }
+  data requirements = list();
+  for (const std::string& id : ids) {
+    requirements << requirement_view(id, catalogue, !all_pass);
+    row_numbers.push_back(fmt::format("{}", matrix.numbers.at(id)));
+  }
+  data since = list();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!changes[i]) continue;
+    data change;
+    change.set("label", columns[i].label);
+    change.set("kind", std::string(text_of(changes[i]->kind).word));
+    change.set("was",
+               changes[i]->before ? std::string(text_of(changes[i]->before->verdict).word) : "no such test");
+    since << change;
+  }
+  out.set("requirements", requirements);
+  out.set("row_numbers", join(row_numbers, " "));
+  out.set("changes", since);
+  out.set("outcomes", outcomes);
+  data lines = list();
+  for (const auto& [what, labels] : quiet) {
+    data line;
+    line.set("who", optional_text(several ? join(labels, ", ") : ""));
+    line.set("what", what);
+    lines << line;
+  }
+  out.set("has_quiet", !quiet.empty());
+  out.set("quiet", lines);
+  return out;
+}
+
+}  // namespace evalcts::reports::view

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "evalcts/reports.h"
+#include "reports/comparison.h"
+#include "reports/text.h"
+
+namespace evalcts::reports {
+namespace {
+
+constexpr std::size_t kMostTests = 10;        // of each kind and record
+constexpr std::size_t kMostOfMessage = 200;   // columns
+constexpr std::size_t kMostOfCommand = 2000;  // columns: a command has to work when it is copied
+
+// A code span that ends where it should: its fence is longer than any in the text. Nothing in it is markup, a
+// link or a mention.
+std::string code(const std::string& text, std::size_t most = kMostOfMessage) {
+  const std::string line = cut(one_line(text), most);
+  std::size_t longest = 0, length = 0;
+  for (const char c : line) {
+    length = c == '`' ? length + 1 : 0;
+    longest = std::max(longest, length);
+  }
+  const std::string fence(longest + 1, '`');
+  // With a space at either end; GitHub and GitLab take one off each.
+  return longest || line.empty() ? fence + " " + line + " " + fence : fence + line + fence;
+}
+
+// In a table a bar ends the cell even in code, and there is no way around that is the same everywhere.
+std::string cell(std::string text) {
+  std::replace(text.begin(), text.end(), '|', '/');
+  return code(text);
+}
+
+std::string counts_table(const std::vector<Column>& columns) {
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < kVerdicts; ++i)
+    for (const Column& column : columns)
+      if (column.record.counts[i]) {
+        verdicts.push_back(static_cast<Verdict>(i));
+        break;
+      }
+  std::string out = "| | unexpected | tests |", rule = "| --- | --: | --: |";
+  for (const Verdict verdict : verdicts) {
+    out += fmt::format(" {} |", text_of(verdict).word);
+    rule += " --: |";
+  }
+  out += "\n" + rule + "\n";
+  for (const Column& column : columns) {
+    const Record& record = column.record;
+    const std::uint64_t unexpected = record.unexpected_count();
+    out += fmt::format("| {} | {} | {} |", cell(column.label),
+                       unexpected ? fmt::format("**{}**", unexpected) : "0", record.total());
+    for (const Verdict verdict : verdicts)
+      out += fmt::format(" {} |", record.counts[static_cast<std::size_t>(verdict)]);
+    out += "\n";
+  }
+  return out + "\n";
+}
+
+// What was judged, and why a run is not whole.
+std::string about(const Column& column) {
+  const Record& record = column.record;
+  const Implementation& implementation = record.implementation;
+  std::vector<std::string> parts;
+  for (const std::string* part : {&implementation.vendor, &implementation.renderer, &implementation.version})
+    if (!part->empty()) parts.push_back(code(*part));
+  if (record.status.empty()) parts.emplace_back("**status unknown**");
+  if (!record.status.empty() && !record.complete())
+    parts.push_back("**" + record.status + "**" + (record.reason.empty() ? "" : ": " + code(record.reason)));
+  return parts.empty() ? "" : fmt::format("* {}: {}\n", code(column.label), join(parts, ", "));
+}
+
+std::string changes_of(const Comparison& pair) {
+  std::string out = fmt::format("* {}: {}\n", code(pair.label), pair.headline());
+  for (const std::string& caveat : pair.caveats) out += "  * " + code(caveat) + "\n";
+  // The rest is in the headline, and on the page.
+  for (const ChangeKind kind : {ChangeKind::kRegression, ChangeKind::kNewFailure, ChangeKind::kFix}) {
+    std::size_t told = 0;
+    for (const Change& change : pair.changes) {
+      if (change.kind != kind || ++told > kMostTests) continue;
+      out +=
+          fmt::format("  * {}: {}, {}\n", text_of(kind).word, code(change.now->name), code(words_of(change)));
+    }
+    if (told > kMostTests) out += fmt::format("  * and {} more\n", told - kMostTests);
+  }
+  return out;
+}
+
+std::string failures_of(const Column& column) {
+  std::vector<const TestResult*> tests;
+  for (const TestResult& test : column.record.tests)
+    if (test.unexpected()) tests.push_back(&test);
+  std::stable_sort(tests.begin(), tests.end(),
+                   [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); });
+  std::string out;
+  for (std::size_t i = 0; i < tests.size() && i < kMostTests; ++i) {
+    const TestResult& test = *tests[i];
+    out +=
+        fmt::format("* {}: {} {}", code(column.label),
+                    test.unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).word,
+                    code(test.name));
+    if (!test.message.empty()) out += ": " + code(test.message);
+    out += "\n";
+    if (!test.rerun.empty())
+      out += fmt::format("  * run just this test: {}\n", code(test.rerun, kMostOfCommand));
+  }
+  if (tests.size() > kMostTests)
+    out += fmt::format("* {}: and {} more\n", code(column.label), tests.size() - kMostTests);
+  return out;
+}
+
+}  // namespace
+
+std::string markdown_summary(const std::vector<nlohmann::json>& results,
+                             const std::vector<nlohmann::json>& before) {
+  const std::vector<Column> columns = read_columns(results), earlier = read_columns(before);
+  std::string out = "## OpenGL evaluators: conformance\n\n";
+  if (columns.empty()) return out + "No results.\n";
+  out += counts_table(columns);
+  for (const Column& column : columns) out += about(column);
+
+  if (!before.empty()) {
+    const Comparisons comparisons = compare(columns, earlier);
+    out += "\n### Changes\n\n";
+    for (const Comparison& pair : comparisons.pairs) out += changes_of(pair);
+    for (const std::string& label : comparisons.only_now)
+      out += fmt::format("* {}: not in the earlier results\n", code(label));
+    for (const std::string& label : comparisons.only_before)
+      out += fmt::format("* {}: only in the earlier results\n", code(label));
+  }
+
+  std::string failures;
+  for (const Column& column : columns) failures += failures_of(column);
+  return out + "\n### Unexpected\n\n" + (failures.empty() ? "Nothing.\n" : failures);
+}
+
+}  // namespace evalcts::reports

@@ -1,0 +1,59 @@
+#include "reports/side_by_side.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "reports/text.h"
+
+namespace evalcts::reports {
+
+std::vector<Column> read_columns(const std::vector<nlohmann::json>& results) {
+  std::vector<Column> columns;
+  std::map<std::string, int> records;
+  for (const nlohmann::json& result : results) {
+    Record record = read_record(result);
+    const std::string name = record.heading("(unnamed)");
+    ++records[name];
+    columns.push_back({std::move(record), name});
+  }
+  std::set<std::string> used;
+  for (Column& column : columns) {
+    if (records[column.label] > 1 && !column.record.origin.empty())
+      column.label += fmt::format(" ({})", one_line(column.record.origin));
+    const std::string label = column.label;
+    for (int n = 2; !used.insert(column.label).second; ++n) column.label = fmt::format("{} ({})", label, n);
+  }
+  return columns;
+}
+
+const TestResult& Row::worst() const {
+  const TestResult* out = nullptr;
+  for (const TestResult* test : outcomes) {
+    if (test && (!out || test->severity() < out->severity())) out = test;
+  }
+  return *out;
+}
+
+bool Row::differs() const {
+  const Verdict verdict = worst().verdict;
+  return std::any_of(outcomes.begin(), outcomes.end(),
+                     [verdict](const TestResult* test) { return test && test->verdict != verdict; });
+}
+
+std::vector<Row> read_rows(const std::vector<Column>& columns) {
+  std::vector<Row> rows;
+  std::map<std::string, std::size_t> index;
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    for (const TestResult& test : columns[column].record.tests) {
+      const auto [it, inserted] = index.emplace(test.name, rows.size());
+      if (inserted) rows.push_back({test.name, std::vector<const TestResult*>(columns.size(), nullptr)});
+      rows[it->second].outcomes[column] = &test;
+    }
+  }
+  return rows;
+}
+
+}  // namespace evalcts::reports

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "evalcts/reports.h"
+#include "reports/comparison.h"
+#include "reports/text.h"
+
+namespace evalcts::reports {
+namespace {
+
+constexpr std::size_t kScreenColumns = 100;
+constexpr std::uint64_t kMostOfAKind = 8;
+
+}  // namespace
+
+Changes changes(const std::vector<nlohmann::json>& results, const std::vector<nlohmann::json>& before) {
+  const std::vector<Column> now = read_columns(results), earlier = read_columns(before);
+  const Comparisons comparisons = compare(now, earlier);
+  std::string out;
+  const auto line = [&out](const std::string& text) { out += cut(one_line(text), kScreenColumns) + "\n"; };
+  for (const Comparison& pair : comparisons.pairs) {
+    line(fmt::format("{} since the earlier results: {}", pair.label, pair.headline()));
+    for (const std::string& caveat : pair.caveats) line("  " + caveat);
+    std::uint64_t told = 0;
+    for (std::size_t i = 0; i < pair.changes.size(); ++i) {
+      const Change& change = pair.changes[i];
+      told = i > 0 && pair.changes[i - 1].kind == change.kind ? told + 1 : 1;
+      if (told <= kMostOfAKind)
+        line(fmt::format("  {:<16} {} ({})", text_of(change.kind).word,
+                         (change.now ? change.now : change.before)->name, words_of(change)));
+      if (told == kMostOfAKind + 1)
+        line(fmt::format("  {:<16} and {} more; index.html shows all", "",
+                         pair.count(change.kind) - kMostOfAKind));
+    }
+  }
+  for (const std::string& label : comparisons.only_now) line(label + ": not in the earlier results");
+  for (const std::string& label : comparisons.only_before) line(label + ": only in the earlier results");
+  return {out, comparisons.regressions()};
+}
+
+}  // namespace evalcts::reports
