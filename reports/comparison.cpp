@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -28,10 +29,13 @@ bool judged(const TestResult& test) {
   return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
 }
 
-// Whether something is wrong now that was not wrong before, as far as the records tell.
-bool fails_further(const TestResult& before, const TestResult& now) {
-  return !std::includes(before.mismatches.begin(), before.mismatches.end(), now.mismatches.begin(),
-                        now.mismatches.end());
+// The first thing that is wrong now and was not before, as far as the records tell; empty where there is
+// none.
+std::string further_mismatch(const TestResult& before, const TestResult& now) {
+  std::vector<std::string> further;
+  std::set_difference(now.mismatches.begin(), now.mismatches.end(), before.mismatches.begin(),
+                      before.mismatches.end(), std::back_inserter(further));
+  return further.empty() ? "" : further.front();
 }
 
 // Whether the same cases were played: other depths and seeds have others.
@@ -44,7 +48,7 @@ std::optional<ChangeKind> change_of(const TestResult& before, const TestResult& 
   if (now.bad()) {
     if (!before.bad() || now.verdict < before.verdict) return ChangeKind::kRegression;
     const bool comparable = cases_comparable && !before.mismatches.empty() && !now.mismatches.empty();
-    if (comparable && fails_further(before, now)) return ChangeKind::kRegression;
+    if (comparable && !further_mismatch(before, now).empty()) return ChangeKind::kRegression;
     if (before.verdict != now.verdict || (comparable && before.mismatches != now.mismatches))
       return ChangeKind::kFailsOtherwise;
     return std::nullopt;
@@ -94,11 +98,14 @@ const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std
 
 std::string words_of(const Change& change) {
   const TestResult& latest = change.now ? *change.now : *change.before;
-  std::string out(text_of(latest.verdict).word);
-  if (change.now && change.before && change.now->verdict != change.before->verdict)
-    out = fmt::format("{}, now {}", text_of(change.before->verdict).word, out);
-  const std::string message = one_line(latest.message);
-  return message.empty() ? out : out + ": " + message;
+  const std::string word(text_of(latest.verdict).word);
+  const bool both = change.now && change.before;
+  if (both && change.kind == ChangeKind::kRegression && change.now->verdict == change.before->verdict)
+    return fmt::format("{}, now also {}", word, one_line(further_mismatch(*change.before, *change.now)));
+  const std::string message = latest.message.empty() ? "" : ": " + one_line(latest.message);
+  if (both && change.now->verdict != change.before->verdict)
+    return fmt::format("{}, now {}{}", text_of(change.before->verdict).word, word, message);
+  return word + message;
 }
 
 std::uint64_t Comparison::count(ChangeKind kind) const {

@@ -54,25 +54,31 @@ json tests_in_order(const Shards& shards) {
 }
 
 json merge(const Shards& shards, std::uint32_t count) {
-  json out = *shards.begin()->second;
+  // One that has started knows the library.
+  const auto started = std::find_if(shards.begin(), shards.end(), [](const auto& shard) {
+    return shard.second->value("status", "") != "not-started";
+  });
+  json out = *(started == shards.end() ? shards.begin() : started)->second;
+  const Record first = read_record(out);
   out.erase("shard");
+  if (started != shards.end()) out["status"] = "complete";
+  out["reason"] = "";
   std::map<std::string, std::set<std::string>> readings;
   std::set<std::string> stale;
   for (const auto& [number, shard] : shards) {
-    const Record record = read_record(*shard), first = read_record(*shards.begin()->second);
+    const Record record = read_record(*shard);
     for (const auto member : {&Implementation::vendor, &Implementation::renderer, &Implementation::version})
-      if (record.implementation.*member != first.implementation.*member && record.status != "not-started" &&
-          first.status != "not-started")
+      if (record.implementation.*member != first.implementation.*member && record.status != "not-started")
         throw FormatError(fmt::format("the shards of {} judged different libraries: \"{}\" and \"{}\"",
                                       record.heading("(unnamed)"), first.implementation.*member,
                                       record.implementation.*member));
     for (const auto& [text, followed] : record.readings)
       readings[text].insert(followed.begin(), followed.end());
     stale.insert(record.stale_baseline_entries.begin(), record.stale_baseline_entries.end());
-    if (!record.complete() && out["status"] == "complete") {
-      out["status"] = record.status;
+    if (!record.complete() && out["reason"] == "") {
+      if (started != shards.end()) out["status"] = "interrupted";
       out["reason"] = fmt::format("shard {} of {}: {}", number, count,
-                                  record.reason.empty() ? record.status : record.reason);
+                                  record.reason.empty() ? "not complete" : record.reason);
     }
   }
   out["tests"] = tests_in_order(shards);

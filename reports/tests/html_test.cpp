@@ -71,21 +71,97 @@ TEST(Html, WorstFirst) {
   EXPECT_NE(at("A.pass"), std::string::npos);
 }
 
-TEST(Html, MatrixMarksWhereImplementationsDiffer) {
-  const json pass = {{"name", "A.b"}, {"verdict", "pass"}}, fail = {{"name", "A.b"}, {"verdict", "fail"}};
-  const json same = {{"name", "A.c"}, {"verdict", "pass"}}, alone = {{"name", "A.d"}, {"verdict", "pass"}};
+TEST(Html, TestsKnowWhatTheFiltersAskFor) {
+  const json pass = {
+      {"name", "A.b"}, {"verdict", "pass"}, {"requirements", {"EV-2", "EV-1"}}, {"level", "must"}};
+  json fail = pass;
+  fail["verdict"] = "fail";
+  const json same = {{"name", "B.c"}, {"verdict", "pass"}}, alone = {{"name", "B.d"}, {"verdict", "pass"}};
   const std::string page = html({named("x", {pass, same}), named("y", {fail, same, alone})}, nullptr);
+  EXPECT_TRUE(contains(page,
+                       "id=\"test-A.b\" data-theme=\"A\" data-verdicts=\"pass fail,unexpected\" "
+                       "data-level=\"must\" data-rows=\"1 0\" data-differs>"));
+  EXPECT_TRUE(contains(page,
+                       "id=\"test-B.c\" data-theme=\"B\" data-verdicts=\"pass pass\" data-level=\"\" "
+                       "data-rows=\"\">"));
+  EXPECT_TRUE(contains(page, "data-verdicts=\"absent pass\""));
+}
+
+// A cell tells the worst of its tests, but what decided nothing only where nothing did.
+TEST(Html, RequirementByImplementation) {
+  const auto outcome = [](const char* name, const char* verdict, const char* requirement) {
+    return json{{"name", name}, {"verdict", verdict}, {"requirements", {requirement}}};
+  };
+  json known = outcome("A.known", "fail", "EV-KNOWN");
+  known["expected_by_baseline"] = true;
+  const std::string page =
+      html({named("x", {outcome("A.1", "pass", "EV-A"), outcome("A.2", "fail", "EV-A"),
+                        outcome("A.3", "pass", "EV-A"), outcome("B.1", "not-observable", "EV-B"),
+                        outcome("B.2", "pass", "EV-B"), outcome("C.1", "not-observable", "EV-C"), known}),
+            named("y", json::array({outcome("A.1", "pass", "EV-A")}))},
+           json{{"requirements",
+                 {{{"id", "EV-C"}, {"section", "1. First"}}, {{"id", "EV-A"}, {"section", "2. Second"}}}}});
   EXPECT_TRUE(
-      contains(page, "id=\"test-A.b\" data-verdicts=\"pass fail unexpected\" data-level=\"\" data-differs"));
-  EXPECT_TRUE(contains(page, "id=\"test-A.c\" data-verdicts=\"pass pass\" data-level=\"\">"));
-  EXPECT_TRUE(contains(page, "id=\"test-A.d\" data-verdicts=\"pass\" data-level=\"\">"));
-  EXPECT_EQ(occurrences(page, "not in this record"), 1u);
+      contains(page,
+               "<td class=\"fail\"><a href=\"#test-A.2\"><span aria-hidden=\"true\">✗</span> fail</a> "
+               "<small>1 of 3</small></td><td class=\"pass\"><a href=\"#test-A.1\">"));
+  EXPECT_TRUE(
+      contains(page,
+               "<td class=\"pass\"><a href=\"#test-B.2\"><span aria-hidden=\"true\">✓</span> pass</a> "
+               "<small>1 of 2</small></td><td class=\"absent\">no test here</td>"));
+  EXPECT_TRUE(contains(page, "<td class=\"not-observable\"><a href=\"#test-C.1\">"));
+  EXPECT_TRUE(contains(page, "fail</a> <small>expected</small>"));
+  // In the order of the catalogue, with what is not in it at the end.
+  EXPECT_LT(page.find("id=\"requirement-EV-C\""), page.find("id=\"requirement-EV-A\""));
+  EXPECT_LT(page.find("id=\"requirement-EV-A\""), page.find("Not in the catalogue"));
+  EXPECT_LT(page.find("Not in the catalogue"), page.find("id=\"requirement-EV-B\""));
+  EXPECT_TRUE(contains(page, "2 of 2 requirements have a test here."));
+}
+
+TEST(Html, ReadingsWithTheirMeaning) {
+  json x = named("x", json::array());
+  x["readings"] = {{"C-TEXT", {"literal"}}};
+  const std::string page = html(
+      {x, named("y", json::array())},
+      json{{"contradictions",
+            {{{"id", "C-TEXT"}, {"conflict", "two <pages>"}, {"readings", {{"literal", "as it stands"}}}}}}});
+  EXPECT_TRUE(contains(page, "<strong>C-TEXT</strong><br>two &lt;pages&gt;"));
+  EXPECT_TRUE(contains(page, "<strong>literal</strong>: as it stands"));
+  EXPECT_EQ(occurrences(page, "not seen"), 1u);
+}
+
+TEST(Html, ChangesStandFirst) {
+  const json before =
+      named("x", {{{"name", "A.b"}, {"verdict", "pass"}}, {{"name", "A.gone"}, {"verdict", "pass"}}});
+  const json now = named("x", {{{"name", "A.b"}, {"verdict", "fail"}, {"message", "<wrong>"}}});
+  PageOptions options;
+  options.before = {before};
+  const std::string page = html({now}, nullptr, options);
+  EXPECT_TRUE(contains(page, "<h3>x: 1 regression, 1 vanished test</h3>"));
+  EXPECT_TRUE(contains(page, "<a href=\"#test-A.b\">A.<wbr>b</a>: pass, now fail: &lt;wrong&gt;"));
+  EXPECT_TRUE(contains(page, "data-verdicts=\"fail,unexpected,regression\""));
+  EXPECT_FALSE(contains(page, "#test-A.gone"));
+  EXPECT_LT(page.find("id=\"changes\""), page.find("id=\"implementations\""));
+  EXPECT_FALSE(contains(html({now}, nullptr), "id=\"changes\""));
+}
+
+TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
+  PageOptions options;
+  EXPECT_FALSE(contains(html({}, nullptr, options), "accuracy.html"));
+  options.accuracy_page = true;
+  EXPECT_TRUE(contains(html({}, nullptr, options), "<a href=\"accuracy.html\">"));
 }
 
 TEST(Html, RecordsOfOneNameStayApart) {
   const std::string page = html({named("x", json::array()), named("x", json::array())}, nullptr);
   EXPECT_TRUE(contains(page, "<h3>x</h3>"));
   EXPECT_TRUE(contains(page, "<h3>x (2)</h3>"));
+  json first = named("x", json::array()), second = first, third = first;
+  first["origin"] = "old";
+  second["origin"] = third["origin"] = "new";
+  const std::string other = html({first, second, third}, nullptr);
+  for (const char* heading : {"<h3>x (old)</h3>", "<h3>x (new)</h3>", "<h3>x (new) (2)</h3>"})
+    EXPECT_TRUE(contains(other, heading)) << heading;
 }
 
 TEST(Html, DifferentNamesGiveDifferentAnchors) {

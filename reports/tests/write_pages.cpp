@@ -1,6 +1,7 @@
 // Writes the pages of the samples into a folder, for check_pages.py and for looking at them.
-//   write_pages FOLDER                                   the samples, alone and together, and the hostile
-//   record write_pages FOLDER REQUIREMENTS|- RESULTS...         index.html and junit-N.xml of these files
+//   write_pages FOLDER                            the samples, alone, together and compared, and the hostile
+//                                                 record
+//   write_pages FOLDER REQUIREMENTS|- RESULTS...  index.html and junit-N.xml of these files
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -31,6 +32,14 @@ void write_samples(const std::filesystem::path& folder) {
   write(folder / "one.html", html({osmesa}, requirements));
   write(folder / "three.html", html({osmesa, reference, glx}, requirements));
   write(folder / "none.html", html({}, nullptr));
+  PageOptions options;
+  options.before = {earlier_sample()};
+  options.accuracy_page = true;
+  write(folder / "compared.html", html({osmesa, reference}, requirements, options));
+  write(folder / "compared.md", markdown_summary({osmesa, reference}, options.before));
+  options.before = {hostile_record()};
+  write(folder / "hostile-compared.html",
+        html({hostile_record(), hostile_record()}, hostile_requirements(), options));
   write(folder / "hostile.html", html({hostile_record(), hostile_record()}, hostile_requirements()));
   write(folder / "osmesa.xml", junit(osmesa));
   write(folder / "reference.xml", junit(reference));

@@ -1,0 +1,160 @@
+// evalcts report: which files it takes, what it writes, and that what it refuses costs nothing.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "harness/tests/program.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class Report : public ProgramTest {
+ protected:
+  static json record(const std::string& name, const std::string& verdict) {
+    return {{"format", "evalcts-results-1"},
+            {"status", "complete"},
+            {"depth", "full"},
+            {"seed", 1},
+            {"implementation", {{"name", name}}},
+            {"summary", {{verdict, 1}}},
+            {"tests", json::array({{{"name", "Map1State.Stride"},
+                                    {"requirements", {"EV-MAP1-COPY"}},
+                                    {"level", "must"},
+                                    {"verdict", verdict},
+                                    {"expected_by_baseline", false},
+                                    {"baseline_reason", ""}}})}};
+  }
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((folder_ / file).parent_path());
+    std::ofstream(folder_ / file) << text;
+  }
+  std::string path(const std::string& file) const { return (folder_ / file).string(); }
+  std::string text_of(const std::string& file) const {
+    std::ifstream stream(folder_ / file);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+  static bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+};
+
+TEST_F(Report, PutsFilesAndFoldersSideBySide) {
+  write("a/results-osmesa.json", record("osmesa", "pass").dump());
+  write("a/results-egl.json", record("egl", "fail").dump());
+  write("a/ulp.json", "no result");
+  write("b/results-osmesa.json", record("osmesa", "crash").dump());
+  write("other.json", record("mine", "pass").dump());
+  const Outcome outcome = evalcts({"report", path("a"), path("b/results-osmesa.json"), path("other.json"),
+                                   path("a/results-egl.json"), "--output", path("out/deep")});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;  // a page is no judgement
+  const std::string page = text_of("out/deep/index.html");
+  for (const std::string label :
+       {"osmesa (" + path("a") + ")", "osmesa (" + path("b") + ")", std::string("egl"), std::string("mine")})
+    EXPECT_TRUE(has(page, "<h3>" + label + "</h3>")) << label;
+  EXPECT_TRUE(has(page, "1 test on 4 implementations"));
+  EXPECT_TRUE(has(page, "copied")) << "the texts of the requirements";
+  EXPECT_TRUE(has(text_of("out/deep/summary.md"), "| `egl` | **1** |"));
+}
+
+TEST_F(Report, PutsShardsTogether) {
+  json one = record("osmesa", "pass"), two = record("osmesa", "pass");
+  one["shard"] = "1-of-2";
+  two["shard"] = "2-of-2";
+  two["tests"][0]["name"] = "Map1State.Another";
+  write("first/results-osmesa.1-of-2.json", one.dump());
+  write("second/results-osmesa.2-of-2.json", two.dump());
+  const Outcome outcome = evalcts({"report", path("first"), path("second"), "--output", path("out")});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_TRUE(has(outcome.text, "osmesa\n2 tests: 2 pass\n")) << outcome.text;
+  EXPECT_TRUE(has(text_of("out/index.html"), "2 tests on 1 implementation"));
+}
+
+TEST_F(Report, ARegressionIsOne) {
+  write("old/results-x.json", record("x", "pass").dump());
+  write("new/results-x.json", record("x", "fail").dump());
+  const Outcome worse = evalcts({"report", path("new"), "--before", path("old"), "--output", path("out")});
+  EXPECT_EQ(worse.code, 1) << worse.text;
+  EXPECT_TRUE(has(worse.text, "x since the earlier results: 1 regression\n")) << worse.text;
+  EXPECT_TRUE(has(text_of("out/summary.md"), "* `x`: 1 regression\n"));
+  EXPECT_TRUE(has(text_of("out/index.html"), "1 regression"));
+  const Outcome better =
+      evalcts({"report", path("old"), "--before", path("new/results-x.json"), "--output", path("out")});
+  EXPECT_EQ(better.code, 0) << better.text;
+  EXPECT_TRUE(has(better.text, "1 fix\n")) << better.text;
+}
+
+TEST_F(Report, LeadsToAccuracyWhereItIs) {
+  write("out/results-x.json", record("x", "pass").dump());
+  evalcts({"report", path("out"), "--output", path("out")});
+  EXPECT_FALSE(has(text_of("out/index.html"), "accuracy.html"));
+  write("out/accuracy.html", "");
+  evalcts({"report", path("out"), "--output", path("out")});
+  EXPECT_TRUE(has(text_of("out/index.html"), "href=\"accuracy.html\""));
+}
+
+TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
+  const std::string good = record("x", "pass").dump();
+  json foreign = record("x", "pass"), wrong = foreign, nameless = foreign, twice = foreign, shard = foreign;
+  foreign["format"] = "evalcts-ulp-1";
+  nameless.erase("format");
+  wrong["tests"][0]["verdict"] = "passed";
+  twice["tests"].push_back(twice["tests"][0]);
+  shard["shard"] = "3-of-2";
+  write("good/results-x.json", good);
+  write("out/index.html", "the page of before");
+  fs::create_directories(folder_ / "empty");
+  const std::pair<std::string, std::string> cases[] = {
+      {good.substr(0, good.size() / 2), "is no JSON, or was cut off"},
+      {"", "is no JSON, or was cut off"},
+      {std::string("\x00\xff\xfe", 3), "is no JSON, or was cut off"},
+      {std::string(100000, '['), "is no JSON, or was cut off"},
+      {"[1]", "holds no results"},
+      {foreign.dump(), "\"evalcts-ulp-1\""},
+      {nameless.dump(), "its \"format\" is missing"},
+      {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
+      {twice.dump(), "stands in this record twice"},
+      {shard.dump(), "is no K-of-N"}};
+  for (const auto& [text, words] : cases) {
+    write("bad/results-y.json", text);
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{path("good"), path("bad")},
+                                                      {path("bad/results-y.json")},
+                                                      {path("good"), "--before", path("bad")}}) {
+      std::vector<std::string> command = {"report", "--output", path("out")};
+      command.insert(command.end(), arguments.begin(), arguments.end());
+      const Outcome outcome = evalcts(command);
+      EXPECT_EQ(outcome.code, 2) << words;
+      EXPECT_TRUE(has(outcome.text, words)) << outcome.text;
+      EXPECT_EQ(text_of("out/index.html"), "the page of before");
+    }
+  }
+  for (const std::string argument :
+       {path("nowhere"), path("empty"), std::string("/dev/null"), std::string()}) {
+    const Outcome outcome = evalcts({"report", argument, "--output", path("out")});
+    EXPECT_EQ(outcome.code, 2) << argument << outcome.text;
+    EXPECT_EQ(text_of("out/index.html"), "the page of before");
+  }
+  EXPECT_EQ(evalcts({"report", path("good"), "--output", "/proc/evalcts"}).code, 2);
+  EXPECT_EQ(evalcts({"report", path("good"), "--output", path("out/index.html")}).code, 2);
+}
+
+// The page is made of the same files as the one that the run made.
+TEST_F(Report, OfARunIsThePageOfTheRun) {
+  ASSERT_EQ(evalcts({"run", "--implementation", "production", "--filter", "InitialState.*", "--output",
+                     folder_.string()})
+                .code,
+            0);
+  const std::string page = text_of("index.html"), summary = text_of("summary.md");
+  EXPECT_TRUE(has(summary, "| `production` | 0 |")) << summary;
+  ASSERT_EQ(evalcts({"report", folder_.string(), "--output", path("again")}).code, 0);
+  EXPECT_EQ(text_of("again/summary.md"), summary);
+  std::string again = text_of("again/index.html");
+  const std::string from = "<dt>From</dt><dd>" + folder_.string() + "</dd>\n";
+  ASSERT_TRUE(has(again, from));
+  again.replace(again.find(from), from.size(), "");
+  EXPECT_EQ(again, page);
+}
+
+}  // namespace
+}  // namespace evalcts

@@ -1,0 +1,279 @@
+// What counts as a change, and how it is told; shards put together; the summary in Markdown.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+#include "evalcts/reports.h"
+#include "reports/comparison.h"
+#include "reports/tests/samples.h"
+
+namespace evalcts::reports {
+namespace {
+
+using nlohmann::json;
+
+json outcome(const std::string& name, const std::string& verdict, const json& mismatches = json::array()) {
+  return {{"name", name}, {"verdict", verdict}, {"mismatches", mismatches}};
+}
+
+json result(const std::string& name, const std::vector<json>& tests) {
+  return {{"format", "evalcts-results-1"},      {"status", "complete"}, {"depth", "full"}, {"seed", 1},
+          {"implementation", {{"name", name}}}, {"tests", tests}};
+}
+
+// The kind of change of one test, in a word; empty where nothing has changed.
+std::string change(const json& before, const json& now, const json& other_depth = nullptr) {
+  json earlier = result("x", {before});
+  if (!other_depth.is_null()) earlier["depth"] = other_depth;
+  const std::vector<Column> a = read_columns({earlier}), b = read_columns({result("x", {now})});
+  const Comparisons all = compare(b, a);
+  if (all.pairs.size() != 1 || all.pairs[0].changes.size() > 1) return "?";
+  return all.pairs[0].changes.empty() ? "" : std::string(text_of(all.pairs[0].changes[0].kind).word);
+}
+
+TEST(Comparison, Kinds) {
+  const struct {
+    const char *before, *now, *kind;
+  } cases[] = {{"pass", "pass", ""},
+               {"fail", "fail", ""},
+               {"not-supported", "not-supported", ""},
+               {"pass", "fail", "regression"},
+               {"quality-warning", "timeout", "regression"},
+               {"not-observable", "fail", "regression"},
+               {"fail", "crash", "regression"},
+               {"pass", "internal-error", "regression"},
+               {"crash", "fail", "fails otherwise"},
+               {"fail", "pass", "fix"},
+               {"crash", "quality-warning", "fix"},
+               {"fail", "not-observable", "no longer judged"},
+               {"pass", "skipped", "no longer judged"},
+               {"pass", "quality-warning", "other change"},
+               {"not-supported", "pass", "other change"}};
+  for (const auto& [before, now, kind] : cases)
+    EXPECT_EQ(change(outcome("A.b", before), outcome("A.b", now)), kind) << before << ", " << now;
+}
+
+// A known failure does not hide a new one, where the same cases were played.
+TEST(Comparison, FurtherCasesAreARegression) {
+  const json two = outcome("A.b", "fail", {"u=0: x", "u=1: x"}),
+             other = outcome("A.b", "fail", {"u=1: x", "u=2: y"}), one = outcome("A.b", "fail", {"u=1: x"});
+  EXPECT_EQ(change(two, two), "");
+  EXPECT_EQ(change(two, other), "regression");
+  EXPECT_EQ(change(two, one), "fails otherwise");
+  EXPECT_EQ(change(two, other, "quick"), "");
+  EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // not recorded
+  EXPECT_TRUE(
+      contains(changes({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, now also u=2: y)"));
+}
+
+TEST(Comparison, NewAndVanishedTests) {
+  const Changes told = changes({result("x", {outcome("A.new", "pass"), outcome("A.bad", "fail")})},
+                               {result("x", {outcome("A.gone", "fail")})});
+  EXPECT_EQ(told.regressions, 0u);
+  EXPECT_EQ(told.text,
+            "x since the earlier results: 1 new failing test, 1 new test, 1 vanished test\n"
+            "  new failure      A.bad (fail)\n"
+            "  new test         A.new (pass)\n"
+            "  vanished         A.gone (fail)\n");
+}
+
+TEST(Comparison, ByName) {
+  const json pass = json::array({outcome("A.b", "pass")}), fail = json::array({outcome("A.b", "fail")});
+  // One on each side, whatever they are called.
+  EXPECT_EQ(changes({result("new", fail)}, {result("old", pass)}).regressions, 1u);
+  json again = result("x", fail);
+  again["pass"] = "reuse-context";
+  json again_before = again;
+  again_before["tests"] = pass;
+  const Changes told = changes({result("x", pass), again, result("y", pass)},
+                               {again_before, result("x", pass), result("z", pass)});
+  EXPECT_EQ(told.regressions, 1u);
+  EXPECT_EQ(told.text,
+            "x since the earlier results: nothing has changed\n"
+            "x, one shared context since the earlier results: 1 regression\n"
+            "  regression       A.b (pass, now fail)\n"
+            "y: not in the earlier results\n"
+            "z: only in the earlier results\n");
+}
+
+TEST(Comparison, WhatNoLongerStartsIsARegression) {
+  json now = result("x", json::array());
+  now["status"] = "not-started";
+  now["reason"] = "no such library";
+  const Changes told = changes({now}, {result("x", {outcome("A.b", "pass")})});
+  EXPECT_EQ(told.regressions, 1u);
+  EXPECT_EQ(told.text,
+            "x since the earlier results: no longer starts\n  It no longer starts: no such library\n");
+  EXPECT_EQ(changes({now}, {now}).regressions, 0u);
+}
+
+TEST(Comparison, SaysWhatMakesItHard) {
+  json quick = result("x", json::array()), seed = quick, stopped = quick;
+  quick["depth"] = "quick";
+  seed["seed"] = 2;
+  stopped["status"] = "interrupted";
+  const json whole = result("x", json::array());
+  EXPECT_TRUE(contains(changes({whole}, {quick}).text, "The depths differ: full, before quick."));
+  EXPECT_TRUE(contains(changes({whole}, {seed}).text, "The seeds differ: 1, before 2."));
+  EXPECT_TRUE(contains(changes({whole}, {stopped}).text, "The earlier run is not complete."));
+  EXPECT_TRUE(contains(changes({stopped}, {whole}).text, "The run is not complete."));
+}
+
+TEST(Comparison, FitsAScreen) {
+  json before = json::array(), now = json::array();
+  for (int i = 0; i < 100; ++i) {
+    before.push_back(outcome("A." + std::to_string(i), "pass"));
+    now.push_back(outcome("A." + std::to_string(i), "fail"));
+    now.back()["message"] = std::string(300, 'x');
+  }
+  const std::string text = changes({result("x", now)}, {result("x", before)}).text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 8 + 1);
+  EXPECT_TRUE(contains(text, "and 92 more; index.html shows all\n"));
+}
+
+// --- shards ------------------------------------------------------------------------------------------------
+
+json shard(int number, int count, const std::vector<json>& tests) {
+  json out = result("x", tests);
+  out["shard"] = std::to_string(number) + "-of-" + std::to_string(count);
+  out["readings"] = {{"C-TEXT", {"shard " + std::to_string(number)}}};
+  return out;
+}
+
+TEST(Shards, TogetherAreTheWholeRun) {
+  const json first = shard(1, 2, {outcome("A.1", "pass"), outcome("A.3", "fail"), outcome("A.5", "pass")}),
+             second = shard(2, 2, {outcome("A.2", "pass"), outcome("A.4", "crash")});
+  for (const auto& given : {std::vector<json>{first, second}, {second, first}}) {
+    const std::vector<json> merged = merge_shards(given);
+    ASSERT_EQ(merged.size(), 1u);
+    EXPECT_FALSE(merged[0].contains("shard"));
+    EXPECT_EQ(merged[0]["status"], "complete");
+    std::string names;
+    for (const json& test : merged[0]["tests"]) names += test["name"].get<std::string>() + " ";
+    EXPECT_EQ(names, "A.1 A.2 A.3 A.4 A.5 ");
+    EXPECT_EQ(merged[0]["summary"], (json{{"pass", 3}, {"fail", 1}, {"crash", 1}}));
+    EXPECT_EQ(merged[0]["readings"]["C-TEXT"], (json{"shard 1", "shard 2"}));
+  }
+}
+
+TEST(Shards, WhatIsMissingIsSaid) {
+  const std::vector<json> merged = merge_shards({shard(2, 3, {outcome("A.2", "pass")})});
+  ASSERT_EQ(merged.size(), 1u);
+  EXPECT_EQ(merged[0]["status"], "interrupted");
+  EXPECT_EQ(merged[0]["reason"], "of 3 shards these are missing: 1, 3");
+  json stopped = shard(1, 2, json::array());
+  stopped["status"] = "interrupted";
+  stopped["reason"] = "a full disk";
+  EXPECT_EQ(merge_shards({stopped, shard(2, 2, json::array())})[0]["reason"], "shard 1 of 2: a full disk");
+}
+
+TEST(Shards, OnlyOfOneRun) {
+  const json one = shard(1, 2, json::array()), two = shard(2, 2, json::array());
+  json quick = two, named = two, pass = two;
+  quick["depth"] = "quick";
+  named["implementation"]["name"] = "y";
+  pass["pass"] = "reuse-context";
+  for (const json& other : {quick, named, pass, shard(2, 3, json::array()), one, result("x", json::array())})
+    EXPECT_EQ(merge_shards({one, other}).size(), 2u) << other;
+  // Two runs, one of which lacks a shard.
+  json old_one = one, new_one = one, new_two = two;
+  old_one["origin"] = "old";
+  new_one["origin"] = new_two["origin"] = "new";
+  const std::vector<json> merged = merge_shards({old_one, new_one, new_two});
+  ASSERT_EQ(merged.size(), 2u);
+  EXPECT_EQ(merged[0]["status"], "interrupted");
+  EXPECT_EQ(merged[1]["status"], "complete");
+}
+
+TEST(Shards, OfDifferentLibrariesAreRefused) {
+  json one = shard(1, 2, json::array()), two = shard(2, 2, json::array());
+  one["implementation"]["version"] = "22.3.6";
+  two["implementation"]["version"] = "23.0.0";
+  EXPECT_THROW(merge_shards({one, two}), FormatError);
+}
+
+TEST(Shards, WrongNumbersAreRefused) {
+  for (const char* text :
+       {"1", "0-of-2", "3-of-2", "1-of-", "-of-2", "1-of-2x", "-1-of-2", "1-of-99999999999", " 1-of-2"}) {
+    json wrong = result("x", json::array());
+    wrong["shard"] = text;
+    EXPECT_THROW(merge_shards({wrong}), FormatError) << text;
+  }
+}
+
+// --- Markdown ----------------------------------------------------------------------------------------------
+
+TEST(Markdown, CountsChangesAndFailures) {
+  json fail = outcome("A.b", "fail");
+  fail["message"] = "2 of 12 values";
+  fail["rerun"] = "./evalcts run --filter A.b";
+  EXPECT_EQ(
+      markdown_summary({result("x", {fail, outcome("A.c", "pass")}), result("y", {outcome("A.b", "pass")})},
+                       {result("x", {outcome("A.b", "pass"), outcome("A.c", "fail")})}),
+      R"(## OpenGL evaluators: conformance
+
+| | unexpected | tests | fail | pass |
+| --- | --: | --: | --: | --: |
+| `x` | **1** | 2 | 1 | 1 |
+| `y` | 0 | 1 | 0 | 1 |
+
+
+### Changes
+
+* `x`: 1 regression, 1 fix
+  * regression: `A.b`, `pass, now fail: 2 of 12 values`
+  * fix: `A.c`, `fail, now pass`
+* `y`: not in the earlier results
+
+### Unexpected
+
+* `x`: fail `A.b`: `2 of 12 values`
+  * run just this test: `./evalcts run --filter A.b`
+)");
+}
+
+TEST(Markdown, NothingUnexpected) {
+  EXPECT_TRUE(
+      contains(markdown_summary({read_sample("results-reference.json")}), "### Unexpected\n\nNothing.\n"));
+  EXPECT_TRUE(contains(markdown_summary({}), "No results."));
+}
+
+TEST(Markdown, SaysWhatIsNotWhole) {
+  const std::string text =
+      markdown_summary({read_sample("results-osmesa.json"), read_sample("results-glx.json")});
+  EXPECT_TRUE(contains(text, "**interrupted**: `interrupted by SIGINT`"));
+  EXPECT_TRUE(contains(text, "**not-started**: `no X server: DISPLAY is not set`"));
+}
+
+TEST(Markdown, IsShort) {
+  json tests = json::array();
+  for (int i = 0; i < 100; ++i) tests.push_back(outcome("A." + std::to_string(i), "fail"));
+  const std::string text = markdown_summary({result("x", tests)});
+  EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 30);
+  EXPECT_TRUE(contains(text, "* `x`: and 90 more\n"));
+}
+
+// Outside code spans nothing of a record is left; a table has no other bars than its own.
+TEST(Markdown, HostileTextStaysInCode) {
+  json record = hostile_record();
+  std::string text = "a|b `code` ``two`` @somebody [link](x) <img src=x> \n# heading";
+  record["implementation"]["name"] = text;
+  record["tests"][0]["name"] = text;
+  record["tests"][0]["message"] = "`";
+  const std::string page = markdown_summary({record}, {record});
+  // What is between a run of backticks and the next run of the same length is code.
+  const std::string outside =
+      std::regex_replace(page, std::regex("(^|[^`])(`+)([^`]|[^`][^\\n]*?[^`])\\2(?!`)"), "$1CODE");
+  for (const char* part : {"@", "<", "[", "`", "script", "heading", "code"})
+    EXPECT_FALSE(contains(outside, part)) << part << "\n" << outside;
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("|")) {
+      EXPECT_EQ(std::count(line.begin(), line.end(), '|'), 9) << line;
+    }
+}
+
+}  // namespace
+}  // namespace evalcts::reports
