@@ -26,7 +26,7 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev clang clang-tidy-14
-  clang-format-14 gcovr libvalijson-dev
+  clang-format-14 gcovr chromium chromium-driver python3-selenium libvalijson-dev
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -163,7 +163,7 @@ for arguments in '' -h --help; do
   # shellcheck disable=SC2086 # none or one
   evalcts $arguments
   exits 0
-  for command in run list coverage explain reproduce fuzz faults bench test; do
+  for command in run list coverage explain reproduce report fuzz faults bench test; do
     check "help names $command" grep -qE "^  $command  " <<<"$output"
   done
 done

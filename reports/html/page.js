@@ -66,7 +66,8 @@
 
   const form = byId('filters');
   form.hidden = tests.length === 0;
-  form.addEventListener('input', filter);
+  text.addEventListener('input', filter);
+  form.addEventListener('change', filter);
   form.addEventListener('reset', () => setTimeout(filter));
   form.addEventListener('submit', (event) => event.preventDefault());
   for (const link of document.querySelectorAll('.show')) {
