@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <map>
+
 #include "harness/tests/program.h"
 
 namespace evalcts {
@@ -138,6 +141,45 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   }
   EXPECT_EQ(evalcts({"report", path("good"), "--output", "/proc/evalcts"}).code, 2);
   EXPECT_EQ(evalcts({"report", path("good"), "--output", path("out/index.html")}).code, 2);
+}
+
+// Whatever a run records, the schema names.
+TEST_F(Report, TheSchemaIsInStep) {
+  setenv("EVALCTS_DRILL", "lenient", 1);
+  EXPECT_EQ(evalcts({"run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--filter",
+                     "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--output", folder_.string()})
+                .code,
+            1);
+  EXPECT_EQ(evalcts({"run", "--implementation", "production", "--filter",
+                     "Api.FormsReplaceEachOther/MAP1_COLOR_4", "--output", folder_.string()})
+                .code,
+            0);
+  std::ifstream file(RESULTS_SCHEMA);
+  const json schema = json::parse(file), &definitions = schema["definitions"];
+  const json& evidence = definitions["evidence"]["properties"];
+  std::map<std::string, int> seen;
+  const auto check = [&](const std::string& kind, const json& object, const std::vector<json>& named) {
+    for (const auto& item : object.items()) {
+      ++seen[kind + "." + item.key()];
+      EXPECT_TRUE(std::any_of(named.begin(), named.end(),
+                              [&](const json& names) { return names.contains(item.key()); }))
+          << kind << "." << item.key();
+    }
+  };
+  for (const char* name : {"osmesa", "production"}) {
+    const json result = results(name);
+    check("result", result, {schema["properties"]});
+    check("implementation", result["implementation"], {definitions["implementation"]["properties"]});
+    for (const json& test : result["tests"]) {
+      check("test", test, {definitions["test"]["properties"], evidence});
+      for (const json& failure : test["failures"])
+        check("failure", failure, {definitions["failure"]["properties"], evidence});
+      if (test.contains("accuracy"))
+        check("accuracy", test["accuracy"], {definitions["accuracy"]["properties"]});
+    }
+  }
+  for (const char* name : {"result.seed", "test.mismatches", "failure.calls", "accuracy.worst"})
+    EXPECT_GT(seen[name], 0) << name;
 }
 
 // The page is made of the same files as the one that the run made.

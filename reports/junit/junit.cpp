@@ -2,6 +2,8 @@
 // it (Jenkins keeps only the first), counts that agree with the elements.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <kainjow/mustache.hpp>
 
 #include "evalcts/reports.h"
@@ -30,7 +32,8 @@ struct Totals {
   }
 };
 
-std::string seconds(double value) { return fmt::format("{:.6f}", value); }
+// Schemas take no sign.
+std::string seconds(double value) { return fmt::format("{:.6f}", std::max(value, 0.0)); }
 
 // Everything recorded about the failures, for reading where no other page is at hand.
 std::string details(const TestResult& test) {

@@ -124,6 +124,36 @@ class Html(unittest.TestCase):
 
 
 class Junit(unittest.TestCase):
+    # As Jenkins' schema (junit-10.xsd of its xunit plugin) has it, which GitLab, GitHub's actions and Azure read as well:
+    # the attributes that an element must and may have, and its children.
+    TEXT = (set(), {"type", "message"}, set())
+    STRUCTURE = {
+        "testsuites": (set(), {"name", "tests", "failures", "errors", "time"}, {"testsuite"}),
+        "testsuite": ({"name", "tests", "failures", "errors"}, {"skipped", "time"}, {"properties", "testcase"}),
+        "properties": (set(), set(), {"property"}),
+        "property": ({"name", "value"}, set(), set()),
+        "testcase": ({"name"}, {"classname", "time"}, {"failure", "error", "skipped", "system-out"}),
+        "failure": TEXT,
+        "error": TEXT,
+        "skipped": TEXT,
+        "system-out": (set(), set(), set()),
+    }
+
+    def test_structure(self):
+        files = sorted(FOLDER.glob("*.xml"))
+        self.assertGreaterEqual(len(files), 5)
+        for file in files:
+            for element in ET.parse(file).iter():
+                with self.subTest(f"{file.name}: {element.tag}"):
+                    required, optional, children = self.STRUCTURE[element.tag]
+                    self.assertLessEqual(required, set(element.keys()))
+                    self.assertLessEqual(set(element.keys()), required | optional)
+                    self.assertLessEqual({child.tag for child in element}, children)
+                    for name in {"tests", "failures", "errors", "skipped"} & set(element.keys()):
+                        self.assertRegex(element.get(name), r"\A[0-9]+\Z")
+                    if "time" in element.keys():
+                        self.assertRegex(element.get("time"), r"\A[0-9]+(\.[0-9]+)?\Z")
+
     def read(self, name):
         root = ET.parse(FOLDER / f"{name}.xml").getroot()
         self.assertEqual(root.tag, "testsuites")
