@@ -52,12 +52,12 @@ std::vector<fs::path> files_of(const fs::path& argument) {
 }
 
 json read_result(const fs::path& file) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown)) throw CannotReport(fmt::format("'{}' is no file", file.string()));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream || !fs::is_regular_file(file))
-    throw CannotReport(fmt::format("cannot read '{}'{}{}", file.string(), errno ? ": " : "",
-                                   errno ? std::strerror(errno) : ""));
+  if (!stream) throw CannotReport(fmt::format("cannot read '{}': {}", file.string(), std::strerror(errno)));
   json result;
   try {
     result = json::parse(text);
@@ -90,7 +90,8 @@ std::vector<json> read_results(const std::vector<std::string>& arguments, bool w
   std::set<fs::path> seen;
   for (const std::string& argument : arguments)
     for (const fs::path& file : files_of(argument)) {
-      if (!seen.insert(fs::weakly_canonical(file)).second) continue;
+      std::error_code unknown;
+      if (!seen.insert(fs::weakly_canonical(file, unknown)).second) continue;
       json result = read_result(file);
       result.erase("origin");
       if (with_origin) result["origin"] = origin_of(argument);

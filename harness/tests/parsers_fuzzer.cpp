@@ -83,7 +83,7 @@ void read_baseline(const std::string& text) {
   }
 }
 
-// A result file: as pages, on a terminal, and as what to play again.
+// A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to play again.
 void read_results(const std::string& text) {
   const json result = json::parse(text, nullptr, false);
   try {
@@ -91,7 +91,12 @@ void read_results(const std::string& text) {
     for (const char c : shown)
       if (c != '\n' && static_cast<unsigned char>(c) < 0x20) std::abort();
     reports::junit(result);
-    reports::html({result}, result);
+    const std::vector<json> results = reports::merge_shards({result, result});
+    reports::PageOptions options;
+    options.before = {result};
+    reports::html(results, nullptr, options);
+    reports::markdown_summary(results, options.before);
+    reports::changes(results, options.before);
   } catch (const reports::FormatError&) {
   }
   try {
