@@ -14,6 +14,9 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view kFormat = "evalcts-results-1";
+constexpr std::size_t kMostDepth = 100;  // of brackets; copies of a JSON value need stack for each
+
 constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
     {"internal-error", "!", "evalcts itself went wrong; says nothing about the implementation"},
     {"crash", "‼", "the process died while this test ran"},
@@ -25,6 +28,25 @@ constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
     {"skipped", "–", "not run, because something asked for that"},
     {"pass", "✓", "everything observed agrees with the requirement"},
 }};
+
+// How deep brackets are nested in a JSON text.
+std::size_t depth_of(const std::string& text) {
+  std::size_t depth = 0, deepest = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;  // what is escaped ends nothing
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      deepest = std::max(deepest, ++depth);
+    } else if (!in_string && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return deepest;
+}
 
 Verdict parse_verdict(const std::string& word, const std::string& path) {
   for (std::size_t i = 0; i < kVerdicts; ++i) {
@@ -240,7 +262,7 @@ std::string Record::heading(const std::string& unnamed) const {
 
 Record read_record(const json& value) {
   const Object in(value, "");
-  in.word("format", {"evalcts-results-1"});
+  in.word("format", {kFormat});
   Record out;
   out.evalcts_version = in.text("evalcts_version");
   out.status = in.word("status", {"complete", "interrupted", "not-started"});
@@ -281,7 +303,22 @@ Record read_record(const json& value) {
   return out;
 }
 
-void check_record(const json& result) { read_record(result); }
+json parse_result(const std::string& text) {
+  if (depth_of(text) > kMostDepth) throw FormatError("this is no result: brackets are nested too deeply");
+  json result;
+  try {
+    result = json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw FormatError(fmt::format("this is no JSON, or was cut off (byte {})", error.byte));
+  }
+  const Object in(result, "");
+  const std::string format = in.text("format");
+  if (format != kFormat)
+    throw FormatError(fmt::format("this is no result: its format is {}, not \"{}\"",
+                                  format.empty() ? "missing" : "\"" + cut(format, 60) + "\"", kFormat));
+  read_record(result);
+  return result;
+}
 
 const Requirement* find_requirement(const Requirements& catalogue, const std::string& id) {
   auto found = catalogue.find(id);

@@ -21,8 +21,6 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "evalcts-results-1";
-
 // What is wrong with what the user named; the message says what to do.
 struct CannotReport : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -58,25 +56,11 @@ json read_result(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream) throw CannotReport(fmt::format("cannot read '{}': {}", file.string(), std::strerror(errno)));
-  json result;
   try {
-    result = json::parse(text);
-  } catch (const json::parse_error& error) {
-    throw CannotReport(fmt::format("'{}' is no JSON, or was cut off (byte {}); leave it out, or run again",
-                                   file.string(), error.byte));
-  }
-  const json* format = result.is_object() && result.contains("format") ? &result["format"] : nullptr;
-  if (!format || *format != kFormat)
-    throw CannotReport(fmt::format(
-        "'{}' holds no results: its \"format\" is {}, not \"{}\"", file.string(),
-        format ? format->dump(-1, ' ', true, json::error_handler_t::replace).substr(0, 60) : "missing",
-        kFormat));
-  try {
-    reports::check_record(result);
+    return reports::parse_result(text);
   } catch (const reports::FormatError& error) {
-    throw CannotReport(fmt::format("'{}' does not follow its format: {}", file.string(), error.what()));
+    throw CannotReport(fmt::format("'{}': {}; leave it out, or run again", file.string(), error.what()));
   }
-  return result;
 }
 
 // What tells results of one name apart: the folder that the user named.

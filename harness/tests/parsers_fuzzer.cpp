@@ -85,8 +85,9 @@ void read_baseline(const std::string& text) {
 
 // A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to play again.
 void read_results(const std::string& text) {
-  const json result = json::parse(text, nullptr, false);
+  json result;
   try {
+    result = reports::parse_result(text);
     const std::string shown = reports::terminal_summary(result, result, false, true, 24);
     for (const char c : shown)
       if (c != '\n' && static_cast<unsigned char>(c) < 0x20) std::abort();

@@ -110,13 +110,16 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   write("out/index.html", "the page of before");
   fs::create_directories(folder_ / "empty");
   const std::pair<std::string, std::string> cases[] = {
-      {good.substr(0, good.size() / 2), "is no JSON, or was cut off"},
-      {"", "is no JSON, or was cut off"},
-      {std::string("\x00\xff\xfe", 3), "is no JSON, or was cut off"},
-      {std::string(100000, '['), "is no JSON, or was cut off"},
-      {"[1]", "holds no results"},
+      {good.substr(0, good.size() / 2), "this is no JSON, or was cut off"},
+      {"", "this is no JSON, or was cut off"},
+      {std::string("\x00\xff\xfe", 3), "this is no JSON, or was cut off"},
+      {std::string(100000, '['), "nested too deeply"},
+      {good.substr(0, good.size() - 1) + ",\"x\":" + std::string(100000, '[') + std::string(100000, ']') +
+           "}",
+       "nested too deeply"},
+      {"[1]", "expected an object, found an array"},
       {foreign.dump(), "\"evalcts-ulp-1\""},
-      {nameless.dump(), "its \"format\" is missing"},
+      {nameless.dump(), "its format is missing"},
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
       {twice.dump(), "stands in this record twice"},
       {shard.dump(), "is no K-of-N"}};

@@ -194,6 +194,20 @@ TEST(Record, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
+TEST(Record, TextOfAFile) {
+  const std::string head = R"({"format": "evalcts-results-1", "reason": )";
+  EXPECT_EQ(parse_result(head + R"("fine"})")["reason"], "fine");
+  // Brackets in strings nest nothing, whatever is escaped there.
+  const std::string brackets(200, '['), closed = std::string(90, '[') + std::string(90, ']');
+  EXPECT_EQ(parse_result(head + "\"\\\\\\\"" + brackets + "\"}")["reason"], "\\\"" + brackets);
+  EXPECT_NO_THROW(parse_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));
+  for (const std::string& bad :
+       {std::string(), head, std::string("[]"), std::string("{}"), std::string(R"({"format": 1})"),
+        std::string(R"({"format": "evalcts-ulp-1"})"), head + "1}",
+        head + "\"\\\\\", \"unknown\": " + brackets + std::string(200, ']') + "}"})
+    EXPECT_THROW(parse_result(bad), FormatError) << bad;
+}
+
 TEST(Requirements, Read) {
   EXPECT_TRUE(read_requirements(nullptr).empty());
   const Requirements requirements = read_requirements(read_sample("requirements.json"));

@@ -37,8 +37,9 @@ class FormatError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Throws FormatError where a record does not follow its format.
-void check_record(const nlohmann::json& result);
+// The record of a result file that anybody may have written. Throws FormatError where the text is no JSON or
+// was cut off, is nested as no result is, has not this format, or does not follow it.
+nlohmann::json parse_result(const std::string& text);
 
 struct PageOptions {
   std::vector<nlohmann::json> before;  // earlier results; empty: nothing is compared
