@@ -6,14 +6,11 @@
 #include <reference/rounding.h>
 
 namespace evalcts::accuracy {
-namespace {
 
-void keep_worst(Worst& worst, double error, float got, const reference::Rational& exact, const Input& input) {
-  if (error <= worst.error) return;
-  worst = {error, input, got, reference::round_to_float(exact), reference::describe(exact)};
+void Worst::keep(double other_error, const Input& other, float result, const reference::Rational& value) {
+  if (other_error <= error) return;
+  *this = {other_error, other, result, reference::round_to_float(value), reference::describe(value)};
 }
-
-}  // namespace
 
 reference::Surface Input::surface() const { return {points.data(), vorder, 1, uorder, vorder, 0, 1, 0, 1}; }
 
@@ -35,7 +32,7 @@ void Errors::add(float got, const reference::Evaluation& exact, const Input& inp
     ++zeros;
     if (got != 0) {
       ++zeros_wrong;
-      keep_worst(zero, condition, got, exact.value, input);
+      zero.keep(condition, input, got, exact.value);
     }
     return;
   }
@@ -43,8 +40,8 @@ void Errors::add(float got, const reference::Evaluation& exact, const Input& inp
   const double distance = reference::ulp_distance(got, exact.value);
   const float right = reference::round_to_float(exact.value);
   if (got != right) ++not_correctly_rounded;
-  keep_worst(ulp, distance, got, exact.value, input);
-  keep_worst(condition_aware, condition, got, exact.value, input);
+  ulp.keep(distance, input, got, exact.value);
+  condition_aware.keep(condition, input, got, exact.value);
   if (!std::isfinite(got) && std::isfinite(right)) {
     ++not_finite;
     return;

@@ -26,8 +26,12 @@ struct Worst {
   double error = -1;  // below 0: there is none
   Input input;
   float got = 0;
-  float right = 0;    // the exact value, correctly rounded
-  std::string exact;  // as reference::describe() writes it
+  float right = 0;       // the exact value, correctly rounded
+  std::string exact;     // as reference::describe() writes it
+  bool climbed = false;  // found by climb(), not in the sample
+
+  // This one instead, where its error is larger.
+  void keep(double other_error, const Input& other, float result, const reference::Rational& value);
 };
 
 // ULP and condition-aware error are those of reference/rounding.h. Exact zeros have no ULP of their own, and

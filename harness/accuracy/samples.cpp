@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace evalcts::accuracy {
@@ -49,6 +50,19 @@ std::vector<double> component_points(const Class& what, Random& random) {
   return points;
 }
 
+// Another significand or sign, or an exponent of these: 2^(exponent-1) <= |x| < 2^exponent.
+float varied(float x, int least_exponent, int exponents, Random& random) {
+  int exponent = 0;
+  const float significand = std::frexp(x, &exponent);
+  if (x == 0 || random.once_in(4)) {
+    const auto another = least_exponent + static_cast<int>(random.below(exponents));
+    return std::ldexp(x == 0 ? static_cast<float>(random.between(0.5, 1)) : significand, another);
+  }
+  if (random.once_in(24)) return -x;
+  const std::uint32_t flipped = std::bit_cast<std::uint32_t>(x) ^ 1u << random.below(23);
+  return std::bit_cast<float>(flipped);
+}
+
 }  // namespace
 
 std::string Class::name() const {
@@ -61,6 +75,31 @@ void draw_points(Map& map, const Class& what, Random& random) {
   for (int k = 0; k < map.components; ++k) {
     const std::vector<double> own = component_points(what, random);
     for (std::size_t i = 0; i < own.size(); ++i) map.points[i * map.components + k] = own[i];
+  }
+}
+
+void vary_points(std::vector<double>& points, const Class& what, Random& random) {
+  // Lines and cancelling maps are what they are by all of their points.
+  if (what.data == "lines" || what.data == "cancelling" || random.once_in(64)) {
+    points = component_points(what, random);
+    return;
+  }
+  const std::uint64_t changes = 1 + random.below(3);
+  for (std::uint64_t i = 0; i < changes; ++i) {
+    double& point = points[random.below(points.size())];
+    const auto x = static_cast<float>(point);
+    if (what.data == "integers") {
+      point = static_cast<double>(random.below(19)) - 9;
+    } else if (what.data == "ordinary") {
+      point = varied(x, -19, 20, random);
+    } else if (what.data == "wide") {
+      point = varied(x, -59, 120, random);
+    } else if (what.data == "extreme") {
+      const bool large = std::abs(points[0]) > 1;
+      point = varied(x, large ? 126 : -148, large ? 3 : 24, random);
+    } else {
+      point = component_points(what, random)[0];
+    }
   }
 }
 

@@ -47,4 +47,7 @@ struct Map {
 // are those of the map.
 void draw_points(Map& map, const Class& what, Random& random);
 
+// Changes the control points of one component, v fastest, a little; they stay of their class.
+void vary_points(std::vector<double>& points, const Class& what, Random& random);
+
 }  // namespace evalcts::accuracy

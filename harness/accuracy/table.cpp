@@ -15,7 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-// Few arguments for large maps, so that there are many of them.
 constexpr std::size_t kArguments = 256, kArgumentsOfLarge = 64;
 constexpr int kLarge = 200;  // control points
 
@@ -38,6 +37,7 @@ json worst_as_json(const Worst& worst) {
   json orders = {input.uorder};
   if (input.two_dimensional) orders.push_back(input.vorder);
   return {{"error", number(worst.error)},
+          {"found_by", worst.climbed ? "climbing" : "sample"},
           {"orders", orders},
           {"points", points},
           {"at", at},
@@ -65,12 +65,16 @@ std::vector<Class> table_classes() {
   return all;
 }
 
+std::size_t arguments_of_a_map(const Class& what) {
+  return what.uorder * std::max(what.vorder, 1) > kLarge ? kArgumentsOfLarge : kArguments;
+}
+
 Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bool>& stop) {
   const Class& what = request.what;
   const bool two_dimensional = what.vorder > 0;
   const GLenum target = target_of(request.target, two_dimensional);
   const int vorder = std::max(what.vorder, 1);
-  const std::size_t count = what.uorder * vorder > kLarge ? kArgumentsOfLarge : kArguments;
+  const std::size_t count = arguments_of_a_map(what);
   Map map{what.uorder, vorder, gl::components_of(target), true, {0, 1, 0, 1}, {}};
   const std::uint64_t maps = (request.values + count * map.components - 1) / (count * map.components);
   std::vector<float> u(count), v(two_dimensional ? count : 0), results(count * map.components);
@@ -107,7 +111,8 @@ float replay(Subject& subject, const std::string& target_name, const Input& inpu
   return results[0];
 }
 
-json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors) {
+json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors,
+                 const Errors& sample, std::uint64_t climbed) {
   json row = head_as_json(request);
   if (subject.has_targets()) row["target"] = request.target;
   if (!subject.capture().empty()) row["capture"] = subject.capture();
@@ -119,6 +124,9 @@ json row_as_json(const RowRequest& request, const Subject& subject, const Errors
   row["mean_ulp"] = number(errors.mean_ulp());
   row["max_condition_aware"] = errors.values > 0 ? number(errors.condition_aware.error) : json(0);
   row["mean_condition_aware"] = number(errors.mean_condition_aware());
+  row["climbed"] = climbed;
+  row["sample_max_ulp"] = errors.values > 0 ? number(sample.ulp.error) : json(0);
+  row["sample_max_condition_aware"] = errors.values > 0 ? number(sample.condition_aware.error) : json(0);
   row["histogram"] = errors.histogram;
   row["zeros"] = {{"values", errors.zeros}, {"wrong", errors.zeros_wrong}};
   row["without_terms"] = {{"values", errors.without_terms}, {"wrong", errors.without_terms_wrong}};

@@ -21,6 +21,9 @@ struct RowRequest {
   std::uint32_t seed = 1;
 };
 
+// So many at a time; fewer of large maps, so that there are many of them.
+std::size_t arguments_of_a_map(const Class& what);
+
 // Random maps of the class over [0,1]; fifteen of sixteen arguments are multiples of 2^-24 from 0 to 1, all
 // equally likely, the others multiples of 1/16. The same maps and arguments for every subject. Throws
 // NotObservable. Ends early when `stop` becomes true.
@@ -30,7 +33,9 @@ Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bo
 float replay(Subject& subject, const std::string& target, const Input& input);
 
 // As they stand in a file of the schema reports/schema/ulp-1.schema.json.
-nlohmann::json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors);
+// `sample`: the errors before the `climbed` results of climb().
+nlohmann::json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors,
+                           const Errors& sample, std::uint64_t climbed);
 nlohmann::json row_as_json(const RowRequest& request, const std::string& why_not_measured);
 
 // The value as C writes it, and its bits: "0x1.8p+0", "0x3fc00000".

@@ -86,9 +86,10 @@ struct RoundingOptions {
 struct UlpOptions {
   std::vector<std::string> implementations;  // empty: the usual ones
   std::string library, context, label;
-  std::vector<std::string> targets;  // empty: vertex_3
-  std::string filter;                // of the classes of maps; empty: all
-  std::uint64_t values = 20'000;     // of each row of the table
+  std::vector<std::string> targets;    // empty: vertex_3
+  std::string filter;                  // of the classes of maps; empty: all
+  std::uint64_t values = 20'000;       // of each row of the table
+  std::optional<std::uint64_t> climb;  // results that the search for worse inputs may take; as many as values
   std::uint32_t seed = 1;
   std::optional<int> jobs;
   std::string output;  // empty: the usual folder

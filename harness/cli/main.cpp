@@ -227,6 +227,11 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
                           "classes of maps: patterns as in GoogleTest, 'curve/4/*'");
   ulp_command->add_option("--values", ulp_options.values, "of each row of the table")
       ->check(CLI::Range(1.0, 1e15));
+  ulp_command
+      ->add_option("--climb", ulp_options.climb,
+                   "results of each row that the search for worse inputs takes, from the worst of these on "
+                   "(default: as many)")
+      ->check(counts);
   ulp_command->add_option("--seed", ulp_options.seed, "of maps and arguments");
   ulp_command
       ->add_option("--jobs", ulp_options.jobs, "implementations side by side (default: one for each core)")

@@ -10,11 +10,16 @@
 #include <csignal>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
+
+#include <evalcts/accuracy_page.h>
 
 #include <reference/bernstein.h>
 #include <reference/rounding.h>
 
+#include "harness/accuracy/profile.h"
+#include "harness/accuracy/search.h"
 #include "harness/accuracy/table.h"
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
@@ -28,6 +33,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kDefaultTarget = "vertex_3";
+constexpr double kSecondsForAPicture = 60;
 
 std::vector<std::string> targets_of(const UlpOptions& options) {
   return options.targets.empty() ? std::vector<std::string>{kDefaultTarget} : options.targets;
@@ -73,12 +79,32 @@ int measure_rows(const UlpOptions& options) {
         continue;
       }
       try {
-        const accuracy::Errors errors = accuracy::measure(*subject, request, interrupted);
-        write(accuracy::row_as_json(request, *subject, errors));
+        const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
+        accuracy::Errors errors = sample;
+        const std::uint64_t climbed = options.climb.value_or(options.values);
+        accuracy::climb(*subject, request, climbed, errors, interrupted);
+        write(accuracy::row_as_json(request, *subject, errors, sample, climbed));
       } catch (const NotObservable& reason) {
         write(accuracy::row_as_json(request, reason.what()));
       } catch (const gl::MissingEntryPoint& missing) {
         write(accuracy::row_as_json(request, missing.what()));
+      }
+    }
+    for (const accuracy::ProfileCurve& curve : accuracy::profile_curves()) {
+      if (interrupted) break;
+      const auto not_measured = [&](const std::string& why) {
+        write({{"profile", {{"name", curve.name}, {"not_measured", why}}}});
+      };
+      if (info.max_eval_order > 0 && static_cast<int>(curve.points.size()) > info.max_eval_order) {
+        not_measured(fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order));
+        continue;
+      }
+      try {
+        write({{"profile", accuracy::profile_as_json(*subject, targets_of(options).front(), curve)}});
+      } catch (const NotObservable& reason) {
+        not_measured(reason.what());
+      } catch (const gl::MissingEntryPoint& missing) {
+        not_measured(missing.what());
       }
     }
   } catch (const CannotStart& reason) {
@@ -182,6 +208,11 @@ std::string worst_in_words(const json& row, const char* which, const char* unit)
                      worst["exact"].get<std::string>(), replay);
 }
 
+// What the largest error is known from; no search proves that there is no larger one.
+std::string found_by(const json& row, const char* which) {
+  return row.contains(which) ? row[which]["found_by"].get<std::string>() : "-";
+}
+
 // null counts as infinite
 double error_of(const json& row, const char* which) {
   const json& value = row[which];
@@ -195,8 +226,9 @@ std::string in_words(const json& entry, bool with_target, bool verbose) {
   text += "\n";
   if (entry.contains("reason")) text += fmt::format("  {}\n", entry["reason"].get<std::string>());
   if (entry["rows"].empty()) return text;
-  text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}\n", "maps", "values",
-                      "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong");
+  text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n", "maps", "values",
+                      "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong",
+                      "largest found by");
   const json* largest[2] = {nullptr, nullptr};
   constexpr const char* kMaxima[2] = {"max_ulp", "max_condition_aware"};
   constexpr std::pair<const char*, const char*> kWorst[2] = {
@@ -208,11 +240,12 @@ std::string in_words(const json& entry, bool with_target, bool verbose) {
       continue;
     }
     const std::uint64_t zeros = row["zeros"]["values"], zeros_wrong = row["zeros"]["wrong"];
-    text += fmt::format("{:<27} {:>8} {:>7.2f} % {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}\n",
+    text += fmt::format("{:<27} {:>8} {:>7.2f} % {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n",
                         name_of(row, with_target), row["values"].get<std::uint64_t>(), 100 * share(row),
                         number(row["max_ulp"]), number(row["mean_ulp"]), number(row["max_condition_aware"]),
                         number(row["mean_condition_aware"]), row["not_finite"].get<std::uint64_t>(),
-                        zeros == 0 ? "-" : fmt::format("{} of {}", zeros_wrong, zeros));
+                        zeros == 0 ? "-" : fmt::format("{} of {}", zeros_wrong, zeros),
+                        found_by(row, "worst_ulp") + ", " + found_by(row, "worst_condition_aware"));
     for (int i = 0; i < 2; ++i) {
       if (!row.contains(kWorst[i].first)) continue;
       if (verbose) text += worst_in_words(row, kWorst[i].first, kWorst[i].second);
@@ -229,26 +262,26 @@ std::string in_words(const json& entry, bool with_target, bool verbose) {
   return text;
 }
 
-std::string as_csv(const json& document) {
-  std::string text =
-      "implementation,maps,target,values,not_correctly_rounded,not_finite,max_ulp,mean_ulp,"
-      "max_condition_aware,mean_condition_aware,zeros,zeros_wrong,without_terms,without_terms_wrong\n";
-  for (const json& entry : document["implementations"])
-    for (const json& row : entry["rows"]) {
-      if (row.contains("not_measured")) continue;
-      const auto exactly = [&](const char* name) {
-        return row[name].is_null() ? "inf" : fmt::format("{:.17g}", row[name].get<double>());
-      };
-      text += fmt::format(
-          "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry["name"].get<std::string>(),
-          row["name"].get<std::string>(), row.value("target", ""), row["values"].get<std::uint64_t>(),
-          row["not_correctly_rounded"].get<std::uint64_t>(), row["not_finite"].get<std::uint64_t>(),
-          exactly("max_ulp"), exactly("mean_ulp"), exactly("max_condition_aware"),
-          exactly("mean_condition_aware"), row["zeros"]["values"].get<std::uint64_t>(),
-          row["zeros"]["wrong"].get<std::uint64_t>(), row["without_terms"]["values"].get<std::uint64_t>(),
-          row["without_terms"]["wrong"].get<std::uint64_t>());
-    }
-  return text;
+std::string quoted_for_gnuplot(const fs::path& path) {
+  std::string quoted;
+  for (const char c : path.string()) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted;
+}
+
+// gnuplot's picture of a script; none where that is not here.
+std::optional<std::string> drawn(const fs::path& output, const std::string& script) {
+  const fs::path commands = output / "ulp-picture.gnuplot", picture = output / "ulp-picture.svg";
+  write_atomically(commands, fmt::format("set output '{}'\n", quoted_for_gnuplot(picture)) + script);
+  std::error_code error;
+  fs::remove(picture, error);
+  ChildProcess gnuplot({"/usr/bin/env", "gnuplot", "--default-settings", commands.string()}, "");
+  const std::optional<Ending> ending = gnuplot.wait(kSecondsForAPicture);
+  std::ifstream stream(picture);
+  const std::string svg((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  fs::remove(commands, error);
+  fs::remove(picture, error);
+  if (!ending || ending->signalled || ending->value != 0) return std::nullopt;
+  return svg;
 }
 
 // ---- The process that asks for it
@@ -279,7 +312,9 @@ void start(Measurement& measurement, const UlpOptions& options) {
                                       "--seed",
                                       std::to_string(options.seed),
                                       "--values",
-                                      std::to_string(options.values)};
+                                      std::to_string(options.values),
+                                      "--climb",
+                                      std::to_string(options.climb.value_or(options.values))};
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);
   };
@@ -293,13 +328,18 @@ void start(Measurement& measurement, const UlpOptions& options) {
 
 // The implementation's part of the document. Files that have nothing more to say are removed.
 json result_of(const Measurement& measurement, const UlpOptions& options) {
-  json entry = {{"name", measurement.name}, {"status", "complete"}, {"rows", json::array()}};
+  json entry = {{"name", measurement.name},
+                {"status", "complete"},
+                {"rows", json::array()},
+                {"profiles", json::array()}};
   for (json& line : lines_of(measurement.rows)) {
     if (line.contains("implementation")) {
       entry.update(line["implementation"]);
     } else if (line.contains("cannot_start")) {
       entry["status"] = "not-started";
       entry["reason"] = line["cannot_start"];
+    } else if (line.contains("profile")) {
+      entry["profiles"].push_back(std::move(line["profile"]));
     } else {
       for (const char* which : {"worst_ulp", "worst_condition_aware", "worst_zero"})
         if (line.contains(which))
@@ -322,6 +362,38 @@ json result_of(const Measurement& measurement, const UlpOptions& options) {
   fs::remove(measurement.rows, error);
   if (entry["status"] != "crashed") fs::remove(measurement.log, error);
   return entry;
+}
+
+// Sweeps in the folder belong to the page: what they say is proven. What cannot be read is left out.
+std::vector<json> sweeps_in(const fs::path& output) {
+  std::map<std::string, json> by_name;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(output, error)) {
+    const std::string name = file.path().filename().string();
+    if (!name.starts_with("sweep-") || file.path().extension() != ".json") continue;
+    std::ifstream stream(file.path());
+    json sweep = json::parse(stream, nullptr, false);
+    if (sweep.is_object() && sweep.value("format", "") == "evalcts-sweep-1") by_name[name] = std::move(sweep);
+  }
+  std::vector<json> sweeps;
+  for (auto& [name, sweep] : by_name) sweeps.push_back(std::move(sweep));
+  return sweeps;
+}
+
+// What to say of it.
+std::string write_page(const fs::path& output, const json& document) {
+  bool draws = true;
+  const auto draw = [&](const std::string& script) -> std::optional<std::string> {
+    if (!draws) return std::nullopt;
+    auto svg = drawn(output, script);
+    draws = svg.has_value();
+    return svg;
+  };
+  const fs::path file = output / "accuracy.html";
+  write_atomically(file, reports::accuracy_html(document, sweeps_in(output), draw));
+  return fmt::format(
+      "page: {}{}\n", file.string(),
+      draws ? "" : " (without pictures: there is no gnuplot here that works, package gnuplot-nox)");
 }
 
 }  // namespace
@@ -397,7 +469,7 @@ int ulp(const UlpOptions& options) {
     all.push_back({name, label, output / fmt::format("ulp-{}-{}.rows", label, all.size()),
                    output / fmt::format("log-ulp-{}-{}.txt", label, all.size())});
   }
-  const std::size_t rows = chosen_rows(options).size();
+  const std::size_t rows = 1 + chosen_rows(options).size() + accuracy::profile_curves().size();
   const auto jobs = static_cast<std::size_t>(options.jobs.value_or(usual_jobs()));
   std::size_t started = 0, ended = 0;
   while (ended < all.size() && !interrupted) {
@@ -413,9 +485,14 @@ int ulp(const UlpOptions& options) {
   for (Measurement& measurement : all) measurement.child.reset();  // killed, where it still runs
 
   const bool with_target = targets_of(options).size() > 1;
-  json document = {{"format", "evalcts-ulp-1"},  {"evalcts_version", EVALCTS_VERSION},
-                   {"command", options.command}, {"status", interrupted ? "interrupted" : "complete"},
-                   {"seed", options.seed},       {"implementations", json::array()}};
+  json document = {{"format", "evalcts-ulp-1"},
+                   {"evalcts_version", EVALCTS_VERSION},
+                   {"command", options.command},
+                   {"status", interrupted ? "interrupted" : "complete"},
+                   {"seed", options.seed},
+                   {"targets", targets_of(options)},
+                   {"curves", accuracy::profile_curves_as_json()},
+                   {"implementations", json::array()}};
   int code = interrupted ? kWrongUse : kNothingUnexpected;
   for (const Measurement& measurement : all) {
     json entry = result_of(measurement, options);
@@ -425,9 +502,13 @@ int ulp(const UlpOptions& options) {
     document["implementations"].push_back(std::move(entry));
   }
   write_atomically(output / "ulp.json", document.dump(1) + "\n");
-  write_atomically(output / "ulp.csv", as_csv(document));
-  line.print(fmt::format("seed {}; all of it: {}, {}\n", options.seed, (output / "ulp.json").string(),
-                         (output / "ulp.csv").string()));
+  write_atomically(output / "ulp.csv", reports::table_csv(document));
+  write_atomically(output / "ulp-profiles.csv", reports::profiles_csv(document));
+  write_atomically(output / "ulp-histograms.csv", reports::histograms_csv(document));
+  write_atomically(output / "ulp-worst.csv", reports::worst_csv(document));
+  line.print(write_page(output, document));
+  line.print(fmt::format("seed {}; all of it: {}, {} and three more of comma-separated values\n",
+                         options.seed, (output / "ulp.json").string(), (output / "ulp.csv").string()));
   if (interrupted) std::cerr << "evalcts: interrupted; what was measured is in the output folder\n";
   return code;
 }

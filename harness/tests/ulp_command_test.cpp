@@ -64,7 +64,17 @@ TEST_F(UlpCommand, MeasuresImplementations) {
       << outcome.text;
   const std::string table = content("ulp.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 12) << table;
-  EXPECT_EQ(files(), 3u) << "ulp.json, ulp.csv, the log of this test";
+  EXPECT_EQ(files(), 7u) << "ulp.json, four of comma-separated values, the page, the log of this test";
+  const std::string page = content("accuracy.html");
+  EXPECT_NE(page.find("<th scope=\"row\">sum-float</th>"), std::string::npos);
+  EXPECT_NE(page.find("curve/4/"), std::string::npos) << "worst inputs";
+  if (std::system("gnuplot --version >/dev/null 2>&1") == 0) {
+    for (const char* id : {"over_u_cubic", "over_u_triple_zero", "over_u_order_10", "histograms"})
+      EXPECT_NE(page.find("<figure id=\"figure-" + std::string(id) + "\">"), std::string::npos) << id;
+    EXPECT_EQ(page.find("No pictures"), std::string::npos);
+  } else {
+    EXPECT_NE(page.find("No pictures"), std::string::npos);
+  }
 }
 
 TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
@@ -85,13 +95,55 @@ TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
     }
 }
 
+// Without gnuplot the page has its tables, and says what is missing.
+TEST_F(UlpCommand, GoesWithoutPictures) {
+  const std::string path = getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const Outcome outcome = ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/*"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("gnuplot-nox"), std::string::npos) << outcome.text;
+  const std::string page = content("accuracy.html");
+  EXPECT_NE(page.find("gnuplot-nox"), std::string::npos);
+  EXPECT_EQ(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("curve/4/"), std::string::npos);
+}
+
+// The search finds what a sample does not: for the same inputs, larger errors and never smaller ones.
+TEST_F(UlpCommand, ClimbsToWorseInputs) {
+  const auto measured = [&](const char* climb) {
+    EXPECT_EQ(ulp({"--implementation", "horner-float", "--values", "500", "--climb", climb, "--filter",
+                   "curve/4/ordinary:curve/10/integers:surface/3x8/ordinary"})
+                  .code,
+              0);
+    return document()["implementations"][0]["rows"];
+  };
+  const json without = measured("0"), with = measured("20000");
+  ASSERT_EQ(without.size(), 3u);
+  EXPECT_EQ(complaints(document()), "");
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    EXPECT_EQ(without[i]["max_ulp"], without[i]["sample_max_ulp"]);
+    EXPECT_EQ(without[i]["worst_condition_aware"]["found_by"], "sample");
+    for (const char* same : {"mean_ulp", "histogram", "not_correctly_rounded", "sample_max_condition_aware"})
+      EXPECT_EQ(with[i][same], without[i][same]) << same;
+    EXPECT_GT(with[i]["max_condition_aware"], without[i]["max_condition_aware"]) << with[i]["name"];
+    EXPECT_GT(with[i]["max_ulp"], without[i]["max_ulp"]) << with[i]["name"];
+    EXPECT_EQ(with[i]["worst_ulp"]["found_by"], "climbing");
+    for (const char* which : {"worst_ulp", "worst_condition_aware"}) {
+      const Outcome again = start(with[i][which]["replay"].get<std::vector<std::string>>());
+      EXPECT_NE(again.text.find(with[i][which]["got"]["bits"]), std::string::npos) << again.text;
+    }
+  }
+  EXPECT_EQ(measured("20000"), with) << "the seed decides";
+}
+
 TEST_F(UlpCommand, GivesTheSameWhateverTheNumberOfJobs) {
   const auto measured = [&](const char* seed, const char* jobs) {
     EXPECT_EQ(ulp({"--implementation", "production", "--implementation", "sum-float", "--values", "300",
                    "--filter", "curve/4/*", "--seed", seed, "--jobs", jobs})
                   .code,
               0);
-    return content("ulp.csv") + document()["implementations"].dump();
+    return content("ulp.csv") + content("accuracy.html") + document()["implementations"].dump();
   };
   const std::string one = measured("3", "1");
   EXPECT_EQ(measured("3", "2"), one);

@@ -1,0 +1,151 @@
+#include "harness/accuracy/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <reference/bernstein_form.h>
+#include <reference/rounding.h>
+
+#include "harness/gl/tokens.h"
+
+namespace evalcts::accuracy {
+namespace {
+
+constexpr std::uint64_t kSteps = 1u << 24;  // arguments are multiples of 2^-24
+constexpr int kPatience = 24;               // generations without a worse input, before another start
+// Numbers of their own for each climb, apart from those of the sample, whose items count from 0.
+constexpr std::uint64_t kFirstItem = std::uint64_t{1} << 40;
+
+float varied_argument(float u, Random& random) {
+  auto step = static_cast<std::uint64_t>(std::ldexp(static_cast<double>(u), 24));
+  switch (random.below(8)) {
+    case 0:
+      step = random.below(kSteps + 1);
+      break;
+    case 1:
+    case 2:
+      step += random.below(2001);
+      step -= std::min<std::uint64_t>(step, 1000);
+      break;
+    case 3:
+      break;
+    default:
+      step ^= std::uint64_t{1} << random.below(24);
+  }
+  return std::ldexp(static_cast<float>(std::min(step, kSteps)), -24);
+}
+
+class Climb {
+ public:
+  Climb(Subject& subject, const RowRequest& request, bool by_ulp, std::uint64_t item)
+      : subject_(subject),
+        request_(request),
+        target_(target_of(request.target, request.what.vorder > 0)),
+        by_ulp_(by_ulp),
+        random_(request.seed, item),
+        map_{request.what.uorder,
+             std::max(request.what.vorder, 1),
+             gl::components_of(target_),
+             true,
+             {0, 1, 0, 1},
+             {}} {}
+
+  // How many results of the subject one generation has.
+  std::uint64_t generation() const { return arguments_of_a_map(request_.what) * map_.components; }
+
+  // Starts there, or anywhere.
+  void start(const Worst& worst) {
+    current_ = worst;
+    if (current_.error < 0) restart();
+  }
+
+  // One generation.
+  void step(Worst& worst) {
+    Worst best;
+    best.error = std::nextafter(current_.error, -INFINITY);  // as bad will do, so that plateaus are crossed
+    neighbours(best);
+    if (best.input.points.empty()) {
+      if (++waited_ > kPatience) restart();
+      return;
+    }
+    waited_ = best.error > current_.error ? 0 : waited_ + 1;
+    current_ = best;
+    if (current_.error > worst.error) {
+      worst = current_;
+      worst.climbed = true;
+    }
+    if (waited_ > kPatience || std::isinf(current_.error)) restart();
+  }
+
+ private:
+  void restart() {
+    draw_points(map_, request_.what, random_);
+    current_ = {};
+    current_.input = {map_.uorder, map_.vorder, request_.what.vorder > 0, {}};
+    for (std::size_t i = 0; i < map_.points.size(); i += map_.components)
+      current_.input.points.push_back(map_.points[i]);
+    current_.input.u = varied_argument(0.5F, random_);
+    if (current_.input.two_dimensional) current_.input.v = varied_argument(0.5F, random_);
+    waited_ = 0;
+  }
+
+  // Keeps the worst of the generation in `best`. The first component is the current polynomial.
+  void neighbours(Worst& best) {
+    const std::size_t count = arguments_of_a_map(request_.what);
+    const bool two_dimensional = current_.input.two_dimensional;
+    std::vector<Input> components(map_.components, current_.input);
+    for (int k = 0; k < map_.components; ++k) {
+      // A curve of one component would never change if the first always were the current one.
+      if (k > 0 || random_.once_in(2)) vary_points(components[k].points, request_.what, random_);
+      map_.points.resize(components[k].points.size() * map_.components);
+      for (std::size_t i = 0; i < components[k].points.size(); ++i)
+        map_.points[i * map_.components + k] = components[k].points[i];
+    }
+    std::vector<float> u(count), v(two_dimensional ? count : 0), results(count * map_.components);
+    for (float& x : u) x = varied_argument(current_.input.u, random_);
+    for (float& x : v) x = varied_argument(current_.input.v, random_);
+    u[0] = current_.input.u;
+    if (two_dimensional) v[0] = current_.input.v;
+    subject_.evaluate(target_, map_, u, v, results);
+    for (int k = 0; k < map_.components; ++k) {
+      Input& input = components[k];
+      const reference::BernsteinForm exact(input.surface());
+      for (std::size_t a = 0; a < count; ++a) {
+        input.u = u[a];
+        if (two_dimensional) input.v = v[a];
+        const float got = results[a * map_.components + k];
+        const reference::Evaluation value =
+            exact.evaluate_with_magnitude(input.argument_u(), input.argument_v());
+        if (value.value.is_zero()) continue;  // these are counted apart
+        best.keep(by_ulp_ ? reference::ulp_distance(got, value.value)
+                          : reference::condition_distance(got, value.value, value.magnitude),
+                  input, got, value.value);
+      }
+    }
+  }
+
+  Subject& subject_;
+  const RowRequest& request_;
+  GLenum target_;
+  bool by_ulp_;
+  Random random_;
+  Map map_;
+  Worst current_;
+  int waited_ = 0;
+};
+
+}  // namespace
+
+void climb(Subject& subject, const RowRequest& request, std::uint64_t values, Errors& errors,
+           const std::atomic<bool>& stop) {
+  std::uint64_t item = kFirstItem;
+  for (const bool by_ulp : {true, false}) {
+    Worst& worst = by_ulp ? errors.ulp : errors.condition_aware;
+    Climb climb(subject, request, by_ulp, item++);
+    climb.start(worst);
+    const std::uint64_t generations = (values / 2 + climb.generation() - 1) / climb.generation();
+    for (std::uint64_t i = 0; i < generations && !stop; ++i) climb.step(worst);
+  }
+}
+
+}  // namespace evalcts::accuracy
