@@ -12,24 +12,6 @@
 namespace evalcts::accuracy {
 namespace {
 
-Attributes attribute_of(GLenum target) {
-  switch (target) {
-    case GL_MAP1_VERTEX_3:
-    case GL_MAP1_VERTEX_4:
-    case GL_MAP2_VERTEX_3:
-    case GL_MAP2_VERTEX_4:
-      return kPosition;
-    case GL_MAP1_COLOR_4:
-    case GL_MAP2_COLOR_4:
-      return kColor;
-    case GL_MAP1_NORMAL:
-    case GL_MAP2_NORMAL:
-      return kNormal;
-    default:
-      return kTextureCoordinate0;
-  }
-}
-
 const float* values_of(const ObservedVertex& vertex, Attributes attribute) {
   if (attribute == kPosition) return vertex.position.data();
   if (attribute == kColor) return vertex.color.data();

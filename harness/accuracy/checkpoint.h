@@ -30,8 +30,13 @@ struct Resumed {
   SweepState state;
   double seconds;
 };
-// Throws BadCheckpoint where the file is damaged or of another sweep.
+// Throws BadCheckpoint where the file is damaged, cannot be read, or is of another sweep.
 Resumed read_checkpoint(const std::filesystem::path& file, const SweepTask& task,
                         const nlohmann::json& identity);
+
+// One complete checkpoint of those of all shards, as one process would have it but for the seconds, which are
+// the sum. Throws BadCheckpoint where a file is damaged, unfinished, of another sweep than the first or of a
+// shard that is there already, or where a shard is missing.
+nlohmann::json merged(const std::vector<std::filesystem::path>& files);
 
 }  // namespace evalcts::accuracy

@@ -15,11 +15,25 @@ namespace {
 // libglevaluator's batches.
 class ProductionStream final : public Stream {
  public:
-  explicit ProductionStream(const std::vector<double>& points) {
-    if (glevCreateContext(nullptr, &context_) != GLEV_SUCCESS) throw CannotStart("glevCreateContext failed");
-    glevMap1d(context_, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, static_cast<int>(points.size()), points.data());
-    glevEnable(context_, GLEV_MAP1_TEXTURE_COORD_1);
-    const glev_plan_info info = {sizeof info, 1};
+  ProductionStream(const SweptMap& what, const std::string& instruction_set)
+      : two_dimensional_(what.two_dimensional), along_v_(what.along_v), other_(what.other) {
+    const Map& map = what.map;
+    glev_context_info context_info{};
+    context_info.size = sizeof context_info;
+    if (!instruction_set.empty()) context_info.target = instruction_set.c_str();
+    if (glevCreateContext(&context_info, &context_) != GLEV_SUCCESS)
+      throw CannotStart("glevCreateContext failed");
+    const GLenum target = target_of(what.target, two_dimensional_);
+    attribute_ = attribute_of(target);
+    components_ = static_cast<std::size_t>(map.components);
+    if (two_dimensional_) {
+      glevMap2d(context_, target, 0, 1, map.vorder * map.components, map.uorder, 0, 1, map.components,
+                map.vorder, map.points.data());
+    } else {
+      glevMap1d(context_, target, 0, 1, map.components, map.uorder, map.points.data());
+    }
+    glevEnable(context_, target);
+    const glev_plan_info info = {sizeof info, two_dimensional_ ? std::size_t{2} : std::size_t{1}};
     if (glevGetError(context_) != GLEV_NO_ERROR || glevCreatePlan(context_, &info, &plan_) != GLEV_SUCCESS)
       throw NotObservable("the map is refused");
   }
@@ -35,18 +49,28 @@ class ProductionStream final : public Stream {
     output.size = sizeof output;
     output.data = results.data();
     output.data_size = results.size_bytes();
-    output.stride = sizeof(float);
-    output.components = 1;
+    output.stride = components_ * sizeof(float);
+    output.components = components_;
     glev_batch batch{};
     batch.size = sizeof batch;
     batch.count = u.size();
     batch.type = GLEV_FLOAT;
-    batch.u = {u.data(), u.size_bytes(), sizeof(float)};
-    batch.outputs.texcoord = &output;
+    const glev_input swept = {u.data(), u.size_bytes(), sizeof(float)}, other = {&other_, sizeof other_, 0};
+    batch.u = along_v_ ? other : swept;
+    if (two_dimensional_) batch.v = along_v_ ? swept : other;
+    const glev_output** const place = attribute_ == kPosition ? &batch.outputs.vertex
+                                      : attribute_ == kColor  ? &batch.outputs.color
+                                      : attribute_ == kNormal ? &batch.outputs.normal
+                                                              : &batch.outputs.texcoord;
+    *place = &output;
     if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw NotObservable("a batch is refused");
   }
 
  private:
+  bool two_dimensional_, along_v_;
+  float other_;
+  Attributes attribute_ = 0;
+  std::size_t components_ = 0;
   glev_context* context_ = nullptr;
   glev_plan* plan_ = nullptr;
 };
@@ -54,31 +78,51 @@ class ProductionStream final : public Stream {
 // Anything, through Subject.
 class SubjectStream final : public Stream {
  public:
-  SubjectStream(std::unique_ptr<Subject> subject, const std::vector<double>& points)
-      : subject_(std::move(subject)),
-        map_{static_cast<int>(points.size()), 1, 1, true, {0, 1, 0, 1}, points} {}
+  SubjectStream(std::unique_ptr<Subject> subject, SweptMap map)
+      : subject_(std::move(subject)), map_(std::move(map)) {}
   void evaluate(std::span<const float> u, std::span<float> results) override {
-    subject_->evaluate(GL_MAP1_TEXTURE_COORD_1, map_, u, {}, results);
+    const GLenum target = target_of(map_.target, map_.two_dimensional);
+    if (!map_.two_dimensional) return subject_->evaluate(target, map_.map, u, {}, results);
+    const std::vector<float> others(u.size(), map_.other);
+    map_.along_v ? subject_->evaluate(target, map_.map, others, u, results)
+                 : subject_->evaluate(target, map_.map, u, others, results);
   }
 
  private:
   std::unique_ptr<Subject> subject_;
-  Map map_;
+  SweptMap map_;
 };
 
-// A GL whose transform feedback records one float for each vertex. One context for all: nothing changes in it
-// but the buffer's contents. Calls go straight to the library.
+// What a vertex shader calls the components of a map of this kind.
+std::string in_shader(Attributes attribute, int components) {
+  const std::string name = attribute == kPosition ? "gl_Vertex"
+                           : attribute == kColor  ? "gl_Color"
+                           : attribute == kNormal ? "gl_Normal"
+                                                  : "gl_MultiTexCoord0";
+  return name + "." + std::string("xyzw").substr(0, components);
+}
+
+// A GL whose transform feedback records the components of each vertex. One context for all: nothing changes
+// in it but the buffer's contents. Calls go straight to the library.
 class RecordingStream final : public Stream {
  public:
-  RecordingStream(Implementation& implementation, const std::vector<double>& points)
-      : context_(implementation.create_context()), gl_(context_->table()) {
+  RecordingStream(Implementation& implementation, const SweptMap& what)
+      : two_dimensional_(what.two_dimensional),
+        along_v_(what.along_v),
+        other_(what.other),
+        context_(implementation.create_context()),
+        gl_(context_->table()) {
+    const Map& map = what.map;
+    const GLenum target = target_of(what.target, two_dimensional_);
+    const Attributes attribute = attribute_of(target);
+    const std::string type = map.components == 1 ? "float" : fmt::format("vec{}", map.components);
     gl::Case c;
     const gl::Ref shader = c.CreateShader(GL_VERTEX_SHADER);
-    c.ShaderSource(
-        shader, 1,
-        gl::Strings{{"#version 120\nvarying float seen;\nvoid main() {\n  seen = gl_MultiTexCoord0.x;\n"
-                     "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}\n"}},
-        nullptr);
+    c.ShaderSource(shader, 1,
+                   gl::Strings{{fmt::format("#version 120\nvarying {} seen;\nvoid main() {{\n  seen = {};\n"
+                                            "  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);\n}}\n",
+                                            type, in_shader(attribute, map.components))}},
+                   nullptr);
     c.CompileShader(shader);
     const gl::Ref program = c.CreateProgram();
     c.AttachShader(program, shader);
@@ -88,13 +132,19 @@ class RecordingStream final : public Stream {
     c.UseProgram(program);
     const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
     c.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
-    c.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, kLongest * sizeof(GLfloat), nullptr, GL_STREAM_READ);
+    c.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, kLongest * map.components * sizeof(GLfloat), nullptr,
+                 GL_STREAM_READ);
     c.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
     c.Enable(GL_RASTERIZER_DISCARD);
-    c.Map1f(GL_MAP1_TEXTURE_COORD_1, 0, 1, 1, points.size(),
-            std::vector<float>(points.begin(), points.end()));
-    c.Enable(GL_MAP1_TEXTURE_COORD_1);
-    c.Enable(GL_MAP1_VERTEX_3);
+    const std::vector<float> points(map.points.begin(), map.points.end());
+    if (two_dimensional_) {
+      c.Map2f(target, 0, 1, map.vorder * map.components, map.uorder, 0, 1, map.components, map.vorder,
+              points);
+    } else {
+      c.Map1f(target, 0, 1, map.components, map.uorder, points);
+    }
+    c.Enable(target);
+    if (attribute != kPosition) c.Enable(two_dimensional_ ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
     const gl::Ref query = c.GenQueries(1, gl::out<GLuint>(1));
     const gl::Ref error = c.GetError();
     const gl::Trace trace = context_->play(c);
@@ -108,7 +158,13 @@ class RecordingStream final : public Stream {
     gl_.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query_);
     gl_.BeginTransformFeedback(GL_POINTS);
     gl_.Begin(GL_POINTS);
-    for (const float x : u) gl_.EvalCoord1f(x);
+    if (!two_dimensional_) {
+      for (const float x : u) gl_.EvalCoord1f(x);
+    } else if (along_v_) {
+      for (const float x : u) gl_.EvalCoord2f(other_, x);
+    } else {
+      for (const float x : u) gl_.EvalCoord2f(x, other_);
+    }
     gl_.End();
     gl_.EndTransformFeedback();
     gl_.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
@@ -123,6 +179,8 @@ class RecordingStream final : public Stream {
   }
 
  private:
+  bool two_dimensional_, along_v_;
+  float other_;
   std::unique_ptr<Context> context_;
   const gl::Table& gl_;
   GLuint query_ = 0;
@@ -138,8 +196,8 @@ StreamSource stream_source(const ImplementationOptions& options) {
     if (const auto textbook = make_textbook(options.name)) {
       source.info = textbook->info();
       source.for_threads = true;
-      source.make = [name = options.name](const std::vector<double>& points) {
-        return std::make_unique<SubjectStream>(make_textbook(name), points);
+      source.make = [name = options.name](const SweptMap& map) {
+        return std::make_unique<SubjectStream>(make_textbook(name), map);
       };
       return source;
     }
@@ -147,19 +205,28 @@ StreamSource stream_source(const ImplementationOptions& options) {
   const std::shared_ptr<Implementation> implementation = open_implementation(options);
   source.info = inquire(*implementation);
   if (source.info.name == "production") {
-    source.for_threads = true;
-    source.make = [](const std::vector<double>& points) {
-      return std::make_unique<ProductionStream>(points);
-    };
+    return production_source("");
   } else if (source.info.at_least(3, 0) && !implementation->create_context()->has_sink()) {
-    source.make = [implementation](const std::vector<double>& points) {
-      return std::make_unique<RecordingStream>(*implementation, points);
+    source.make = [implementation](const SweptMap& map) {
+      return std::make_unique<RecordingStream>(*implementation, map);
     };
   } else {
-    source.make = [options](const std::vector<double>& points) {
-      return std::make_unique<SubjectStream>(make_captured(options), points);
+    source.make = [options](const SweptMap& map) {
+      return std::make_unique<SubjectStream>(make_captured(options), map);
     };
   }
+  return source;
+}
+
+StreamSource production_source(const std::string& instruction_set) {
+  StreamSource source;
+  ImplementationOptions options;
+  options.name = "production";
+  source.info = inquire(*open_implementation(options));
+  source.for_threads = true;
+  source.make = [instruction_set](const SweptMap& map) {
+    return std::make_unique<ProductionStream>(map, instruction_set);
+  };
   return source;
 }
 

@@ -1,5 +1,5 @@
-// One polynomial of one variable, evaluated at very many arguments, with as little as possible between the
-// evaluator and whoever takes the results.
+// One map, evaluated at very many values of one argument, with as little as possible between the evaluator
+// and whoever takes the results.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "harness/accuracy/swept_map.h"
 #include "harness/implementations/implementation.h"
 
 namespace evalcts::accuracy {
@@ -14,7 +15,8 @@ namespace evalcts::accuracy {
 class Stream {
  public:
   virtual ~Stream() = default;
-  // As many results as arguments, of which there are at most kLongest. Throws NotObservable.
+  // All components of the first argument, then those of the next; at most kLongest arguments. Throws
+  // NotObservable.
   virtual void evaluate(std::span<const float> u, std::span<float> results) = 0;
 
   static constexpr std::size_t kLongest = 1u << 16;
@@ -24,12 +26,14 @@ struct StreamSource {
   ImplementationInfo info;
   // Whether each thread may have a stream of its own; otherwise one thread makes a single one and uses it.
   bool for_threads = false;
-  // The polynomial over [0,1] with these control points, as a map of TEXTURE_COORD_1. Throws CannotStart,
-  // NotObservable.
-  std::function<std::unique_ptr<Stream>(const std::vector<double>& points)> make;
+  // Throws CannotStart, NotObservable.
+  std::function<std::unique_ptr<Stream>(const SweptMap& map)> make;
 };
 
 // Throws CannotStart: no such implementation, or none that gives results at arguments of all kinds.
 StreamSource stream_source(const ImplementationOptions& options);
+
+// libglevaluator on one of its instruction sets; empty: the best one. Throws CannotStart.
+StreamSource production_source(const std::string& instruction_set);
 
 }  // namespace evalcts::accuracy

@@ -13,7 +13,8 @@
 #include <reference/filter.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/exact_line.h"
+#include "harness/accuracy/blocks.h"
+#include "harness/accuracy/digest.h"
 
 namespace evalcts::accuracy {
 namespace {
@@ -23,12 +24,8 @@ constexpr std::int64_t kMagnitudeMask = 0x7fffffff;
 constexpr double kSlack = 0x1p-30;
 constexpr auto kBetweenReports = std::chrono::seconds(1);
 
-// The finalizer of splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
+// Sets components apart.
+constexpr std::uint64_t kComponent = 0x9e3779b97f4a7c15;
 
 // Harrison's ULP of a double, which may be off by its own rounding where it is a power of two.
 double ulp_of(double x) {
@@ -40,16 +37,10 @@ double ulp_of(double x) {
 
 double extended(float x) { return std::isinf(x) ? std::copysign(0x1p128, x) : x; }
 
-// One thread's view of the polynomial.
+// One thread's view of one component.
 class Judge {
  public:
-  explicit Judge(const std::vector<double>& points)
-      : points_(points),
-        curve_{points_.data(), 1, static_cast<int>(points_.size()), 0, 1},
-        right_(curve_),
-        line_(ExactLine::of(points)),
-        filter_(curve_),
-        exact_(curve_) {}
+  Judge(const SweptMap& map, int component) : component_(component), polynomial_(map, component) {}
 
   SweepResult judge(std::int64_t first, std::span<const float> u, std::span<const float> got) {
     const std::size_t count = u.size();
@@ -57,14 +48,11 @@ class Judge {
     rights_.resize(count);
     SweepResult result;
     result.values = count;
-    if (line_) {
-      for (std::size_t i = 0; i < count; ++i) rights_[i] = line_->to_float(u[i]);
-    } else {
-      result.decided_exactly = right_.to_float({arguments_}, rights_);
-    }
+    result.decided_exactly = polynomial_.to_float(arguments_, rights_);
     for (std::size_t i = 0; i < count; ++i)
-      result.digest += mixed(static_cast<std::uint64_t>(first + static_cast<std::int64_t>(i)) << 32 ^
-                             std::bit_cast<std::uint32_t>(got[i]));
+      result.digest += mixed((static_cast<std::uint64_t>(first + static_cast<std::int64_t>(i)) << 32 ^
+                              std::bit_cast<std::uint32_t>(got[i])) +
+                             static_cast<std::uint64_t>(component_) * kComponent);
     wrong_.clear();
     for (std::size_t i = 0; i < count; ++i)
       // A right result that is zero may be an exact one or the nearest to something small.
@@ -80,11 +68,11 @@ class Judge {
     wrong_arguments_.clear();
     for (const std::size_t i : wrong_) wrong_arguments_.push_back(u[i]);
     enclosures_.resize(wrong_.size());
-    filter_.enclose({wrong_arguments_}, {}, enclosures_);
+    polynomial_.enclose(wrong_arguments_, enclosures_);
     for (std::size_t w = 0; w < wrong_.size(); ++w) {
       const std::size_t i = wrong_[w];
       const std::int64_t number = first + static_cast<std::int64_t>(i);
-      if (rights_[i] == 0 && exactly(u[i]).value.is_zero()) {
+      if (rights_[i] == 0 && polynomial_.exactly(u[i]).value.is_zero()) {
         ++result.zeros;
         if (got[i] != 0) ++result.zeros_wrong;
         continue;
@@ -105,107 +93,60 @@ class Judge {
       const double certain_ulp = doubtful ? exact_ulp(u[i], got[i]) : ulp;
       if (finite) ++result.histogram[Errors::bin_of(certain_ulp)];
       if (certain_ulp > result.ulp.error * (1 + kSlack))
-        result.ulp = {doubtful ? certain_ulp : exact_ulp(u[i], got[i]), number, got[i]};
-      const double condition =
-          doubtful ? std::numeric_limits<double>::infinity() : difference / (0x1p-24 * magnitude(u[i]));
+        result.ulp = {doubtful ? certain_ulp : exact_ulp(u[i], got[i]), number, got[i], component_};
+      const double condition = doubtful ? std::numeric_limits<double>::infinity()
+                                        : difference / (0x1p-24 * polynomial_.magnitude(u[i]));
       if (condition > result.condition_aware.error * (1 + kSlack)) {
-        const reference::Evaluation exact = exactly(u[i]);
-        result.condition_aware.keep(
-            {reference::condition_distance(got[i], exact.value, exact.magnitude), number, got[i]});
+        const reference::Evaluation exact = polynomial_.exactly(u[i]);
+        result.condition_aware.keep({reference::condition_distance(got[i], exact.value, exact.magnitude),
+                                     number, got[i], component_});
       }
     }
   }
 
-  reference::Evaluation exactly(float u) const {
-    return exact_.evaluate_with_magnitude(reference::Argument::coordinate(u));
-  }
   double exact_ulp(float u, float got) const {
-    return reference::ulp_distance(got, exact_.evaluate(reference::Argument::coordinate(u)));
-  }
-  // SUM |B_i| |R_i|, good to many digits wherever the terms are in the range of double.
-  double magnitude(double u) const {
-    const auto order = static_cast<int>(points_.size());
-    const double s = std::abs(1 - u), t = std::abs(u);
-    double sum = std::abs(points_[0]), binomial = 1, power = 1;
-    for (int i = 1; i < order; ++i) {
-      binomial = binomial * (order - i) / i;
-      power *= t;
-      sum = sum * s + binomial * power * std::abs(points_[i]);
-    }
-    return sum;
+    return reference::ulp_distance(got, polynomial_.exactly(u).value);
   }
 
-  const std::vector<double>& points_;
-  reference::Curve curve_;
-  reference::CorrectlyRounded right_;
-  std::optional<ExactLine> line_;
-  reference::Filter filter_;
-  reference::BernsteinForm exact_;
+  int component_;
+  SweptPolynomial polynomial_;
   std::vector<double> arguments_, wrong_arguments_;
   std::vector<float> rights_;
   std::vector<std::size_t> wrong_;
   std::vector<reference::Enclosure> enclosures_;
 };
 
-// The arguments of a block, and their results where another thread has evaluated them.
-struct Job {
-  std::int64_t block = 0;  // its position
-  std::int64_t first = 0;  // number of the first argument
-  std::vector<float> u, results;
-};
-
-// Hands out the blocks, takes the results.
-class Sweep {
+// All components.
+class Judges {
  public:
-  Sweep(const SweepTask& task, SweepState& state, const std::atomic<bool>& stop,
-        const std::function<void(const SweepState&)>& progress)
-      : task_(task), state_(state), stop_(stop), progress_(progress) {}
-
-  // The next block to do; none where there is no more.
-  std::optional<Job> next() {
-    const std::lock_guard lock(mutex_);
-    while (next_ < task_.blocks() && (!task_.mine(next_) || state_.done.contains(next_))) ++next_;
-    if (stop_ || failed_ || next_ >= task_.blocks()) return std::nullopt;
-    Job job;
-    job.block = next_++;
-    const std::int64_t begin = (task_.first_block() + job.block) * kBlock;
-    job.first = std::max(begin, number_of(task_.from));
-    const std::int64_t last = std::min(begin + kBlock - 1, number_of(task_.to));
-    for (std::int64_t n = job.first; n <= last; ++n) job.u.push_back(float_of(n));
-    job.results.resize(job.u.size());
-    return job;
+  explicit Judges(const SweptMap& map) {
+    for (int k = 0; k < map.map.components; ++k) judges_.emplace_back(map, k);
   }
 
-  void finish(const Job& job, const SweepResult& result) {
-    const std::lock_guard lock(mutex_);
-    state_.done.insert(job.block);
-    state_.result.add(result);
-    const auto now = std::chrono::steady_clock::now();
-    if (now - reported_ < kBetweenReports) return;
-    reported_ = now;
-    progress_(state_);
-  }
-
-  void fail(std::exception_ptr problem) {
-    const std::lock_guard lock(mutex_);
-    if (!problem_) problem_ = std::move(problem);
-    failed_ = true;
-  }
-  void end() {
-    progress_(state_);
-    if (problem_) std::rethrow_exception(problem_);
+  // Results of an argument stand next to each other.
+  SweepResult judge(std::span<const float> u, std::span<const float> results) {
+    const std::int64_t first = number_of(u.front());
+    if (judges_.size() == 1) return judges_[0].judge(first, u, results);
+    SweepResult sum;
+    own_.resize(u.size());
+    for (std::size_t k = 0; k < judges_.size(); ++k) {
+      for (std::size_t i = 0; i < u.size(); ++i) own_[i] = results[i * judges_.size() + k];
+      sum.add(judges_[k].judge(first, u, own_));
+    }
+    return sum;
   }
 
  private:
-  const SweepTask& task_;
-  SweepState& state_;
-  const std::atomic<bool>& stop_;
-  const std::function<void(const SweepState&)>& progress_;
-  std::mutex mutex_;
-  std::int64_t next_ = 0;
-  std::chrono::steady_clock::time_point reported_ = std::chrono::steady_clock::now();
-  std::exception_ptr problem_;
-  std::atomic<bool> failed_ = false;
+  std::vector<Judge> judges_;
+  std::vector<float> own_;
+};
+
+// The arguments of a block, and their results where another thread has evaluated them.
+struct Job {
+  Job(const SweepTask& task, std::int64_t position)
+      : block(position), u(task.arguments(position)), results(u.size() * task.map.map.components) {}
+  std::int64_t block;
+  std::vector<float> u, results;
 };
 
 // From the thread that evaluates to those that judge; short, so that memory stays small.
@@ -253,6 +194,16 @@ float float_of(std::int64_t number) {
   return number < 0 ? -magnitude : magnitude;
 }
 
+std::vector<float> SweepTask::arguments(std::int64_t block) const {
+  const std::int64_t begin = (first_block() + block) * kBlock;
+  const std::int64_t first = std::max(begin, number_of(from)),
+                     last = std::min(begin + kBlock - 1, number_of(to));
+  std::vector<float> all;
+  all.reserve(kBlock);
+  for (std::int64_t n = first; n <= last; ++n) all.push_back(float_of(n));
+  return all;
+}
+
 std::int64_t SweepTask::first_block() const {
   const std::int64_t first = number_of(from);
   return first >= 0 ? first / kBlock : -((-first + kBlock - 1) / kBlock);
@@ -265,7 +216,9 @@ std::int64_t SweepTask::blocks() const {
 }
 
 void SweepResult::Largest::keep(const Largest& other) {
-  if (other.error > error || (other.error == error && error > 0 && other.number < number)) *this = other;
+  if (other.error > error || (other.error == error && error > 0 &&
+                              std::pair(other.number, other.component) < std::pair(number, component)))
+    *this = other;
 }
 
 void SweepResult::add(const SweepResult& other) {
@@ -300,37 +253,66 @@ std::vector<std::array<std::int64_t, 2>> BlockSet::ranges() const {
   return all;
 }
 
-void sweep(const SweepTask& task, const StreamSource& source, int threads, SweepState& state,
-           const std::atomic<bool>& stop, const std::function<void(const SweepState&)>& progress) {
-  Sweep run(task, state, stop, progress);
+std::optional<std::int64_t> OwnBlocks::next() {
+  const std::lock_guard lock(mutex_);
+  while (next_ < task_.blocks() && (!task_.mine(next_) || state_.done.contains(next_))) ++next_;
+  if (stop_ || problem_ || next_ >= task_.blocks()) return std::nullopt;
+  return next_++;
+}
+
+void OwnBlocks::finish(std::int64_t block, const SweepResult& result) { finish(std::vector{block}, result); }
+
+void OwnBlocks::finish(const std::vector<std::int64_t>& blocks, const SweepResult& result) {
+  const std::lock_guard lock(mutex_);
+  for (const std::int64_t block : blocks) state_.done.insert(block);
+  state_.result.add(result);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - reported_ < kBetweenReports) return;
+  reported_ = now;
+  progress_(state_);
+}
+
+void OwnBlocks::fail(std::exception_ptr problem) {
+  const std::lock_guard lock(mutex_);
+  if (!problem_) problem_ = std::move(problem);
+}
+
+void OwnBlocks::end() {
+  progress_(state_);
+  if (problem_) std::rethrow_exception(problem_);
+}
+
+void work(const SweepTask& task, const StreamSource& source, int threads, Blocks& blocks) {
   Queue queue(2 * static_cast<std::size_t>(threads));
-  const auto guarded = [&](const auto& work) {
-    return [&run, &queue, &work] {
+  const auto guarded = [&](const auto& what) {
+    return [&blocks, &queue, &what] {
       try {
-        work();
+        what();
       } catch (...) {
-        run.fail(std::current_exception());
+        blocks.fail(std::current_exception());
         queue.close();
       }
     };
   };
   const auto evaluate_and_judge = [&] {
-    Judge judge(task.points);
-    const std::unique_ptr<Stream> stream = source.make(task.points);
-    while (auto job = run.next()) {
-      stream->evaluate(job->u, job->results);
-      run.finish(*job, judge.judge(job->first, job->u, job->results));
+    Judges judges(task.map);
+    const std::unique_ptr<Stream> stream = source.make(task.map);
+    while (const auto block = blocks.next()) {
+      Job job(task, *block);
+      stream->evaluate(job.u, job.results);
+      blocks.finish(job.block, judges.judge(job.u, job.results));
     }
   };
   const auto judge_only = [&] {
-    Judge judge(task.points);
-    while (auto job = queue.pop()) run.finish(*job, judge.judge(job->first, job->u, job->results));
+    Judges judges(task.map);
+    while (const auto job = queue.pop()) blocks.finish(job->block, judges.judge(job->u, job->results));
   };
   const auto evaluate_only = [&] {
-    const std::unique_ptr<Stream> stream = source.make(task.points);
-    while (auto job = run.next()) {
-      stream->evaluate(job->u, job->results);
-      queue.push(std::move(*job));
+    const std::unique_ptr<Stream> stream = source.make(task.map);
+    while (const auto block = blocks.next()) {
+      Job job(task, *block);
+      stream->evaluate(job.u, job.results);
+      queue.push(std::move(job));
     }
   };
   std::vector<std::thread> others;
@@ -343,7 +325,13 @@ void sweep(const SweepTask& task, const StreamSource& source, int threads, Sweep
     queue.close();
   }
   for (std::thread& other : others) other.join();
-  run.end();
+}
+
+void sweep(const SweepTask& task, const StreamSource& source, int threads, SweepState& state,
+           const std::atomic<bool>& stop, const std::function<void(const SweepState&)>& progress) {
+  OwnBlocks blocks(task, state, stop, progress);
+  work(task, source, threads, blocks);
+  blocks.end();
 }
 
 }  // namespace evalcts::accuracy

@@ -1,4 +1,4 @@
-// Every float of an interval as argument of one polynomial: no result is left to chance.
+// Every float of an interval as argument of one map: no result is left to chance.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "harness/accuracy/errors.h"
 #include "harness/accuracy/stream.h"
+#include "harness/accuracy/swept_map.h"
 
 namespace evalcts::accuracy {
 
@@ -22,20 +23,21 @@ float float_of(std::int64_t number);
 // Blocks begin at multiples of this, so that all sweeps share their boundaries.
 inline constexpr std::int64_t kBlock = 1 << 16;
 
-// What is swept: the polynomial over [0,1] at the floats from `first` to `last`, by number; of their blocks
-// every `shards`-th, from the one with this position on (0 <= shard < shards).
+// What is swept: all components of the map at the floats from `from` to `to`; of their blocks every
+// `shards`-th, from the one with this position on (0 <= shard < shards).
 struct SweepTask {
-  std::vector<double> points;
+  SweptMap map;
   float from = 0, to = 1;
   std::int64_t shard = 0, shards = 1;
 
   std::int64_t first_block() const;
-  std::int64_t blocks() const;  // of all shards
+  std::int64_t blocks() const;                             // of all shards
+  std::vector<float> arguments(std::int64_t block) const;  // all of them, in order
   bool mine(std::int64_t block) const { return block % shards == shard; }
   std::int64_t blocks_of_shard() const { return (blocks() - shard + shards - 1) / shards; }
 };
 
-// Sums of parts, in whatever order the parts come: bit for bit the same.
+// Of all components together. Sums of parts, in whatever order the parts come: bit for bit the same.
 struct SweepResult {
   std::uint64_t values = 0;
   std::uint64_t decided_exactly = 0;  // right results that took the exact route
@@ -45,16 +47,18 @@ struct SweepResult {
   std::uint64_t zeros_wrong = 0;
   // Bins as those of Errors, of the results that are finite and not correctly rounded.
   std::array<std::uint64_t, Errors::kBins> histogram{};
-  // The largest errors, of results that are not correctly rounded; of equal ones that of the least argument.
+  // The largest errors, of results that are not correctly rounded; of equal ones that of the least argument,
+  // and there that of the first component.
   struct Largest {
     double error = 0;
     std::int64_t number = 0;  // of the argument
     float got = 0;
+    int component = 0;
     void keep(const Largest& other);
   };
   Largest ulp, condition_aware;
-  // The sum, modulo 2^64, of a hash of each argument with the bits of its result: equal for equal results,
-  // whatever the blocks, shards and machines.
+  // The sum, modulo 2^64, of a hash of each argument and component with the bits of its result: equal for
+  // equal results, whatever the blocks, shards and machines.
   std::uint64_t digest = 0;
 
   void add(const SweepResult& other);

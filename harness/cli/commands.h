@@ -83,12 +83,14 @@ struct RoundingOptions {
   std::optional<int> jobs;
 };
 
+inline constexpr std::uint64_t kValuesOfRow = 20'000, kValuesOfDigest = 10'000'000;
+
 struct UlpOptions {
   std::vector<std::string> implementations;  // empty: the usual ones
   std::string library, context, label;
-  std::vector<std::string> targets;    // empty: vertex_3
-  std::string filter;                  // of the classes of maps; empty: all
-  std::uint64_t values = 20'000;       // of each row of the table
+  std::vector<std::string> targets;     // empty: vertex_3
+  std::string filter;                   // of the classes of maps; empty: all
+  std::optional<std::uint64_t> values;  // of each row of the table, or of the digest
   std::optional<std::uint64_t> climb;  // results that the search for worse inputs may take; as many as values
   std::uint32_t seed = 1;
   std::optional<int> jobs;
@@ -100,11 +102,14 @@ struct UlpOptions {
   // Every float of an interval instead.
   bool sweep = false;
   float from = 0, to = 1;
-  std::string shard;       // "K/N"; empty: all
-  std::string checkpoint;  // file; empty: one in the output folder
-  std::string rows;        // for the process that measures one implementation: the file to fill
-  std::string command;     // as typed
-  std::string program;     // how it was called
+  std::optional<float> fixed_u, fixed_v;  // of a surface: where the argument stands that is not swept
+  bool digest = false;                    // instead: one line for many results
+  std::vector<std::string> merge;         // instead of that: files of its shards
+  std::string shard;                      // "K/N"; empty: all
+  std::string checkpoint;                 // file; empty: one in the output folder
+  std::string rows;     // for the process that measures one implementation: the file to fill
+  std::string command;  // as typed
+  std::string program;  // how it was called
 };
 
 struct VectorsOptions {

@@ -225,7 +225,9 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
       ->check(CLI::IsMember(ulp_targets()));
   ulp_command->add_option("--filter", ulp_options.filter,
                           "classes of maps: patterns as in GoogleTest, 'curve/4/*'");
-  ulp_command->add_option("--values", ulp_options.values, "of each row of the table")
+  ulp_command
+      ->add_option("--values", ulp_options.values,
+                   "of each row of the table (default: 20000), or of the digest (default: 10000000)")
       ->check(CLI::Range(1.0, 1e15));
   ulp_command
       ->add_option("--climb", ulp_options.climb,
@@ -246,7 +248,14 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
       ->delimiter(',')
       ->expected(1, 2);
   ulp_command->add_flag("--sweep", ulp_options.sweep,
-                        "every float of an interval as argument of one curve: --orders and --points");
+                        "every float of an interval as argument of one map: --orders and --points");
+  ulp_command->add_option("--u", ulp_options.fixed_u, "of a surface that is swept along v: its u");
+  ulp_command->add_option("--v", ulp_options.fixed_v, "of a surface that is swept along u: its v");
+  ulp_command->add_flag(
+      "--digest", ulp_options.digest,
+      "one line for many results of production, or of another implementation, on random maps");
+  ulp_command->add_option("--merge", ulp_options.merge,
+                          "files of all shards of a sweep: makes one of them, as of a sweep without shards");
   ulp_command->add_option("--from", ulp_options.from, "where the interval begins (default: 0)");
   ulp_command->add_option("--to", ulp_options.to, "where it ends (default: 1)");
   ulp_command

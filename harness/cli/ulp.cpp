@@ -46,7 +46,7 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
   for (const std::string& target : targets_of(options))
     for (const accuracy::Class& what : accuracy::table_classes())
       if (is_chosen(what.name(), options.filter))
-        rows.push_back({what, target, options.values, options.seed});
+        rows.push_back({what, target, options.values.value_or(kValuesOfRow), options.seed});
   return rows;
 }
 
@@ -81,7 +81,7 @@ int measure_rows(const UlpOptions& options) {
       try {
         const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
         accuracy::Errors errors = sample;
-        const std::uint64_t climbed = options.climb.value_or(options.values);
+        const std::uint64_t climbed = options.climb.value_or(options.values.value_or(kValuesOfRow));
         accuracy::climb(*subject, request, climbed, errors, interrupted);
         write(accuracy::row_as_json(request, *subject, errors, sample, climbed));
       } catch (const NotObservable& reason) {
@@ -305,16 +305,17 @@ void start(Measurement& measurement, const UlpOptions& options) {
   std::error_code error;
   fs::remove(measurement.rows, error);
   fs::remove(measurement.log, error);
-  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string(),
-                                      "ulp",
-                                      "--rows",
-                                      measurement.rows.string(),
-                                      "--seed",
-                                      std::to_string(options.seed),
-                                      "--values",
-                                      std::to_string(options.values),
-                                      "--climb",
-                                      std::to_string(options.climb.value_or(options.values))};
+  std::vector<std::string> command = {
+      fs::read_symlink("/proc/self/exe").string(),
+      "ulp",
+      "--rows",
+      measurement.rows.string(),
+      "--seed",
+      std::to_string(options.seed),
+      "--values",
+      std::to_string(options.values.value_or(kValuesOfRow)),
+      "--climb",
+      std::to_string(options.climb.value_or(options.values.value_or(kValuesOfRow)))};
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command.push_back(option + "=" + value);
   };
@@ -428,6 +429,8 @@ std::vector<std::string> ulp_targets() { return accuracy::target_names(); }
 int ulp(const UlpOptions& options) {
   if (!options.rows.empty()) return measure_rows(options);
   if (options.sweep) return sweep(options);
+  if (!options.merge.empty()) return merge(options);
+  if (options.digest) return digest(options);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
   const auto wrong_use = [](const std::string& words) {

@@ -1,4 +1,4 @@
-// The two halves of `evalcts ulp`.
+// The parts of `evalcts ulp`.
 #pragma once
 
 #include <string>
@@ -15,5 +15,9 @@ ImplementationOptions implementation_of(const UlpOptions& options);
 std::string wrong_points(const UlpOptions& options);
 // Every float of an interval.
 int sweep(const UlpOptions& options);
+// The shards of a sweep together.
+int merge(const UlpOptions& options);
+// One line for many results.
+int digest(const UlpOptions& options);
 
 }  // namespace evalcts::cli

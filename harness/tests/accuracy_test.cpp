@@ -2,12 +2,15 @@
 // known.
 #include <gtest/gtest.h>
 
+#include <glevaluator.h>
+
 #include <cmath>
 #include <numeric>
 
 #include <reference/filter.h>
 #include <reference/rounding.h>
 
+#include "harness/accuracy/digest.h"
 #include "harness/accuracy/table.h"
 
 namespace evalcts::accuracy {
@@ -193,6 +196,34 @@ TEST(Textbook, ErrorsAreThoseOfTheirPrecision) {
     EXPECT_LE(fine.condition_aware.error, 1.001) << name;
     EXPECT_LT(fine.not_correctly_rounded, rough.not_correctly_rounded / 100) << name;
   }
+}
+
+std::uint64_t digest_of(const StreamSource& source, std::uint64_t values, int threads = 1,
+                        std::uint32_t seed = 1) {
+  const std::atomic<bool> never = false;
+  return digest(source, {values, seed, threads}, never);
+}
+
+// A short form of what is published. Correctly rounded results are the same everywhere: this number may
+// change with the generator alone.
+TEST(Digest, IsTheSameOnEveryInstructionSet) {
+  for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i)
+    EXPECT_EQ(digest_of(production_source(glevGetTargetName(i)), 100'000), 2974708037908367321u)
+        << glevGetTargetName(i);
+}
+
+TEST(Digest, OfProductionIsThatOfTheOracle) {
+  EXPECT_EQ(digest_of(stream_source({"production"}), 12'345),
+            digest_of(stream_source({"reference"}), 12'345));
+}
+
+TEST(Digest, DependsOnResultsAndNotOnThreads) {
+  const StreamSource source = stream_source({"production"});
+  const std::uint64_t one = digest_of(source, 10'000);
+  EXPECT_EQ(digest_of(source, 10'000, 3), one);
+  EXPECT_NE(digest_of(source, 9'999), one);
+  EXPECT_NE(digest_of(source, 10'000, 1, 2), one);
+  EXPECT_NE(digest_of(stream_source({"sum-float"}), 10'000), one);
 }
 
 TEST(AccuracyTargets, HaveTokensOfBothDimensions) {

@@ -26,7 +26,8 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev clang clang-tidy-14
-  clang-format-14 gcovr chromium chromium-driver python3-selenium libvalijson-dev
+  clang-format-14 gcovr chromium chromium-driver python3-selenium gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
+  libvalijson-dev
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -430,6 +431,23 @@ evalcts bench --no-install
 exits 2
 says "libbenchmark-dev"
 called_not apt-get
+
+scenario "ulp: gnuplot comes with its first use, and is not needed"
+echo "$required libosmesa6 xvfb" | tr ' ' '\n' >"$machine/installed"
+evalcts ulp --no-install
+exits 7
+says "gnuplot-nox is not installed: without the pictures on the page of ulp"
+says_not libopenmpi-dev
+says "<program><ulp>"
+evalcts ulp
+exits 7
+says "installing gnuplot-nox"
+scenario "under mpirun: what builds the program for it"
+echo "$required libosmesa6 xvfb gnuplot-nox openmpi-bin" | tr ' ' '\n' >"$machine/installed"
+OMPI_COMM_WORLD_SIZE=2 evalcts ulp --sweep
+exits 7
+says "installing libopenmpi-dev"
+says "<program><ulp><--sweep>"
 
 scenario "test: stages, ctest's words, summary"
 install_all

@@ -13,6 +13,7 @@
 #include "harness/accuracy/checkpoint.h"
 #include "harness/accuracy/exact_line.h"
 #include "harness/accuracy/table.h"
+#include "harness/gl/tokens.h"
 #include "harness/tests/program.h"
 #include "vectors/lint/lint.h"
 
@@ -70,6 +71,7 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
           i < 10
               ? static_cast<float>(i - 5) / 4
               : static_cast<float>(std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(150))));
+      if (std::abs(u) > line->reach()) continue;
       ASSERT_EQ(line->to_float(u), exact.to_float(reference::Argument::coordinate(u)))
           << first << " " << last << " " << u;
     }
@@ -86,13 +88,48 @@ TEST(ExactLine, IsNotRoundedTwice) {
 }
 
 TEST(ExactLine, IsOnlyOfLines) {
-  EXPECT_TRUE(ExactLine::of({0, 1, 2, 3}));
-  EXPECT_TRUE(ExactLine::of({5}));
-  EXPECT_TRUE(ExactLine::of({5, 5, 5}));
-  EXPECT_FALSE(ExactLine::of({0, 1, 2, 4}));
-  EXPECT_FALSE(ExactLine::of({0, 0x1.000002p0, 2}));
+  const auto reach = [](const std::vector<double>& points) { return ExactLine::of(points).value().reach(); };
+  for (const std::vector<double>& line : {std::vector<double>{0, 1, 2, 3}, {5}, {5, 5, 5}})
+    EXPECT_TRUE(std::isinf(reach(line)));
+  for (const std::vector<double>& curve :
+       {std::vector<double>{0, 1, 2, 4}, {0, 0x1.000002p0, 2}, {1, 1, 2}, {0, 1, 0}, {0, 1, 4, 9}}) {
+    EXPECT_LT(reach(curve), 0x1p-11) << curve[1];
+    EXPECT_GT(reach(curve), 0x1p-40) << curve[1];
+  }
+  EXPECT_FALSE(ExactLine::of({0, 0, 1})) << "nothing but a rest";
   EXPECT_FALSE(ExactLine::of({1, 0x1p-40})) << "no short difference";
   EXPECT_FALSE(ExactLine::of({1, 0x1p-140})) << "no difference in double";
+}
+
+// Near zero most values of small integers are next to a tie, and so little beside it that nothing but the
+// exact value tells the side.
+TEST(ExactLine, KnowsTheSideNearZero) {
+  Random random(20240612, 0);
+  int tried = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::vector<double> points(3 + random.below(4));
+    for (double& point : points) point = static_cast<double>(random.below(19)) - 9;
+    if (random.once_in(3)) points[1] = points[0];  // without a slope
+    if (random.once_in(3)) points[0] = 0;
+    const auto line = ExactLine::of(points);
+    if (!line || std::isinf(line->reach())) continue;
+    ++tried;
+    const reference::BernsteinForm exact(
+        reference::Curve{points.data(), 1, static_cast<int>(points.size()), 0, 1});
+    const auto reach = static_cast<float>(line->reach());
+    for (int i = 0; i < 100; ++i) {
+      float u = std::ldexp(static_cast<float>(random.between(-1, 1)), -static_cast<int>(random.below(148)));
+      if (i == 0) u = reach;
+      if (i == 1) u = -reach;
+      if (i == 2) u = std::nextafter(reach, 0.0F);
+      if (i > 50) u *= reach;
+      if (std::abs(u) > reach) continue;
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(line->to_float(u)),
+                std::bit_cast<std::uint32_t>(exact.to_float(reference::Argument::coordinate(u))))
+          << testing::PrintToString(points) << " " << u;
+    }
+  }
+  EXPECT_GT(tried, 150);
 }
 
 TEST(FloatNumbers, AreInOrder) {
@@ -166,6 +203,55 @@ TEST(Sweep, CountsWhatTheExactRouteCounts) {
   }
 }
 
+// Surfaces along either argument, all targets, each component for itself.
+TEST(Sweep, GoesAlongAnyMap) {
+  Random random(7, 0);
+  int reduced = 0;
+  for (const std::string& target : target_names())
+    for (const char* along : {"curve", "u", "v"})
+      for (const float other : {0.5F, 0.3F}) {
+        SweptMap what;
+        what.target = target;
+        what.two_dimensional = along != std::string("curve");
+        if (!what.two_dimensional && other == 0.3F) continue;
+        what.map.uorder = 3;
+        what.map.vorder = what.two_dimensional ? 4 : 1;
+        what.map.components = gl::components_of(target_of(target, what.two_dimensional));
+        draw_points(what.map, {3, what.two_dimensional ? 4 : 0, "ordinary"}, random);
+        what.along_v = along == std::string("v");
+        what.other = what.two_dimensional ? other : 0;
+        SCOPED_TRACE(target + " " + along);
+        const SweepTask task{what, 0.7F, 0.7001F};
+        const SweepResult got = swept(task, stream_source({"sum-float"})).result;
+        Errors want;
+        const auto subject = make_textbook("sum-float");
+        for (int k = 0; k < what.map.components; ++k) {
+          Input input{3, what.map.vorder, what.two_dimensional, {}};
+          for (std::size_t i = k; i < what.map.points.size(); i += what.map.components)
+            input.points.push_back(what.map.points[i]);
+          const reference::BernsteinForm exact(input.surface());
+          for (std::int64_t n = number_of(task.from); n <= number_of(task.to); n += 1) {
+            input.u = what.along_v ? other : float_of(n);
+            input.v = what.along_v ? float_of(n) : what.other;
+            want.add(replay(*subject, "texture_coord_1", input),
+                     exact.evaluate_with_magnitude(input.argument_u(), input.argument_v()), input);
+          }
+        }
+        EXPECT_EQ(got.values, want.values);
+        EXPECT_EQ(got.not_correctly_rounded, want.not_correctly_rounded);
+        EXPECT_NEAR(got.ulp.error, want.ulp.error, want.ulp.error * 1e-8);
+        EXPECT_NEAR(got.condition_aware.error, want.condition_aware.error, want.condition_aware.error * 1e-8);
+        EXPECT_LT(got.ulp.component, what.map.components);
+        for (std::size_t bin = 2; bin < Errors::kBins; ++bin)
+          EXPECT_EQ(got.histogram[bin], want.histogram[bin]);
+        const SweepResult right = swept(task, stream_source({"production"})).result;
+        EXPECT_EQ(right.values, want.values);
+        EXPECT_EQ(right.not_correctly_rounded, 0u);
+        ++reduced;
+      }
+  EXPECT_EQ(reduced, 8 * 5);
+}
+
 TEST(Sweep, IsTheSameInThreadsAndShards) {
   const std::vector<double> points = {0.125, 0.75, -0.5, 0.875};
   for (const char* name : {"sum-float", "production"}) {
@@ -214,7 +300,7 @@ TEST(Sweep, EndsWithTheFirstProblem) {
   struct Broken final : Stream {
     void evaluate(std::span<const float>, std::span<float>) override { throw NotObservable("broken"); }
   };
-  source.make = [](const std::vector<double>&) { return std::make_unique<Broken>(); };
+  source.make = [](const SweptMap&) { return std::make_unique<Broken>(); };
   for (const bool for_threads : {false, true}) {
     source.for_threads = for_threads;
     EXPECT_THROW(swept({{1, 2}, 0.25F, 0.5F}, source), NotObservable);
@@ -250,8 +336,8 @@ TEST_F(Checkpoints, HoldAllOfAState) {
     std::atomic<int>& count_;
     std::atomic<bool>& end_;
   };
-  slow.make = [&](const std::vector<double>& points) {
-    return std::make_unique<Counting>(source_.make(points), evaluated, stop);
+  slow.make = [&](const SweptMap& map) {
+    return std::make_unique<Counting>(source_.make(map), evaluated, stop);
   };
   sweep(task_, slow, 1, state, stop, [](const SweepState&) {});
   ASSERT_EQ(state.done.size(), 2);
@@ -300,7 +386,7 @@ TEST_F(Checkpoints, OfAnotherSweepAreRefused) {
     return "none";
   };
   SweepTask other = task_;
-  other.points[2] = 1;
+  other.map.map.points[2] = 1;
   EXPECT_NE(complaint(other, source_.info).find("its points is"), std::string::npos);
   other = task_;
   other.to = 0.44F;
@@ -378,13 +464,175 @@ TEST_F(SweepCommand, WorstInputsAreReplayed) {
   EXPECT_NE(again.text.find(worst["right"]["bits"]), std::string::npos) << again.text << worst;
 }
 
+TEST_F(SweepCommand, ShardsAreMerged) {
+  const std::vector<std::string> interval = {"--from", "0.4", "--to", "0.43", "--checkpoint"};
+  const auto sweep = [&](const std::string& name, std::vector<std::string> more) {
+    more.insert(more.end(), interval.begin(), interval.end());
+    more.push_back(folder_ / name);
+    EXPECT_EQ(evalcts(command(more)).code, 0);
+  };
+  sweep("whole", {});
+  sweep("1", {"--shard", "1/2"});
+  sweep("2", {"--shard", "2/2"});
+  EXPECT_EQ(checkpoint("1")["proven"], false);
+  const auto merge = [&](const std::vector<std::string>& names, const std::string& into) {
+    std::vector<std::string> arguments = {"ulp", "--checkpoint", folder_ / into, "--merge"};
+    for (const std::string& name : names) arguments.push_back(folder_ / name);
+    return evalcts(arguments);
+  };
+  const Outcome outcome = merge({"2", "1"}, "merged");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  json merged = checkpoint("merged"), whole = checkpoint("whole");
+  EXPECT_EQ(complaints(merged), "");
+  EXPECT_EQ(merged["proven"], true);
+  for (json* file : {&merged, &whole}) {
+    file->erase("seconds");
+    file->erase("checksum");
+  }
+  EXPECT_EQ(merged, whole);
+  EXPECT_EQ(merge({"1", "2"}, "merged").code, 2) << "it is there already";
+
+  const auto refused = [&](const std::vector<std::string>& names) {
+    const Outcome refusal = merge(names, "not-made");
+    EXPECT_EQ(refusal.code, 2) << refusal.text;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "not-made"));
+    return refusal.text;
+  };
+  EXPECT_NE(refused({"1"}).find("shards are missing: 2/2"), std::string::npos);
+  EXPECT_NE(refused({"1", "1"}).find("is shard 1/2 once more"), std::string::npos);
+  EXPECT_NE(refused({"1", "whole"}).find("is shard 1/1: the others are of 2"), std::string::npos);
+  EXPECT_NE(refused({"1", "nowhere"}).find("is damaged (no whole JSON)"), std::string::npos);
+  std::ofstream(folder_ / "half") << std::ifstream(folder_ / "2").rdbuf();
+  std::filesystem::resize_file(folder_ / "half", 300);
+  EXPECT_NE(refused({"1", "half"}).find("is damaged"), std::string::npos);
+  sweep("other", {"--shard", "2/2", "--target", "normal"});
+  EXPECT_NE(refused({"1", "other"}).find("is of another sweep: its points is"), std::string::npos);
+}
+
+TEST_F(SweepCommand, GoesAlongSurfaces) {
+  const std::string file = folder_ / "sweep.json";
+  const std::vector<std::string> surface = {"ulp",
+                                            "--sweep",
+                                            "--implementation",
+                                            "sum-float",
+                                            "--orders",
+                                            "2,3",
+                                            "--points",
+                                            "1,-1,2,3,-2,0.5,1,4,-3,2,0,1",
+                                            "--from",
+                                            "0.5",
+                                            "--to",
+                                            "0.501",
+                                            "--checkpoint",
+                                            file};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), surface.begin(), surface.end());
+    return evalcts(more);
+  };
+  EXPECT_EQ(with({}).code, 2) << "where does the other argument stand?";
+  EXPECT_EQ(with({"--u", "0.5", "--v", "0.5"}).code, 2);
+  EXPECT_EQ(with({"--v", "0.5", "--target", "normal"}).code, 2) << "two components, not three";
+  const Outcome outcome = with({"--u", "0.3"});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  const json result = checkpoint("sweep.json");
+  EXPECT_EQ(complaints(result), "");
+  EXPECT_EQ(result["map"]["target"], "texture_coord_2");
+  EXPECT_EQ(result["map"]["swept"], "v");
+  EXPECT_EQ(with({"--v", "0.3"}).code, 2) << "another sweep";
+  // The command below the largest error evaluates it again.
+  const json worst = result["result"]["worst_ulp"];
+  const std::size_t line = outcome.text.find("  " EVALCTS_PROGRAM " ulp --implementation sum-float");
+  ASSERT_NE(line, std::string::npos) << outcome.text;
+  const std::string again = outcome.text.substr(line, outcome.text.find('\n', line) - line);
+  EXPECT_NE(start({"/bin/sh", "-c", again}).text.find(worst["got"]["bits"]), std::string::npos) << again;
+}
+
+#ifdef MPIEXEC
+// By mpirun: the same to the bit, whatever the number of processes, and after one of them was killed.
+class SweepOfProcesses : public SweepCommand {
+ protected:
+  static constexpr const char* kTo = "0.5";
+  std::vector<std::string> by_mpirun(const std::string& processes, const std::string& file,
+                                     const char* to = kTo) {
+    for (const char* variable : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"})
+      setenv(variable, "1", 1);
+    std::vector<std::string> all = {MPIEXEC, "--oversubscribe", "-n", processes, EVALCTS_PROGRAM};
+    const std::vector<std::string> own =
+        command({"--from", "0.375", "--to", to, "--checkpoint", folder_ / file});
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+  }
+};
+
+TEST_F(SweepOfProcesses, GivesWhatOneGives) {
+  ASSERT_EQ(evalcts(command({"--from", "0.375", "--to", kTo, "--checkpoint", folder_ / "one"})).code, 0);
+  for (const char* processes : {"2", "4"}) {
+    const Outcome outcome = start(by_mpirun(processes, processes));
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find(std::string(", ") + processes + " processes"), std::string::npos)
+        << outcome.text;
+    EXPECT_EQ(checkpoint(processes)["result"], checkpoint("one")["result"]);
+    EXPECT_EQ(checkpoint(processes)["status"], "complete");
+  }
+  const Outcome again = start(by_mpirun("2", "2"));
+  EXPECT_EQ(again.code, 0) << "nothing is left to do: " << again.text;
+  EXPECT_EQ(start(by_mpirun("2", "2", "0.51")).code, 2) << "another sweep's file";
+}
+
+TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
+  const auto ranks = [](const char* number) {
+    std::vector<pid_t> found;
+    for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+      std::ifstream environment(process.path() / "environ"), command_line(process.path() / "cmdline");
+      const std::string variables((std::istreambuf_iterator<char>(environment)),
+                                  std::istreambuf_iterator<char>());
+      const std::string words((std::istreambuf_iterator<char>(command_line)),
+                              std::istreambuf_iterator<char>());
+      if (variables.find(std::string("OMPI_COMM_WORLD_RANK=") + number + '\0') != std::string::npos &&
+          words.find("--sweep") != std::string::npos)
+        found.push_back(static_cast<pid_t>(std::stol(process.path().filename())));
+    }
+    return found;
+  };
+  const char* const to = "0x1p2";
+  {
+    ChildProcess child(by_mpirun("2", "sweep.json", to), (folder_ / "killed.log").string());
+    for (int i = 0; i < 1500 && !std::filesystem::exists(folder_ / "sweep.json"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (const pid_t rank : ranks("1")) kill(rank, SIGKILL);
+    const auto ending = child.wait(60);
+    ASSERT_TRUE(ending) << "the job ends with its process";
+    EXPECT_NE(ending->value, 0);
+  }
+  const json before = checkpoint("sweep.json");
+  EXPECT_EQ(before["status"], "unfinished");
+  ASSERT_GT(before["blocks_done"].size(), 0u);
+  const Outcome outcome = start(by_mpirun("2", "sweep.json", to));
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
+  EXPECT_EQ(checkpoint("sweep.json")["status"], "complete");
+  ASSERT_EQ(evalcts(command({"--from", "0.375", "--to", to, "--checkpoint", folder_ / "one"})).code, 0);
+  EXPECT_EQ(checkpoint("sweep.json")["result"], checkpoint("one")["result"]);
+}
+
+TEST_F(SweepOfProcesses, SaysOnceWhatIsWrong) {
+  std::vector<std::string> arguments = by_mpirun("2", "sweep.json");
+  *std::find(arguments.begin(), arguments.end(), "sum-float") = "production-fast";
+  Outcome outcome = start(arguments);
+  EXPECT_EQ(outcome.code, 2) << outcome.text;
+  EXPECT_NE(outcome.text.find("production-fast is for grids"), std::string::npos) << outcome.text;
+  EXPECT_EQ(outcome.text.find("evalcts: "), outcome.text.rfind("evalcts: "));
+}
+#endif
+
 TEST_F(SweepCommand, WrongUseIsTwo) {
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--at", "0.5"},
                                                {"--from", "1", "--to", "0.5"},
                                                {"--from", "nan"},
                                                {"--to", "inf"},
                                                {"--shard", "3/2"},
-                                               {"--target", "normal"},
+                                               {"--target", "normal", "--target", "color_4"},
+                                               {"--v", "0.5"},
                                                {"--implementation", "production"},
                                                {"--checkpoint", "/proc/nowhere/sweep.json"}})
     EXPECT_EQ(evalcts(command(more)).code, 2) << more.front();

@@ -194,6 +194,23 @@ TEST_F(UlpCommand, SurvivesACrash) {
   EXPECT_EQ(complaints(document()), "");
 }
 
+TEST_F(UlpCommand, DigestIsOneLine) {
+  const auto line = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--digest", "--values", "3000"});
+    const Outcome outcome = ulp(more);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_TRUE(
+        std::regex_search(outcome.text, std::regex("^digest [0-9a-f]{16} of 3000 results, seed \\d+: ")))
+        << outcome.text;
+    return outcome.text.substr(0, 23);
+  };
+  const std::string one = line({});
+  EXPECT_EQ(line({"--jobs", "3"}), one);
+  EXPECT_EQ(line({"--implementation", "reference"}), one);
+  EXPECT_NE(line({"--seed", "2"}), one);
+  EXPECT_EQ(ulp({"--digest", "--implementation", "production-fast"}).code, 2);
+}
+
 TEST_F(UlpCommand, WrongUseIsTwo) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"--implementation", "nonsense"},

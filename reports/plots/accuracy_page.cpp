@@ -63,7 +63,8 @@ data implementations_view(const json& ulp) {
     add("Renderer", words(entry, "renderer"));
     add("Version", words(entry, "version"));
     item.set("facts", facts);
-    all << item;
+    // An algorithm is its name.
+    if (facts.is_non_empty_list()) all << item;
   }
   return all;
 }
@@ -174,6 +175,17 @@ std::string largest_of_sweep(const json& largest) {
   return fmt::format("{} at {}", error_text(largest.at("error")), shown(largest.at("at")));
 }
 
+std::string map_in_words(const json& sweep) {
+  if (!sweep.contains("map")) return fmt::format("order {}", sweep.at("points").size());
+  const json& map = sweep.at("map");
+  std::string text = shown(map.at("target"));
+  for (const json& order : map.at("orders"))
+    text += fmt::format("{}{}", &order == &map.at("orders").front() ? ", order " : " x ", order.get<int>());
+  if (map.contains("swept"))
+    text += fmt::format(", along {}, the other argument {}", shown(map.at("swept")), shown(map.at("other")));
+  return text;
+}
+
 data sweeps_view(const std::vector<json>& sweeps) {
   data all = list_of();
   for (const json& sweep : sweeps) {
@@ -184,10 +196,8 @@ data sweeps_view(const std::vector<json>& sweeps) {
     item.set("implementation",
              shown(implementation.at("kind").get<std::string>() + " " + implementation.value("renderer", "") +
                    " " + implementation.value("version", "")));
-    const std::size_t points = sweep.at("points").size();
-    item.set("map",
-             fmt::format("{}, from {} to {}", shown(sweep.value("map", fmt::format("order {}", points))),
-                         shown(sweep.at("interval").at(0)), shown(sweep.at("interval").at(1))));
+    item.set("map", fmt::format("{}, from {} to {}", map_in_words(sweep), shown(sweep.at("interval").at(0)),
+                                shown(sweep.at("interval").at(1))));
     item.set("points", shown(join(sweep.at("points").get<std::vector<std::string>>(), ", ")));
     item.set("values", fmt::format("{}", result.at("values").get<std::uint64_t>()));
     item.set("wrong", fmt::format("{}", result.at("not_correctly_rounded").get<std::uint64_t>()));

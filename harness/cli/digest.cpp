@@ -1,0 +1,42 @@
+// `evalcts ulp --digest`: one line for millions of results.
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "harness/accuracy/digest.h"
+#include "harness/cli/terminal.h"
+#include "harness/cli/ulp.h"
+#include "harness/runner/runner.h"
+
+namespace evalcts::cli {
+
+int digest(const UlpOptions& options) {
+  UlpOptions chosen = options;
+  if (chosen.implementations.empty() && options.library.empty() && options.context.empty())
+    chosen.implementations.emplace_back("production");
+  if (chosen.implementations.size() > 1) {
+    std::cerr << "evalcts: --digest is for one implementation\n";
+    return kWrongUse;
+  }
+  stop_when_asked();
+  try {
+    const accuracy::StreamSource source = accuracy::stream_source(implementation_of(chosen));
+    const std::uint64_t values = options.values.value_or(kValuesOfDigest);
+    const std::uint64_t sum =
+        accuracy::digest(source, {values, options.seed, options.jobs.value_or(usual_jobs())}, interrupted);
+    if (interrupted) {
+      std::cerr << "evalcts: interrupted\n";
+      return kWrongUse;
+    }
+    std::cout << fmt::format("digest {:016x} of {} results, seed {}: {} {} {}\n", sum, values, options.seed,
+                             source.info.name, source.info.renderer, source.info.version);
+    return kNothingUnexpected;
+  } catch (const CannotStart& reason) {
+    std::cerr << "evalcts: " << reason.what() << "\n";
+  } catch (const NotObservable& reason) {
+    std::cerr << "evalcts: " << reason.what() << "\n";
+  }
+  return kWrongUse;
+}
+
+}  // namespace evalcts::cli

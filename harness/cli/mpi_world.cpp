@@ -1,0 +1,226 @@
+// Sweeps of several processes by MPI (its C interface). Rank 0 keeps the state and hands out blocks; the
+// others ask for some, and tell what came of the last ones in the same message.
+#define OMPI_SKIP_MPICXX 1
+#define MPICH_SKIP_MPICXX 1
+#include <mpi.h>
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+#include <deque>
+#include <thread>
+#include <type_traits>
+
+#include "harness/accuracy/blocks.h"
+#include "harness/cli/world.h"
+
+namespace evalcts::cli {
+namespace {
+
+using accuracy::SweepResult;
+using Clock = std::chrono::steady_clock;
+
+enum Tag { kHello = 1, kReport, kGoodbye, kProblem, kOrders };
+
+// So many blocks at a time that messages are rare and what is lost with a process is little.
+constexpr auto kShortOrder = std::chrono::milliseconds(50);
+constexpr std::int64_t kLongestOrder = 64;
+constexpr auto kBetweenLooks = std::chrono::microseconds(200);
+
+// All that a rank says of finished blocks; their positions come after it.
+struct Report {
+  std::int64_t wanted = 0;
+  std::int64_t finished = 0;
+  SweepResult result;
+};
+static_assert(std::is_trivially_copyable_v<Report>, "it travels as bytes, between machines of one kind");
+
+void send(int rank, Tag tag, const void* data, std::size_t size) {
+  MPI_Send(data, static_cast<int>(size), MPI_BYTE, rank, tag, MPI_COMM_WORLD);
+}
+void send(int rank, Tag tag, const std::string& text) { send(rank, tag, text.data(), text.size()); }
+
+std::vector<char> receive(const MPI_Status& status) {
+  int size = 0;
+  MPI_Get_count(&status, MPI_BYTE, &size);
+  std::vector<char> data(static_cast<std::size_t>(size));
+  MPI_Recv(data.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return data;
+}
+
+// Those that rank 0 hands out, as the threads of another rank see them.
+class RemoteBlocks final : public accuracy::Blocks {
+ public:
+  std::optional<std::int64_t> next() override {
+    const std::lock_guard lock(mutex_);
+    if (orders_.empty() && !ended_) ask();
+    if (orders_.empty()) return std::nullopt;
+    const std::int64_t block = orders_.front();
+    orders_.pop_front();
+    return block;
+  }
+  void finish(std::int64_t block, const SweepResult& result) override {
+    const std::lock_guard lock(mutex_);
+    finished_.push_back(block);
+    result_.add(result);
+  }
+  void fail(std::exception_ptr problem) override {
+    const std::lock_guard lock(mutex_);
+    if (!problem_) problem_ = std::move(problem);
+    orders_.clear();
+    ended_ = true;
+  }
+  // After the last block. Throws the first problem.
+  void end() {
+    tell(kGoodbye, 0);
+    if (problem_) std::rethrow_exception(problem_);
+  }
+
+ private:
+  void ask() {
+    if (Clock::now() - asked_ < kShortOrder) wanted_ = std::min(2 * wanted_, kLongestOrder);
+    if (Clock::now() - asked_ > 4 * kShortOrder) wanted_ = std::max<std::int64_t>(wanted_ / 2, 1);
+    tell(kReport, wanted_);
+    MPI_Status status;
+    MPI_Probe(0, kOrders, MPI_COMM_WORLD, &status);
+    const std::vector<char> data = receive(status);
+    std::vector<std::int64_t> blocks(data.size() / sizeof(std::int64_t));
+    std::memcpy(blocks.data(), data.data(), data.size());
+    orders_.assign(blocks.begin(), blocks.end());
+    ended_ = blocks.empty();
+    asked_ = Clock::now();
+  }
+  void tell(Tag tag, std::int64_t wanted) {
+    const Report report{wanted, static_cast<std::int64_t>(finished_.size()), result_};
+    std::vector<char> data(sizeof report + finished_.size() * sizeof(std::int64_t));
+    std::memcpy(data.data(), &report, sizeof report);
+    std::memcpy(data.data() + sizeof report, finished_.data(), finished_.size() * sizeof(std::int64_t));
+    send(0, tag, data.data(), data.size());
+    finished_.clear();
+    result_ = {};
+  }
+
+  std::mutex mutex_;
+  std::deque<std::int64_t> orders_;
+  bool ended_ = false;
+  std::int64_t wanted_ = 1;
+  Clock::time_point asked_ = Clock::now();
+  std::vector<std::int64_t> finished_;
+  SweepResult result_;
+  std::exception_ptr problem_;
+};
+
+class MpiWorld final : public World {
+ public:
+  MpiWorld() {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &size_);
+    if (provided < MPI_THREAD_SERIALIZED) throw CannotStart("this MPI is for programs of one thread");
+    if (size_ < processes_of_environment())
+      throw CannotStart(fmt::format(
+          "{} processes were started, but MPI knows of {}: start them by mpirun of the MPI that this "
+          "program was built with, or by srun --mpi=pmix",
+          processes_of_environment(), size_));
+  }
+  MpiWorld(const MpiWorld&) = delete;
+  MpiWorld& operator=(const MpiWorld&) = delete;
+  ~MpiWorld() override { MPI_Finalize(); }
+
+  int rank() const override { return rank_; }
+  int size() const override { return size_; }
+
+  void lead(const accuracy::SweepTask& task, const nlohmann::json& identity,
+            const accuracy::StreamSource& source, int threads, accuracy::SweepState& state,
+            const std::atomic<bool>& stop,
+            const std::function<void(const accuracy::SweepState&)>& progress) override {
+    accuracy::OwnBlocks blocks(task, state, stop, progress);
+    // The messages are this thread's.
+    std::thread own([&] { accuracy::work(task, source, threads, blocks); });
+    listen(&blocks, identity.dump());
+    own.join();
+    blocks.end();
+  }
+
+  void dismiss() override { listen(nullptr, ""); }
+
+  void serve(const accuracy::SweepTask& task, const std::function<accuracy::StreamSource()>& source,
+             int threads) override {
+    RemoteBlocks blocks;
+    try {
+      const accuracy::StreamSource own = source();
+      send(0, kHello, accuracy::identity_of(task, own.info).dump());
+      accuracy::work(task, own, threads, blocks);
+      blocks.end();
+    } catch (const std::exception& problem) {
+      send(0, kProblem, problem.what());
+      return;
+    }
+    send(0, kProblem, "");
+  }
+
+ private:
+  // Answers until every other rank has said its last word: a problem, or none. No blocks: all are sent home.
+  void listen(accuracy::OwnBlocks* blocks, const std::string& identity) {
+    for (int left = size_ - 1; left > 0;) {
+      MPI_Status status;
+      int there = 0;
+      MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
+      if (there == 0) {
+        std::this_thread::sleep_for(kBetweenLooks);  // MPI's own waiting takes a core
+        continue;
+      }
+      const std::vector<char> data = receive(status);
+      const int rank = status.MPI_SOURCE;
+      const auto fails = [&](const std::string& why) {
+        if (blocks != nullptr)
+          blocks->fail(
+              std::make_exception_ptr(CannotStart(fmt::format("process {} of {}: {}", rank, size_, why))));
+      };
+      const std::string text(data.begin(), data.end());
+      switch (status.MPI_TAG) {
+        case kHello:
+          if (text != identity)
+            fails(fmt::format("another implementation or version of it: {}, not {}", text, identity));
+          break;
+        case kProblem:
+          --left;
+          if (!text.empty()) fails(text);
+          break;
+        default:
+          take(rank, status.MPI_TAG == kReport, data, blocks);
+      }
+    }
+  }
+
+  static void take(int rank, bool wants_more, const std::vector<char>& data, accuracy::OwnBlocks* blocks) {
+    Report report;
+    std::memcpy(&report, data.data(), sizeof report);
+    std::vector<std::int64_t> finished(static_cast<std::size_t>(report.finished)), orders;
+    std::memcpy(finished.data(), data.data() + sizeof report, finished.size() * sizeof(std::int64_t));
+    try {
+      if (blocks != nullptr && !finished.empty()) blocks->finish(finished, report.result);
+    } catch (...) {  // the checkpoint cannot be written
+      blocks->fail(std::current_exception());
+    }
+    if (!wants_more) return;
+    while (blocks != nullptr && static_cast<std::int64_t>(orders.size()) < report.wanted) {
+      const auto block = blocks->next();
+      if (!block) break;
+      orders.push_back(*block);
+    }
+    send(rank, kOrders, orders.data(), orders.size() * sizeof(std::int64_t));
+  }
+
+  int rank_ = 0, size_ = 1;
+};
+
+[[maybe_unused]] const bool registered = [] {
+  join_world = [] { return std::unique_ptr<World>(std::make_unique<MpiWorld>()); };
+  return true;
+}();
+
+}  // namespace
+}  // namespace evalcts::cli
