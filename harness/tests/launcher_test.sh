@@ -462,7 +462,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev libglu1-mesa-dev ["
+called "libosmesa6 xvfb python3 libmpfi-dev gfortran pkg-config libpng-dev libglu1-mesa-dev gnuplot-nox libopenmpi-dev openmpi-bin ["
 called "ctest --preset debug in"
 called_not release
 
