@@ -54,7 +54,8 @@ void write_command(const std::string& name, const CLI::App& command, std::ostrea
   for (const CLI::Option* option : command.get_options())
     // Without those that every command has, and those that are for programs.
     if (option != command.get_help_ptr() && !option->get_group().empty()) write_option(*option, out);
-  if (!command.get_footer().empty()) verbatim(command.get_footer(), out);
+  // One without a footer has that of the program.
+  if (command.get_footer() != command.get_parent()->get_footer()) verbatim(command.get_footer(), out);
   for (const CLI::App* part : command.get_subcommands({}))
     write_command(name + " " + part->get_name(), *part, out);
 }
