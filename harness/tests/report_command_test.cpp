@@ -123,19 +123,20 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
       {wrong.dump(), "tests[0].verdict: unknown verdict \"passed\""},
       {twice.dump(), "stands in this record twice"},
       {shard.dump(), "is no K-of-N"}};
+  const auto refuses = [this](const std::vector<std::string>& arguments, const std::string& words) {
+    std::vector<std::string> command = {"report", "--output", path("out")};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = evalcts(command);
+    EXPECT_EQ(outcome.code, 2) << words;
+    EXPECT_TRUE(has(outcome.text, words)) << outcome.text;
+    EXPECT_EQ(text_of("out/index.html"), "the page of before");
+  };
   for (const auto& [text, words] : cases) {
     write("bad/results-y.json", text);
-    for (const std::vector<std::string>& arguments : {std::vector<std::string>{path("good"), path("bad")},
-                                                      {path("bad/results-y.json")},
-                                                      {path("good"), "--before", path("bad")}}) {
-      std::vector<std::string> command = {"report", "--output", path("out")};
-      command.insert(command.end(), arguments.begin(), arguments.end());
-      const Outcome outcome = evalcts(command);
-      EXPECT_EQ(outcome.code, 2) << words;
-      EXPECT_TRUE(has(outcome.text, words)) << outcome.text;
-      EXPECT_EQ(text_of("out/index.html"), "the page of before");
-    }
+    refuses({path("good"), path("bad")}, words);
   }
+  refuses({path("bad/results-y.json")}, "is no K-of-N");
+  refuses({path("good"), "--before", path("bad")}, "is no K-of-N");
   for (const std::string& argument :
        std::vector<std::string>{path("nowhere"), path("empty"), std::string("/dev/null"), std::string()}) {
     const Outcome outcome = evalcts({"report", argument, "--output", path("out")});

@@ -55,21 +55,25 @@ data accuracy_view(const std::vector<Column>& columns) {
   return out;
 }
 
-// One entry for each implementation, verdict and reason, with the tests that share them.
+// One entry for each verdict, reason, and list of tests; implementations that agree in all of that share it.
 data undecided_view(const std::vector<Column>& columns) {
-  data out = list();
+  using Names = std::vector<std::string>;
+  std::map<std::pair<Verdict, std::string>, std::map<Names, std::vector<std::string>>> labels;
   for (const Column& column : columns) {
-    std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
+    std::map<std::pair<Verdict, std::string>, Names> reasons;
     for (const TestResult& outcome : column.record.tests) {
-      if (outcome.verdict > Verdict::kQualityWarning && outcome.verdict < Verdict::kPass) {
+      if (outcome.verdict > Verdict::kQualityWarning && outcome.verdict < Verdict::kPass)
         reasons[{outcome.verdict, outcome.message}].push_back(outcome.name);
-      }
     }
-    for (const auto& [key, names] : reasons) {
+    for (const auto& [reason, names] : reasons) labels[reason][names].push_back(column.label);
+  }
+  data out = list();
+  for (const auto& [reason, groups] : labels) {
+    for (const auto& [names, who] : groups) {
       data item, links = list();
-      set_verdict(item, key.first);
-      item.set("label", column.label);
-      item.set("why", key.second.empty() ? "no reason given" : key.second);
+      set_verdict(item, reason.first);
+      item.set("label", join(who, ", "));
+      item.set("why", reason.second.empty() ? "no reason given" : reason.second);
       item.set("n", count(names.size(), "test"));
       for (const std::string& name : names) {
         data link;

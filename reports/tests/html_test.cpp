@@ -130,6 +130,18 @@ TEST(Html, ReadingsWithTheirMeaning) {
   EXPECT_EQ(occurrences(page, "not seen"), 1u);
 }
 
+TEST(Html, WhoAgreesInWhatWasNotDecidedSharesIt) {
+  const auto hidden = [](const char* name) {
+    return json{{"name", name}, {"verdict", "not-observable"}, {"message", "no way"}};
+  };
+  const std::string page =
+      html({named("x", {hidden("A.b"), hidden("A.c")}), named("y", {hidden("A.b"), hidden("A.c")}),
+            named("z", json::array({hidden("A.b")}))},
+           nullptr);
+  EXPECT_TRUE(contains(page, "x, y: no way <span class=\"faint\">(2 tests)</span>"));
+  EXPECT_TRUE(contains(page, "z: no way <span class=\"faint\">(1 test)</span>"));
+}
+
 TEST(Html, ChangesStandFirst) {
   const json before =
       named("x", {{{"name", "A.b"}, {"verdict", "pass"}}, {{"name", "A.gone"}, {"verdict", "pass"}}});
