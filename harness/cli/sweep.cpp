@@ -51,7 +51,8 @@ std::string largest_in_words(const json& checkpoint, const char* which, const ch
 }
 
 // `ulp` and `condition_aware`: what follows the largest errors.
-std::string in_words(const json& checkpoint, const std::string& ulp, const std::string& condition_aware) {
+std::string sweep_in_words(const json& checkpoint, const std::string& ulp,
+                           const std::string& condition_aware) {
   const json& result = checkpoint["result"];
   const double values = std::max(1.0, result["values"].get<double>());
   const double seconds = checkpoint["seconds"];
@@ -190,7 +191,7 @@ int merge(const UlpOptions& options) {
       return kWrongUse;
     }
     accuracy::write_checkpoint(file, whole);
-    std::cout << in_words(whole, {}, {}) << fmt::format("complete: {}\n", file.string());
+    std::cout << sweep_in_words(whole, {}, {}) << fmt::format("complete: {}\n", file.string());
     return kNothingUnexpected;
   } catch (const std::runtime_error& problem) {
     std::cerr << fmt::format("evalcts: {}\n", problem.what());
@@ -303,8 +304,8 @@ int sweep(const UlpOptions& options) {
     const json last = accuracy::checkpoint_of(
         task, identity, state,
         before + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    line.print(in_words(last, replay_line(options, task, last["result"]["worst_ulp"]),
-                        replay_line(options, task, last["result"]["worst_condition_aware"])));
+    line.print(sweep_in_words(last, replay_line(options, task, last["result"]["worst_ulp"]),
+                              replay_line(options, task, last["result"]["worst_condition_aware"])));
     line.print(fmt::format("{}: {}\n", last["status"].get<std::string>(), file.string()));
     if (last["status"] == "complete") return kNothingUnexpected;
     std::cerr << "evalcts: interrupted; the same command goes on from there\n";
