@@ -78,6 +78,11 @@
     });
   }
   addEventListener('hashchange', openTarget);
+  // The same link once more changes nothing in the address.
+  document.addEventListener('click', (event) => {
+    const link = event.target.closest('a[href^="#"]');
+    if (link && link.hash === location.hash) setTimeout(openTarget);  // after the browser has followed it
+  });
   // The browser may have kept what was chosen before the page was loaded again.
   filter();
   openTarget();
