@@ -280,6 +280,10 @@ std::string inlined(const Figure& figure, std::string svg) {
     for (const char* before : {"id='", "id=\"", "href='#", "url(#"})
       replace_all(svg, before + std::string(name), before + figure.id + "_" + name);
   }
+  // Panels have the same again, for nothing on this page.
+  const std::string plot = " id=\"" + figure.id + "_plot_";
+  for (std::size_t at = 0; (at = svg.find(plot, at)) != std::string::npos;)
+    svg.erase(at, svg.find('"', at + plot.size()) + 1 - at);
   const std::size_t title = svg.find("<title>"), after = svg.find("<g ");
   if (title != std::string::npos && title < after) svg.erase(title, after - title);
   for (std::size_t i = 0; i < figure.names.size(); ++i)

@@ -68,7 +68,8 @@ json ulp_of(const std::string& name) {
 // As gnuplot writes: a head, colours in both ways, names of elements that are the same in all pictures.
 std::string svg_of(const std::string& text) {
   return "<?xml version=\"1.0\"?>\n<svg \n viewBox=\"0 0 9 9\"\n>\n<title>x</title>\n<desc>y</desc>\n"
-         "<g id=\"gnuplot_canvas\"><circle id='gpDot'/><use xlink:href='#gpDot'/>"
+         "<g id=\"gnuplot_canvas\"><g id=\"histograms_plot_1\" >"
+         "<circle id='gpDot'/></g><use xlink:href='#gpDot'/>"
          "<path stroke='rgb(  4,   4,   4)'/><text fill=\"rgb(1,1,1)\">" +
          text + "</text></g>\n</svg>\n";
 }
@@ -93,6 +94,8 @@ TEST(AccuracyPage, HasPicturesInIt) {
                          "href='#histograms_gpDot'", "id=\"histograms_gnuplot_canvas\""})
     EXPECT_EQ(count_of(page, id), 1u) << id;
   EXPECT_EQ(count_of(page, "id='gpDot'"), 0u);
+  EXPECT_EQ(count_of(page, "id=\"histograms_plot_1\""), 2u)
+      << "gone from the histograms, not from where it is alone";
   EXPECT_EQ(count_of(page, "stroke='var(--ulp)'"), 3u);
   EXPECT_EQ(count_of(page, "<text fill=\"var(--text)\">osmesa</text>"), 3u);
   EXPECT_EQ(count_of(page, "role=\"img\" aria-label="), 3u);
