@@ -23,6 +23,14 @@ namespace fs = std::filesystem;
 
 // --- libraries ---------------------------------------------------------------------------------------------
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr char kMemory[] = "3000";
+constexpr char kEndedWell[] = "exit code ";  // of what then finds leaks
+#else
+constexpr char kMemory[] = "600";
+constexpr char kEndedWell[] = "exit code 0";
+#endif
+
 struct Misdeed {
   const char* what;
   const char* verdict;
@@ -72,12 +80,6 @@ class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {
     EXPECT_FALSE(fs::exists(folder_ / ".lock"));
     EXPECT_LT(fs::file_size(folder_ / "log-drill.txt"), 200'000u);
   }
-
-#ifdef __SANITIZE_ADDRESS__
-  static constexpr char kMemory[] = "3000";
-#else
-  static constexpr char kMemory[] = "600";
-#endif
 };
 
 TEST_P(Misdeeds, CostOneTestAtMost) {
@@ -88,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
     Ways, Misdeeds,
     testing::Values(Misdeed{"crash", "crash", "SIGSEGV", "1"}, Misdeed{"crash", "crash", "SIGSEGV", "3"},
                     Misdeed{"abort", "crash", "SIGABRT"}, Misdeed{"exit", "crash", "exit code 7"},
-                    Misdeed{"exit-well", "crash", "exit code 0"}, Misdeed{"kill", "crash", "SIGKILL"},
+                    Misdeed{"exit-well", "crash", kEndedWell}, Misdeed{"kill", "crash", "SIGKILL"},
                     Misdeed{"thread", "crash", "SIGSEGV"}, Misdeed{"heap", "crash", "the process ended with"},
                     Misdeed{"memory", "crash", " MiB of memory"},
                     Misdeed{"flood", "pass", " bytes more are left out here"}, Misdeed{"close", "pass"},
