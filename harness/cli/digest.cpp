@@ -7,6 +7,7 @@
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 
@@ -29,7 +30,8 @@ int digest(const UlpOptions& options) {
       return kWrongUse;
     }
     std::cout << fmt::format("digest {:016x} of {} results, seed {}: {} {} {}\n", sum, values, options.seed,
-                             source.info.name, source.info.renderer, source.info.version);
+                             source.info.name, reports::clean(source.info.renderer),
+                             reports::clean(source.info.version));
     return kNothingUnexpected;
   } catch (const CannotStart& reason) {
     std::cerr << "evalcts: " << reason.what() << "\n";

@@ -9,9 +9,9 @@
 
 #include "harness/cli/command_line.h"
 #include "harness/cli/commands.h"
-#include "harness/cli/manual.h"
 #include "harness/cli/environment.h"
 #include "harness/cli/help.h"
+#include "harness/cli/manual.h"
 #include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
 #include "harness/runner/events.h"

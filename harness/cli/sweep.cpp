@@ -23,6 +23,7 @@
 #include "harness/gl/tokens.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -268,16 +269,17 @@ int sweep(const UlpOptions& options) {
       line.print(fmt::format("{}: {} of {} blocks were done before\n", file.string(), state.done.size(),
                              task.blocks_of_shard()));
     }
-    line.print(fmt::format(
-        "{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}\n", label,
-        source.info.renderer, source.info.version, task.map.is_plain_curve() ? "" : task.map.target + ", ",
-        fmt::join(options.orders, " x "), fmt::join(identity["points"].get<std::vector<std::string>>(), ","),
-        accuracy::hex(task.from), accuracy::hex(task.to),
-        !task.map.two_dimensional ? ""
-        : task.map.along_v        ? " for v, u = " + accuracy::hex(task.map.other)
-                                  : " for u, v = " + accuracy::hex(task.map.other),
-        (task.shards > 1 ? ", shard " + options.shard : "") +
-            (world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "")));
+    line.print(
+        fmt::format("{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}\n", label,
+                    reports::clean(source.info.renderer), reports::clean(source.info.version),
+                    task.map.is_plain_curve() ? "" : task.map.target + ", ", fmt::join(options.orders, " x "),
+                    fmt::join(identity["points"].get<std::vector<std::string>>(), ","),
+                    accuracy::hex(task.from), accuracy::hex(task.to),
+                    !task.map.two_dimensional ? ""
+                    : task.map.along_v        ? " for v, u = " + accuracy::hex(task.map.other)
+                                              : " for u, v = " + accuracy::hex(task.map.other),
+                    (task.shards > 1 ? ", shard " + options.shard : "") +
+                        (world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "")));
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t done_before = state.done.size();
     const auto checkpoint_now = [&](const accuracy::SweepState& now) {

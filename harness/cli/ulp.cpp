@@ -25,6 +25,7 @@
 #include "harness/cli/ulp.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
@@ -222,9 +223,10 @@ double error_of(const json& row, const char* which) {
 std::string in_words(const json& entry, bool with_target, bool verbose) {
   std::string text = entry["name"].get<std::string>() + ":";
   for (const char* part : {"vendor", "renderer", "version"})
-    if (entry.contains(part)) text += " " + entry[part].get<std::string>();
+    if (entry.contains(part)) text += " " + reports::clean(entry[part].get<std::string>());
   text += "\n";
-  if (entry.contains("reason")) text += fmt::format("  {}\n", entry["reason"].get<std::string>());
+  if (entry.contains("reason"))
+    text += fmt::format("  {}\n", reports::clean(entry["reason"].get<std::string>()));
   if (entry["rows"].empty()) return text;
   text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n", "maps", "values",
                       "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong",

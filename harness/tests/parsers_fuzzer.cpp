@@ -83,7 +83,8 @@ void read_baseline(const std::string& text) {
   }
 }
 
-// A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to play again.
+// A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to
+// play again.
 void read_results(const std::string& text) {
   json result;
   try {

@@ -270,6 +270,17 @@ class Filters(Browser):
         self.assertEqual(self.shown()[0], {"MeshQuality.EvalPointBits"})
         self.assertTrue(self.count().startswith("1 of 11 tests, 1 of 10 requirements"), self.count())
 
+    def test_a_requirement_of_two_rows_counts_once(self):
+        self.assertTrue(self.count().endswith(" of 10 requirements shown"), self.count())
+        page = (pages / "three.html").read_text(encoding="utf-8")
+        one, other = sorted(self.everything[1])[:2]
+        for name, half in ((one, "EV-SAMPLE/1-D"), (other, "EV-SAMPLE/2-D")):
+            self.assertEqual(page.count(f"<summary>{name}</summary>"), 1)
+            page = page.replace(f"<summary>{name}</summary>", f"<summary>{half}</summary>")
+        (pages / "halves.html").write_text(page, encoding="utf-8")
+        self.open("halves.html")
+        self.assertTrue(self.count().endswith(" of 9 requirements shown"), self.count())
+
     def test_text_finds_names_calls_and_requirements(self):
         field = driver.find_element(By.ID, "filter-text")
         for typed, found in (("hugegrid", {"Map2Output.HugeGrid"}), ("glEvalCoord1f(0x1.8p+0f)", {"Map1Values.Bezier/TEXTURE_COORD_1/d"}),
