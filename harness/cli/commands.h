@@ -165,6 +165,9 @@ struct Places {
 };
 Places places();
 
+// Makes the output folder where it is missing. Throws CannotStart where nothing can be written into it.
+void require_writable(const std::filesystem::path& output);
+
 // K and N of "K/N", 1 <= K <= N; none where the text is something else.
 std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text);
 

@@ -43,13 +43,7 @@ json list_faults() { return known_faults(); }
 
 int faults(const FaultsOptions& options) {
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  std::error_code error;
-  fs::create_directories(output, error);
-  if (error || access(output.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
-                             output.string());
-    return kWrongUse;
-  }
+  require_writable(output);
 
   json chosen = matching(json{{"tests", known_faults()["faults"]}}, options.filter);
   if (chosen.empty()) {

@@ -40,13 +40,7 @@ int fuzz(const FuzzOptions& options) {
     return kWrongUse;
   }
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  std::error_code error;
-  fs::create_directories(output, error);
-  if (error || access(output.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
-                             output.string());
-    return kWrongUse;
-  }
+  require_writable(output);
   stop_when_asked();
   ProgressLine line;
   fuzz::HuntRequest request = {.suite_program = places().suite_program,

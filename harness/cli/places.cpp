@@ -1,8 +1,11 @@
+#include <fmt/format.h>
 #include <fnmatch.h>
+#include <unistd.h>
 
 #include <sstream>
 
 #include "harness/cli/commands.h"
+#include "harness/implementations/implementation.h"
 
 namespace evalcts::cli {
 
@@ -28,6 +31,14 @@ Places places() {
           .vectors = data / "vectors",
           .production_headers = {},
           .production_library = {}};
+}
+
+void require_writable(const fs::path& output) {
+  std::error_code error;
+  fs::create_directories(output, error);
+  if (error || access(output.c_str(), W_OK) != 0)
+    throw CannotStart(
+        fmt::format("cannot write into '{}'; choose another folder with --output", output.string()));
 }
 
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {

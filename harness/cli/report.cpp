@@ -111,13 +111,7 @@ int report(const ReportOptions& options) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;
   }
-  std::error_code error;
-  fs::create_directories(output, error);
-  if (error || access(output.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
-                             output.string());
-    return kWrongUse;
-  }
+  require_writable(output);
   const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
   for (const json& result : results)
     std::cout << reports::terminal_summary(result, catalogue(), color, false) << "\n";

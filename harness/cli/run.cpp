@@ -146,13 +146,7 @@ int run(const RunOptions& options) {
   }
   request.readings = options.interpretations;
 
-  std::error_code error;
-  fs::create_directories(output, error);
-  if (error || access(output.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
-                             output.string());
-    return kWrongUse;
-  }
+  require_writable(output);
 
   std::optional<FolderLock> lock;
   try {
