@@ -1,11 +1,9 @@
 // evalcts report: pages from results that are there, of this run or another, of this machine or others.
 #include <evalcts/reports.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -13,6 +11,7 @@
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/cli/terminal.h"
 #include "harness/runner/runner.h"
 
 namespace evalcts::cli {
@@ -112,9 +111,8 @@ int report(const ReportOptions& options) {
     return kWrongUse;
   }
   require_writable(output);
-  const bool color = isatty(STDOUT_FILENO) && !std::getenv("NO_COLOR");
   for (const json& result : results)
-    std::cout << reports::terminal_summary(result, catalogue(), color, false) << "\n";
+    std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false) << "\n";
   if (!before.empty()) std::cout << changes.text << "\n";
   try {
     write_pages(output, results, before);
