@@ -89,13 +89,13 @@ std::string junit(const nlohmann::json& result);
 // second of any. Without verbose at most 8 failures, on lines of 100 columns; the commands are never cut.
 // With verbose all unexpected failures, all their recorded cases, those that the baseline expects (one line
 // each), and what was not judged and why. requirements: as for html. colour: ANSI colour sequences; the words
-// stand there with and without. lines: of the screen, where less than 8 failures may fit on it; 0: unknown. Ends
-// with a newline. Throws FormatError.
+// stand there with and without. lines: of the screen, where less than 8 failures may fit on it; 0: unknown.
+// Ends with a newline. Throws FormatError.
 std::string terminal_summary(const nlohmann::json& result, const nlohmann::json& requirements, bool colour,
                              bool verbose, std::size_t lines = 0);
 
-// What it came to in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects". Ends
-// with a newline. Throws FormatError.
+// What it came to in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects".
+// Ends with a newline. Throws FormatError.
 std::string terminal_line(const nlohmann::json& result, bool colour);
 
 }  // namespace evalcts::reports
