@@ -53,6 +53,7 @@ struct Failure {
   std::string case_name, message, what, expected, captured, exact, capture;
   std::optional<double> ulp, condition_aware;
   std::vector<std::string> calls;
+  bool operator==(const Failure&) const = default;
 };
 
 struct Accuracy {

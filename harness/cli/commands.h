@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/runner/folder_lock.h"
+
 namespace evalcts::cli {
 
 inline constexpr int kNothingUnexpected = 0;
@@ -165,8 +167,9 @@ struct Places {
 };
 Places places();
 
-// Makes the output folder where it is missing. Throws CannotStart where nothing can be written into it.
-void require_writable(const std::filesystem::path& output);
+// The output folder, for this command alone while the result lives; made where it is missing. Throws
+// CannotStart where nothing can be written into it or another command writes there.
+FolderLock claim(const std::filesystem::path& output, const std::string& command);
 
 // K and N of "K/N", 1 <= K <= N; none where the text is something else.
 std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text);

@@ -43,7 +43,7 @@ json list_faults() { return known_faults(); }
 
 int faults(const FaultsOptions& options) {
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  require_writable(output);
+  const FolderLock lock = claim(output, "evalcts faults");
 
   json chosen = matching(json{{"tests", known_faults()["faults"]}}, options.filter);
   if (chosen.empty()) {

@@ -40,7 +40,7 @@ int fuzz(const FuzzOptions& options) {
     return kWrongUse;
   }
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  require_writable(output);
+  const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
   ProgressLine line;
   fuzz::HuntRequest request = {.suite_program = places().suite_program,

@@ -6,6 +6,7 @@
 
 #include "harness/cli/commands.h"
 #include "harness/implementations/implementation.h"
+#include "reports/text.h"
 
 namespace evalcts::cli {
 
@@ -33,12 +34,18 @@ Places places() {
           .production_library = {}};
 }
 
-void require_writable(const fs::path& output) {
+FolderLock claim(const fs::path& output, const std::string& command) {
   std::error_code error;
   fs::create_directories(output, error);
   if (error || access(output.c_str(), W_OK) != 0)
     throw CannotStart(
         fmt::format("cannot write into '{}'; choose another folder with --output", output.string()));
+  try {
+    return {output, fmt::format("process {}: {}", getpid(), command)};
+  } catch (const FolderInUse& problem) {
+    throw CannotStart(fmt::format("{}; wait for it, or choose another folder with --output",
+                                  reports::clean(problem.what())));
+  }
 }
 
 nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {

@@ -110,7 +110,7 @@ int report(const ReportOptions& options) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;
   }
-  require_writable(output);
+  const FolderLock lock = claim(output, "evalcts report");
   for (const json& result : results)
     std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false) << "\n";
   if (!before.empty()) std::cout << changes.text << "\n";

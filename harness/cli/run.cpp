@@ -18,7 +18,6 @@
 #include "harness/runner/baseline.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/depth.h"
-#include "harness/runner/folder_lock.h"
 #include "harness/runner/runner.h"
 #include "reports/text.h"
 
@@ -146,16 +145,7 @@ int run(const RunOptions& options) {
   }
   request.readings = options.interpretations;
 
-  require_writable(output);
-
-  std::optional<FolderLock> lock;
-  try {
-    lock.emplace(output, fmt::format("process {}: {}", getpid(), options.command));
-  } catch (const FolderInUse& problem) {
-    std::cerr << fmt::format("evalcts: {}; wait for it, or choose another folder with --output\n",
-                             reports::clean(problem.what()));
-    return kWrongUse;
-  }
+  const FolderLock lock = claim(output, options.command);
 
   // A library of the user's own has no shipped baseline.
   const bool shipped = options.baseline.empty();

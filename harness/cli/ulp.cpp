@@ -460,11 +460,7 @@ int ulp(const UlpOptions& options) {
     return wrong_use(fmt::format("no class of maps matches '{}'; without --filter all of them are measured",
                                  options.filter));
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-  std::error_code error;
-  fs::create_directories(output, error);
-  if (error || access(output.c_str(), W_OK) != 0)
-    return wrong_use(
-        fmt::format("cannot write into '{}'; choose another folder with --output", output.string()));
+  const FolderLock lock = claim(output, "evalcts ulp");
 
   stop_when_asked();
   ProgressLine line;

@@ -42,7 +42,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& o
       continue;  // or there are no locks here
     const std::string other = content_of(descriptor_);
     close(descriptor_);
-    throw FolderInUse(fmt::format("another run is writing into '{}' ({})", folder.string(), other));
+    throw FolderInUse(fmt::format("another command is writing into '{}' ({})", folder.string(), other));
   }
   [[maybe_unused]] const bool said =
       ftruncate(descriptor_, 0) == 0 && pwrite(descriptor_, owner.data(), owner.size(), 0) >= 0;

@@ -56,7 +56,9 @@ fresh() {
   echo "$everything" | tr ' ' '\n' | tee "$machine/mirror" >"$machine/lists"
   script dpkg-query <<'X'
 shift 3
-for name; do grep -qxF -e "$name" "$machine/installed" && echo "installed $name"; done
+printf '%s\n' "$@" | awk '
+  FILENAME != "-" { there[$0]; next }
+  $0 in there { print "installed " $0 }' "$machine/installed" -
 X
   # Like the real one: it knows what is installed without any lists, and a name that it does not know is a regular
   # expression.
@@ -64,16 +66,14 @@ X
   script apt-cache <<'X'
 verb=$1
 shift
-for name; do
-  name=${name%=*}
-  if grep -qxF -e "$name" "$machine/lists"; then found=$name; else found=$(cat "$machine"/{base,lists} | grep -E -e "$name"); fi
-  for name in $found; do
-    case $verb in
-      policy) printf '%s:\n  Installed: (none)\n  Candidate: 1.0\n' "$name" ;;
-      show) printf 'Package: %s\nInstalled-Size: 2000\nSize: 500000\n\n' "$name" ;;
-    esac
-  done
-done
+printf '%s\n' "${@%=*}" | awk -v verb="$verb" '
+  function tell(name) {
+    if (verb == "policy") printf "%s:\n  Installed: (none)\n  Candidate: 1.0\n", name
+    else printf "Package: %s\nInstalled-Size: 2000\nSize: 500000\n\n", name
+  }
+  FILENAME != "-" { if (FILENAME ~ /lists$/) exact[$0]; known[++n] = $0; next }
+  $0 in exact { tell($0); next }
+  { for (i = 1; i <= n; ++i) if (known[i] ~ $0) tell(known[i]) }' "$machine"/{base,lists} -
 X
   script apt-get <<'X'
 if [[ " $* " == *" --simulate "* ]]; then

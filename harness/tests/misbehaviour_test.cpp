@@ -249,7 +249,7 @@ TEST_F(Folders, BelongToOneRunAtATime) {
     const Outcome outcome = drill("nothing");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(
-        outcome.text.find("another run is writing into '" + folder_.string() +
+        outcome.text.find("another command is writing into '" + folder_.string() +
                           "' (process 1: evalcts run, of somebody else); wait for it, or choose another"),
         std::string::npos)
         << outcome.text;

@@ -200,6 +200,10 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
   page.set("sections", by_requirement.sections);
   page.set("reach", optional_text(reach(by_requirement, catalogue)));
   page.set("themes", themes_view(rows));
+  page.set("flakes", std::any_of(columns.begin(), columns.end(), [](const Column& column) {
+             return std::any_of(column.record.tests.begin(), column.record.tests.end(),
+                                [](const TestResult& outcome) { return outcome.flake; });
+           }));
   page.set("verdicts", verdict_list(columns, false));
   page.set("words", verdict_list(columns, true));
   page.set("tests", tests_view(rows, columns, catalogue, by_requirement, compared));

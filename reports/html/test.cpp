@@ -15,7 +15,7 @@ std::string baseline_sentence(const TestResult& test) {
   return (test.unexpected() ? "Not what the baseline expects: " : "Baseline: ") + reason;
 }
 
-void add_command(data& commands, const char* purpose, const std::string& command) {
+void add_command(data& commands, const std::string& purpose, const std::string& command) {
   if (command.empty()) return;
   data item;
   item.set("purpose", purpose);
@@ -42,8 +42,9 @@ data failure_view(const Failure& failure, bool open) {
   return out;
 }
 
-// "2 of 12 cases failed, 1 recorded, seed 1, 0.020 s"
-std::string facts_of(const TestResult& test) {
+// "2 of 12 cases failed, 1 recorded, seed 1, 0.020 s". Times are never the same: without them, those that are
+// alike otherwise can share a line.
+std::string facts_of(const TestResult& test, bool with_time) {
   std::vector<std::string> facts;
   if (test.failed_cases.value_or(0) && test.cases) {
     facts.push_back(fmt::format("{} of {} failed", *test.failed_cases, count(*test.cases, "case")));
@@ -54,7 +55,7 @@ std::string facts_of(const TestResult& test) {
     facts.push_back(fmt::format("{} recorded", test.failures.size()));
   }
   if (test.seed) facts.push_back(fmt::format("seed {}", *test.seed));
-  if (test.seconds) facts.push_back(fmt::format("{:.3f} s", *test.seconds));
+  if (test.seconds && with_time) facts.push_back(fmt::format("{:.3f} s", *test.seconds));
   return join(facts, ", ");
 }
 
@@ -76,33 +77,49 @@ bool is_quiet(const TestResult& test) {
          test.debug.empty() && test.reproducer.empty();
 }
 
-std::string quiet_words(const TestResult& test) {
+std::string quiet_words(const TestResult& test, bool with_time) {
   std::string out(text_of(test.verdict).word);
-  const std::string accuracy = accuracy_of(test), facts = facts_of(test);
+  const std::string accuracy = accuracy_of(test), facts = facts_of(test, with_time);
   // Of what was not played there are none.
   if (test.cases.value_or(1) && !facts.empty()) out += fmt::format(" ({})", facts);
   if (!test.message.empty()) out += ": " + test.message;
   return accuracy.empty() ? out : out + "; " + accuracy;
 }
 
-data outcome_view(const TestResult& test, const Column& column, bool several) {
+// Whether one description does for both. (Commands name the implementation, and times are never the same.)
+bool tell_the_same(const TestResult& a, const TestResult& b) {
+  return a.verdict == b.verdict && a.message == b.message && a.failures == b.failures && a.flake == b.flake &&
+         a.again == b.again && baseline_sentence(a) == baseline_sentence(b) && a.cases == b.cases &&
+         a.failed_cases == b.failed_cases && a.seed == b.seed && accuracy_of(a) == accuracy_of(b);
+}
+
+// Those that came out alike, each with its column.
+using Alike = std::vector<std::pair<const TestResult*, const Column*>>;
+
+data outcome_view(const Alike& alike, bool several) {
+  const TestResult& test = *alike.front().first;
+  std::vector<std::string> labels;
+  for (const auto& [outcome, column] : alike) labels.push_back(column->label);
   data out;
   set_verdict(out, test.verdict);
-  out.set("label", column.label);
+  out.set("label", join(labels, ", "));
   // The summary line above shows the message of a test that has but one.
   const bool shown_above = !several && one_line(test.message) == test.message;
   out.set("message", optional_text(shown_above ? "" : test.message));
   out.set("baseline", optional_text(baseline_sentence(test)));
-  out.set("facts_line", optional_text(facts_of(test)));
+  out.set("facts_line", optional_text(facts_of(test, alike.size() == 1)));
   out.set("accuracy_line", optional_text(accuracy_of(test)));
   data failures = list();
   for (const Failure& failure : test.failures)
     failures << failure_view(failure, &failure == &test.failures.front());
   out.set("failures", failures);
   data commands = list();
-  add_command(commands, "Run just this test", test.rerun);
-  add_command(commands, "Open it in a debugger", test.debug);
-  add_command(commands, "Make a C program of it", test.reproducer);
+  for (const auto& [outcome, column] : alike) {
+    const std::string whose = alike.size() > 1 ? ", " + column->label : "";
+    add_command(commands, "Run just this test" + whose, outcome->rerun);
+    add_command(commands, "Open it in a debugger" + whose, outcome->debug);
+    add_command(commands, "Make a C program of it" + whose, outcome->reproducer);
+  }
   out.set("commands", commands);
   return out;
 }
@@ -129,11 +146,12 @@ const char* state_of(const TestResult& test) {
 
 // One chip for each verdict that the implementations got, worst first.
 data chips_view(const Row& row, const std::vector<Column>& columns) {
-  std::map<int, std::pair<const TestResult*, std::vector<std::string>>> groups;  // by severity
+  // By severity; flakes stand for themselves.
+  std::map<std::pair<int, bool>, std::pair<const TestResult*, std::vector<std::string>>> groups;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const TestResult* outcome = row.outcomes[i];
     if (!outcome) continue;
-    auto& [example, labels] = groups[outcome->severity()];
+    auto& [example, labels] = groups[{outcome->severity(), outcome->flake}];
     example = outcome;
     labels.push_back(columns[i].label);
   }
@@ -141,21 +159,26 @@ data chips_view(const Row& row, const std::vector<Column>& columns) {
   for (const auto& [severity, group] : groups) {
     data chip;
     set_verdict(chip, group.first->verdict);
-    chip.set("note", optional_text(baseline_note(*group.first)));
-    chip.set("who", optional_text(columns.size() > 1 ? join(group.second, ", ") : ""));
+    std::vector<std::string> notes;
+    if (const std::string note = baseline_note(*group.first); !note.empty()) notes.push_back(note);
+    if (group.first->flake) notes.emplace_back("flake");
+    chip.set("note", optional_text(join(notes, ", ")));
+    const bool all_agree = group.second.size() == columns.size();
+    chip.set("who", optional_text(all_agree ? "" : join(group.second, ", ")));
     out << chip;
   }
   return out;
 }
 
-// What the filters look at, for each column in order: the verdict, then "unexpected" and what has changed,
-// with commas between; "absent" where there is no outcome.
+// What the filters look at, for each column in order: the verdict, then "unexpected", "flake" and what has
+// changed, with commas between; "absent" where there is no outcome.
 std::string words_for_filters(const Row& row, const std::vector<const Change*>& changes) {
   std::vector<std::string> columns;
   for (std::size_t i = 0; i < row.outcomes.size(); ++i) {
     const TestResult* outcome = row.outcomes[i];
     std::string words(outcome ? text_of(outcome->verdict).word : "absent");
     if (outcome && outcome->unexpected()) words += ",unexpected";
+    if (outcome && outcome->flake) words += ",flake";
     if (changes[i]) words += fmt::format(",{}", text_of(changes[i]->kind).filter);
     columns.push_back(words);
   }
@@ -182,7 +205,7 @@ data test(const Row& row, const std::vector<const Change*>& changes, const std::
   // Records of different versions of the suite may name different requirements.
   std::vector<std::string> ids, row_numbers;
   std::vector<std::pair<std::string, std::vector<std::string>>> quiet;  // what is said, of whom
-  data outcomes = list();
+  std::vector<Alike> loud;
   bool all_pass = true;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const TestResult* outcome = row.outcomes[i];
@@ -192,10 +215,14 @@ data test(const Row& row, const std::vector<const Change*>& changes, const std::
     }
     all_pass = all_pass && outcome->verdict == Verdict::kPass;
     if (!is_quiet(*outcome)) {
-      outcomes << outcome_view(*outcome, columns[i], several);
+      auto same = std::find_if(loud.begin(), loud.end(), [&](const Alike& others) {
+        return tell_the_same(*others.front().first, *outcome);
+      });
+      if (same == loud.end()) same = loud.insert(same, Alike{});
+      same->emplace_back(outcome, &columns[i]);
       continue;
     }
-    const std::string what = quiet_words(*outcome);
+    const std::string what = quiet_words(*outcome, !several);
     auto same =
         std::find_if(quiet.begin(), quiet.end(), [&](const auto& other) { return other.first == what; });
     if (same == quiet.end()) same = quiet.insert(same, {what, {}});
@@ -216,6 +243,8 @@ data test(const Row& row, const std::vector<const Change*>& changes, const std::
                changes[i]->before ? std::string(text_of(changes[i]->before->verdict).word) : "no such test");
     since << change;
   }
+  data outcomes = list();
+  for (const Alike& alike : loud) outcomes << outcome_view(alike, several);
   out.set("requirements", requirements);
   out.set("row_numbers", join(row_numbers, " "));
   out.set("changes", since);
