@@ -243,17 +243,30 @@ TEST_F(Folders, AReadOnlyFolderIsSaidAtOnce) {
       << outcome.text;
 }
 
-TEST_F(Folders, BelongToOneRunAtATime) {
+TEST_F(Folders, BelongToOneCommandAtATime) {
   {
+    // What `report` would like to read.
+    const fs::path there = folder_ / "results-x.json";
+    std::ofstream(there) << R"({"format": "evalcts-results-1", "status": "complete", "tests": []})";
     const FolderLock lock(folder_, "process 1: evalcts run, of somebody else");
-    const Outcome outcome = drill("nothing");
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(
-        outcome.text.find("another command is writing into '" + folder_.string() +
-                          "' (process 1: evalcts run, of somebody else); wait for it, or choose another"),
-        std::string::npos)
-        << outcome.text;
+    const std::string folder = folder_.string();
+    const std::vector<std::string> commands[] = {
+        drill_arguments("nothing"),
+        {"report", there.string(), "--output", folder},
+        {"fuzz", "--implementation", "production", "--programs", "1", "--output", folder},
+        {"ulp", "--implementation", "production", "--values", "1", "--output", folder}};
+    for (const std::vector<std::string>& command : commands) {
+      const Outcome outcome = evalcts(command);
+      EXPECT_EQ(outcome.code, 2) << command.front();
+      EXPECT_NE(
+          outcome.text.find("another command is writing into '" + folder +
+                            "' (process 1: evalcts run, of somebody else); wait for it, or choose another"),
+          std::string::npos)
+          << command.front() << outcome.text;
+    }
     EXPECT_FALSE(fs::exists(folder_ / "results-drill.json"));
+    EXPECT_FALSE(fs::exists(folder_ / "index.html"));
+    EXPECT_FALSE(fs::exists(folder_ / "ulp.json"));
     EXPECT_THROW(FolderLock(folder_, "again"), FolderInUse);
   }
   EXPECT_FALSE(fs::exists(folder_ / ".lock"));

@@ -1,4 +1,5 @@
 // What can be said about the page without a parser; check_pages.py reads it back with one.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"
@@ -155,6 +156,45 @@ TEST(Html, ChangesStandFirst) {
   EXPECT_FALSE(contains(page, "#test-A.gone"));
   EXPECT_LT(page.find("id=\"changes\""), page.find("id=\"implementations\""));
   EXPECT_FALSE(contains(html({now}, nullptr), "id=\"changes\""));
+}
+
+TEST(Html, FlakesAreMarked) {
+  json flake = {{"name", "A.b"}, {"verdict", "fail"}, {"flake", true}}, fail = flake;
+  fail.erase("flake");
+  const std::string page = html({named("x", json::array({flake})), named("y", json::array({fail}))}, nullptr);
+  EXPECT_TRUE(contains(page, "</span> fail, flake: x</span>"));
+  EXPECT_TRUE(contains(page, "</span> fail: y</span>"));
+  EXPECT_TRUE(contains(page, "data-verdicts=\"fail,unexpected,flake fail,unexpected\""));
+  EXPECT_TRUE(contains(page, "<option value=\"flake\">"));
+  EXPECT_FALSE(contains(html({named("y", json::array({fail}))}, nullptr), "<option value=\"flake\">"));
+}
+
+// What came out alike is told once, with the commands for each.
+TEST(Html, OneDescriptionForThoseThatAgree) {
+  const auto failing = [](const std::string& name, const char* got, double seconds) {
+    return named(name, json::array({{{"name", "A.b"},
+                                     {"verdict", "fail"},
+                                     {"seconds", seconds},
+                                     {"rerun", "./evalcts run --implementation " + name},
+                                     {"failures", {{{"case", "one"}, {"captured", got}}}}}}));
+  };
+  const std::string page =
+      html({failing("x", "1", 0.5), failing("y", "2", 0.5), failing("z", "1", 0.25)}, nullptr);
+  EXPECT_TRUE(contains(page, "fail</span> x, z</h3>"));
+  EXPECT_TRUE(contains(page, "fail</span> y</h3>"));
+  EXPECT_EQ(occurrences(page, "<section class=\"outcome\">"), 2u);
+  for (const char* name : {"x", "z"})
+    EXPECT_TRUE(contains(
+        page,
+        fmt::format("Run just this test, {0}:</span> <code>./evalcts run --implementation {0}<", name)));
+  EXPECT_TRUE(contains(page, "Run just this test:</span> <code>./evalcts run --implementation y<"));
+  // Of those who agree the times are left out; passes without anything to say share a line.
+  EXPECT_FALSE(contains(page, "0.250 s"));
+  json slow = {{"name", "A.b"}, {"verdict", "pass"}, {"cases", 2}, {"seconds", 0.5}}, quick = slow;
+  quick["seconds"] = 0.25;
+  EXPECT_TRUE(contains(html({named("x", json::array({slow})), named("y", json::array({quick}))}, nullptr),
+                       "<strong>x, y</strong> pass (2 cases)<br>"));
+  EXPECT_TRUE(contains(html({named("x", json::array({slow}))}, nullptr), "pass (2 cases, 0.500 s)<br>"));
 }
 
 TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
