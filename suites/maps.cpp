@@ -111,27 +111,6 @@ gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles) {
   return c.EvalCoord1fv(std::vector<float>{static_cast<float>(u)});
 }
 
-Attributes attribute_of(GLenum target) {
-  switch (target) {
-    case GL_MAP1_VERTEX_3:
-    case GL_MAP2_VERTEX_3:
-    case GL_MAP1_VERTEX_4:
-    case GL_MAP2_VERTEX_4:
-      return kPosition;
-    case GL_MAP1_COLOR_4:
-    case GL_MAP2_COLOR_4:
-      return kColor;
-    case GL_MAP1_NORMAL:
-    case GL_MAP2_NORMAL:
-      return kNormal;
-    case GL_MAP1_INDEX:
-    case GL_MAP2_INDEX:
-      throw NotObservable("INDEX maps show in colour-index contexts only");
-    default:
-      return kTextureCoordinate0;
-  }
-}
-
 void enable_visibly(gl::Case& c, GLenum target) {
   if (attribute_of(target) != kPosition) {
     const std::vector<GLfloat> point = {0.25f, 0.5f, 0.75f};

@@ -92,9 +92,6 @@ gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
 // EvalCoord1fv or EvalCoord1dv; the array ends before an inaccessible page.
 gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
 
-// What has to be observed to see the values of a target of either dimension.
-Attributes attribute_of(GLenum target);
-
 // Maps of all kinds of data that go into one vertex: each attribute has a map of its own.
 struct Kinds {
   const char* name;

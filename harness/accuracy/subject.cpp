@@ -37,24 +37,6 @@ GLenum target_of(const std::string& name, bool two_dimensional) {
   throw std::invalid_argument(fmt::format("there is no target '{}'", name));
 }
 
-Attributes attribute_of(GLenum target) {
-  switch (target) {
-    case GL_MAP1_VERTEX_3:
-    case GL_MAP1_VERTEX_4:
-    case GL_MAP2_VERTEX_3:
-    case GL_MAP2_VERTEX_4:
-      return kPosition;
-    case GL_MAP1_COLOR_4:
-    case GL_MAP2_COLOR_4:
-      return kColor;
-    case GL_MAP1_NORMAL:
-    case GL_MAP2_NORMAL:
-      return kNormal;
-    default:
-      return kTextureCoordinate0;
-  }
-}
-
 const std::vector<SubjectKind>& own_subjects() {
   static const std::vector<SubjectKind> all = {
       {"production-fast", "libglevaluator's meshes with GLEV_FAST"},

@@ -19,9 +19,6 @@ std::vector<std::string> target_names();
 // GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3. Throws std::invalid_argument for a name that is none of them.
 GLenum target_of(const std::string& name, bool two_dimensional);
 
-// What a map of this target gives: position, colour, normal, or texture coordinates of unit 0.
-Attributes attribute_of(GLenum target);
-
 class Subject {
  public:
   virtual ~Subject() = default;

@@ -19,6 +19,27 @@ std::string describe(Attributes attributes) {
   return text.empty() ? "nothing" : text;
 }
 
+Attributes attribute_of(GLenum target) {
+  switch (target) {
+    case GL_MAP1_VERTEX_3:
+    case GL_MAP2_VERTEX_3:
+    case GL_MAP1_VERTEX_4:
+    case GL_MAP2_VERTEX_4:
+      return kPosition;
+    case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
+      return kColor;
+    case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
+      return kNormal;
+    case GL_MAP1_INDEX:
+    case GL_MAP2_INDEX:
+      throw NotObservable("INDEX maps show in colour-index contexts only");
+    default:
+      return kTextureCoordinate0;
+  }
+}
+
 PrimitiveKind kind_of(GLenum mode) {
   switch (mode) {
     case GL_POINTS:

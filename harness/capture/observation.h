@@ -34,6 +34,10 @@ inline constexpr Attributes kAllAttributes =
 
 std::string describe(Attributes attributes);
 
+// What has to be observed to see the values of a map, by its target of either dimension. Throws NotObservable
+// for INDEX, which shows in colour-index contexts only.
+Attributes attribute_of(GLenum target);
+
 inline constexpr std::size_t kTextureUnits = 8;
 
 struct ObservedVertex {

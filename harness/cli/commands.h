@@ -107,6 +107,7 @@ struct UlpOptions {
   std::optional<float> fixed_u, fixed_v;  // of a surface: where the argument stands that is not swept
   bool digest = false;                    // instead: one line for many results
   std::vector<std::string> merge;         // instead of that: files of its shards
+  std::string page;                       // instead: the ulp.json whose page to write again
   std::string shard;                      // "K/N"; empty: all
   std::string checkpoint;                 // file; empty: one in the output folder
   std::string rows;     // for the process that measures one implementation: the file to fill

@@ -256,6 +256,8 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
       "one line for many results of production, or of another implementation, on random maps");
   ulp_command->add_option("--merge", ulp_options.merge,
                           "files of all shards of a sweep: makes one of them, as of a sweep without shards");
+  ulp_command->add_option("--page", ulp_options.page,
+                          "an earlier ulp.json: writes its page again, with the sweeps in the output folder");
   ulp_command->add_option("--from", ulp_options.from, "where the interval begins (default: 0)");
   ulp_command->add_option("--to", ulp_options.to, "where it ends (default: 1)");
   ulp_command

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include <evalcts/accuracy_page.h>
+#include <evalcts/reports.h>
 
 #include <reference/bernstein.h>
 #include <reference/rounding.h>
@@ -399,6 +400,29 @@ std::string write_page(const fs::path& output, const json& document) {
       draws ? "" : " (without pictures: there is no gnuplot here that works, package gnuplot-nox)");
 }
 
+// The page of a measurement that is there already.
+int page_again(const UlpOptions& options) {
+  const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
+  const auto wrong = [&](const std::string& why) {
+    std::cerr << fmt::format("evalcts: '{}': {}; --page takes the ulp.json that 'evalcts ulp' has written\n",
+                             options.page, reports::clean(why));
+    return kWrongUse;
+  };
+  std::ifstream stream(options.page);
+  if (!stream) return wrong("cannot be read");
+  const json document = json::parse(stream, nullptr, false);
+  if (!document.is_object()) return wrong("no JSON object");
+  const FolderLock lock = claim(output, "evalcts ulp");
+  try {
+    std::cout << write_page(output, document);
+  } catch (const json::exception& error) {
+    return wrong(error.what());
+  } catch (const reports::FormatError& error) {
+    return wrong(error.what());
+  }
+  return kNothingUnexpected;
+}
+
 }  // namespace
 
 ImplementationOptions implementation_of(const UlpOptions& options) {
@@ -433,6 +457,7 @@ int ulp(const UlpOptions& options) {
   if (options.sweep) return sweep(options);
   if (!options.merge.empty()) return merge(options);
   if (options.digest) return digest(options);
+  if (!options.page.empty()) return page_again(options);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
   const auto wrong_use = [](const std::string& words) {

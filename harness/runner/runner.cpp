@@ -56,6 +56,16 @@ std::string machine() {
                      std::thread::hardware_concurrency());
 }
 
+// In a command that people type where this one was typed: what lies below by its short name, anything else by
+// its whole.
+std::string seen_from_here(const fs::path& path) {
+  std::error_code unknown;
+  const fs::path near = fs::proximate(path, unknown);
+  if (unknown || near.empty() || near.is_absolute() || *near.begin() == "..")
+    return fs::absolute(path).string();
+  return near.has_parent_path() ? near.string() : (fs::path(".") / near).string();
+}
+
 class Run {
  public:
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
@@ -163,6 +173,7 @@ class Run {
     record["rerun"] = shell_line(rerun);
 
     std::vector<std::string> debug = suite_command();
+    debug.front() = seen_from_here(debug.front());
     debug.insert(debug.begin(), {"gdb", "--args"});
     if (second_pass()) debug.push_back("--reuse-context");
     std::replace(filter.begin(), filter.end(), '-', '?');  // GoogleTest takes what follows '-' as negative
@@ -172,7 +183,7 @@ class Run {
     if (second_pass()) return;  // a C program holds one case, not its history
     std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + name};
     if (request_.own_output)
-      reproduce.insert(reproduce.end(), {"--results", fs::absolute(request_.output).string()});
+      reproduce.insert(reproduce.end(), {"--results", seen_from_here(request_.output)});
     record["reproducer"] = shell_line(reproduce);
   }
 

@@ -109,6 +109,31 @@ TEST_F(UlpCommand, GoesWithoutPictures) {
   EXPECT_NE(page.find("curve/4/"), std::string::npos);
 }
 
+// With what has come since, and from a file that anybody may have written.
+TEST_F(UlpCommand, MakesThePageAgain) {
+  ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/*"}).code, 0);
+  const std::string before = content("accuracy.html"), file = (folder_ / "ulp.json").string();
+  std::filesystem::remove(folder_ / "accuracy.html");
+  Outcome outcome = ulp({"--page", file});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(content("accuracy.html"), before);
+  ASSERT_EQ(ulp({"--sweep", "--implementation", "production", "--orders", "2", "--points", "0,1", "--from",
+                 "0.5", "--to", "0.5001"})
+                .code,
+            0);
+  EXPECT_EQ(ulp({"--page", file}).code, 0);
+  EXPECT_GT(content("accuracy.html").size(), before.size());
+  json wrong = document();
+  wrong["implementations"] = 7;
+  for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{}"), wrong.dump()}) {
+    std::ofstream(folder_ / "other.json") << text;
+    outcome = ulp({"--page", (folder_ / "other.json").string()});
+    EXPECT_EQ(outcome.code, 2) << text;
+    EXPECT_NE(outcome.text.find("--page takes the ulp.json"), std::string::npos) << outcome.text;
+  }
+  EXPECT_EQ(ulp({"--page", (folder_ / "none.json").string()}).code, 2);
+}
+
 // The search finds what a sample does not: for the same inputs, larger errors and never smaller ones.
 TEST_F(UlpCommand, ClimbsToWorseInputs) {
   const auto measured = [&](const char* climb) {
