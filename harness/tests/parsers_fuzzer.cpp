@@ -1,6 +1,7 @@
 // What reads files and lines that anybody may have written, under libFuzzer: whatever comes, the answer is a
 // result or the exception that is documented. The first byte says who reads the rest. `./evalcts test
 // --preset fuzz`.
+#include <evalcts/accuracy_page.h>
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -113,6 +114,23 @@ void read_results(const std::string& text) {
   }
 }
 
+// What `ulp` has measured, as a page again: its text is no order to gnuplot.
+void read_measurement(const std::string& text) {
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object()) return;
+  const reports::Draw draw = [](const std::string& script) {
+    for (const char* order : {"`", "system", "\n!", "load", "output", "print"})
+      if (script.find(order) != std::string::npos) std::abort();
+    return std::string("<svg><title>Gnuplot</title><g ></g></svg>");
+  };
+  try {
+    reports::accuracy_html(document, {}, draw);
+    reports::accuracy_html(document, {document}, draw);
+  } catch (const json::exception&) {
+  } catch (const reports::FormatError&) {
+  }
+}
+
 // A sweep's file: as it came, and as one that is of the right sweep and has the right checksum.
 void read_checkpoint(const std::string& text) {
   using namespace accuracy;
@@ -177,6 +195,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     case 'r':
       evalcts::read_results(text);
+      break;
+    case 'u':
+      evalcts::read_measurement(text);
       break;
     case 's':
       evalcts::read_checkpoint(text);

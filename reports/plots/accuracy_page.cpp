@@ -180,7 +180,7 @@ std::string map_in_words(const json& sweep) {
   const json& map = sweep.at("map");
   std::string text = shown(map.at("target"));
   for (const json& order : map.at("orders"))
-    text += fmt::format("{}{}", &order == &map.at("orders").front() ? ", order " : " x ", order.get<int>());
+    text += fmt::format("{}{}", &order == &map.at("orders").front() ? ", order " : " x ", natural(order));
   if (map.contains("swept"))
     text += fmt::format(", along {}, the other argument {}", shown(map.at("swept")), shown(map.at("other")));
   return text;
@@ -199,8 +199,8 @@ data sweeps_view(const std::vector<json>& sweeps) {
     item.set("map", fmt::format("{}, from {} to {}", map_in_words(sweep), shown(sweep.at("interval").at(0)),
                                 shown(sweep.at("interval").at(1))));
     item.set("points", shown(join(sweep.at("points").get<std::vector<std::string>>(), ", ")));
-    item.set("values", fmt::format("{}", result.at("values").get<std::uint64_t>()));
-    item.set("wrong", fmt::format("{}", result.at("not_correctly_rounded").get<std::uint64_t>()));
+    item.set("values", fmt::format("{}", natural(result.at("values"))));
+    item.set("wrong", fmt::format("{}", natural(result.at("not_correctly_rounded"))));
     item.set("ulp", largest_of_sweep(result.at("worst_ulp")));
     item.set("condition", largest_of_sweep(result.at("worst_condition_aware")));
     item.set("digest", shown(result.at("digest")));
@@ -279,7 +279,7 @@ std::string accuracy_html(const json& ulp, const std::vector<json>& sweeps, cons
   for (const json& entry : ulp.at("implementations")) names.push_back(words(entry, "name"));
   page.set("title", "evalcts: accuracy of " + join(names, ", "));
   page.set("subtitle", fmt::format("{}, seed {}, evalcts {}", count(names.size(), "implementation"),
-                                   ulp.at("seed").get<std::uint64_t>(), words(ulp, "evalcts_version")));
+                                   natural(ulp.at("seed")), words(ulp, "evalcts_version")));
   page.set("note", ulp.at("status") == "complete"
                        ? data(false)
                        : data("The run was interrupted; this is what was finished."));

@@ -7,6 +7,7 @@
 #include <kainjow/mustache.hpp>
 #include <limits>
 
+#include "evalcts/reports.h"
 #include "reports/text.h"
 
 namespace evalcts::reports {
@@ -86,6 +87,11 @@ void replace_colour(std::string& svg, const char* colour, const std::string& var
 
 }  // namespace
 
+std::uint64_t natural(const json& number) {
+  if (!number.is_number_integer() || number < 0) throw FormatError("expected a whole number from 0 on");
+  return number.get<std::uint64_t>();
+}
+
 Figure errors_by_order(const json& ulp, const std::string& data) {
   Figure figure{
       id_of("by order " + data),
@@ -101,7 +107,7 @@ Figure errors_by_order(const json& ulp, const std::string& data) {
     for (const json& row : entry.at("rows")) {
       if (row.at("data") != data || row.at("orders").size() != 1 || !row.contains("max_ulp")) continue;
       if (row.contains("target") && row.at("target") != ulp.at("targets").at(0)) continue;
-      const std::string order = fmt::format("{}", row.at("orders").at(0).get<int>());
+      const std::string order = fmt::format("{}", natural(row.at("orders").at(0)));
       lines.push_back(fmt::format("{} {}", order, plain(error_of(row.at("max_condition_aware")), 1e4)));
       if (std::find(orders.begin(), orders.end(), order) == orders.end()) orders.push_back(order);
     }

@@ -1,6 +1,7 @@
 // Pictures as scripts for gnuplot, and the SVG that comes of them as part of a page.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ struct Figure {
   std::string caption;             // what it shows, in words
   std::vector<std::string> names;  // strings of others, which the script knows as @0@, @1@, ...
 };
+
+// A whole number from 0 on. Throws FormatError for anything else.
+std::uint64_t natural(const nlohmann::json& number);
 
 // `ulp` as evalcts::reports::accuracy_html() gets it. None of these throws because there is nothing to draw:
 // the script is empty then.
