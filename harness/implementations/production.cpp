@@ -137,7 +137,7 @@ gl::Table bind_functions() {
 // A context, and those that a case has made beside it. They have nothing to share.
 class ProductionContext final : public Context {
  public:
-  explicit ProductionContext(const gl::Table& table) : table_(table) { make_current(0); }
+  explicit ProductionContext(const gl::Table& table) : table_(table) { switch_to(0); }
   ~ProductionContext() override {
     CurrentHandle::current = nullptr;
     for (const auto& [number, context] : contexts_) glevDestroyContext(context);
@@ -150,10 +150,10 @@ class ProductionContext final : public Context {
   std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
 
   // The command of gl/contexts.h.
-  static void other(GLuint number) { of_the_case_->make_current(number); }
+  static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:
-  void make_current(GLuint number) {
+  void switch_to(GLuint number) {
     of_the_case_ = this;
     if (contexts_.find(number) == contexts_.end()) contexts_[number] = make();
     CurrentHandle::current = contexts_[number];

@@ -31,7 +31,7 @@ ObservedVertex rounded(const reference::Vertex& vertex) {
 // A context, and those that a case has made beside it.
 class ReferenceContext final : public Context {
  public:
-  explicit ReferenceContext(const gl::Table& table) : table_(table) { make_current(0); }
+  explicit ReferenceContext(const gl::Table& table) : table_(table) { switch_to(0); }
   ~ReferenceContext() override { CurrentSpecification::current = nullptr; }
   ReferenceContext(const ReferenceContext&) = delete;
   ReferenceContext& operator=(const ReferenceContext&) = delete;
@@ -49,10 +49,10 @@ class ReferenceContext final : public Context {
   }
 
   // The command of gl/contexts.h.
-  static void other(GLuint number) { of_the_case_->make_current(number); }
+  static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:
-  void make_current(GLuint number) {
+  void switch_to(GLuint number) {
     of_the_case_ = this;
     CurrentSpecification::current = &contexts_[number];
   }
