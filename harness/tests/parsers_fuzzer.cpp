@@ -136,7 +136,7 @@ void read_checkpoint(const std::string& text) {
   using namespace accuracy;
   static const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("evalcts-fuzz-{}.json", getpid());
-  const SweepTask task = {.points = {0.25, 0.75}};
+  const SweepTask task = {.map = {0.25, 0.75}};
   const json identity = identity_of(task, {});
   const auto read = [&] {
     try {
