@@ -125,7 +125,9 @@ void read_measurement(const std::string& text) {
   };
   try {
     reports::accuracy_html(document, {}, draw);
-    reports::accuracy_html(document, {document}, draw);
+    json sweep = document;
+    sweep["format"] = "evalcts-sweep-1";
+    reports::accuracy_html(document, {sweep}, draw);
   } catch (const json::exception&) {
   } catch (const reports::FormatError&) {
   }
