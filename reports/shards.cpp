@@ -75,7 +75,7 @@ json merge(const Shards& shards, std::uint32_t count) {
     for (const auto& [text, followed] : record.readings)
       readings[text].insert(followed.begin(), followed.end());
     stale.insert(record.stale_baseline_entries.begin(), record.stale_baseline_entries.end());
-    if (!record.complete() && out["reason"] == "") {
+    if (!record.complete() && out["reason"].get<std::string>().empty()) {
       if (started != shards.end()) out["status"] = "interrupted";
       out["reason"] = fmt::format("shard {} of {}: {}", number, count,
                                   record.reason.empty() ? "not complete" : record.reason);

@@ -32,7 +32,7 @@ void verbatim(const std::string& lines, std::ostream& out) {
 
 // "TEXT", "INT", "{quick,full}": the kind of a value without what checks it, or its choices.
 std::string kind_of_value(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
+  std::string type = option.get_type_name();
   const std::size_t colon = type.find(':');
   if (colon == std::string::npos) return type;
   return type[colon + 1] == '{' ? type.substr(colon + 1) : type.substr(0, colon);
@@ -45,7 +45,7 @@ void write_option(const CLI::Option& option, std::ostream& out) {
   if (takes_value && !option.get_positional()) out << " \\fI" << roff(kind_of_value(option)) << "\\fR";
   if (!option.get_default_str().empty()) out << " [" << roff(option.get_default_str()) << "]";
   out << '\n';
-  const std::string description = option.get_description();
+  const std::string& description = option.get_description();
   out << roff(description.empty() ? "(required)" : description) << '\n';
 }
 

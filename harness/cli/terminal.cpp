@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -39,7 +40,7 @@ ScreenSize screen_of(int descriptor) {
 }
 
 std::string clock_time(double seconds) {
-  const auto whole = static_cast<std::uint64_t>(std::max(seconds, 0.0) + 0.5);
+  const auto whole = static_cast<std::uint64_t>(std::llround(std::max(seconds, 0.0)));
   const std::uint64_t hours = whole / 3600, minutes = whole / 60 % 60;
   return hours ? fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60)
                : fmt::format("{}:{:02}", minutes, whole % 60);

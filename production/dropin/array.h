@@ -54,7 +54,9 @@ class Array {
   }
 
  private:
-  static constexpr std::size_t kBytes = sizeof(T);  // NOLINT(bugprone-sizeof-expression): also of pointers
+  // Also of pointers, and a constant for all that.
+  // NOLINTNEXTLINE(bugprone-sizeof-expression,bugprone-dynamic-static-initializers)
+  static constexpr std::size_t kBytes = sizeof(T);
 
   T* data_ = nullptr;
   std::size_t size_ = 0, capacity_ = 0;

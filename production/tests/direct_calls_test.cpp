@@ -154,7 +154,8 @@ TEST_F(DirectCalls, CurrentValuesInBetween) {
   ASSERT_EQ(recording.vertices.size(), 12u);
   for (int i = 0; i < 12; ++i) {
     const glev_vertex& vertex = recording.vertices[static_cast<std::size_t>(i)];
-    const auto value = static_cast<float>(i / 3);
+    const auto third = i / 3;
+    const auto value = static_cast<float>(third);
     const float late = i % 3 == 2 ? value : value - 1;
     EXPECT_EQ(vertex.color[0], value) << i;
     if (late >= 0) {

@@ -201,10 +201,11 @@ TEST(Record, TextOfAFile) {
   const std::string brackets(200, '['), closed = std::string(90, '[') + std::string(90, ']');
   EXPECT_EQ(parse_result(head + "\"\\\\\\\"" + brackets + "\"}")["reason"], "\\\"" + brackets);
   EXPECT_NO_THROW(parse_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));
+  std::string nested = head + R"("\\", "unknown": )";
+  nested += brackets + std::string(200, ']') + "}";
   for (const std::string& bad :
        {std::string(), head, std::string("[]"), std::string("{}"), std::string(R"({"format": 1})"),
-        std::string(R"({"format": "evalcts-ulp-1"})"), head + "1}",
-        head + "\"\\\\\", \"unknown\": " + brackets + std::string(200, ']') + "}"})
+        std::string(R"({"format": "evalcts-ulp-1"})"), head + "1}", nested})
     EXPECT_THROW(parse_result(bad), FormatError) << bad;
 }
 

@@ -70,7 +70,7 @@ inline void ignore_signals_and_hang() {
 inline void handle_crash_and_go_on() {
   std::signal(SIGSEGV, [](int) {});
   volatile std::uintptr_t nowhere = 64;
-  *reinterpret_cast<volatile int*>(nowhere) = 1;
+  *reinterpret_cast<volatile int*>(nowhere) = 1;  // NOLINT(performance-no-int-to-ptr): nowhere on purpose
 }
 
 inline void crash_in_thread() {
