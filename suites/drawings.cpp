@@ -32,11 +32,15 @@ struct Vertices {
   std::size_t elsewhere = 0;  // of the seen ones
 };
 
+bool same_place(const std::array<double, 12>& a, const std::array<double, 12>& b) {
+  constexpr double kPixel = 1;
+  return std::hypot(a[0] - b[0], a[1] - b[1]) < kPixel;
+}
+
 std::size_t nearest(const std::vector<std::array<double, 12>>& vertices,
                     const std::array<double, 12>& vertex) {
-  constexpr double kSamePlace = 1;  // pixel
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    if (std::hypot(vertices[i][0] - vertex[0], vertices[i][1] - vertex[1]) < kSamePlace) return i;
+    if (same_place(vertices[i], vertex)) return i;
   return vertices.size();
 }
 
@@ -79,6 +83,34 @@ std::vector<double> flat(const std::vector<std::array<double, 12>>& vertices) {
 Part with_plain_lines(Part part) {
   std::ranges::replace(part.values, double{GL_LINE_RESET_TOKEN}, double{GL_LINE_TOKEN});
   return part;
+}
+
+// Points and lines in the order of the control, lines in its direction; as they are where others were seen.
+// In which order a mesh is drawn is judged where that is said (EV-MESH2-POINT, EV-MESH2-LINE).
+Part in_order_of(const Part& control, const Part& seen) {
+  std::vector<FeedbackPrimitive> left = primitives_of(seen);
+  Part ordered{seen.name, seen.shown, {}};
+  for (const FeedbackPrimitive& wanted : primitives_of(control)) {
+    const auto same_places = [&](const FeedbackPrimitive& candidate) {
+      return candidate.token == wanted.token &&
+             std::ranges::equal(candidate.vertices, wanted.vertices, same_place);
+    };
+    auto found = std::ranges::find_if(left, same_places);
+    for (auto other = left.begin(); found == left.end() && other != left.end(); ++other) {
+      std::ranges::reverse(other->vertices);
+      if (same_places(*other)) {
+        found = other;
+      } else {
+        std::ranges::reverse(other->vertices);
+      }
+    }
+    if (found == left.end()) return seen;
+    ordered.values.push_back(found->token);
+    for (const auto& vertex : found->vertices)
+      ordered.values.insert(ordered.values.end(), vertex.begin(), vertex.end());
+    left.erase(found);
+  }
+  return left.empty() ? ordered : seen;
 }
 
 }  // namespace
@@ -209,10 +241,19 @@ std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluate
   return scenes;
 }
 
+void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control) {
+  const Part plain = with_plain_lines(control);
+  expect_like_explicit(played, in_order_of(plain, with_plain_lines(seen)), plain);
+}
+
 void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
                                 const Part& control) {
   if (drawing.primitive != GL_QUAD_STRIP) {
-    expect_like_explicit(played, with_plain_lines(seen), with_plain_lines(control));
+    if (drawing.predicted.has_meshes()) {
+      expect_mesh_like_explicit(played, seen, control);
+    } else {
+      expect_like_explicit(played, with_plain_lines(seen), with_plain_lines(control));
+    }
     return;
   }
   const Vertices vertices = matched(seen, control);

@@ -69,8 +69,11 @@ std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluate
 
 // --- Comparisons -----------------------------------------------------------------------------------------
 
-// Feedback: points and lines are like those of the control, one for one. Of polygons the vertices are: how
-// quads are decomposed is free.
+// Feedback of one EvalMesh2 in POINT or LINE: its points or lines are those of the control, in any order.
+void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control);
+
+// Feedback: points and lines are like those of the control, one for one, those of EvalMesh2 in any order. Of
+// polygons the vertices are: how quads are decomposed is free.
 void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
                                 const Part& control);
 void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,

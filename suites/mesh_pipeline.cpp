@@ -9,6 +9,7 @@
 #include <span>
 
 #include "harness/judge/prediction.h"
+#include "suites/drawings.h"
 #include "suites/grid_cases.h"
 #include "suites/pictures.h"
 
@@ -84,10 +85,6 @@ std::vector<Area> samples_in_halves() {
       areas.push_back({x + dx, y + dy});
   });
   return areas;
-}
-
-bool lit(const Part& part) {
-  return std::ranges::any_of(part.values, [](double value) { return value > 0.05; });
 }
 
 // --- What feedback shows ---------------------------------------------------------------------------------
@@ -527,7 +524,11 @@ EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages,
     for (const std::size_t drawing : {0u, 1u}) {
       const auto seen = looks.parts(stage, drawing), expected = control.parts(stage, drawing);
       for (std::size_t i = 0; i < seen.size(); ++i)
-        expect_like_explicit(looks.picture().played, seen[i], expected[i]);
+        if (stages.in_depth) {
+          expect_like_explicit(looks.picture().played, seen[i], expected[i]);
+        } else {
+          expect_mesh_like_explicit(looks.picture().played, seen[i], expected[i]);
+        }
     }
 }
 

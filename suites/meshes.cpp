@@ -235,6 +235,7 @@ const std::vector<std::pair<Grid, Grid>> kGrids2 = {
     {{1, 0, 1}, {1, 0, 1}}, {{4, -0.5f, 2.5f}, {3, 0.1f, 0.7f}}, {{3, 2, -1}, {6, 1, 2}}};
 
 void expect_whole_meshes2(Test& t, const MeshMode& mode) {
+  t.judge_order_of_meshes();
   expect_meshes2(t, mode, "whole meshes", kGrids2, {{0, 1, 0, 1}, {0, 4, 0, 3}, {0, 3, 0, 6}});
   // Long strips along u and along v, and their ends.
   expect_meshes2(t, mode, "long strips", {{{90, -0.5f, 2.5f}, {90, 2, 1}}}, {{0, 90, 0, 1}, {0, 1, 0, 90}});
@@ -397,6 +398,8 @@ void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
     const std::size_t groups = vertices.size() % (segments + 1) == 0 ? segments + 1 : segments;
     if (vertices.empty() || vertices.size() % groups != 0)
       throw NotObservable("the points of the mesh do not come out, which other tests say");
+    // Which row is drawn first is judged elsewhere.
+    if (vertices.back().position[0] < vertices.front().position[0]) std::ranges::reverse(vertices);
     const auto size = static_cast<std::ptrdiff_t>(vertices.size() / groups);
     std::vector<Mismatch> mismatches;
     for (const int i : indices) {

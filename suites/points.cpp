@@ -170,11 +170,9 @@ EVALCTS_LISTED_TESTS(Points, SameBitsAsMesh, kDimensions, const Dimension& d, qu
         ++count;
       }
     c.End();
-    if (d.two) {
-      c.EvalMesh2(GL_POINT, -2, last, 0, 2);
-    } else {
-      c.EvalMesh1(GL_POINT, -2, last);
-    }
+    if (!d.two) c.EvalMesh1(GL_POINT, -2, last);
+    // A row each: the order of rows is not the point.
+    for (int j = 0; d.two && j <= 2; ++j) c.EvalMesh2(GL_POINT, -2, last, j, j);
   }
   const Observation seen = t.observe(c, kUnit0, 2 * count);
   std::vector<ObservedVertex> vertices;

@@ -36,6 +36,7 @@ struct JudgeOptions {
   Attributes attributes = kAllAttributes;  // judged are those of them that were observed
   Attributes measured = kAllAttributes;    // those that count for Accuracy
   bool lengths_of_shader_normals = false;  // of automatic normals with a vertex shader (U-AUTON-MAGN)
+  bool positions_as_a_whole = false;       // nothing is left of a position with a component beyond float
   int version = 46;                        // 10 * major + minor: ranges that the GL promises depend on it
   std::string where = {};                  // the case's identity, for Accuracy
 };
@@ -46,6 +47,11 @@ Judgement judge(const Prediction& prediction, const Topology& topology, const Ob
                 const JudgeOptions& options);
 // The same for a case that draws points only.
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options);
+
+// The topology by which fewer values are wrong: this one, or the one in which each mesh of EvalMesh2 is drawn
+// in an order of its own (match_meshes).
+Topology with_meshes_in_own_order(const Prediction& prediction, Topology topology,
+                                  const Observation& observation, const JudgeOptions& options);
 
 // An observation and how the capture that made it takes primitives apart.
 struct Seen {

@@ -61,10 +61,19 @@ Prediction prediction_of(reference::Specification& specification, const gl::Trac
 
 }  // namespace
 
+bool beyond_float(const std::array<reference::Component, 4>& position) {
+  return std::ranges::any_of(position, may_be_anything);
+}
+
 std::size_t Prediction::vertex_count() const {
   std::size_t count = 0;
   for (const reference::Primitive& primitive : primitives) count += primitive.vertices.size();
   return count;
+}
+
+bool Prediction::has_meshes() const {
+  return std::ranges::any_of(primitives,
+                             [](const reference::Primitive& primitive) { return primitive.mesh != 0; });
 }
 
 bool Prediction::has_automatic_normals() const {
@@ -77,7 +86,7 @@ bool Prediction::has_automatic_normals() const {
 bool Prediction::has_positions_beyond_float() const {
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
-      if (std::ranges::any_of(vertex.position, may_be_anything)) return true;
+      if (beyond_float(vertex.position)) return true;
   return false;
 }
 
@@ -88,8 +97,7 @@ bool Prediction::has_nonpositive_w() const {
   };
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
-      if (std::ranges::any_of(vertex.position, may_be_anything) || may_be_nonpositive(vertex.position[3]))
-        return true;
+      if (beyond_float(vertex.position) || may_be_nonpositive(vertex.position[3])) return true;
   return false;
 }
 

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "harness/gl/tokens.h"
 
@@ -133,19 +135,25 @@ namespace {
 
 using Quad = std::array<std::size_t, 4>;  // vertices of the case, in the order of its winding
 
+// Appends those of a primitive of quads whose first vertex has the number `first`; false where it has others.
+bool append_quads(const reference::Primitive& primitive, std::size_t first, std::vector<Quad>& quads) {
+  const std::size_t used = used_vertices(primitive.mode, primitive.vertices.size());
+  if (primitive.mode == GL_QUADS) {
+    for (std::size_t i = first; i < first + used; i += 4) quads.push_back({i, i + 1, i + 2, i + 3});
+  } else if (primitive.mode == GL_QUAD_STRIP) {
+    for (std::size_t i = first; i + 2 < first + used; i += 2) quads.push_back({i, i + 1, i + 3, i + 2});
+  } else {
+    return used == 0;
+  }
+  return true;
+}
+
 // None where something other than quads is drawn.
 std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
   std::vector<Quad> quads;
   std::size_t first = 0;
   for (const reference::Primitive& primitive : prediction.primitives) {
-    const std::size_t used = used_vertices(primitive.mode, primitive.vertices.size());
-    if (primitive.mode == GL_QUADS) {
-      for (std::size_t i = first; i < first + used; i += 4) quads.push_back({i, i + 1, i + 2, i + 3});
-    } else if (primitive.mode == GL_QUAD_STRIP) {
-      for (std::size_t i = first; i + 2 < first + used; i += 2) quads.push_back({i, i + 1, i + 3, i + 2});
-    } else if (used > 0) {
-      return {};
-    }
+    if (!append_quads(primitive, first, quads)) return {};
     first += primitive.vertices.size();
   }
   return quads;
@@ -223,7 +231,143 @@ Match two_triangles(const Distance& distance, const Quad& q, const std::vector<O
   return best;
 }
 
+// What comes out at once: a point, a line or a polygon.
+struct Piece {
+  GLenum mode;
+  std::vector<ObservedVertex> vertices;
+};
+
+std::vector<Piece> pieces_of(const Observation& observation) {
+  std::vector<Piece> pieces;
+  for (const ObservedPrimitive& primitive : observation.primitives) {
+    if (primitive.mode != GL_POINTS) {
+      if (!primitive.vertices.empty()) pieces.push_back({primitive.mode, primitive.vertices});
+    } else {
+      for (const ObservedVertex& vertex : primitive.vertices) pieces.push_back({GL_POINTS, {vertex}});
+    }
+  }
+  return pieces;
+}
+
+// The pieces of a mesh by the topology, by their vertices, and whether they have been found.
+struct ExpectedPiece {
+  GLenum mode;
+  std::vector<std::size_t> vertices;
+  std::size_t mesh;
+  bool found = false;
+};
+
+std::vector<ExpectedPiece> pieces_of(const Topology& topology, const std::vector<std::size_t>& mesh_of) {
+  std::vector<ExpectedPiece> pieces;
+  auto vertex = topology.vertices.begin();
+  for (const auto& [mode, count] : topology.shape) {
+    const std::size_t size = mode == GL_POINTS ? 1 : count;
+    for (std::size_t i = 0; i < count; i += size, vertex += static_cast<std::ptrdiff_t>(size))
+      pieces.push_back({mode, {vertex, vertex + static_cast<std::ptrdiff_t>(size)}, mesh_of[*vertex]});
+  }
+  return pieces;
+}
+
+// What came out next has to be one of the expected, which is not found yet: the nearest one. Lines may go
+// either way.
+class MeshMatch {
+ public:
+  MeshMatch(const Distance& distance, const std::vector<Piece>& seen) : distance_(distance), seen_(seen) {}
+
+  bool pieces(const std::span<ExpectedPiece> expected) {
+    for (std::size_t n = 0; n < expected.size(); ++n, ++next_) {
+      if (next_ == seen_.size()) return false;
+      const Piece& piece = seen_[next_];
+      Match best;
+      ExpectedPiece* nearest = nullptr;
+      for (ExpectedPiece& candidate : expected) {
+        if (candidate.found || candidate.mode != piece.mode ||
+            candidate.vertices.size() != piece.vertices.size())
+          continue;
+        std::vector<std::size_t> vertices = candidate.vertices;
+        for (int way = 0; way < (piece.vertices.size() == 2 ? 2 : 1); ++way) {
+          double sum = 0;
+          for (std::size_t i = 0; i < vertices.size(); ++i) sum += distance_(vertices[i], piece.vertices[i]);
+          if (sum < best.distance) best = {sum, vertices}, nearest = &candidate;
+          std::ranges::reverse(vertices);
+        }
+      }
+      if (!nearest) return false;
+      nearest->found = true;
+      append(best);
+    }
+    return true;
+  }
+
+  bool quads(std::vector<Quad> expected) {
+    while (!expected.empty()) {
+      const std::size_t count = size(next_) == 3 && size(next_ + 1) == 3 ? 2 : size(next_) == 4 ? 1 : 0;
+      if (count == 0) return false;
+      const auto far = [&](const Quad& quad) {
+        double sum = 0;
+        for (std::size_t i = next_; i < next_ + count; ++i)
+          for (const ObservedVertex& vertex : seen_[i].vertices) {
+            double nearest = std::numeric_limits<double>::infinity();
+            for (const std::size_t corner : quad) nearest = std::min(nearest, distance_(corner, vertex));
+            sum += nearest;
+          }
+        return sum;
+      };
+      const auto quad = std::ranges::min_element(expected, {}, far);
+      append(count == 2 ? two_triangles(distance_, *quad, seen_[next_].vertices, seen_[next_ + 1].vertices)
+                        : turned(distance_, {quad->begin(), quad->end()}, seen_[next_].vertices));
+      expected.erase(quad);
+      next_ += count;
+    }
+    return true;
+  }
+
+  bool complete() const { return next_ == seen_.size(); }
+  std::vector<std::size_t> take_vertices() { return std::move(vertices_); }
+
+ private:
+  std::size_t size(std::size_t i) const { return i < seen_.size() ? seen_[i].vertices.size() : 0; }
+  void append(const Match& match) {
+    vertices_.insert(vertices_.end(), match.vertices.begin(), match.vertices.end());
+  }
+
+  const Distance& distance_;
+  const std::vector<Piece>& seen_;
+  std::size_t next_ = 0;
+  std::vector<std::size_t> vertices_;
+};
+
 }  // namespace
+
+std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
+                                     const Observation& observation) {
+  if (!prediction.has_meshes()) return {};
+  std::vector<std::size_t> mesh_of;  // each vertex
+  std::map<std::size_t, std::vector<Quad>> quads;
+  for (const reference::Primitive& primitive : prediction.primitives) {
+    if (primitive.mesh != 0 && primitive.mode == GL_QUAD_STRIP)
+      append_quads(primitive, mesh_of.size(), quads[primitive.mesh]);
+    mesh_of.insert(mesh_of.end(), primitive.vertices.size(), primitive.mesh);
+  }
+  std::vector<ExpectedPiece> expected = pieces_of(topology, mesh_of);
+  const std::vector<Piece> seen = pieces_of(observation);
+  const Distance distance(prediction, observation);
+  MeshMatch match(distance, seen);
+  for (std::size_t first = 0, end = 0; first < expected.size(); first = end) {
+    const std::size_t mesh = expected[first].mesh;
+    end = first + 1;
+    while (mesh != 0 && end < expected.size() && expected[end].mesh == mesh) ++end;
+    constexpr std::size_t kMost = 2000;  // every piece is compared with every other
+    if (end - first > kMost) return {};
+    const auto filled = quads.find(mesh);
+    if (filled == quads.end() ? !match.pieces({expected.begin() + static_cast<std::ptrdiff_t>(first),
+                                               expected.begin() + static_cast<std::ptrdiff_t>(end)})
+                              : !match.quads(filled->second))
+      return {};
+  }
+  if (!match.complete()) return {};
+  return Topology{shape_of(observation), match.take_vertices()};
+}
 
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation) {
   const std::optional<std::vector<Quad>> quads = quads_of(prediction);

@@ -45,4 +45,11 @@ std::optional<Topology> read_topology(const Prediction& prediction, const Observ
 // so whatever it does with explicit quads (U-FEEDBACK-DECOMP). Empty where something else came out.
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation);
 
+// The same for a case with EvalMesh2: each of its meshes has the points, lines or polygons of `topology`, but
+// in an order of its own, and lines may go either way. An implementation that draws a mesh in another order
+// than the text has it is wrong (EV-MESH2-POINT, EV-MESH2-LINE, EV-MESH2-FILL), yet the vertices may be
+// right. Quads are matched as above. Empty where something else came out, or where no mesh is drawn.
+std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
+                                     const Observation& observation);
+
 }  // namespace evalcts

@@ -408,6 +408,14 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   // Some room beyond what is right, so that the message can say how many came.
   const std::size_t room = most_vertices_of(prediction) + 8;
 
+  const auto options_for = [&](const Capture& capture) {
+    return JudgeOptions{.level = record_.level,
+                        .measured = measured ? required : 0,
+                        .lengths_of_shader_normals = (required & kShaderNormal) != 0,
+                        .positions_as_a_whole = capture.loses_vertices_beyond_float(),
+                        .version = 10 * gl().major + gl().minor,
+                        .where = script.identity()};
+  };
   struct Look {
     const Capture* capture;
     Topology topology;
@@ -423,6 +431,9 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
     Observation observation = capture->observe(*subject_.implementation, script, {wanted, room, kinds});
     if (std::optional<Topology> quads = match_quads(prediction, observation)) topology = *std::move(quads);
+    if (!judges_order_of_meshes_)
+      topology =
+          with_meshes_in_own_order(prediction, std::move(topology), observation, options_for(*capture));
     looks.push_back({capture, std::move(topology), std::move(observation)});
     note_capture(*capture);
   }
@@ -441,11 +452,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   }
 
   const auto& [capture, topology, observation] = looks.front();  // the others agree with it
-  const JudgeOptions options{.level = record_.level,
-                             .measured = measured ? required : 0,
-                             .lengths_of_shader_normals = (required & kShaderNormal) != 0,
-                             .version = 10 * gl().major + gl().minor,
-                             .where = script.identity()};
+  const JudgeOptions options = options_for(*capture);
   const auto judged = [&, &topology = topology](const Observation& seen) {
     Judgement judgement = judge(prediction, topology, seen, options);
     if (seen.error_observed && seen.error != prediction.error)

@@ -125,6 +125,10 @@ class Test {
   // From now on each case goes through this delivery.
   void deliver_by(const gl::Delivery& delivery) { delivery_ = delivery; }
 
+  // From now on the order counts in which a mesh of EvalMesh2 is drawn. Other tests find its points, lines
+  // and polygons wherever they come in it, so that what draws them in another order fails where that is said.
+  void judge_order_of_meshes() { judges_order_of_meshes_ = true; }
+
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 
@@ -193,6 +197,7 @@ class Test {
 
   const Subject& subject_;
   Record& record_;
+  bool judges_order_of_meshes_ = false;
   std::optional<gl::Delivery> delivery_;
   bool lists_used_ = false;
   std::optional<Listed> lists_in_doubt_;  // until explicit vertices come right out of them

@@ -128,5 +128,88 @@ TEST(MatchQuads, NeedsAsManyAsThereAre) {
   EXPECT_FALSE(match_quads(predicted(GL_TRIANGLES, 3), observed(GL_TRIANGLES, {{10, 11, 12}})));
 }
 
+// --- Meshes in another order -----------------------------------------------------------------------------
+
+// Two meshes of 2x1 segments, vertex (i, j) at x = 10 + i + 10 j, with a vertex between them.
+Prediction predicted_meshes(GLenum mode) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
+          std::vector<float>{10, 1, 0, 20, 1, 0, 12, 1, 0, 22, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(2, 0, 1, 1, 0, 1);
+  c.EvalMesh2(mode, 0, 2, 0, 1);
+  c.Begin(GL_POINTS);
+  c.Vertex2f(30, 1);
+  c.End();
+  c.EvalMesh2(mode, 0, 1, 0, 1);
+  return predict(c, 8);
+}
+
+// As many mismatches as there are where the meshes are taken to be in an order of their own.
+std::size_t wrong_in_own_order(const Prediction& prediction, const Topology& topology,
+                               const Observation& seen) {
+  const auto matched = match_meshes(prediction, topology, seen);
+  return matched ? judge(prediction, *matched, seen, {}).mismatches.size() : 99;
+}
+
+TEST(MatchMeshes, FindsPointsWhereverTheyAreInTheMesh) {
+  const Prediction points = predicted_meshes(GL_POINT);
+  const Topology text = Topology::points(11);
+  const auto wrong = [&](const std::vector<float>& numbers) {
+    std::vector<std::vector<float>> single;
+    for (const float number : numbers) single.push_back({number});
+    return wrong_in_own_order(points, text, observed(GL_POINTS, single));
+  };
+  EXPECT_EQ(wrong({10, 11, 12, 20, 21, 22, 30, 10, 11, 20, 21}), 0u);
+  EXPECT_EQ(wrong({10, 20, 11, 21, 12, 22, 30, 21, 11, 20, 10}), 0u);
+  EXPECT_GT(wrong({10, 20, 11, 21, 12, 12, 30, 21, 11, 20, 10}), 0u);  // one twice
+  EXPECT_GT(wrong({10, 20, 11, 21, 12, 30, 22, 21, 11, 20, 10}), 0u);  // after what follows the mesh
+  EXPECT_GT(wrong({21, 11, 20, 10, 30, 10, 20, 11, 21, 12, 22}), 0u);  // the meshes exchanged
+  EXPECT_EQ(wrong({10, 20, 11, 21, 12, 22, 30, 21, 11, 20}), 99u);
+  EXPECT_EQ(match_meshes(predicted(GL_POINTS, 1), Topology::points(1), observed(GL_POINTS, {{10}})),
+            std::nullopt);
+}
+
+TEST(MatchMeshes, LinesGoEitherWay) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
+          std::vector<float>{10, 1, 0, 20, 1, 0, 11, 1, 0, 21, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(1, 0, 1, 1, 0, 1);
+  c.EvalMesh2(GL_LINE, 0, 1, 0, 1);
+  const Prediction lines = predict(c, 8);
+  const auto text = read_topology(lines, observed(GL_LINES, {{0, 1}, {2, 3}, {4, 5}, {6, 7}}));
+  ASSERT_TRUE(text);
+  const auto wrong = [&](const std::vector<std::vector<float>>& numbers) {
+    return wrong_in_own_order(lines, *text, observed(GL_LINES, numbers));
+  };
+  EXPECT_EQ(wrong({{10, 11}, {20, 21}, {10, 20}, {11, 21}}), 0u);
+  EXPECT_EQ(wrong({{20, 10}, {11, 10}, {20, 21}, {21, 11}}), 0u);
+  EXPECT_GT(wrong({{20, 10}, {11, 10}, {20, 21}, {20, 11}}), 0u);
+  EXPECT_GT(wrong({{10, 11}, {10, 11}, {10, 20}, {11, 21}}), 0u);
+}
+
+TEST(MatchMeshes, QuadsAndTheirTriangles) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
+          std::vector<float>{10, 1, 0, 20, 1, 0, 12, 1, 0, 22, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.MapGrid2f(2, 0, 1, 1, 0, 1);
+  c.EvalMesh2(GL_FILL, 0, 2, 0, 1);
+  const Prediction filled = predict(c, 8);
+  const auto text =
+      read_topology(filled, observed(GL_TRIANGLES, {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}}));
+  ASSERT_TRUE(text);
+  const auto wrong = [&](GLenum mode, const std::vector<std::vector<float>>& numbers) {
+    return wrong_in_own_order(filled, *text, observed(mode, numbers));
+  };
+  EXPECT_EQ(wrong(GL_TRIANGLES, {{10, 20, 21}, {10, 21, 11}, {11, 21, 22}, {11, 22, 12}}), 0u);
+  EXPECT_EQ(wrong(GL_TRIANGLES, {{22, 12, 11}, {21, 22, 11}, {21, 11, 10}, {10, 20, 21}}), 0u);
+  EXPECT_EQ(wrong(GL_POLYGON, {{22, 12, 11, 21}, {10, 20, 21, 11}}), 0u);
+  EXPECT_GT(wrong(GL_POLYGON, {{22, 12, 11, 21}, {22, 12, 11, 21}}), 0u);
+  EXPECT_GT(wrong(GL_POLYGON, {{22, 21, 11, 12}, {10, 20, 21, 11}}), 0u);  // the other winding
+  EXPECT_EQ(wrong(GL_POLYGON, {{22, 12, 11, 21}}), 99u);
+}
+
 }  // namespace
 }  // namespace evalcts

@@ -122,8 +122,8 @@ void Specification::EvalPoint2(GLint i, GLint j) {
 // ---- Meshes: the equivalent commands of the text ----
 
 template <typename Vertices>
-void Specification::draw(GLenum mode, Vertices vertices) {
-  open_ = Primitive{mode, {}};
+void Specification::draw(GLenum mode, std::size_t mesh, Vertices vertices) {
+  open_ = Primitive{mode, {}, mesh};
   vertices();
   completed_.push_back(*std::exchange(open_, std::nullopt));
 }
@@ -133,7 +133,7 @@ void Specification::EvalMesh1(GLenum mode, GLint p1, GLint p2) {
   const bool is_mode = mode == GL_POINT || mode == GL_LINE;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
   const std::int64_t i1 = p1, i2 = p2;
-  draw(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP, [&] {  // C-MESH1-LINES
+  draw(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP, 0, [&] {  // C-MESH1-LINES
     for (std::int64_t i = i1; i <= i2; ++i) eval_point(i);
   });
 }
@@ -142,27 +142,28 @@ void Specification::EvalMesh2(GLenum mode, GLint p1, GLint p2, GLint q1, GLint q
   if (compiled(&Specification::EvalMesh2, mode, p1, p2, q1, q2)) return;
   const bool is_mode = mode == GL_POINT || mode == GL_LINE || mode == GL_FILL;
   if (refused({{inside(), GL_INVALID_OPERATION}, {!is_mode, GL_INVALID_ENUM}})) return;
+  ++meshes_;
   const std::int64_t i1 = p1, i2 = p2, j1 = q1, j2 = q2;
   switch (mode) {
     case GL_POINT:
-      draw(GL_POINTS, [&] {
+      draw(GL_POINTS, meshes_, [&] {
         for (std::int64_t j = j1; j <= j2; ++j)
           for (std::int64_t i = i1; i <= i2; ++i) eval_point(i, j);
       });
       break;
     case GL_LINE:
       for (std::int64_t j = j1; j <= j2; ++j)
-        draw(GL_LINE_STRIP, [&] {
+        draw(GL_LINE_STRIP, meshes_, [&] {
           for (std::int64_t i = i1; i <= i2; ++i) eval_point(i, j);
         });
       for (std::int64_t i = i1; i <= i2; ++i)
-        draw(GL_LINE_STRIP, [&] {
+        draw(GL_LINE_STRIP, meshes_, [&] {
           for (std::int64_t j = j1; j <= j2; ++j) eval_point(i, j);  // C-MESH2-LOOP
         });
       break;
     case GL_FILL:
       for (std::int64_t j = j1; j < j2; ++j)
-        draw(GL_QUAD_STRIP, [&] {
+        draw(GL_QUAD_STRIP, meshes_, [&] {
           for (std::int64_t i = i1; i <= i2; ++i) {
             eval_point(i, j);
             eval_point(i, j + 1);

@@ -49,6 +49,7 @@ struct Vertex {
 struct Primitive {
   GLenum mode;  // as given to Begin
   std::vector<Vertex> vertices;
+  std::size_t mesh = 0;  // which EvalMesh2 drew it, counted from 1; 0: none
 };
 
 // Whether the component has an exact value: a finite float, or a sample whose data and arguments are finite.

@@ -311,9 +311,9 @@ class Specification {
   void eval_point(std::int64_t i, std::int64_t j);
   // MapGrid1 and MapGrid2: new values of one direction or two.
   void map_grid(std::initializer_list<std::pair<GridDirection*, GridDirection>> directions);
-  // Begin(mode), the vertices, End.
+  // Begin(mode), the vertices, End. `mesh`: see Primitive.
   template <typename Vertices>
-  void draw(GLenum mode, Vertices vertices);
+  void draw(GLenum mode, std::size_t mesh, Vertices vertices);
 
   void vertex(double x, double y, double z, double w);
   void color(double red, double green, double blue, double alpha);
@@ -332,6 +332,7 @@ class Specification {
   int list_depth_ = 0;             // how many lists are being executed, one called by the other
   std::optional<Primitive> open_;  // between Begin and End
   std::vector<Primitive> completed_;
+  std::size_t meshes_ = 0;  // EvalMesh2 so far
   GLenum error_ = GL_NO_ERROR;
   std::vector<GLenum> permitted_errors_;
 };
