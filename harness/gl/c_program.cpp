@@ -134,9 +134,12 @@ static void make_context(const char *path) {
   unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
   unsigned (*choose)(void *, const int *, void **, int, int *) =
       (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
-  if (!get_display) stop("this EGL has no eglGetPlatformDisplayEXT");
-  display = get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL);
-  if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no surfaceless display");
+  void *(*get_default)(void *) = (void *(*)(void *))need("eglGetDisplay");
+  display = get_display ? get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL) : NULL;
+  if (!display || !initialize(display, NULL, NULL)) {
+    display = get_default(NULL);
+    if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no display, surfaceless or default");
+  }
   if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
   const int wanted[] = {0x3040 /* EGL_RENDERABLE_TYPE */, 8 /* EGL_OPENGL_BIT */, 0x3033 /* EGL_SURFACE_TYPE */, 0,
                         0x3038 /* EGL_NONE */};

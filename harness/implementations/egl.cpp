@@ -279,6 +279,27 @@ class EglContexts final : public ContextMaker {
     return get ? get(candidate.platform, candidate.native, nullptr) : EGL_NO_DISPLAY;
   }
 
+  // False where there is none.
+  bool choose_config() {
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
+                             opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
+                             EGL_SURFACE_TYPE,
+                             surfaceless_ ? 0 : EGL_PBUFFER_BIT,
+                             EGL_RED_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_ALPHA_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_DEPTH_SIZE,
+                             surfaceless_ ? 0 : 24,
+                             EGL_STENCIL_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_NONE};
+    EGLint count = 0;
+    if (!egl_.ChooseConfig(display_, wanted, &config_, 1, &count)) throw failure("eglChooseConfig");
+    if (count == 0) config_ = nullptr;
+    return count > 0;
+  }
+
   // Everything up to one context that is made and destroyed again.
   void open(const Candidate& candidate) {
     display_ = display_of(candidate);
@@ -295,24 +316,15 @@ class EglContexts final : public ContextMaker {
     const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
     knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
                           client_has("EGL_KHR_client_get_all_proc_addresses");
-    // What knows nothing of framebuffer objects draws to a surface.
-    surfaceless_ = opengl() && has_word(extensions, "EGL_KHR_surfaceless_context");
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
-                             opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
-                             EGL_SURFACE_TYPE,
-                             surfaceless_ ? 0 : EGL_PBUFFER_BIT,
-                             EGL_RED_SIZE,
-                             surfaceless_ ? 0 : 8,
-                             EGL_ALPHA_SIZE,
-                             surfaceless_ ? 0 : 8,
-                             EGL_DEPTH_SIZE,
-                             surfaceless_ ? 0 : 24,
-                             EGL_STENCIL_SIZE,
-                             surfaceless_ ? 0 : 8,
-                             EGL_NONE};
-    EGLint count = 0;
-    if (!egl_.ChooseConfig(display_, wanted, &config_, 1, &count)) throw failure("eglChooseConfig");
-    if (count == 0) throw CannotStart("no configuration is made for OpenGL");
+    // A framebuffer object only where there are no surfaces: NVIDIA's driver (580) loses that of a context
+    // without a surface when other contexts have been current. What makes contexts of OpenGL ES for another
+    // library need not know such objects at all.
+    surfaceless_ = false;
+    if (!choose_config() && opengl() && has_word(extensions, "EGL_KHR_surfaceless_context")) {
+      surfaceless_ = true;
+      choose_config();
+    }
+    if (!config_) throw CannotStart("no configuration is made for OpenGL");
 
     // Without attributes comes the highest version with everything of 1.0 in it, and so with evaluators.
     attributes_ = {EGL_NONE};

@@ -115,7 +115,7 @@ TEST_F(GlLibrary, EglContexts) {
 // What an EGL may do without, and what it may not: EVALCTS_DRILL of drill_egl.cpp.
 TEST_F(GlLibrary, EglThatOffersLess) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
-  for (const char* lacking : {"surfaceless", "profile", "commands"}) {
+  for (const char* lacking : {"surfaceless", "pbuffers", "profile", "commands"}) {
     SCOPED_TRACE(lacking);
     setenv("EVALCTS_DRILL", lacking, 1);
     expect_judged(run({"--library", DRILL_EGL}), "library");
@@ -128,6 +128,7 @@ TEST_F(GlLibrary, EglThatOffersLess) {
   const std::pair<const char*, const char*> cases[] = {
       {"opengl", "it has no desktop OpenGL, only OpenGL_ES"},
       {"drivers", "eglInitialize gives EGL_NOT_INITIALIZED"},
+      {"configurations", "no configuration is made for OpenGL"},
       {"framebuffers", "glGenFramebuffers is missing"},
       {"compatibility", "evaluators have no effect in this context"}};
   for (const auto& [lacking, reason] : cases) {

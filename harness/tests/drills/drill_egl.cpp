@@ -3,7 +3,7 @@
 //   surfaceless: EGL_KHR_surfaceless_context; platforms: client extensions; opengl: desktop OpenGL;
 //   drivers: eglInitialize fails; profile: contexts come only when a profile is asked for; compatibility: a
 //   core context comes, whatever was asked for; commands: EGL 1.4 that knows no address of a command of
-//   GL 1.x; framebuffers: no glGenFramebuffers
+//   GL 1.x; pbuffers; framebuffers: neither pbuffers nor glGenFramebuffers; configurations
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -80,6 +80,11 @@ EXPORT EGLBoolean eglBindAPI(EGLenum api) { return REAL(eglBindAPI)(api); }
 
 EXPORT EGLBoolean eglChooseConfig(EGLDisplay display, const EGLint* wanted, EGLConfig* configs, EGLint size,
                                   EGLint* count) {
+  *count = 0;
+  if (lacks("configurations")) return EGL_TRUE;
+  if (lacks("pbuffers") || lacks("framebuffers"))
+    for (const EGLint* pair = wanted; *pair != EGL_NONE; pair += 2)
+      if (pair[0] == EGL_SURFACE_TYPE && (pair[1] & EGL_PBUFFER_BIT)) return EGL_TRUE;
   return REAL(eglChooseConfig)(display, wanted, configs, size, count);
 }
 
