@@ -51,7 +51,7 @@ int rounding(const RoundingOptions& options) {
     std::cerr << fmt::format("evalcts: {}\n", problem.what());
     return kWrongUse;
   }
-  if (!any) {
+  if (!any && !interrupted) {
     std::cerr << fmt::format(
         "evalcts: no class of maps matches '{}'; without --filter all of them are tried\n", options.filter);
     return kWrongUse;
