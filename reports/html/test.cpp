@@ -23,9 +23,10 @@ void add_command(data& commands, const std::string& purpose, const std::string& 
   commands << item;
 }
 
-data failure_view(const Failure& failure, bool open) {
+// `above`: the failure before it. Several of one case have its calls, which may be long, in common.
+data failure_view(const Failure& failure, const Failure* above) {
   data out;
-  out.set("open", open);
+  out.set("open", above == nullptr);
   out.set("case", failure.case_name.empty() ? "this test" : failure.case_name);
   out.set("far", optional_text(distance(failure.ulp, failure.condition_aware)));
   data rows = list();
@@ -38,7 +39,9 @@ data failure_view(const Failure& failure, bool open) {
   add_row(rows, "Condition-aware", failure.condition_aware ? number(failure.condition_aware) : "");
   add_row(rows, "Capture", failure.capture);
   out.set("rows", rows);
-  out.set("calls", optional_text(join(failure.calls, "\n")));
+  const bool said = above && !failure.calls.empty() && failure.calls == above->calls;
+  out.set("calls_above", said);
+  out.set("calls", optional_text(said ? "" : join(failure.calls, "\n")));
   return out;
 }
 
@@ -110,8 +113,11 @@ data outcome_view(const Alike& alike, bool several) {
   out.set("facts_line", optional_text(facts_of(test, alike.size() == 1)));
   out.set("accuracy_line", optional_text(accuracy_of(test)));
   data failures = list();
-  for (const Failure& failure : test.failures)
-    failures << failure_view(failure, &failure == &test.failures.front());
+  const Failure* above = nullptr;
+  for (const Failure& failure : test.failures) {
+    failures << failure_view(failure, above);
+    above = &failure;
+  }
   out.set("failures", failures);
   data commands = list();
   for (const auto& [outcome, column] : alike) {

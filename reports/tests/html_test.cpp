@@ -197,6 +197,19 @@ TEST(Html, OneDescriptionForThoseThatAgree) {
   EXPECT_TRUE(contains(html({named("x", json::array({slow}))}, nullptr), "pass (2 cases, 0.500 s)<br>"));
 }
 
+// The failures of one case have the same calls.
+TEST(Html, CallsOfTheFailureAboveAreNotRepeated) {
+  const json of_one = {{"case", "one"}, {"message", "m"}, {"calls", {"glBegin(GL_POINTS);", "glEnd();"}}};
+  const json of_another = {{"case", "two"}, {"message", "m"}, {"calls", {"glBegin(GL_LINES);"}}};
+  const std::string page = html(
+      {named("x",
+             {{{"name", "A.b"}, {"verdict", "fail"}, {"failures", {of_one, of_one, of_another, of_one}}}})},
+      nullptr);
+  EXPECT_EQ(occurrences(page, "glBegin(GL_POINTS);"), 2u);
+  EXPECT_EQ(occurrences(page, "glBegin(GL_LINES);"), 1u);
+  EXPECT_EQ(occurrences(page, "The GL calls are those of the failure above."), 1u);
+}
+
 TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
   PageOptions options;
   EXPECT_FALSE(contains(html({}, nullptr, options), "accuracy.html"));
