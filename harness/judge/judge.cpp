@@ -39,19 +39,27 @@ class VertexJudge {
 
   void vertex(std::size_t index, const reference::Vertex& expected, const ObservedVertex& got) {
     index_ = index;
-    if (!options_.positions_as_a_whole || !beyond_float(expected.position))
-      values(kPosition, "position", "xyzw", expected.position, got.position);
+    if (!lost(expected.position)) values(kPosition, "position", "xyzw", expected.position, got.position);
     values(kColor, "color", "RGBA", expected.color, got.color);
     if (const auto* components = std::get_if<0>(&expected.normal))
       values(kNormal, "normal", "xyz", *components, got.normal);
     else if (options_.attributes & observation_.attributes & kNormal)
       automatic_normal(std::get<reference::AutomaticNormal>(expected.normal), got.normal);
     for (std::size_t unit = 0; unit < observation_.units; ++unit)
-      values(unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther, "texture coordinate", "strq",
-             expected.texture_coordinate[unit], got.texture_coordinate[unit], unit);
+      if (!lost(expected.texture_coordinate[unit]))
+        values(unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther, "texture coordinate", "strq",
+               expected.texture_coordinate[unit], got.texture_coordinate[unit], unit);
   }
 
  private:
+  bool lost(const std::array<Component, 4>& vector) const {
+    return options_.vectors_as_a_whole && std::ranges::any_of(vector, [&](const Component& component) {
+             const auto* sample = std::get_if<Sample>(&component);
+             return sample && !reference::must_applies(component, reference::guaranteed_range(
+                                                                      sample->map->target, options_.version));
+           });
+  }
+
   template <class Expected, class Got>
   void values(Attribute attribute, const char* name, const char* components, const Expected& expected,
               const Got& got, std::size_t unit = 0) {

@@ -36,9 +36,11 @@ struct JudgeOptions {
   Attributes attributes = kAllAttributes;  // judged are those of them that were observed
   Attributes measured = kAllAttributes;    // those that count for Accuracy
   bool lengths_of_shader_normals = false;  // of automatic normals with a vertex shader (U-AUTON-MAGN)
-  bool positions_as_a_whole = false;       // nothing is left of a position with a component beyond float
-  int version = 46;                        // 10 * major + minor: ranges that the GL promises depend on it
-  std::string where = {};                  // the case's identity, for Accuracy
+  // Positions and texture coordinates went through a matrix: where one component may be anything (infinity,
+  // no number), nothing is left of the others.
+  bool vectors_as_a_whole = false;
+  int version = 46;        // 10 * major + minor: ranges that the GL promises depend on it
+  std::string where = {};  // the case's identity, for Accuracy
 };
 
 // Compares what came out with the prediction, taken apart as the topology says, vertex by vertex, in order. A

@@ -61,10 +61,6 @@ Prediction prediction_of(reference::Specification& specification, const gl::Trac
 
 }  // namespace
 
-bool beyond_float(const std::array<reference::Component, 4>& position) {
-  return std::ranges::any_of(position, may_be_anything);
-}
-
 std::size_t Prediction::vertex_count() const {
   std::size_t count = 0;
   for (const reference::Primitive& primitive : primitives) count += primitive.vertices.size();
@@ -86,7 +82,7 @@ bool Prediction::has_automatic_normals() const {
 bool Prediction::has_positions_beyond_float() const {
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
-      if (beyond_float(vertex.position)) return true;
+      if (std::ranges::any_of(vertex.position, may_be_anything)) return true;
   return false;
 }
 
@@ -97,7 +93,8 @@ bool Prediction::has_nonpositive_w() const {
   };
   for (const reference::Primitive& primitive : primitives)
     for (const reference::Vertex& vertex : primitive.vertices)
-      if (beyond_float(vertex.position) || may_be_nonpositive(vertex.position[3])) return true;
+      if (std::ranges::any_of(vertex.position, may_be_anything) || may_be_nonpositive(vertex.position[3]))
+        return true;
   return false;
 }
 

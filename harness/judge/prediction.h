@@ -3,7 +3,6 @@
 
 #include <reference/specification.h>
 
-#include <array>
 #include <vector>
 
 #include "harness/gl/case.h"
@@ -11,16 +10,13 @@
 
 namespace evalcts {
 
-// Whether a component of the position may come out as infinity or no number: where the GL promises nothing of
-// its value.
-bool beyond_float(const std::array<reference::Component, 4>& position);
-
 struct Prediction {
   std::vector<reference::Primitive> primitives;
   GLenum error = GL_NO_ERROR;  // the first error that the case raises
 
   std::size_t vertex_count() const;
   bool has_nonpositive_w() const;
+  // Whether a position may come out as infinity or no number: where the GL promises nothing of its value.
   bool has_positions_beyond_float() const;
   bool has_automatic_normals() const;
   bool has_meshes() const;  // of EvalMesh2

@@ -412,7 +412,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
     return JudgeOptions{.level = record_.level,
                         .measured = measured ? required : 0,
                         .lengths_of_shader_normals = (required & kShaderNormal) != 0,
-                        .positions_as_a_whole = capture.loses_vertices_beyond_float(),
+                        .vectors_as_a_whole = capture.loses_vertices_beyond_float(),
                         .version = 10 * gl().major + gl().minor,
                         .where = script.identity()};
   };

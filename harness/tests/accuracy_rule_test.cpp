@@ -230,5 +230,34 @@ TEST(JudgeNormals, HaveEitherSignWhereADomainIsReversed) {
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 1, 0}).mismatches(), 1u);
 }
 
+// --- What went through a matrix --------------------------------------------------------------------------
+
+// Infinity in one component leaves no number in the others.
+TEST(JudgeVectors, CountAsAWholeWhereTheyWereTransformed) {
+  const auto mismatches = [](float most, const JudgeOptions& options) {
+    gl::Case c;
+    const std::vector<float> points = {0, 0, 0, most, 0, 0}, coordinates = {0, 0, most, 0};
+    c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, points);
+    c.Map1f(GL_MAP1_TEXTURE_COORD_2, 0, 1, 2, 2, coordinates);
+    c.Enable(GL_MAP1_VERTEX_3);
+    c.Enable(GL_MAP1_TEXTURE_COORD_2);
+    c.Begin(GL_POINTS);
+    c.EvalCoord1f(1000);
+    c.End();
+    const float infinity = std::numeric_limits<float>::infinity(), none = std::nanf("");
+    Observation seen;
+    seen.attributes = kPosition | kTextureCoordinate0;
+    seen.units = 1;
+    ObservedVertex vertex;
+    vertex.position = {infinity, none, none, 1};
+    vertex.texture_coordinate[0] = {infinity, none, none, 1};
+    seen.primitives = {{GL_POINTS, {vertex}}};
+    return judge(predict(c, 8), seen, options).mismatches.size();
+  };
+  EXPECT_EQ(mismatches(3e38f, {.vectors_as_a_whole = true}), 0u);
+  EXPECT_EQ(mismatches(3e38f, {}), 4u);  // y, z, t and r
+  EXPECT_EQ(mismatches(1, {.vectors_as_a_whole = true}), 6u);
+}
+
 }  // namespace
 }  // namespace evalcts
