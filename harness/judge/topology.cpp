@@ -172,22 +172,25 @@ class Distance {
         if (observation.clamped_colors)
           for (auto color = values.end() - 4; color != values.end(); ++color)
             *color = std::clamp(*color, 0.0f, 1.0f);
+        for (const float component : reference::rounded(vertex.normal)) values.push_back(component);
         expected_.push_back(std::move(values));
       }
   }
 
   double operator()(std::size_t vertex, const ObservedVertex& seen) const {
-    double distance = 0;
     const float* expected = expected_[vertex].data();
-    for (const auto& [attribute, values] :
-         {std::pair{kPosition, &seen.position}, std::pair{kTextureCoordinate0, &seen.texture_coordinate[0]},
-          std::pair{kColor, &seen.color}}) {
-      for (std::size_t i = 0; i < 4 && (attributes_ & attribute); ++i) {
-        const double difference = std::abs(static_cast<double>((*values)[i]) - expected[i]);
+    double distance = 0;
+    const auto add = [&](Attribute attribute, const auto& values) {
+      for (std::size_t i = 0; i < values.size() && (attributes_ & attribute); ++i) {
+        const double difference = std::abs(static_cast<double>(values[i]) - expected[i]);
         distance += difference <= kFar ? difference : kFar;  // also for NaN
       }
-      expected += 4;
-    }
+      expected += values.size();
+    };
+    add(kPosition, seen.position);
+    add(kTextureCoordinate0, seen.texture_coordinate[0]);
+    add(kColor, seen.color);
+    add(kNormal, seen.normal);
     return distance;
   }
 

@@ -170,6 +170,23 @@ TEST(MatchMeshes, FindsPointsWhereverTheyAreInTheMesh) {
             std::nullopt);
 }
 
+// All points of this mesh coincide; their normals do not.
+TEST(MatchMeshes, NormalsTellPointsApart) {
+  gl::Case c;
+  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 1, 0, 1, 3, 1, std::vector<float>{10, 1, 0});
+  c.Map2f(GL_MAP2_NORMAL, 0, 1, 3, 1, 0, 1, 3, 2, std::vector<float>{0, 0, 1, 0, 1, 0});
+  c.Enable(GL_MAP2_VERTEX_3);
+  c.Enable(GL_MAP2_NORMAL);
+  c.MapGrid2f(1, 0, 1, 1, 0, 1);
+  c.EvalMesh2(GL_POINT, 0, 1, 0, 1);
+  Observation seen = observed(GL_POINTS, {{10}, {10}, {10}, {10}});
+  seen.attributes |= kNormal;
+  for (std::size_t i = 0; i < 4; ++i)
+    seen.primitives[i].vertices[0].normal =
+        i % 2 ? std::array<float, 3>{0, 1, 0} : std::array{0.0f, 0.0f, 1.0f};
+  EXPECT_EQ(wrong_in_own_order(predict(c, 8), Topology::points(4), seen), 0u);
+}
+
 TEST(MatchMeshes, LinesGoEitherWay) {
   gl::Case c;
   c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
