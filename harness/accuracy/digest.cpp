@@ -38,7 +38,7 @@ float anywhere(Random& random) {
     case 0:
       return static_cast<float>(random.below(65)) / 64;
     case 1:
-      return static_cast<float>(std::ldexp(random.uniform(), -static_cast<int>(random.below(120))));
+      return static_cast<float>(random.scaled(0, 1, -static_cast<int>(random.below(120))));
     case 2:
       return static_cast<float>(random.between(-0.5, 1.5));
     default:

@@ -33,19 +33,17 @@ std::vector<double> component_points(const Class& what, Random& random) {
     const double scale = as_float(random.between(1, 2));
     each([&](int i, int j) { return (i + j) % 2 == 0 ? scale : -scale; });
   } else if (what.data == "wide") {
-    each([&](int, int) {
-      return as_float(std::ldexp(random.between(-1, 1), static_cast<int>(random.below(120)) - 60));
-    });
+    each([&](int, int) { return as_float(random.scaled(-1, 1, static_cast<int>(random.below(120)) - 60)); });
   } else if (what.data == "extreme") {
     // Around both ends of the range of float.
     const bool large = random.once_in(2);
     each([&](int, int) {
-      return as_float(std::ldexp(random.between(-1, 1), large ? 128 - static_cast<int>(random.below(3))
-                                                              : -125 - static_cast<int>(random.below(25))));
+      return as_float(random.scaled(
+          -1, 1,
+          large ? 128 - static_cast<int>(random.below(3)) : -125 - static_cast<int>(random.below(25))));
     });
   } else {  // doubles
-    each(
-        [&](int, int) { return std::ldexp(random.between(-1, 1), static_cast<int>(random.below(60)) - 30); });
+    each([&](int, int) { return random.scaled(-1, 1, static_cast<int>(random.below(60)) - 30); });
   }
   return points;
 }

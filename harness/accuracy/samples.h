@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -20,6 +21,9 @@ class Random {
   std::uint64_t below(std::uint64_t limit) { return engine_() % limit; }
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }  // [0,1)
   double between(double low, double high) { return low + (high - low) * uniform(); }
+  // One of [low, high), times 2^exponent. Where the exponent is drawn, too, that comes first, with every
+  // compiler.
+  double scaled(double low, double high, int exponent) { return std::ldexp(between(low, high), exponent); }
   bool once_in(int n) { return below(n) == 0; }
 
  private:

@@ -55,12 +55,11 @@ double random_argument(double u1, double u2, Random& random) {
     case 0:
       return u1 + static_cast<double>(random.below(1025)) / 1024 * (u2 - u1);
     case 1:
-      return static_cast<float>(u1 + std::ldexp(random.uniform(), -static_cast<int>(random.below(60))) *
-                                         (u2 - u1));
+      return static_cast<float>(u1 + random.scaled(0, 1, -static_cast<int>(random.below(60))) * (u2 - u1));
     case 2:
       return place(random.between(-0.5, 1.5));
     case 3:
-      return place(1 - std::ldexp(random.uniform(), -static_cast<int>(random.below(24))));
+      return place(1 - random.scaled(0, 1, -static_cast<int>(random.below(24))));
     default:
       return place(random.uniform());
   }

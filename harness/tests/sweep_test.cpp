@@ -57,7 +57,7 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
     const auto end = [&] {
       return integers ? static_cast<double>(random.below(2000)) - 1000
                       : static_cast<double>(static_cast<float>(
-                            std::ldexp(random.between(-1, 1), static_cast<int>(random.below(40)) - 20)));
+                            random.scaled(-1, 1, static_cast<int>(random.below(40)) - 20)));
     };
     const double first = end(), last = random.once_in(9) ? first : end();
     const std::vector<double> points = {first, (first + last) / 2, last};
@@ -67,10 +67,8 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
     ++lines;
     const reference::BernsteinForm exact(reference::Curve{points.data(), 1, 3, 0, 1});
     for (int i = 0; i < 200; ++i) {
-      const float u =
-          i < 10
-              ? static_cast<float>(i - 5) / 4
-              : static_cast<float>(std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(150))));
+      const float u = i < 10 ? static_cast<float>(i - 5) / 4
+                             : static_cast<float>(random.scaled(-1, 1, -static_cast<int>(random.below(150))));
       if (std::abs(u) > line->reach()) continue;
       ASSERT_EQ(line->to_float(u), exact.to_float(reference::Argument::coordinate(u)))
           << first << " " << last << " " << u;
@@ -118,7 +116,7 @@ TEST(ExactLine, KnowsTheSideNearZero) {
         reference::Curve{points.data(), 1, static_cast<int>(points.size()), 0, 1});
     const auto reach = static_cast<float>(line->reach());
     for (int i = 0; i < 100; ++i) {
-      float u = std::ldexp(static_cast<float>(random.between(-1, 1)), -static_cast<int>(random.below(148)));
+      auto u = static_cast<float>(random.scaled(-1, 1, -static_cast<int>(random.below(148))));
       if (i == 0) u = reach;
       if (i == 1) u = -reach;
       if (i == 2) u = std::nextafter(reach, 0.0F);
