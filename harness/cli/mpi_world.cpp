@@ -18,6 +18,11 @@
 namespace evalcts::cli {
 namespace {
 
+// Of an empty vector there may be no address.
+void copy_bytes(void* to, const void* from, std::size_t size) {
+  if (size != 0) std::memcpy(to, from, size);
+}
+
 using accuracy::SweepResult;
 using Clock = std::chrono::steady_clock;
 
@@ -86,7 +91,7 @@ class RemoteBlocks final : public accuracy::Blocks {
     MPI_Probe(0, kOrders, MPI_COMM_WORLD, &status);
     const std::vector<char> data = receive(status);
     std::vector<std::int64_t> blocks(data.size() / sizeof(std::int64_t));
-    std::memcpy(blocks.data(), data.data(), data.size());
+    copy_bytes(blocks.data(), data.data(), data.size());
     orders_.assign(blocks.begin(), blocks.end());
     ended_ = blocks.empty();
     asked_ = Clock::now();
@@ -94,8 +99,8 @@ class RemoteBlocks final : public accuracy::Blocks {
   void tell(Tag tag, std::int64_t wanted) {
     const Report report{wanted, static_cast<std::int64_t>(finished_.size()), result_};
     std::vector<char> data(sizeof report + finished_.size() * sizeof(std::int64_t));
-    std::memcpy(data.data(), &report, sizeof report);
-    std::memcpy(data.data() + sizeof report, finished_.data(), finished_.size() * sizeof(std::int64_t));
+    copy_bytes(data.data(), &report, sizeof report);
+    copy_bytes(data.data() + sizeof report, finished_.data(), finished_.size() * sizeof(std::int64_t));
     send(0, tag, data.data(), data.size());
     finished_.clear();
     result_ = {};
@@ -197,9 +202,9 @@ class MpiWorld final : public World {
 
   static void take(int rank, bool wants_more, const std::vector<char>& data, accuracy::OwnBlocks* blocks) {
     Report report;
-    std::memcpy(&report, data.data(), sizeof report);
+    copy_bytes(&report, data.data(), sizeof report);
     std::vector<std::int64_t> finished(static_cast<std::size_t>(report.finished)), orders;
-    std::memcpy(finished.data(), data.data() + sizeof report, finished.size() * sizeof(std::int64_t));
+    copy_bytes(finished.data(), data.data() + sizeof report, finished.size() * sizeof(std::int64_t));
     try {
       if (blocks != nullptr && !finished.empty()) blocks->finish(finished, report.result);
     } catch (...) {  // the checkpoint cannot be written
