@@ -43,6 +43,7 @@ class Array {
     return true;
   }
   void Erase(std::size_t place, std::size_t count = 1) {
+    if (count == 0) return;  // an empty one has no address
     std::memmove(data_ + place, data_ + place + count, (size_ - place - count) * kBytes);
     size_ -= count;
   }
