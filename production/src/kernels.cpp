@@ -782,6 +782,130 @@ HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float*
     hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kFloats, to);
 }
 
+// The weights of a fast mesh along u, of each degree `padded` apart.
+void FastWeights(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
+                 double* s, float* weights) {
+  PlaceColumns(domain, range, degree, padded, t, s);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    Vector column[kMaxOrder];
+    WeightsOf(degree, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
+    for (int i = 0; i <= degree; ++i) {
+      const Vector binomial = hn::Set(kDoubles, static_cast<double>(Binomials(degree)[i]));
+      const Vector weight = hn::Mul(column[i], binomial);
+      // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
+      const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
+      hn::StoreU(hn::DemoteTo(kHalves, seen), kHalves, weights + static_cast<std::size_t>(i) * padded + c);
+    }
+  }
+}
+
+// The same for a grid that spans the domain, of so few segments that no weight is tiny.
+constexpr std::int64_t kFewSegments = 1 << 20;
+template <int kDegree>
+void FastWeights(const MeshRange& range, std::size_t padded, float* weights) {
+  const Vector segments = hn::Set(kDoubles, static_cast<double>(range.u.segments)),
+               step = hn::Set(kDoubles, 1 / static_cast<double>(range.u.segments)),
+               middle = hn::Set(kDoubles, kDegree);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
+    const Vector t = hn::Mul(index, step), s = hn::Mul(hn::Sub(segments, index), step);
+    Vector weight[kDegree + 1];
+    if constexpr (kDegree == 1) {
+      weight[0] = s, weight[1] = t;
+    } else if constexpr (kDegree == 2) {
+      weight[0] = hn::Mul(s, s), weight[1] = hn::Mul(hn::Mul(middle, s), t), weight[2] = hn::Mul(t, t);
+    } else {
+      const Vector ss = hn::Mul(s, s), tt = hn::Mul(t, t), between = hn::Mul(middle, hn::Mul(s, t));
+      weight[0] = hn::Mul(ss, s), weight[1] = hn::Mul(between, s), weight[2] = hn::Mul(between, t),
+      weight[3] = hn::Mul(tt, t);
+    }
+    for (int i = 0; i <= kDegree; ++i)
+      hn::StoreU(hn::DemoteTo(kHalves, weight[i]), kHalves,
+                 weights + static_cast<std::size_t>(i) * padded + c);
+  }
+}
+
+// The points of a row of a fast mesh, four floats each.
+template <int kComponents>
+HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::size_t r, const double* inverse,
+                        float* points) {
+  const auto [n, m] = map.surface.degree;
+  double weights[kMaxOrder], row[4 * kMaxOrder];
+  WeightsAt(m, Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
+            weights);
+  RowOf<kComponents>(map.surface, weights, row);
+  for (int i = 0; i <= n; ++i) {
+    for (int k = 0; k < kComponents; ++k) points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse[i]);
+  }
+}
+
+#if HWY_TARGET != HWY_SCALAR
+// Three components of low degree along u, one vertex behind the other: each weight stands there three times,
+// so that the values come out in their order, and nothing has to be interleaved. `weights`: of each degree,
+// `padded` apart.
+template <int kDegree>
+void FastTriples(const PreparedMap& map, const MeshRange& range, const Destination& to, const double* inverse,
+                 const float* weights, std::size_t padded) {
+  constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
+  static_assert(kColumns % kFloatLanes == 0);
+  const std::size_t lanes = hn::Lanes(kFloats);
+  HWY_ALIGN std::int32_t column_of[3][kFloatLanes], component_of[3][kFloatLanes];
+  for (std::size_t part = 0; part < 3; ++part) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      column_of[part][lane] = static_cast<std::int32_t>((part * lanes + lane) / 3);
+      component_of[part][lane] = static_cast<std::int32_t>((part * lanes + lane) % 3);
+    }
+  }
+  using Lookup = decltype(hn::SetTableIndices(kFloats, column_of[0]));
+  const Lookup column[3] = {hn::SetTableIndices(kFloats, column_of[0]),
+                            hn::SetTableIndices(kFloats, column_of[1]),
+                            hn::SetTableIndices(kFloats, column_of[2])};
+  const Lookup component[3] = {hn::SetTableIndices(kFloats, component_of[0]),
+                               hn::SetTableIndices(kFloats, component_of[1]),
+                               hn::SetTableIndices(kFloats, component_of[2])};
+  HWY_ALIGN float triples[kDegree + 1][3 * kColumns];
+  float points[kRows][4 * kDegree + 4 + kFloatLanes] = {};
+  for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
+    const std::size_t rows = std::min(kRows, range.rows - r0);
+    for (std::size_t r = 0; r < rows; ++r) FastRow<3>(map, range, r0 + r, inverse, points[r]);
+    for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
+      const std::size_t columns = std::min(kColumns, range.columns - c0);
+      for (int i = 0; i <= kDegree; ++i) {
+        for (std::size_t c = 0; c < columns; c += lanes) {
+          const auto weight = hn::Load(kFloats, weights + static_cast<std::size_t>(i) * padded + c0 + c);
+          for (std::size_t part = 0; part < 3; ++part)
+            hn::Store(hn::TableLookupLanes(weight, column[part]), kFloats, triples[i] + 3 * c + part * lanes);
+        }
+      }
+      for (std::size_t r = 0; r < rows; ++r) {
+        hn::Vec<Floats> point[kDegree + 1][3];
+        for (int i = 0; i <= kDegree; ++i) {
+          for (int part = 0; part < 3; ++part)
+            point[i][part] = hn::TableLookupLanes(hn::LoadU(kFloats, points[r] + 4 * i), component[part]);
+        }
+        auto* const out = reinterpret_cast<float*>(to.data + (r0 + r) * to.row_stride + c0 * to.stride);
+        const auto values = [&](std::size_t c, float* place) HWY_ATTR {
+          for (std::size_t part = 0; part < 3; ++part) {
+            const std::size_t at = 3 * c + part * lanes;
+            auto value = hn::Mul(hn::Load(kFloats, triples[0] + at), point[0][part]);
+            for (int i = 1; i <= kDegree; ++i)
+              value = hn::MulAdd(hn::Load(kFloats, triples[i] + at), point[i][part], value);
+            hn::StoreU(value, kFloats, place + part * lanes);
+          }
+        };
+        std::size_t c = 0;
+        for (; c + lanes <= columns; c += lanes) values(c, out + 3 * c);
+        if (c < columns) {
+          float last[3 * kFloatLanes];
+          values(c, last);
+          std::memcpy(out + 3 * c, last, (columns - c) * to.stride);
+        }
+      }
+    }
+  }
+}
+#endif
+
 // False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
 template <int kComponents>
 bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* scratch) {
@@ -801,31 +925,28 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
   double* const t = scratch;
   double* const s = t + padded;
   auto* const weights = reinterpret_cast<float*>(s + padded);
-  PlaceColumns(domain_u, range, n, padded, t, s);
+  constexpr decltype(&FastWeights<1>) kOfDegree[] = {FastWeights<1>, FastWeights<2>, FastWeights<3>};
+  if (n >= 1 && n <= 3 && Spans(range.u, domain_u) && range.u.segments <= kFewSegments) {
+    kOfDegree[n - 1](range, padded, weights);
+  } else {
+    FastWeights(domain_u, range, n, padded, t, s, weights);
+  }
   double inverse[kMaxOrder];
   for (int i = 0; i <= n; ++i) inverse[i] = 1 / static_cast<double>(Binomials(n)[i]);
-  for (std::size_t c = 0; c < padded; c += kLanes) {
-    Vector column[kMaxOrder];
-    WeightsOf(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
-    for (int i = 0; i <= n; ++i) {
-      const Vector weight = hn::Mul(column[i], hn::Set(kDoubles, static_cast<double>(Binomials(n)[i])));
-      // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
-      const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
-      hn::StoreU(hn::DemoteTo(kHalves, seen), kHalves, weights + i * padded + c);
+  const bool is_packed = to.components == kComponents && to.stride == kComponents * sizeof(float);
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kComponents == 3) {
+    constexpr decltype(&FastTriples<1>) kOf[] = {FastTriples<1>, FastTriples<2>, FastTriples<3>};
+    if (is_packed && n >= 1 && n <= 3) {
+      kOf[n - 1](map, range, to, inverse, weights, padded);
+      return true;
     }
   }
+#endif
   for (std::size_t r = 0; r < range.rows; ++r) {
-    const Parameter at_v = Locate(domain_v, GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)});
-    double weights_v[kMaxOrder], row[4 * kMaxOrder];
     float points[4 * kMaxOrder];
-    WeightsAt(m, at_v, weights_v);
-    RowOf<kComponents>(map.surface, weights_v, row);
-    for (int i = 0; i <= n; ++i) {
-      for (int k = 0; k < kComponents; ++k)
-        points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse[i]);
-    }
+    FastRow<kComponents>(map, range, r, inverse, points);
     std::byte* const data = to.data + r * to.row_stride;
-    const bool is_packed = to.components == kComponents && to.stride == kComponents * sizeof(float);
     for (std::size_t c = 0; c < range.columns; c += kFloatStep) {
       hn::Vec<Floats> value[kUnroll][kComponents];
       for (std::size_t part = 0; part < kUnroll; ++part) {

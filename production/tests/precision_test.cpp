@@ -155,6 +155,56 @@ TEST_F(Precision, FastZeroMapsAreZero) {
   EXPECT_EQ(WorstOfFast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
 }
 
+// Meshes of three components that lie one behind the other go another way. More columns and rows than it
+// takes at once, whole vectors or not, on every instruction set.
+TEST(FastMeshes, AreTheSamePackedAndApart) {
+  constexpr std::size_t kApart = 5;
+  Chance chance;
+  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
+    const glev_context_info info = {sizeof info, nullptr, target};
+    glev_context* gl = nullptr;
+    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+    for (const auto& [columns, rows] :
+         {std::pair{1, 1}, {15, 3}, {16, 64}, {17, 65}, {511, 2}, {513, 130}, {1100, 1}}) {
+      for (int order = 1; order <= 5; ++order) {
+        std::vector<double> points(static_cast<std::size_t>(order) * 4 * 3);
+        for (double& point : points) point = 2 * chance.Double() - 1;
+        glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
+        glevEnable(gl, GLEV_MAP2_VERTEX_3);
+        const int first = chance.Whole(0, 3);
+        glevMapGrid2d(gl, columns + 5, 0, chance.Whole(0, 3) == 0 ? 0.75 : 1, rows + 2, 0, 1);
+        const Plan plan(gl, 2);
+        const Range range = {first, first + columns - 1, 1, rows};
+        const Floats packed = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
+        Floats apart(packed.size() / 3 * kApart, -7);
+        const glev_output output = {sizeof output,
+                                    apart.data(),
+                                    apart.size() * sizeof(float),
+                                    kApart * sizeof(float),
+                                    3,
+                                    kTypeOf<float>,
+                                    0};
+        glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, GLEV_FAST, {}, nullptr, 0};
+        OutputOf(mesh.outputs, GLEV_ATTRIBUTE_VERTEX) = &output;
+        std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+        mesh.scratch = scratch.data();
+        mesh.scratch_size = scratch.size();
+        ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+        Floats found;
+        for (std::size_t i = 0; i < apart.size(); ++i) {
+          if (i % kApart < 3)
+            found.push_back(apart[i]);
+          else
+            ASSERT_EQ(apart[i], -7);
+        }
+        ASSERT_EQ(BitsOf(packed), BitsOf(found))
+            << target << ", order " << order << ", " << columns << " by " << rows;
+      }
+    }
+    glevDestroyContext(gl);
+  }
+}
+
 // ---- Double results
 
 TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
