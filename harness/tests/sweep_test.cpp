@@ -578,7 +578,8 @@ TEST_F(SweepOfProcesses, GivesWhatOneGives) {
 }
 
 TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
-  const auto ranks = [](const char* number) {
+  // Of this job alone: others may run beside it.
+  const auto ranks = [&](const char* number) {
     std::vector<pid_t> found;
     for (const auto& process : std::filesystem::directory_iterator("/proc")) {
       std::ifstream environment(process.path() / "environ"), command_line(process.path() / "cmdline");
@@ -587,7 +588,7 @@ TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
       const std::string words((std::istreambuf_iterator<char>(command_line)),
                               std::istreambuf_iterator<char>());
       if (variables.find(std::string("OMPI_COMM_WORLD_RANK=") + number + '\0') != std::string::npos &&
-          words.find("--sweep") != std::string::npos)
+          words.find(folder_.string()) != std::string::npos)
         found.push_back(static_cast<pid_t>(std::stol(process.path().filename())));
     }
     return found;
