@@ -130,14 +130,21 @@ TEST(MatchQuads, NeedsAsManyAsThereAre) {
 
 // --- Meshes in another order -----------------------------------------------------------------------------
 
-// Two meshes of 2x1 segments, vertex (i, j) at x = 10 + i + 10 j, with a vertex between them.
-Prediction predicted_meshes(GLenum mode) {
+// A mesh of n x 1 segments, vertex (i, j) at x = 10 + i + 10 j.
+gl::Case mesh(GLenum mode, int n) {
   gl::Case c;
+  const auto last = static_cast<float>(10 + n);
   c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
-          std::vector<float>{10, 1, 0, 20, 1, 0, 12, 1, 0, 22, 1, 0});
+          std::vector<float>{10, 1, 0, 20, 1, 0, last, 1, 0, last + 10, 1, 0});
   c.Enable(GL_MAP2_VERTEX_3);
-  c.MapGrid2f(2, 0, 1, 1, 0, 1);
-  c.EvalMesh2(mode, 0, 2, 0, 1);
+  c.MapGrid2f(n, 0, 1, 1, 0, 1);
+  c.EvalMesh2(mode, 0, n, 0, 1);
+  return c;
+}
+
+// Two of them, with a vertex in between.
+Prediction predicted_meshes(GLenum mode) {
+  gl::Case c = mesh(mode, 2);
   c.Begin(GL_POINTS);
   c.Vertex2f(30, 1);
   c.End();
@@ -188,13 +195,7 @@ TEST(MatchMeshes, NormalsTellPointsApart) {
 }
 
 TEST(MatchMeshes, LinesGoEitherWay) {
-  gl::Case c;
-  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
-          std::vector<float>{10, 1, 0, 20, 1, 0, 11, 1, 0, 21, 1, 0});
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.MapGrid2f(1, 0, 1, 1, 0, 1);
-  c.EvalMesh2(GL_LINE, 0, 1, 0, 1);
-  const Prediction lines = predict(c, 8);
+  const Prediction lines = predict(mesh(GL_LINE, 1), 8);
   const auto text = read_topology(lines, observed(GL_LINES, {{0, 1}, {2, 3}, {4, 5}, {6, 7}}));
   ASSERT_TRUE(text);
   const auto wrong = [&](const std::vector<std::vector<float>>& numbers) {
@@ -207,13 +208,7 @@ TEST(MatchMeshes, LinesGoEitherWay) {
 }
 
 TEST(MatchMeshes, QuadsAndTheirTriangles) {
-  gl::Case c;
-  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
-          std::vector<float>{10, 1, 0, 20, 1, 0, 12, 1, 0, 22, 1, 0});
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.MapGrid2f(2, 0, 1, 1, 0, 1);
-  c.EvalMesh2(GL_FILL, 0, 2, 0, 1);
-  const Prediction filled = predict(c, 8);
+  const Prediction filled = predict(mesh(GL_FILL, 2), 8);
   const auto text =
       read_topology(filled, observed(GL_TRIANGLES, {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}}));
   ASSERT_TRUE(text);

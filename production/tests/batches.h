@@ -125,12 +125,14 @@ struct Range {
   std::size_t rows() const { return j1 > j2 ? 0 : static_cast<std::size_t>(j2) - j1 + 1; }
 };
 
-// One attribute at points of the grid, packed.
+// One attribute at points of the grid, packed, or so many values apart with `between` between them.
 template <class Result = float>
 std::vector<Result> OfGrid(const glev_plan* plan, glev_attribute attribute, const Range& range,
-                           glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
-  const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
-  std::vector<Result> results(range.columns() * range.rows() * components);
+                           glev_precision precision = GLEV_CORRECTLY_ROUNDED, std::size_t apart = 0,
+                           Result between = 0) {
+  const std::size_t components = glevGetPlanComponents(plan, attribute);
+  const std::size_t values = std::max(apart, components), stride = values * sizeof(Result);
+  std::vector<Result> results(range.columns() * range.rows() * values, between);
   const glev_output output = {
       sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
   glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, {}, nullptr, 0};

@@ -176,20 +176,7 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
         const Plan plan(gl, 2);
         const Range range = {first, first + columns - 1, 1, rows};
         const Floats packed = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
-        Floats apart(packed.size() / 3 * kApart, -7);
-        const glev_output output = {sizeof output,
-                                    apart.data(),
-                                    apart.size() * sizeof(float),
-                                    kApart * sizeof(float),
-                                    3,
-                                    kTypeOf<float>,
-                                    0};
-        glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, GLEV_FAST, {}, nullptr, 0};
-        OutputOf(mesh.outputs, GLEV_ATTRIBUTE_VERTEX) = &output;
-        std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
-        mesh.scratch = scratch.data();
-        mesh.scratch_size = scratch.size();
-        ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+        const Floats apart = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST, kApart, -7.0f);
         Floats found;
         for (std::size_t i = 0; i < apart.size(); ++i) {
           if (i % kApart < 3)
