@@ -799,112 +799,164 @@ void FastWeights(const Domain& domain, const MeshRange& range, int degree, std::
   }
 }
 
-// The same for a grid that spans the domain, of so few segments that no weight is tiny.
-constexpr std::int64_t kFewSegments = 1 << 20;
-template <int kDegree>
-void FastWeights(const MeshRange& range, std::size_t padded, float* weights) {
-  const Vector segments = hn::Set(kDoubles, static_cast<double>(range.u.segments)),
-               step = hn::Set(kDoubles, 1 / static_cast<double>(range.u.segments)),
-               middle = hn::Set(kDoubles, kDegree);
-  for (std::size_t c = 0; c < padded; c += kLanes) {
-    const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
-    const Vector t = hn::Mul(index, step), s = hn::Mul(hn::Sub(segments, index), step);
-    Vector weight[kDegree + 1];
-    if constexpr (kDegree == 1) {
-      weight[0] = s, weight[1] = t;
-    } else if constexpr (kDegree == 2) {
-      weight[0] = hn::Mul(s, s), weight[1] = hn::Mul(hn::Mul(middle, s), t), weight[2] = hn::Mul(t, t);
-    } else {
-      const Vector ss = hn::Mul(s, s), tt = hn::Mul(t, t), between = hn::Mul(middle, hn::Mul(s, t));
-      weight[0] = hn::Mul(ss, s), weight[1] = hn::Mul(between, s), weight[2] = hn::Mul(between, t),
-      weight[3] = hn::Mul(tt, t);
-    }
-    for (int i = 0; i <= kDegree; ++i)
-      hn::StoreU(hn::DemoteTo(kHalves, weight[i]), kHalves,
-                 weights + static_cast<std::size_t>(i) * padded + c);
-  }
-}
-
-// The points of a row of a fast mesh, four floats each.
+// The points of a row of a fast mesh, four values each, times the binomials.
 template <int kComponents>
-HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::size_t r, const double* inverse,
-                        float* points) {
-  const auto [n, m] = map.surface.degree;
-  double weights[kMaxOrder], row[4 * kMaxOrder];
-  WeightsAt(m, Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
+HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
+  double weights[kMaxOrder];
+  WeightsAt(map.surface.degree[1],
+            Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
             weights);
   RowOf<kComponents>(map.surface, weights, row);
-  for (int i = 0; i <= n; ++i) {
-    for (int k = 0; k < kComponents; ++k) points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse[i]);
+}
+
+// Points one behind the other to where they belong.
+template <int kComponents>
+void Scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
+  for (std::size_t c = 0; c < count; ++c) {
+    std::array<float, 4> element = {0, 0, 0, 1};
+    std::memcpy(element.data(), values + c * kComponents, kComponents * sizeof(float));
+    std::memcpy(data + c * to.stride, element.data(), to.components * sizeof(float));
   }
 }
 
-#if HWY_TARGET != HWY_SCALAR
-// Three components of low degree along u, one vertex behind the other: each weight stands there three times,
-// so that the values come out in their order, and nothing has to be interleaved. `weights`: of each degree,
-// `padded` apart.
-template <int kDegree>
-void FastTriples(const PreparedMap& map, const MeshRange& range, const Destination& to, const double* inverse,
-                 const float* weights, std::size_t padded) {
-  constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
-  static_assert(kColumns % kFloatLanes == 0);
-  const std::size_t lanes = hn::Lanes(kFloats);
-  HWY_ALIGN std::int32_t column_of[3][kFloatLanes], component_of[3][kFloatLanes];
-  for (std::size_t part = 0; part < 3; ++part) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      column_of[part][lane] = static_cast<std::int32_t>((part * lanes + lane) / 3);
-      component_of[part][lane] = static_cast<std::int32_t>((part * lanes + lane) % 3);
+template <int kComponents>
+bool IsPacked(const Destination& to) {
+  return to.components == kComponents && to.stride == kComponents * sizeof(float);
+}
+
+// Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
+// together, those of degree 3, and cost 5 units of 2^-24 max|R|, x 3, and the sums 7.5, twice that without
+// fused operations; so the bound of GLEV_FAST, 6 n + 12, is kept. Ends of the domain, where neighbours meet,
+// are taken from the control points.
+constexpr int kMaxFastDegree = 3;
+
+// x of the columns. `t` and `s` are room for them.
+void FastPlaces(const Domain& domain, const MeshRange& range, std::size_t padded, double* t, double* s,
+                float* x) {
+  // Beyond that float has no room for each index.
+  constexpr std::int64_t kMostSegments = 1 << 20;
+  if (!Spans(range.u, domain) || range.u.segments > kMostSegments) {
+    PlaceColumns(domain, range, 1, padded, t, s);
+    for (std::size_t c = 0; c < padded; c += kLanes) {
+      const Vector at = hn::Sub(hn::Load(kDoubles, t + c), hn::Load(kDoubles, s + c));
+      hn::StoreU(hn::DemoteTo(kHalves, at), kHalves, x + c);
+    }
+    return;
+  }
+  const double step = 1 / static_cast<double>(range.u.segments);
+  const auto high = static_cast<float>(step), low = static_cast<float>(step - static_cast<double>(high));
+  const auto segments = hn::Set(kFloats, static_cast<float>(range.u.segments)),
+             high_step = hn::Set(kFloats, high), low_step = hn::Set(kFloats, low);
+  for (std::size_t c = 0; c < padded; c += kFloatLanes) {
+    const auto index = hn::Iota(kFloats, static_cast<float>(range.i1 + static_cast<std::int64_t>(c))),
+               place = hn::Sub(hn::Add(index, index), segments);
+    hn::Store(
+        HWY_NATIVE_FMA ? hn::MulAdd(place, high_step, hn::Mul(place, low_step)) : hn::Div(place, segments),
+        kFloats, x + c);
+  }
+}
+
+// A row: its coefficients, four floats for each power of x, after which vectors may read on, and its ends.
+// The same, but for signs, from either side.
+template <int kComponents, int kDegree>
+struct FastRowOfPowers {
+  float power[4 * (kDegree + 1) + kFloatLanes];
+  float first[kComponents], last[kComponents];
+
+  // The points are four values each, times the binomials.
+  HWY_INLINE void Set(const double* points) {
+    for (int k = 0; k < kComponents; ++k, ++points) {
+      const double a = points[0], z = points[4 * kDegree], ends = a + z, slope = z - a;
+      first[k] = static_cast<float>(a), last[k] = static_cast<float>(z);
+      double of[kDegree + 1];
+      if constexpr (kDegree == 1) {
+        of[0] = ends / 2, of[1] = slope / 2;
+      } else if constexpr (kDegree == 2) {
+        of[0] = (ends + points[4]) / 4, of[1] = slope / 2, of[2] = (ends - points[4]) / 4;
+      } else {
+        const double middle = points[8] + points[4], tilt = points[8] - points[4];
+        of[0] = (ends + middle) / 8, of[1] = (3 * slope + tilt) / 8;
+        of[2] = (3 * ends - middle) / 8, of[3] = (slope - tilt) / 8;
+      }
+      for (int i = 0; i <= kDegree; ++i) power[4 * i + k] = static_cast<float>(of[i]);
     }
   }
-  using Lookup = decltype(hn::SetTableIndices(kFloats, column_of[0]));
-  const Lookup column[3] = {hn::SetTableIndices(kFloats, column_of[0]),
-                            hn::SetTableIndices(kFloats, column_of[1]),
-                            hn::SetTableIndices(kFloats, column_of[2])};
-  const Lookup component[3] = {hn::SetTableIndices(kFloats, component_of[0]),
-                               hn::SetTableIndices(kFloats, component_of[1]),
-                               hn::SetTableIndices(kFloats, component_of[2])};
-  HWY_ALIGN float triples[kDegree + 1][3 * kColumns];
-  float points[kRows][4 * kDegree + 4 + kFloatLanes] = {};
+};
+
+// Each x stands there once for each component, so that the values come out in their order and nothing has to
+// be interleaved.
+template <int kComponents, int kDegree>
+void FastPowers(const PreparedMap& map, const MeshRange& range, const Destination& to, const float* x) {
+  constexpr std::size_t kColumns = 512, kRows = 64, kVectors = kComponents;  // what stays in the first cache
+  static_assert(kColumns % kFloatLanes == 0);
+  HWY_ALIGN std::int32_t column_of[kVectors][kFloatLanes], component_of[kVectors][kFloatLanes];
+  for (std::size_t i = 0; i < kVectors * kFloatLanes; ++i) {
+    column_of[i / kFloatLanes][i % kFloatLanes] = static_cast<std::int32_t>(i / kComponents);
+    component_of[i / kFloatLanes][i % kFloatLanes] = static_cast<std::int32_t>(i % kComponents);
+  }
+  HWY_ALIGN float places[kComponents * kColumns], values[kComponents * (kColumns + kFloatLanes)];
+  FastRowOfPowers<kComponents, kDegree> row[kRows];
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
-    for (std::size_t r = 0; r < rows; ++r) FastRow<3>(map, range, r0 + r, inverse, points[r]);
+    for (std::size_t r = 0; r < rows; ++r) {
+      double points[4 * (kDegree + 1)];
+      FastRow<kComponents>(map, range, r0 + r, points);
+      row[r].Set(points);
+    }
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
+      const float* const column = x + c0;
       const std::size_t columns = std::min(kColumns, range.columns - c0);
-      for (int i = 0; i <= kDegree; ++i) {
-        for (std::size_t c = 0; c < columns; c += lanes) {
-          const auto weight = hn::Load(kFloats, weights + static_cast<std::size_t>(i) * padded + c0 + c);
-          for (std::size_t part = 0; part < 3; ++part)
-            hn::Store(hn::TableLookupLanes(weight, column[part]), kFloats, triples[i] + 3 * c + part * lanes);
+      for (std::size_t c = 0; c < columns; c += kFloatLanes) {
+        for (std::size_t part = 0; part < kVectors; ++part) {
+          const auto spread = hn::TableLookupLanes(hn::Load(kFloats, column + c),
+                                                   hn::SetTableIndices(kFloats, column_of[part]));
+          hn::Store(spread, kFloats, places + c * kComponents + part * kFloatLanes);
         }
       }
+      const auto is_end = [&](std::size_t c) { return std::fabs(column[c]) == 1; };
+      std::size_t head = 0, tail = columns;
+      while (head < columns && is_end(head)) ++head;
+      while (tail > head && is_end(tail - 1)) --tail;
       for (std::size_t r = 0; r < rows; ++r) {
-        hn::Vec<Floats> point[kDegree + 1][3];
+        hn::Vec<Floats> power[kDegree + 1][kVectors];
         for (int i = 0; i <= kDegree; ++i) {
-          for (int part = 0; part < 3; ++part)
-            point[i][part] = hn::TableLookupLanes(hn::LoadU(kFloats, points[r] + 4 * i), component[part]);
+          for (std::size_t part = 0; part < kVectors; ++part) {
+            if constexpr (kFloatLanes == 1) {
+              power[i][part] = hn::Set(kFloats, row[r].power[4 * i + part]);
+            } else {
+              power[i][part] = hn::TableLookupLanes(hn::LoadU(kFloats, row[r].power + 4 * i),
+                                                    hn::SetTableIndices(kFloats, component_of[part]));
+            }
+          }
         }
-        auto* const out = reinterpret_cast<float*>(to.data + (r0 + r) * to.row_stride + c0 * to.stride);
-        const auto values = [&](std::size_t c, float* place) HWY_ATTR {
-          for (std::size_t part = 0; part < 3; ++part) {
-            const std::size_t at = 3 * c + part * lanes;
-            auto value = hn::Mul(hn::Load(kFloats, triples[0] + at), point[0][part]);
-            for (int i = 1; i <= kDegree; ++i)
-              value = hn::MulAdd(hn::Load(kFloats, triples[i] + at), point[i][part], value);
-            hn::StoreU(value, kFloats, place + part * lanes);
+        const auto evaluate = [&](std::size_t c, float* out) HWY_ATTR {
+          for (std::size_t part = 0; part < kVectors; ++part) {
+            const auto at = hn::Load(kFloats, places + c * kComponents + part * kFloatLanes);
+            auto value = power[kDegree][part];
+            for (int i = kDegree - 1; i >= 0; --i) value = hn::MulAdd(value, at, power[i][part]);
+            hn::StoreU(value, kFloats, out + part * kFloatLanes);
           }
         };
+        std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
+        float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
         std::size_t c = 0;
-        for (; c + lanes <= columns; c += lanes) values(c, out + 3 * c);
+        for (; c + kFloatLanes <= columns; c += kFloatLanes) evaluate(c, out + c * kComponents);
         if (c < columns) {
-          float last[3 * kFloatLanes];
-          values(c, last);
-          std::memcpy(out + 3 * c, last, (columns - c) * to.stride);
+          float rest[kComponents * kFloatLanes];
+          evaluate(c, rest);
+          std::memcpy(out + c * kComponents, rest, (columns - c) * kComponents * sizeof(float));
         }
+        const auto take_end = [&](std::size_t end) {
+          std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
+                      kComponents * sizeof(float));
+        };
+        for (std::size_t end = 0; end < head; ++end) take_end(end);
+        for (std::size_t end = tail; end < columns; ++end) take_end(end);
+        if (out == values) Scatter<kComponents>(values, columns, to, data);
       }
     }
   }
 }
-#endif
 
 // False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
 template <int kComponents>
@@ -925,27 +977,22 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
   double* const t = scratch;
   double* const s = t + padded;
   auto* const weights = reinterpret_cast<float*>(s + padded);
-  constexpr decltype(&FastWeights<1>) kOfDegree[] = {FastWeights<1>, FastWeights<2>, FastWeights<3>};
-  if (n >= 1 && n <= 3 && Spans(range.u, domain_u) && range.u.segments <= kFewSegments) {
-    kOfDegree[n - 1](range, padded, weights);
-  } else {
-    FastWeights(domain_u, range, n, padded, t, s, weights);
+  if (n >= 1 && n <= kMaxFastDegree) {
+    constexpr decltype(&FastPowers<kComponents, 1>) kOf[kMaxFastDegree] = {
+        FastPowers<kComponents, 1>, FastPowers<kComponents, 2>, FastPowers<kComponents, 3>};
+    FastPlaces(domain_u, range, padded, t, s, weights);
+    kOf[n - 1](map, range, to, weights);
+    return true;
   }
-  double inverse[kMaxOrder];
-  for (int i = 0; i <= n; ++i) inverse[i] = 1 / static_cast<double>(Binomials(n)[i]);
-  const bool is_packed = to.components == kComponents && to.stride == kComponents * sizeof(float);
-#if HWY_TARGET != HWY_SCALAR
-  if constexpr (kComponents == 3) {
-    constexpr decltype(&FastTriples<1>) kOf[] = {FastTriples<1>, FastTriples<2>, FastTriples<3>};
-    if (is_packed && n >= 1 && n <= 3) {
-      kOf[n - 1](map, range, to, inverse, weights, padded);
-      return true;
-    }
-  }
-#endif
+  FastWeights(domain_u, range, n, padded, t, s, weights);
   for (std::size_t r = 0; r < range.rows; ++r) {
+    double row[4 * kMaxOrder];
+    FastRow<kComponents>(map, range, r, row);
     float points[4 * kMaxOrder];
-    FastRow<kComponents>(map, range, r, inverse, points);
+    for (int i = 0; i <= n; ++i) {
+      const double inverse = 1 / static_cast<double>(Binomials(n)[i]);
+      for (int k = 0; k < kComponents; ++k) points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse);
+    }
     std::byte* const data = to.data + r * to.row_stride;
     for (std::size_t c = 0; c < range.columns; c += kFloatStep) {
       hn::Vec<Floats> value[kUnroll][kComponents];
@@ -963,7 +1010,7 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
             value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
         }
       }
-      if (HWY_LIKELY(is_packed && c + kFloatStep <= range.columns)) {
+      if (HWY_LIKELY(IsPacked<kComponents>(to) && c + kFloatStep <= range.columns)) {
         for (std::size_t part = 0; part < kUnroll; ++part) {
           StoreFloats<kComponents>(
               value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
@@ -973,11 +1020,7 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
       alignas(64) float values[kFloatStep * kComponents];
       for (std::size_t part = 0; part < kUnroll; ++part)
         StoreFloats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
-      for (std::size_t i = 0; i < std::min(kFloatStep, range.columns - c); ++i) {
-        std::array<float, 4> element = {0, 0, 0, 1};
-        std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
-        std::memcpy(data + (c + i) * to.stride, element.data(), to.components * sizeof(float));
-      }
+      Scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
     }
   }
   return true;

@@ -192,6 +192,36 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
   }
 }
 
+// Neighbours that share a corner have no crack there.
+TEST(FastMeshes, GoThroughTheirCorners) {
+  Chance chance;
+  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
+    const glev_context_info info = {sizeof info, nullptr, target};
+    glev_context* gl = nullptr;
+    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+    for (int k = 0; k < 1500; ++k) {
+      const int order = chance.Whole(2, 5), segments = k < 1200 ? k + 1 : chance.Whole(1200, 1 << 21);
+      std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
+      for (float& point : points) point = static_cast<float>(2 * chance.Double() - 1);
+      glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
+      glevEnable(gl, GLEV_MAP2_VERTEX_3);
+      glevMapGrid2d(gl, segments, 0, 1, segments, 0, 1);
+      const Plan plan(gl, 2);
+      const auto expect = [&](int i, int j) {
+        const int near = std::min(segments, 40);
+        const Range range = i == 0 ? Range{0, near, j, j} : Range{segments - near, segments, j, j};
+        Floats got = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
+        got.erase(i == 0 ? got.begin() + 3 : got.begin(), i == 0 ? got.end() : got.end() - 3);
+        const float* const point = &points[(i == 0 ? 0 : (order - 1) * 12) + (j == 0 ? 0 : 9)];
+        EXPECT_EQ(BitsOf(got), BitsOf(Floats(point, point + 3)))
+            << target << ", order " << order << ", " << segments << " segments, " << i << ", " << j;
+      };
+      for (const int i : {0, segments}) expect(i, 0), expect(i, segments);
+    }
+    glevDestroyContext(gl);
+  }
+}
+
 // ---- Double results
 
 TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
