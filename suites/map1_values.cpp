@@ -141,7 +141,7 @@ EVALCTS_DELIVERED_TESTS(Map1Values, NextToTheFirstEnd, visible_targets(), GLenum
   for (const Domain domain : {Domain{1e3, 1e3 + 8}, {1, 1 + 0x1p-16}, {-77, -76.5}, {5, 4.75}, {0.1f, 0.7f}})
     for (const int order : {2, 3}) {
       std::vector<double> points(static_cast<std::size_t>(order) * k);
-      for (std::size_t i = k; i < points.size(); ++i) points[i] = static_cast<double>(i / k);
+      for (std::size_t i = k; i < points.size(); ++i) points[i] = points[i - k] + 1;
       define(c, make_map1(target, domain.u1, domain.u2, static_cast<int>(k), points));
       std::vector<double> us;
       auto u = static_cast<float>(domain.u1);

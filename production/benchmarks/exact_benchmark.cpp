@@ -148,8 +148,9 @@ BENCHMARK(ReduceRandom)->Args({4, 1})->Args({64, 1})->Args({4, 4})->Args({64, 64
 void ReducePlane(benchmark::State& state) {
   const int order = static_cast<int>(state.range(0)), order_v = static_cast<int>(state.range(1));
   Problem problem = Floats({order, order_v}, 0);
-  for (int i = 0; i < order * order_v; ++i)
-    problem.points[i] = static_cast<double>(i / order_v + 3 * (i % order_v));
+  for (int i = 0, k = 0; i < order; ++i) {
+    for (int j = 0; j < order_v; ++j) problem.points[k++] = i + 3.0 * j;
+  }
   RunReduce(state, problem);
 }
 BENCHMARK(ReducePlane)->Args({4, 1})->Args({64, 1})->Args({4, 4})->Args({64, 64});

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
 
 #include "production/src/binomials.h"
 #include "production/src/plan.h"
@@ -58,6 +59,24 @@ HWY_INLINE hn::Vec<decltype(kWhole)> Join(const Half (&parts)[kUnroll]) {
 constexpr std::size_t kStep = kUnroll * kLanes;
 using Whole = hn::Vec<decltype(kWhole)>;
 
+template <int kComponents>
+bool IsPacked(const Destination& to) {
+  return to.components == kComponents && to.stride == kComponents * sizeof(float);
+}
+
+// Points one behind the other, that vectors have written, to where they belong.
+template <int kComponents>
+HWY_NOINLINE void Scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
+  if constexpr (kComponents == 3) {
+    if (count % 4 == 0 && to.components == 3) return CopyTriples(values, count, to.stride, data);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 4> element = {0, 0, 0, 1};
+    std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
+    std::memcpy(data + i * to.stride, element.data(), to.components * sizeof(float));
+  }
+}
+
 // The results of a map. Lanes that are NaN are not settled.
 template <int kComponents>
 class Writer {
@@ -70,7 +89,7 @@ class Writer {
 
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
     for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
-    is_packed_ = to.components == kComponents && to.stride == kComponents * sizeof(float);
+    is_packed_ = IsPacked<kComponents>(to);
   }
 
   HWY_INLINE Rounded Round(const Vector (&value)[kUnroll][kComponents]) const {
@@ -97,7 +116,7 @@ class Writer {
     } else {
       alignas(64) float values[kStep * kComponents];
       Interleave(rounded, values);
-      WriteApart(values, begin, count);
+      Scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
     }
     auto settled = rounded.settled[0];
     for (int k = 1; k < kComponents; ++k) settled = hn::And(settled, rounded.settled[k]);
@@ -119,18 +138,6 @@ class Writer {
     if constexpr (kComponents == 3) hn::StoreInterleaved3(value[0], value[1], value[2], kWhole, to);
     if constexpr (kComponents == 4) hn::StoreInterleaved4(value[0], value[1], value[2], value[3], kWhole, to);
 #endif
-  }
-
-  HWY_NOINLINE void WriteApart(const float* values, std::size_t begin, std::size_t count) const {
-    if constexpr (kComponents == 3 && kStep % 4 == 0) {
-      if (count == kStep && to_.components == 3)
-        return CopyTriples(values, kStep, to_.stride, data_ + begin * to_.stride);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      std::array<float, 4> element = {0, 0, 0, 1};
-      std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
-      std::memcpy(data_ + (begin + i) * to_.stride, element.data(), to_.components * sizeof(float));
-    }
   }
 
   template <class Resolver>
@@ -210,7 +217,7 @@ template <int kComponents, int kDegree>
 void LowCurves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
   const Place place(map, 0);
   const double* const centred = map.centred;
-  const Writer<kComponents> writer(TestOf(map, CentredUnits(kDegree, 0), 1), to, to.data);
+  const Writer<kComponents> writer(map.centred_test, to, to.data);
   const Vector one = hn::Set(kDoubles, 1), nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   const bool is_packed = !input.is_double && input.stride == sizeof(float) && place.has_inverse;
   for (std::size_t begin = 0; begin < count; begin += kStep) {
@@ -707,7 +714,56 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
   }
 }
 
-// ---- Meshes of cubics inside their domain, in powers of x and y
+// ---- Meshes of low degree inside their domain, in powers of x and y
+
+// Points one behind the other are a sequence of values. Each column stands there as often as a point has
+// components, so that the values come out in their order and nothing has to be interleaved.
+template <class Tag, int kComponents>
+class Sequence {
+  using Value = hn::TFromD<Tag>;
+  using Values = hn::Vec<Tag>;
+  static constexpr Tag kTag{};
+  static constexpr std::size_t kWidth = hn::MaxLanes(Tag());
+
+ public:
+  // Vectors after which the components come in the same order again, and values of those.
+  static constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
+  static constexpr std::size_t kGroup = kPeriod * kWidth;
+
+  Sequence() {
+    for (std::size_t i = 0; i < kComponents * kWidth; ++i) {
+      column_[i] = static_cast<Index>(i / kComponents);
+      component_[i] = static_cast<Index>(i % kComponents);
+    }
+  }
+
+  // Each of so many values, and of those that fill the last vector, as often.
+  HWY_INLINE void Repeat(const Value* values, std::size_t count, Value* to) const {
+    for (std::size_t c = 0; c < count; c += kWidth) {
+      const Values value = hn::Load(kTag, values + c);
+      for (std::size_t i = 0; i < kComponents * kWidth; i += kWidth) {
+        hn::Store(hn::TableLookupLanes(value, hn::SetTableIndices(kTag, column_ + i)), kTag,
+                  to + c * kComponents + i);
+      }
+    }
+  }
+
+  // The components of a point, where vectors may read on, as vector number `part` of a period.
+  HWY_INLINE Values Of(const Value* point, std::size_t part) const {
+    if constexpr (kWidth >= 4) {
+      return hn::TableLookupLanes(hn::LoadU(kTag, point),
+                                  hn::SetTableIndices(kTag, component_ + part * kWidth));
+    } else {
+      HWY_ALIGN Value lanes[kWidth];
+      for (std::size_t i = 0; i < kWidth; ++i) lanes[i] = point[component_[part * kWidth + i]];
+      return hn::Load(kTag, lanes);
+    }
+  }
+
+ private:
+  using Index = hwy::MakeSigned<Value>;
+  HWY_ALIGN Index column_[kComponents * kWidth], component_[kComponents * kWidth];
+};
 
 bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
   const Parameter at = Locate(domain, GridArgument{grid, index});
@@ -720,11 +776,126 @@ double CentredAt(const Domain& domain, const GridArgument& argument) {
   return at.t - at.s;
 }
 
-// False, and nothing done, for other maps.
+// A row: its coefficients, four values for each power of x, after which vectors may read on; for x^0 both
+// ends of the interval. The error of the test contains the roundings of these and one more, as it contains
+// those of its own sums elsewhere.
+template <int kComponents, int kDegree>
+struct CentredRow {
+  double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
+
+  void Set(const PreparedMap& map, const GridArgument& v) {
+    const int m = map.surface.degree[1];
+    const double y = m == 0 ? 0 : CentredAt(map.surface.domain[1], v);
+    const double* row = map.centred;
+    for (int i = 0; i <= kDegree; ++i, row += (m + 1) * kComponents) {
+      for (int k = 0; k < kComponents; ++k) {
+        double sum = row[m * kComponents + k];
+        for (int j = m - 1; j >= 0; --j) sum = sum * y + row[j * kComponents + k];
+        power[4 * i + k] = sum;
+      }
+    }
+    for (int k = 0; k < kComponents; ++k) {
+      high[k] = power[k] + map.centred_test.error[k];
+      power[k] -= map.centred_test.error[k];
+    }
+  }
+};
+
+// The same in vectors, and what they give: both ends of the intervals, as floats.
+template <int kComponents, int kDegree>
+class CentredCurve {
+ public:
+  using Values = Sequence<Doubles, kComponents>;
+
+  HWY_INLINE CentredCurve(const CentredRow<kComponents, kDegree>& row, const Values& sequence) {
+    for (std::size_t part = 0; part < Values::kPeriod; ++part) {
+      for (int i = 0; i <= kDegree; ++i) power_[i][part] = sequence.Of(row.power + 4 * i, part);
+      high_[part] = sequence.Of(row.high, part);
+    }
+  }
+
+  HWY_INLINE void Evaluate(Vector x, std::size_t part, Half* low, Half* high) const {
+    Vector sum = power_[kDegree][part];
+    for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, x, power_[i][part]);
+    *low = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, power_[0][part]));
+    *high = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, high_[part]));
+  }
+
+ private:
+  Vector power_[kDegree + 1][Values::kPeriod], high_[Values::kPeriod];
+};
+
+constexpr hn::RebindToUnsigned<decltype(kHalves)> kBits;
+HWY_INLINE bool IsZero(Half value) {
+  return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, value), hn::Zero(kBits)));
+}
+
+template <int kComponents, int kDegree>
+void CentredRows(const PreparedMap& map, const MeshRange& range, const Destination& to, const double* x) {
+  constexpr std::size_t kColumns = 512, kRows = 16;  // what stays in the first cache
+  static_assert(kColumns % kLanes == 0);
+  using Values = Sequence<Doubles, kComponents>;
+  constexpr std::size_t kPeriod = Values::kPeriod, kGroup = Values::kGroup;
+  const Values sequence;
+  HWY_ALIGN double places[kComponents * kColumns];
+  HWY_ALIGN float values[kComponents * kColumns];
+  CentredRow<kComponents, kDegree> row[kRows];
+  for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
+    const std::size_t rows = std::min(kRows, range.rows - r0);
+    for (std::size_t r = 0; r < rows; ++r) row[r].Set(map, range.v_of(r0 + r));
+    for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
+      const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
+      sequence.Repeat(x + c0, columns, places);
+      for (std::size_t r = 0; r < rows; ++r) {
+        const CentredCurve<kComponents, kDegree> curve(row[r], sequence);
+        std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
+        float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
+        Half open = hn::Zero(kHalves);  // bits in which the ends differ
+        const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
+          for (std::size_t part = 0; part < kPeriod; ++part) {
+            Half low, high;
+            curve.Evaluate(hn::Load(kDoubles, places + begin + part * kLanes), part, &low, &high);
+            open = hn::Or(open, hn::Xor(low, high));
+            hn::StoreU(high, kHalves, group + part * kLanes);
+          }
+        };
+        std::size_t begin = 0;
+        for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
+        if (begin < count) {
+          float group[kGroup];
+          evaluate(begin, group);
+          std::memcpy(out + begin, group, (count - begin) * sizeof(float));
+        }
+        // Where rounding is not sure comes up once in some strips, so it is not looked for before.
+        for (begin = IsZero(open) ? count : 0; begin < count; begin += kLanes) {
+          Half low, high;
+          curve.Evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % kPeriod, &low, &high);
+          const Half bits = hn::Xor(low, high);
+          if (HWY_LIKELY(IsZero(bits))) continue;
+          std::uint32_t is_open[kLanes];
+          hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
+          for (std::size_t i = begin; i < std::min(begin + kLanes, count); ++i) {
+            if (is_open[i - begin] == 0) continue;
+            out[i] = Resolve(map, static_cast<int>(i % kComponents), range.u_of(c0 + i / kComponents),
+                             range.v_of(r0 + r));
+          }
+        }
+        if (out == values) Scatter<kComponents>(values, columns, to, data);
+      }
+    }
+  }
+}
+
+// False, and nothing done, for other maps and outside the domain.
 template <int kComponents>
-bool CubicMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
+bool CentredMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
   const auto [n, m] = map.surface.degree;
-  if (n != 3 || map.centred == nullptr) return false;
+  if (n == 0 || map.centred == nullptr) return false;
+  // The ends of intervals are compared as bits; those of NaN could agree. (Between columns that are sure all
+  // are.)
+  for (const double error : map.centred_test.error) {
+    if (!std::isfinite(error)) return false;
+  }
   const auto [domain_u, domain_v] = map.surface.domain;
   const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
                      j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
@@ -736,33 +907,9 @@ bool CubicMesh(const PreparedMap& map, const MeshRange& range, const Destination
   PlaceColumns(domain_u, range, n, padded, x, s);
   for (std::size_t c = 0; c < padded; c += kLanes)
     hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
-  const PreparedMap::Test test = TestOf(map, CentredUnits(n, m), 1);
-  for (std::size_t r = 0; r < range.rows; ++r) {
-    const GridArgument v = range.v_of(r);
-    double row[4][kComponents];
-    const double y = m == 0 ? 0 : CentredAt(domain_v, v);
-    for (int i = 0; i <= 3; ++i) {
-      const double* const centred = map.centred + i * (m + 1) * kComponents;
-      for (int k = 0; k < kComponents; ++k) {
-        row[i][k] = centred[m * kComponents + k];
-        for (int j = m - 1; j >= 0; --j) row[i][k] = row[i][k] * y + centred[j * kComponents + k];
-      }
-    }
-    const Writer<kComponents> writer(test, to, to.data + r * to.row_stride);
-    for (std::size_t c = 0; c < range.columns; c += kStep) {
-      Vector at[kUnroll], value[kUnroll][kComponents];
-      for (std::size_t part = 0; part < kUnroll; ++part) at[part] = hn::Load(kDoubles, x + c + part * kLanes);
-      for (int k = 0; k < kComponents; ++k) {
-        for (int i = 3; i >= 0; --i) {
-          const Vector next = hn::Set(kDoubles, row[i][k]);
-          for (std::size_t part = 0; part < kUnroll; ++part)
-            value[part][k] = i == 3 ? next : hn::MulAdd(value[part][k], at[part], next);
-        }
-      }
-      writer.Write(writer.Round(value), c, std::min(kStep, range.columns - c),
-                   [&](std::size_t i, int k) { return Resolve(map, k, range.u_of(i), v); });
-    }
-  }
+  constexpr decltype(&CentredRows<kComponents, 1>) kOf[kMaxCentredDegree] = {
+      CentredRows<kComponents, 1>, CentredRows<kComponents, 2>, CentredRows<kComponents, 3>};
+  kOf[n - 1](map, range, to, x);
   return true;
 }
 
@@ -807,21 +954,6 @@ HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::siz
             Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
             weights);
   RowOf<kComponents>(map.surface, weights, row);
-}
-
-// Points one behind the other to where they belong.
-template <int kComponents>
-void Scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
-  for (std::size_t c = 0; c < count; ++c) {
-    std::array<float, 4> element = {0, 0, 0, 1};
-    std::memcpy(element.data(), values + c * kComponents, kComponents * sizeof(float));
-    std::memcpy(data + c * to.stride, element.data(), to.components * sizeof(float));
-  }
-}
-
-template <int kComponents>
-bool IsPacked(const Destination& to) {
-  return to.components == kComponents && to.stride == kComponents * sizeof(float);
 }
 
 // Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
@@ -883,18 +1015,14 @@ struct FastRowOfPowers {
   }
 };
 
-// Each x stands there once for each component, so that the values come out in their order and nothing has to
-// be interleaved.
 template <int kComponents, int kDegree>
 void FastPowers(const PreparedMap& map, const MeshRange& range, const Destination& to, const float* x) {
-  constexpr std::size_t kColumns = 512, kRows = 64, kVectors = kComponents;  // what stays in the first cache
+  constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
   static_assert(kColumns % kFloatLanes == 0);
-  HWY_ALIGN std::int32_t column_of[kVectors][kFloatLanes], component_of[kVectors][kFloatLanes];
-  for (std::size_t i = 0; i < kVectors * kFloatLanes; ++i) {
-    column_of[i / kFloatLanes][i % kFloatLanes] = static_cast<std::int32_t>(i / kComponents);
-    component_of[i / kFloatLanes][i % kFloatLanes] = static_cast<std::int32_t>(i % kComponents);
-  }
-  HWY_ALIGN float places[kComponents * kColumns], values[kComponents * (kColumns + kFloatLanes)];
+  using Values = Sequence<Floats, kComponents>;
+  constexpr std::size_t kPeriod = Values::kPeriod, kGroup = Values::kGroup;
+  const Values sequence;
+  HWY_ALIGN float places[kComponents * kColumns], values[kComponents * kColumns];
   FastRowOfPowers<kComponents, kDegree> row[kRows];
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
@@ -905,46 +1033,34 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
     }
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const float* const column = x + c0;
-      const std::size_t columns = std::min(kColumns, range.columns - c0);
-      for (std::size_t c = 0; c < columns; c += kFloatLanes) {
-        for (std::size_t part = 0; part < kVectors; ++part) {
-          const auto spread = hn::TableLookupLanes(hn::Load(kFloats, column + c),
-                                                   hn::SetTableIndices(kFloats, column_of[part]));
-          hn::Store(spread, kFloats, places + c * kComponents + part * kFloatLanes);
-        }
-      }
+      const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
+      sequence.Repeat(column, columns, places);
       const auto is_end = [&](std::size_t c) { return std::fabs(column[c]) == 1; };
       std::size_t head = 0, tail = columns;
       while (head < columns && is_end(head)) ++head;
       while (tail > head && is_end(tail - 1)) --tail;
       for (std::size_t r = 0; r < rows; ++r) {
-        hn::Vec<Floats> power[kDegree + 1][kVectors];
+        hn::Vec<Floats> power[kDegree + 1][kPeriod];
         for (int i = 0; i <= kDegree; ++i) {
-          for (std::size_t part = 0; part < kVectors; ++part) {
-            if constexpr (kFloatLanes == 1) {
-              power[i][part] = hn::Set(kFloats, row[r].power[4 * i + part]);
-            } else {
-              power[i][part] = hn::TableLookupLanes(hn::LoadU(kFloats, row[r].power + 4 * i),
-                                                    hn::SetTableIndices(kFloats, component_of[part]));
-            }
-          }
+          for (std::size_t part = 0; part < kPeriod; ++part)
+            power[i][part] = sequence.Of(row[r].power + 4 * i, part);
         }
-        const auto evaluate = [&](std::size_t c, float* out) HWY_ATTR {
-          for (std::size_t part = 0; part < kVectors; ++part) {
-            const auto at = hn::Load(kFloats, places + c * kComponents + part * kFloatLanes);
+        const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
+          for (std::size_t part = 0; part < kPeriod; ++part) {
+            const auto at = hn::Load(kFloats, places + begin + part * kFloatLanes);
             auto value = power[kDegree][part];
             for (int i = kDegree - 1; i >= 0; --i) value = hn::MulAdd(value, at, power[i][part]);
-            hn::StoreU(value, kFloats, out + part * kFloatLanes);
+            hn::StoreU(value, kFloats, group + part * kFloatLanes);
           }
         };
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
         float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
-        std::size_t c = 0;
-        for (; c + kFloatLanes <= columns; c += kFloatLanes) evaluate(c, out + c * kComponents);
-        if (c < columns) {
-          float rest[kComponents * kFloatLanes];
-          evaluate(c, rest);
-          std::memcpy(out + c * kComponents, rest, (columns - c) * kComponents * sizeof(float));
+        std::size_t begin = 0;
+        for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
+        if (begin < count) {
+          float group[kGroup];
+          evaluate(begin, group);
+          std::memcpy(out + begin, group, (count - begin) * sizeof(float));
         }
         const auto take_end = [&](std::size_t end) {
           std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
@@ -1031,7 +1147,7 @@ void MeshOf(const PreparedMap& map, const MeshRange& range, bool fast, const Des
             std::byte* scratch) {
   auto* const doubles = reinterpret_cast<double*>(scratch);
   if (fast && FastMesh<kComponents>(map, range, to, doubles)) return;
-  if (CubicMesh<kComponents>(map, range, to, doubles)) return;
+  if (CentredMesh<kComponents>(map, range, to, doubles)) return;
   RoundedMesh<kComponents>(map, range, to, doubles);
 }
 

@@ -79,6 +79,49 @@ void Centre(std::array<int, 2> order, int components, double* values) {
   for (int j = 0; j < rows * components; ++j) CentreAlong(columns - 1, rows * components, values + j);
 }
 
+// Whether Centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the coefficients
+// have at most 6 bits behind the last of these, and 2 in front.
+bool IsCentredExactly(const double* points, std::ptrdiff_t count, int components, double largest) {
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1, 45 - exponent);
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    constexpr double kWhole = 0x1.8p52;
+    const double point = points[i * components] * scale, whole = point + kWhole;
+    if (whole - kWhole != point) return false;
+  }
+  return true;
+}
+
+// The error of a test, for values in double.
+double Error(const PreparedComponent& component, double units, double growth) {
+  if (component.kind == PreparedComponent::Kind::kConstant && component.largest == 0) return 0;
+  // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
+  // infinity.
+  const bool is_safe = component.largest * growth <= 0x1p127;
+  // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
+  // errors could make zeros of both signs, which compare equal.
+  const double error = (units + 2) * component.unit * growth;
+  return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
+}
+
+PreparedMap::Test CentredTest(const PreparedMap& map, const double* points, std::ptrdiff_t count) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  PreparedMap::Test test;
+  for (int k = 0; k < components; ++k) {
+    const PreparedComponent& component = map.component[k];
+    double sum = 0, units = 0;
+    if (std::isfinite(component.unit)) {
+      for (std::ptrdiff_t i = 0; i < count; ++i) sum += std::fabs(map.centred[i * components + k]);
+      const bool is_exact = IsCentredExactly(points + k, count, components, component.largest);
+      units = CentredUnits(n, m, sum / component.largest, is_exact);
+    }
+    test.error[k] = Error(component, units, 1);
+  }
+  return test;
+}
+
 }  // namespace
 
 PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
@@ -132,6 +175,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
     std::copy_n(points, count * components, centred);
     Centre(order, components, centred);
     map.centred = centred;
+    map.centred_test = CentredTest(map, points, count);
   }
   return map;
 }
@@ -151,7 +195,7 @@ DirectMap DirectMapOf(const PreparedMap& map, double* centred) {
   }
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components, points = (n + 1) * (m + 1);
-  direct.test = TestOf(map, CentredUnits(n, m), 1);
+  direct.test = map.centred_test;
   for (int i = 0; i < points; ++i) {
     std::copy_n(map.centred + i * components, components, centred + 4 * i);
     if (components == 3) centred[4 * i + 3] = i == 0 ? 1 : 0;
@@ -169,17 +213,7 @@ double Growth(const Parameter& at, int degree) {
 
 PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth) {
   PreparedMap::Test test;
-  for (int k = 0; k < map.surface.components; ++k) {
-    const PreparedComponent& component = map.component[k];
-    if (component.kind == PreparedComponent::Kind::kConstant && component.largest == 0) continue;
-    // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
-    // infinity.
-    const bool is_safe = component.largest * growth <= 0x1p127;
-    // The sums round by at most a unit of their magnitude, which is below twice max|R| * growth. Smaller
-    // errors could make zeros of both signs, which compare equal.
-    const double error = (units + 2) * component.unit * growth;
-    test.error[k] = is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
-  }
+  for (int k = 0; k < map.surface.components; ++k) test.error[k] = Error(map.component[k], units, growth);
   return test;
 }
 

@@ -43,12 +43,12 @@ constexpr double HornerUnits(int n, int roundings) { return (3 * roundings + 4) 
 constexpr double WeightUnits(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
 // Of parameters of Locate.
 inline constexpr int kRoundings = 3;
-// Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of Centre: these are at most 2^(n+m)
-// max|R| together, and have n + 1 roundings of their own for each direction; 2 of a step; x is off by 4
-// units, where the derivative is at most n max|R|.
-constexpr double CentredUnits(int n, int m) {
-  const int growth = 1 << (n + m);
-  return growth * (3 * (n + m) + 2) + 4 * (n + m) + 8;
+// Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of Centre, whose magnitudes are
+// together `sum` times max|R|: 2 roundings of a step; x is off by 4 units, where the derivative is at most n
+// max|R|. Coefficients that are not exact have n + 1 roundings of their own for each direction, of terms that
+// are at most 2^(n+m) max|R| together.
+constexpr double CentredUnits(int n, int m, double sum, bool is_exact) {
+  return 2 * (n + m) * sum + (is_exact ? 0 : (n + m + 2) * (1 << (n + m))) + 4 * (n + m) + 8;
 }
 // The highest degree for which that is a good way.
 inline constexpr int kMaxCentredDegree = 3;
@@ -65,6 +65,7 @@ struct PreparedMap {
   Test test;  // of weights with parameters of Locate
   // Coefficients of the powers of x and y, as the control points are; null where a degree is too high.
   const double* centred = nullptr;
+  Test centred_test;  // of Horner's rule with those, inside the domain
   // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
   Encloses encloses = Enclose;

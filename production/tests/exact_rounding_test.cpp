@@ -16,7 +16,7 @@
 namespace glev_tests {
 namespace {
 
-using glev::Domain, glev::Grid, glev::GridArgument;
+using glev::Domain, glev::GridArgument;
 
 constexpr double kTiny = 0x1p-1074, kHuge = std::numeric_limits<double>::max();
 

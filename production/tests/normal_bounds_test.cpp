@@ -389,8 +389,9 @@ TEST_F(NormalBounds, OfNearlyDegeneratePatches) {
       for (int digits = 5; digits <= 45; digits += digits < 20 ? 3 : 8) {
         Patch patch = Random(order, components, false);
         for (int i = 0; i < order[0] * order[1]; ++i) {
-          const double along = static_cast<double>(i / order[1]) / (order[0] - 1) +
-                               static_cast<double>(i % order[1]) / (order[1] - 1);
+          const int column = i / order[1], row = i % order[1];
+          const double along =
+              column / static_cast<double>(order[0] - 1) + row / static_cast<double>(order[1] - 1);
           double* const point = &patch.points[i * components];
           for (int k = 0; k < components; ++k) point[k] = std::ldexp(point[k], -digits);
           point[0] += along, point[1] += 0.7 * along, point[2] -= 0.3 * along;
@@ -413,8 +414,9 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
           double* const point = &patch.points[i * components];
           const double w = components == 4 ? static_cast<float>(point[3]) : 1;
           // Regular: a sheet that is moved about a little.
-          point[0] = w * static_cast<float>(i / order[1] + 0.2 * point[0]);
-          point[1] = w * static_cast<float>(i % order[1] + 0.2 * point[1]);
+          const int column = i / order[1], row = i % order[1];
+          point[0] = w * static_cast<float>(column + 0.2 * point[0]);
+          point[1] = w * static_cast<float>(row + 0.2 * point[1]);
           if (turned) std::swap(point[0], point[1]);
           point[2] = w * static_cast<float>(0.3);
         }

@@ -77,7 +77,10 @@ class Watertight : public ContextTest {
     // of all magnitudes, ties and lines now and then
     for (float& point : shared) point = std::ldexp(point, chance_.OneOf({0, 0, 0, -20, 30}));
     if (chance_.Whole(0, 3) == 0) {
-      for (std::size_t k = 0; k < shared.size(); ++k) shared[k] = static_cast<float>(k / kComponents);
+      for (std::size_t k = 0; k < shared.size(); ++k) {
+        const std::size_t point = k / kComponents;
+        shared[k] = static_cast<float>(point);
+      }
     }
     return shared;
   }

@@ -1,0 +1,197 @@
+// Maps in powers of x = t - s and y: their coefficients and the bound of Horner's rule with them, against
+// rational arithmetic.
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "production/src/prepared_map.h"
+#include "production/tests/exact.h"
+#include "production/tests/fixture.h"
+
+namespace glev_tests {
+namespace {
+
+using glev::PreparedMap;
+
+struct Centred {
+  std::array<int, 2> order;
+  int components;
+  std::vector<double> points, scaled, lowest, coefficients;
+  PreparedMap map;
+
+  Centred(std::array<int, 2> orders, int count, std::vector<double> given)
+      : order(orders),
+        components(count),
+        points(std::move(given)),
+        scaled(points.size() + 3),
+        lowest(points.size()),
+        coefficients(points.size()),
+        map(glev::PrepareMap(points.data(), order, components, {}, scaled.data(), lowest.data(),
+                             coefficients.data())) {}
+
+  Rational Value(int k, const Rational& x, const Rational& y) const {
+    const auto basis = [](int degree, const Rational& at) {
+      std::vector<Rational> values;
+      const Rational t = (1 + at) / 2, s = 1 - t;
+      Rational binomial = 1;
+      for (int i = 0; i <= degree; ++i) {
+        Rational value = binomial;
+        for (int j = 0; j < degree; ++j) value *= j < i ? t : s;
+        values.push_back(value);
+        binomial = binomial * (degree - i) / (i + 1);
+      }
+      return values;
+    };
+    return Tensor(basis(order[0] - 1, x), basis(order[1] - 1, y), points, components, k).value;
+  }
+
+  // By Horner's rule, in the numbers of T.
+  template <class T, class From>
+  T Sum(int k, const T& x, const T& y, const From& from) const {
+    T result = 0;
+    for (int i = order[0] - 1; i >= 0; --i) {
+      T row = 0;
+      for (int j = order[1] - 1; j >= 0; --j)
+        row = row * y + from(map.centred[(i * order[1] + j) * components + k]);
+      result = result * x + row;
+    }
+    return result;
+  }
+
+  double Largest(int k) const {
+    double largest = 0;
+    for (std::size_t i = k; i < points.size(); i += components)
+      largest = std::max(largest, std::fabs(points[i]));
+    return largest;
+  }
+
+  // The units of the bound where the coefficients are taken as exact or not.
+  double Units(int k, bool is_exact) const {
+    double sum = 0;
+    for (std::size_t i = k; i < points.size(); i += components) sum += std::fabs(map.centred[i]);
+    return glev::CentredUnits(order[0] - 1, order[1] - 1, sum / Largest(k), is_exact);
+  }
+};
+
+class CentredMaps : public ::testing::Test {
+ protected:
+  // Control points of one magnitude or of many, as floats, integers, doubles; and what cancels most.
+  Centred Choose(int kind) {
+    std::uniform_int_distribution<int> order(1, 4), components(1, 4), whole(-9, 9), exponent(-60, 0),
+        bits(40, 52);
+    std::uniform_real_distribution<double> value(-1, 1);
+    const std::array<int, 2> orders = {order(random_), order(random_)};
+    const int count = components(random_);
+    std::vector<double> points(static_cast<std::size_t>(orders[0]) * orders[1] * count);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double& point = points[i];
+      if (kind == 0) point = static_cast<float>(value(random_));
+      if (kind == 1) point = whole(random_) + 100;
+      if (kind == 2) point = value(random_);
+      if (kind == 3) point = std::ldexp(static_cast<float>(value(random_)), exponent(random_));
+      if (kind == 4) point = (i / count % orders[1] + i / count / orders[1]) % 2 == 0 ? 0.1 : -0.1;
+    }
+    return {orders, count, points};
+  }
+
+  static bool IsTakenAsExact(const Centred& given, int k) {
+    const double units = given.map.centred_test.error[k] / given.map.component[k].unit - 2;
+    const bool is_exact = std::fabs(units - given.Units(k, true)) < 1e-6;
+    EXPECT_NEAR(units, given.Units(k, is_exact), 1e-6);
+    return is_exact;
+  }
+
+  // Polynomials that agree in so many places are the same.
+  static void ExpectExact(const Centred& given, int k) {
+    for (int i = 0; i < given.order[0]; ++i) {
+      for (int j = 0; j < given.order[1]; ++j) {
+        const Rational x = 2 * i - 3, y = 2 * j - 3;
+        EXPECT_EQ(given.Sum(k, x, y, Exactly), given.Value(k, x, y)) << "seed " << kSeed;
+      }
+    }
+  }
+
+  std::mt19937 random_{kSeed};
+};
+
+TEST_F(CentredMaps, CoefficientsThatAreTakenAsExactAre) {
+  std::array<int, 2> taken{};
+  for (int round = 0; round < 1500; ++round) {
+    const Centred given = Choose(round % 5);
+    for (int k = 0; k < given.components; ++k) {
+      if (given.Largest(k) == 0) continue;
+      ++taken[IsTakenAsExact(given, k)];
+      if (IsTakenAsExact(given, k)) ExpectExact(given, k);
+    }
+  }
+  EXPECT_GT(taken[0], 500);
+  EXPECT_GT(taken[1], 500);
+}
+
+// As many bits as there is room for.
+TEST_F(CentredMaps, CoefficientsOfManyBitsAreExactOrNotTakenAsThat) {
+  std::array<int, 2> taken{};
+  for (int round = 0; round < 500; ++round) {
+    std::uniform_real_distribution<double> value(-1, 1);
+    std::vector<double> points(16);
+    for (double& point : points) point = std::rint(std::ldexp(value(random_), 43 + round % 5));
+    const Centred given({4, 4}, 1, points);
+    ++taken[IsTakenAsExact(given, 0)];
+    if (IsTakenAsExact(given, 0)) ExpectExact(given, 0);
+  }
+  EXPECT_GT(taken[0], 100);
+  EXPECT_GT(taken[1], 200);
+}
+
+TEST_F(CentredMaps, TheFloatsOfOrdinaryDataAreExact) {
+  std::uniform_real_distribution<double> value(-1, 1);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<double> points(16);
+    for (double& point : points) point = static_cast<float>(value(random_) + (round % 2 == 0 ? 3 : 0));
+    const Centred given({4, 4}, 1, points);
+    EXPECT_NEAR(given.map.centred_test.error[0] / given.map.component[0].unit - 2, given.Units(0, true),
+                1e-6);
+  }
+}
+
+TEST_F(CentredMaps, HornersRuleKeepsTheBound) {
+  std::uniform_real_distribution<double> place(-1, 1);
+  double worst = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const Centred given = Choose(round % 5);
+    const auto& [n, m] = given.map.surface.degree;
+    for (int k = 0; k < given.components; ++k) {
+      if (given.Largest(k) == 0) continue;
+      // Without what is there for x and y.
+      const double unit = given.map.component[k].unit,
+                   bound = given.map.centred_test.error[k] - (4 * (n + m) + 8) * unit;
+      for (int i = 0; i < 4; ++i) {
+        const double x = i == 0 ? 1 : place(random_), y = i == 1 ? -1 : place(random_);
+        const double got = given.Sum(k, x, y, [](double c) { return c; });
+        const Rational error = abs(Exactly(got) - given.Value(k, Exactly(x), Exactly(y)));
+        worst = std::max(worst, error.convert_to<double>() / bound);
+      }
+    }
+  }
+  EXPECT_LE(worst, 1);
+  EXPECT_GT(worst, 0.02);  // a bound far off would send too much the slow way
+}
+
+// Flat patches take no slow way.
+TEST_F(CentredMaps, ZeroIsCertain) {
+  const Centred given({4, 4}, 2, std::vector<double>(32));
+  EXPECT_EQ(given.map.centred_test.error[0], 0);
+  EXPECT_EQ(given.map.centred_test.error[1], 0);
+}
+
+TEST_F(CentredMaps, NothingIsClaimedForWhatIsNotFinite) {
+  std::vector<double> points(16, 1.0);
+  points[5] = kNaN;
+  EXPECT_EQ(Centred({4, 4}, 1, points).map.centred_test.error[0], HUGE_VAL);
+  points[5] = 0x1p1000;
+  EXPECT_EQ(Centred({4, 4}, 1, points).map.centred_test.error[0], HUGE_VAL);
+}
+
+}  // namespace
+}  // namespace glev_tests
