@@ -37,12 +37,12 @@ class Goal:
 
 
 def grid(order, components, columns):
-    """Multiply-adds of one point: the point itself and its share of the curve of its row."""
-    return components * order + components * order * order / columns
+    """Multiply-adds of one point by Horner's rule: the point itself and its share of the curve of its row."""
+    return components * (order - 1) * (1 + order / columns)
 
 
 BICUBIC = grid(4, 3, 1024)
-NORMALS = 3 * 12 + 14  # position and two derivatives; cross product, length and scale
+NORMALS = 9 + 2 * 6 + 14  # position; derivatives; cross product, length and scale
 SHARE = "60 % of the floor"
 GOALS = [
     Goal("scattered curve points, order 4, dim 3", "Curve/order:4/dim:3", (4, 6), "7x / 10x", 3 * 3),

@@ -1101,6 +1101,7 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
     return true;
   }
   FastWeights(domain_u, range, n, padded, t, s, weights);
+  const bool is_packed = IsPacked<kComponents>(to);
   for (std::size_t r = 0; r < range.rows; ++r) {
     double row[4 * kMaxOrder];
     FastRow<kComponents>(map, range, r, row);
@@ -1126,7 +1127,7 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
             value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
         }
       }
-      if (HWY_LIKELY(IsPacked<kComponents>(to) && c + kFloatStep <= range.columns)) {
+      if (HWY_LIKELY(is_packed && c + kFloatStep <= range.columns)) {
         for (std::size_t part = 0; part < kUnroll; ++part) {
           StoreFloats<kComponents>(
               value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
