@@ -765,6 +765,18 @@ class Sequence {
   HWY_ALIGN Index column_[kComponents * kWidth], component_[kComponents * kWidth];
 };
 
+// evaluate(begin, group) gives so many floats of `count`, those from `begin` on.
+template <std::size_t kGroup, class Evaluate>
+HWY_INLINE void InGroups(std::size_t count, float* out, const Evaluate& evaluate) {
+  std::size_t begin = 0;
+  for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
+  if (begin < count) {
+    float group[kGroup];
+    evaluate(begin, group);
+    std::memcpy(out + begin, group, (count - begin) * sizeof(float));
+  }
+}
+
 bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
   const Parameter at = Locate(domain, GridArgument{grid, index});
   return at.is_sure && at.t >= 0 && at.s >= 0;
@@ -859,15 +871,9 @@ void CentredRows(const PreparedMap& map, const MeshRange& range, const Destinati
             hn::StoreU(high, kHalves, group + part * kLanes);
           }
         };
-        std::size_t begin = 0;
-        for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
-        if (begin < count) {
-          float group[kGroup];
-          evaluate(begin, group);
-          std::memcpy(out + begin, group, (count - begin) * sizeof(float));
-        }
+        InGroups<kGroup>(count, out, evaluate);
         // Where rounding is not sure comes up once in some strips, so it is not looked for before.
-        for (begin = IsZero(open) ? count : 0; begin < count; begin += kLanes) {
+        for (std::size_t begin = IsZero(open) ? count : 0; begin < count; begin += kLanes) {
           Half low, high;
           curve.Evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % kPeriod, &low, &high);
           const Half bits = hn::Xor(low, high);
@@ -1055,13 +1061,7 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
         };
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
         float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
-        std::size_t begin = 0;
-        for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
-        if (begin < count) {
-          float group[kGroup];
-          evaluate(begin, group);
-          std::memcpy(out + begin, group, (count - begin) * sizeof(float));
-        }
+        InGroups<kGroup>(count, out, evaluate);
         const auto take_end = [&](std::size_t end) {
           std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
                       kComponents * sizeof(float));
