@@ -368,7 +368,7 @@ json result_of(const Measurement& measurement, const UlpOptions& options) {
   return entry;
 }
 
-// Sweeps in the folder belong to the page: what they say is proven. What cannot be read is left out.
+// Sweeps in the folder belong to the page: what they say is proven. What is none is left out, with a word.
 std::vector<json> sweeps_in(const fs::path& output) {
   std::map<std::string, json> by_name;
   std::error_code error;
@@ -377,7 +377,13 @@ std::vector<json> sweeps_in(const fs::path& output) {
     if (!name.starts_with("sweep-") || file.path().extension() != ".json") continue;
     std::ifstream stream(file.path());
     json sweep = json::parse(stream, nullptr, false);
-    if (sweep.is_object() && sweep.value("format", "") == "evalcts-sweep-1") by_name[name] = std::move(sweep);
+    if (reports::is_sweep(sweep)) {
+      by_name[name] = std::move(sweep);
+    } else {
+      std::cerr << fmt::format(
+          "evalcts: '{}' is left out of the page: it is no sweep that 'evalcts ulp --sweep' has written\n",
+          file.path().string());
+    }
   }
   std::vector<json> sweeps;
   for (auto& [name, sweep] : by_name) sweeps.push_back(std::move(sweep));

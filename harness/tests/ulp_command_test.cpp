@@ -122,7 +122,17 @@ TEST_F(UlpCommand, MakesThePageAgain) {
                 .code,
             0);
   EXPECT_EQ(ulp({"--page", file}).code, 0);
-  EXPECT_GT(content("accuracy.html").size(), before.size());
+  const std::string with_sweep = content("accuracy.html");
+  EXPECT_GT(with_sweep.size(), before.size());
+  // A sweep that is none is not the fault of the file that was given.
+  for (const char* text : {"{", "[]", R"({"format": "evalcts-sweep-1"})", R"({"format": 1})"}) {
+    std::ofstream(folder_ / "sweep-other.json") << text;
+    outcome = ulp({"--page", file});
+    EXPECT_EQ(outcome.code, 0) << text << outcome.text;
+    EXPECT_NE(outcome.text.find("sweep-other.json' is left out"), std::string::npos) << outcome.text;
+    EXPECT_EQ(content("accuracy.html"), with_sweep);
+  }
+  std::filesystem::remove(folder_ / "sweep-other.json");
   json wrong = document();
   wrong["implementations"] = 7;
   for (const std::string& text : {std::string("{"), std::string("[]"), std::string("{}"), wrong.dump()}) {

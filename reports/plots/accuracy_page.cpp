@@ -186,29 +186,31 @@ std::string map_in_words(const json& sweep) {
   return text;
 }
 
+data sweep_view(const json& sweep) {
+  if (sweep.value("format", "") != "evalcts-sweep-1")
+    throw FormatError("format: expected \"evalcts-sweep-1\"");
+  const json &result = sweep.at("result"), &implementation = sweep.at("implementation");
+  data item;
+  item.set("implementation",
+           shown(implementation.at("kind").get<std::string>() + " " + implementation.value("renderer", "") +
+                 " " + implementation.value("version", "")));
+  item.set("map", fmt::format("{}, from {} to {}", map_in_words(sweep), shown(sweep.at("interval").at(0)),
+                              shown(sweep.at("interval").at(1))));
+  item.set("points", shown(join(sweep.at("points").get<std::vector<std::string>>(), ", ")));
+  item.set("values", fmt::format("{}", natural(result.at("values"))));
+  item.set("wrong", fmt::format("{}", natural(result.at("not_correctly_rounded"))));
+  item.set("ulp", largest_of_sweep(result.at("worst_ulp")));
+  item.set("condition", largest_of_sweep(result.at("worst_condition_aware")));
+  item.set("digest", shown(result.at("digest")));
+  item.set("status", sweep.at("proven").get<bool>()     ? "proven"
+                     : sweep.at("status") == "complete" ? "largest found: shard " + shown(sweep.at("shard"))
+                                                        : "largest found: unfinished");
+  return item;
+}
+
 data sweeps_view(const std::vector<json>& sweeps) {
   data all = list_of();
-  for (const json& sweep : sweeps) {
-    if (sweep.value("format", "") != "evalcts-sweep-1")
-      throw FormatError("format: expected \"evalcts-sweep-1\"");
-    const json &result = sweep.at("result"), &implementation = sweep.at("implementation");
-    data item;
-    item.set("implementation",
-             shown(implementation.at("kind").get<std::string>() + " " + implementation.value("renderer", "") +
-                   " " + implementation.value("version", "")));
-    item.set("map", fmt::format("{}, from {} to {}", map_in_words(sweep), shown(sweep.at("interval").at(0)),
-                                shown(sweep.at("interval").at(1))));
-    item.set("points", shown(join(sweep.at("points").get<std::vector<std::string>>(), ", ")));
-    item.set("values", fmt::format("{}", natural(result.at("values"))));
-    item.set("wrong", fmt::format("{}", natural(result.at("not_correctly_rounded"))));
-    item.set("ulp", largest_of_sweep(result.at("worst_ulp")));
-    item.set("condition", largest_of_sweep(result.at("worst_condition_aware")));
-    item.set("digest", shown(result.at("digest")));
-    item.set("status", sweep.at("proven").get<bool>()     ? "proven"
-                       : sweep.at("status") == "complete" ? "largest found: shard " + shown(sweep.at("shard"))
-                                                          : "largest found: unfinished");
-    all << item;
-  }
+  for (const json& sweep : sweeps) all << sweep_view(sweep);
   return all;
 }
 
@@ -269,6 +271,16 @@ data worst_view(const json& ulp) {
 }
 
 }  // namespace
+
+bool is_sweep(const json& sweep) {
+  try {
+    sweep_view(sweep);
+    return true;
+  } catch (const json::exception&) {
+  } catch (const FormatError&) {
+  }
+  return false;
+}
 
 std::string accuracy_html(const json& ulp, const std::vector<json>& sweeps, const Draw& draw) {
   if (ulp.value("format", "") != "evalcts-ulp-1") throw FormatError("format: expected \"evalcts-ulp-1\"");

@@ -22,6 +22,9 @@ using Draw = std::function<std::optional<std::string>(const std::string& script)
 std::string accuracy_html(const nlohmann::json& ulp, const std::vector<nlohmann::json>& sweeps,
                           const Draw& draw);
 
+// Whether accuracy_html takes that as a sweep.
+bool is_sweep(const nlohmann::json& sweep);
+
 // The same numbers as comma-separated values: the table, errors over u, histograms, worst inputs.
 std::string table_csv(const nlohmann::json& ulp);
 std::string profiles_csv(const nlohmann::json& ulp);
