@@ -882,8 +882,9 @@ void CentredRows(const PreparedMap& map, const MeshRange& range, const Destinati
           hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
           for (std::size_t i = begin; i < std::min(begin + kLanes, count); ++i) {
             if (is_open[i - begin] == 0) continue;
-            out[i] = Resolve(map, static_cast<int>(i % kComponents), range.u_of(c0 + i / kComponents),
-                             range.v_of(r0 + r));
+            const float result = Resolve(map, static_cast<int>(i % kComponents),
+                                         range.u_of(c0 + i / kComponents), range.v_of(r0 + r));
+            std::memcpy(out + i, &result, sizeof result);  // the caller's memory need not be aligned
           }
         }
         if (out == values) Scatter<kComponents>(values, columns, to, data);
