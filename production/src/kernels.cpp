@@ -59,9 +59,13 @@ HWY_INLINE hn::Vec<decltype(kWhole)> Join(const Half (&parts)[kUnroll]) {
 constexpr std::size_t kStep = kUnroll * kLanes;
 using Whole = hn::Vec<decltype(kWhole)>;
 
+// Whether points can be stored one behind the other. Single floats cannot where they are not aligned.
 template <int kComponents>
 bool IsPacked(const Destination& to) {
-  return to.components == kComponents && to.stride == kComponents * sizeof(float);
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(to.data) % alignof(float) == 0 && to.row_stride % alignof(float) == 0;
+  return to.components == kComponents && to.stride == kComponents * sizeof(float) &&
+         (kLanes > 1 || is_aligned);
 }
 
 // Points one behind the other, that vectors have written, to where they belong.

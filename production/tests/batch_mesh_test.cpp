@@ -256,5 +256,38 @@ TEST(BatchMemory, EvaluationDoesNotAllocate) {
   EXPECT_TRUE(ledger.out.empty());
 }
 
+// Sanitizers see what is stored as if it were aligned. Data of which many results are not sure at first.
+TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
+  constexpr Range kRange = {0, 70, 0, 5};
+  Chance chance;
+  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
+    const glev_context_info info = {sizeof info, nullptr, target};
+    glev_context* gl = nullptr;
+    ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
+    for (const int order : {2, 3, 4, 6}) {
+      for (const glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
+        std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
+        for (float& point : points) point = static_cast<float>(chance.Whole(-9, 9));
+        glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
+        glevEnable(gl, GLEV_MAP2_VERTEX_3);
+        glevMapGrid2f(gl, 1024, 0, 1, 1024, 0, 1);
+        const Plan plan(gl, 2);
+        const Floats aligned = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, kRange, precision);
+        Memory memory(aligned.size() * sizeof(float) + 1);
+        const glev_output output = memory.Output(1, 3 * sizeof(float), 3, GLEV_FLOAT);
+        glev_mesh mesh = {sizeof mesh, kRange.i1, kRange.i2, kRange.j1, kRange.j2, precision, {}, nullptr, 0};
+        mesh.outputs.vertex = &output;
+        std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
+        mesh.scratch = scratch.data();
+        mesh.scratch_size = scratch.size();
+        ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
+        EXPECT_EQ(std::memcmp(memory.data() + 1, aligned.data(), aligned.size() * sizeof(float)), 0)
+            << target << ", order " << order;
+      }
+    }
+    glevDestroyContext(gl);
+  }
+}
+
 }  // namespace
 }  // namespace glev_tests
