@@ -65,7 +65,9 @@ struct PreparedMap {
   Test test;  // of weights with parameters of Locate
   // Coefficients of the powers of x and y, as the control points are; null where a degree is too high.
   const double* centred = nullptr;
-  Test centred_test;  // of Horner's rule with those, inside the domain
+  // Of Horner's rule with those, inside the domain. Not below `test`, from which is_direct follows: control
+  // points are blossoms at -1 and 1, so none is larger than the sum of the coefficients' magnitudes.
+  Test centred_test;
   // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
   Encloses encloses = Enclose;
