@@ -94,7 +94,7 @@ void explain_requirement(const json& requirement) {
   if (requirement.value("inferred", false))
     paragraph("Inferred: no single sentence says it; it follows from those that are named.");
   for (const Coverage& covered : coverage_of(catalogue(), list_tests(places().suite_program))) {
-    if (covered.id != requirement["id"]) continue;
+    if (covered.id != requirement["id"].get_ref<const std::string&>()) continue;
     std::string state = covered.state;
     if (!covered.lacks.empty()) state += fmt::format(": no test decides its {} half", covered.lacks);
     if (!covered.reason.empty()) state += ". " + covered.reason;

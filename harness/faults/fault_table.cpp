@@ -171,7 +171,7 @@ class Trial {
                                         "--die-with-parent",
                                         "--gtest_brief=1"};
     for (const std::string& argument : opening_of(fault)) command.push_back(argument);
-    if (label == fault["name"]) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
+    if (label == fault["name"].get_ref<const std::string&>()) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
     SuiteChild child(command, events, request_.scratch / (label + ".log"), {request_.seconds_per_test});
     while (!child.look(kLook)) continue;
     return child.run();
