@@ -151,7 +151,7 @@ template <class Result, class... Parameters>
 std::vector<Value> arguments_from(Result (*)(Parameters...), const json& data) {
   if (data.size() != sizeof...(Parameters) + 1)
     throw std::invalid_argument(fmt::format("{} takes {} arguments", data[0].dump(), sizeof...(Parameters)));
-  std::size_t i = 0;
+  [[maybe_unused]] std::size_t i = 0;
   std::vector<Value> arguments;
   (arguments.push_back(value_from<Parameters>(data[++i])), ...);
   return arguments;
