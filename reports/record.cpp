@@ -273,6 +273,7 @@ Record read_record(const json& value) {
   out.shard = in.text("shard");
   out.origin = in.text("origin");
   out.seed = in.natural("seed");
+  out.baseline = in.text("baseline");
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
   out.not_played_again = in.natural("not_played_again").value_or(0);
   if (const json* readings = in.find("readings")) {

@@ -98,6 +98,7 @@ struct Record {
   std::string shard;   // "1-of-4" where the tests are a part of all
   std::string origin;  // where the record comes from, see reports.h
   std::optional<std::uint64_t> seed;
+  std::string baseline;  // "mesa with mesa.softpipe"; empty: none
   std::vector<std::string> stale_baseline_entries;
   std::uint64_t not_played_again = 0;  // unexpected fails, because there were too many
   // Of ambiguous texts, by their names: one where the implementation is consistent.

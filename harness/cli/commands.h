@@ -31,7 +31,7 @@ struct RunOptions {
   int retries = 1;
   std::optional<int> jobs;  // processes for each implementation
   std::string output;       // empty: the usual folder
-  std::string baseline;     // folder, "none", or empty for the shipped ones
+  std::string baseline;     // "DIR", "DIR/NAME", "NAME", "none", or empty for the shipped ones
   bool write_baseline = false;
   bool strict = false;
   bool reuse_context = false;

@@ -63,9 +63,10 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
                    "8; one with --shuffle)")
       ->check(CLI::Range(1, 256));
   run_command->add_option("--output", run_options.output, "folder for results and report");
-  run_command->add_option(
-      "--baseline", run_options.baseline,
-      "folder of known failures, or 'none' (default: the shipped ones, none with --library)");
+  run_command->add_option("--baseline", run_options.baseline,
+                          "known failures: DIR with baselines, DIR/NAME or NAME for a certain one, or 'none' "
+                          "(default: the shipped one "
+                          "that fits the implementation)");
   run_command->add_flag("--write-baseline", run_options.write_baseline, "write what fails as the baseline");
   run_command->add_flag("--strict", run_options.strict,
                         "an unexpected pass and a stale baseline entry count, too");

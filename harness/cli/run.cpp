@@ -42,6 +42,26 @@ int exit_code_of(const json& result, bool named, bool strict) {
   return code;
 }
 
+// The folder that a value of --baseline names, and the base or overlay in it, or empty for the one that fits.
+struct ChosenBaseline {
+  fs::path folder;
+  std::string name;
+};
+
+// `given`: empty for the shipped baselines, "DIR", "DIR/NAME", or the NAME of a shipped one.
+ChosenBaseline baseline_of(const std::string& given, const fs::path& shipped) {
+  const auto has = [](const fs::path& folder, const std::string& name) {
+    return !name.empty() && fs::exists(folder / (name + "-fails.txt"));
+  };
+  if (given.empty()) return {shipped, ""};
+  const fs::path path = given;
+  if (fs::is_directory(path)) return {path, ""};
+  if (path.has_parent_path() && has(path.parent_path(), path.filename().string()))
+    return {path.parent_path(), path.filename().string()};
+  if (has(shipped, given)) return {shipped, given};
+  return {path, ""};
+}
+
 // With all that is put around it, a file's name has at most 255 bytes.
 constexpr std::size_t kLongestLabel = 100;
 
@@ -147,17 +167,18 @@ int run(const RunOptions& options) {
 
   const FolderLock lock = claim(output, options.command);
 
-  // A library of the user's own has no shipped baseline.
-  const bool shipped = options.baseline.empty();
-  const fs::path baselines = shipped ? where.baselines : fs::path(options.baseline);
-  const bool with_baseline =
-      options.baseline != "none" && !(shipped && !(options.library.empty() && options.context.empty()));
-  if (!shipped && with_baseline && !options.write_baseline && !fs::is_directory(baselines)) {
-    std::cerr << fmt::format("evalcts: --baseline '{}' is no folder\n", options.baseline);
-    return kWrongUse;
+  if (options.baseline != "none") {
+    const ChosenBaseline wanted = baseline_of(options.baseline, where.baselines);
+    if (!options.write_baseline && !fs::is_directory(wanted.folder)) {
+      std::cerr << fmt::format(
+          "evalcts: --baseline '{}': not a directory, a baseline in a directory "
+          "(DIR/NAME, for DIR/NAME-fails.txt), the name of a shipped baseline, or 'none'\n",
+          options.baseline);
+      return kWrongUse;
+    }
+    request.baselines = BaselineFiles::read_all(wanted.folder);
+    request.baseline = wanted.name;
   }
-
-  if (with_baseline && fs::is_directory(baselines)) request.baselines = Baseline::read_all(baselines);
 
   const json all_tests = list_tests(where.suite_program);
   request.tests = matching(all_tests, options.filter);
@@ -229,12 +250,14 @@ int run(const RunOptions& options) {
     for (json& result : passes) {
       const std::string pass = result.value("pass", "");
       const std::string label = file_label(result["implementation"]["name"], request.shard, pass);
-      if (with_baseline && result["status"] != "not-started") {
-        Baseline baseline = Baseline::best_fit(request.baselines, result["implementation"], pass);
+      if (options.baseline != "none" && result["status"] != "not-started") {
+        Baseline baseline =
+            Baseline::best_fit(request.baselines, result["implementation"], pass, request.baseline);
         if (options.write_baseline) {
-          const bool exists = !baseline.name().empty();
-          baseline = baseline.renewed(result, label);
-          if (exists || !baseline.entries().empty()) baseline.write(baselines);
+          const BaselineFiles renewed = baseline.renewed(result, request.baseline, label);
+          if (!baseline.name().empty() || !renewed.entries.empty())
+            renewed.write(baseline_of(options.baseline, where.baselines).folder);
+          baseline = baseline.with(renewed);
         }
         baseline.apply(result);
         const std::vector<std::string> stale = baseline.stale_entries(all_tests);

@@ -1,6 +1,7 @@
 #include "harness/runner/baseline.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -66,8 +67,8 @@ std::vector<Line> entry_lines(const fs::path& path, InHeader in_header) {
   return lines;
 }
 
-std::vector<Baseline::Pattern> read_patterns(const fs::path& path) {
-  std::vector<Baseline::Pattern> patterns;
+std::vector<BaselineFiles::Pattern> read_patterns(const fs::path& path) {
+  std::vector<BaselineFiles::Pattern> patterns;
   if (!fs::exists(path)) return patterns;
   for (const Line& line : entry_lines(path, [](const Line&) {})) {
     try {
@@ -86,6 +87,70 @@ std::vector<std::string> fields(const std::string& line) {
   return parts;
 }
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+// "key: value" at the top of NAME-fails.txt; other comments there are part of the first reason.
+void read_header_line(const Line& line, BaselineFiles::Header& header) {
+  const std::size_t colon = line.text.find(": ");
+  if (colon == std::string::npos) return;
+  const std::string key = line.text.substr(0, colon), value = trimmed(line.text.substr(colon + 2));
+  if (key == "vendor") header.vendor = value;
+  if (key == "renderer") header.renderer = value;
+  if (key == "extends") header.extends = value;
+  if (key == "implementation")
+    for (const std::string& name : fields(value)) header.implementations.push_back(trimmed(name));
+  if (key == "pass") {
+    header.pass = value;
+    if (value != kReuseContext)
+      throw line.bad(fmt::format("there is no pass '{}', only '{}'", value, kReuseContext));
+  }
+  if (key == "version") try {
+      header.version = VersionRange(value);
+    } catch (const std::invalid_argument& error) {
+      throw line.bad(error.what());
+    }
+}
+
+// Reads "test name,depth,signature". The signatures of a base belong to its entries.
+void read_signatures(const fs::path& path, BaselineFiles& files) {
+  if (!fs::exists(path)) return;
+  std::ifstream stream(path);
+  int number = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++number;
+    if (text.empty() || text.starts_with("#")) continue;
+    const std::vector<std::string> parts = fields(text);
+    if (parts.size() != 3 || (files.header.extends.empty() && !files.entries.contains(parts[0])))
+      throw Line{text, "", path, number}.bad(
+          "expected 'test name,depth,signature' of a test in the file of failures");
+    files.signatures[parts[0]][parts[1]] = parts[2];
+  }
+}
+
+// Files that are named in the header of an overlay.
+const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& files) { return files.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+// Appends "# text", wrapped at 100 columns; reading joins the lines again.
+void append_comment(const std::string& text, std::string& out) {
+  std::string line = "#";
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (line.size() + word.size() > 99) {
+      out += line + "\n";
+      line = "#";
+    }
+    line += " " + word;
+  }
+  out += line + "\n";
+}
+
 }  // namespace
 
 std::string signature_of(const json& test) {
@@ -98,53 +163,60 @@ std::string signature_of(const json& test) {
   return fmt::format("{}-{:016x}", identities.size(), hash);
 }
 
-Baseline Baseline::read(const fs::path& folder, const std::string& name) {
-  Baseline baseline;
-  baseline.name_ = name;
-  const fs::path fails = folder / (name + "-fails.txt");
-  const auto read_header = [&](const Line& line) {
-    for (const auto& [key, value] : {std::pair{"vendor: ", &baseline.vendor_},
-                                     {"renderer: ", &baseline.renderer_},
-                                     {"version: ", &baseline.version_},
-                                     {"implementation: ", &baseline.implementation_},
-                                     {"pass: ", &baseline.pass_}})
-      if (line.text.starts_with(key)) *value = line.text.substr(std::string(key).size());
-    if (!baseline.pass_.empty() && baseline.pass_ != kReuseContext)
-      throw line.bad(fmt::format("there is no pass '{}', only '{}'", baseline.pass_, kReuseContext));
-  };
-  for (const Line& line : entry_lines(fails, read_header)) {
-    const std::vector<std::string> parts = fields(line.text);
-    if (parts.size() != 2) throw line.bad("expected 'test name,Status'");
-    if (parts[1] != "Fail" && parts[1] != "Crash" && parts[1] != "Timeout")
-      throw line.bad(fmt::format("the status '{}' is none of Fail, Crash, Timeout", parts[1]));
-    if (!baseline.entries_.emplace(parts[0], Entry{parts[1], line.reason, {}}).second)
-      throw line.bad(fmt::format("a second entry for {}", parts[0]));
-  }
-  if (baseline.vendor_.empty() || baseline.renderer_.empty() || baseline.version_.empty())
-    throw BadBaseline(
-        fmt::format("{}: the lines '# vendor: ', '# renderer: ' and '# version: ' must say what it is for",
-                    fails.string()));
-  baseline.skips_ = read_patterns(folder / (name + "-skips.txt"));
-  baseline.flakes_ = read_patterns(folder / (name + "-flakes.txt"));
+// --- files
+// -----------------------------------------------------------------------------------------------------------
 
-  const fs::path signatures = folder / (name + "-signatures.txt");
-  if (!fs::exists(signatures)) return baseline;
-  std::ifstream signature_file(signatures);
-  int number = 0;
-  for (std::string line; std::getline(signature_file, line);) {
-    ++number;
-    if (line.empty() || line.starts_with("#")) continue;
-    const std::vector<std::string> parts = fields(line);
-    const auto entry = parts.size() == 3 ? baseline.entries_.find(parts[0]) : baseline.entries_.end();
-    if (entry == baseline.entries_.end())
-      throw BadBaseline(fmt::format("{}:{}: expected 'test name,depth,signature' of a test in the other file",
-                                    signatures.string(), number));
-    entry->second.signatures[parts[1]] = parts[2];
+BaselineFiles::Header::Specificity BaselineFiles::Header::specificity() const {
+  Specificity sum;
+  std::vector<std::string> texts = {vendor, renderer, version.text(), pass};
+  if (!implementations.empty()) texts.push_back(fmt::format("{}", fmt::join(implementations, "")));
+  for (const std::string& text : texts) {
+    sum.fields += !text.empty();
+    sum.length += text.size();
   }
-  return baseline;
+  return sum;
 }
 
-std::vector<Baseline> Baseline::read_all(const fs::path& folder) {
+bool BaselineFiles::Header::fits(const json& implementation, const std::string& for_pass) const {
+  const auto is_part_of = [&](const std::string& part, const char* member) {
+    return text_of(implementation, member).find(part) != std::string::npos;
+  };
+  return for_pass == pass && is_part_of(vendor, "vendor") && is_part_of(renderer, "renderer") &&
+         version.contains(text_of(implementation, "version")) &&
+         (implementations.empty() ||
+          std::ranges::count(implementations, text_of(implementation, "kind")) > 0);
+}
+
+BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& name) {
+  BaselineFiles files;
+  files.name = name;
+  const fs::path fails = folder / (name + "-fails.txt");
+  const std::vector<Line> lines =
+      entry_lines(fails, [&](const Line& line) { read_header_line(line, files.header); });
+  const Header& header = files.header;
+  for (const Line& line : lines) {
+    const std::vector<std::string> parts = fields(line.text);
+    if (parts.size() != 2) throw line.bad("expected 'test name,Status'");
+    const bool withdraws = !header.extends.empty() && parts[1] == "Pass";
+    if (parts[1] != "Fail" && parts[1] != "Crash" && parts[1] != "Timeout" && !withdraws)
+      throw line.bad(
+          fmt::format("the status '{}' is none of Fail, Crash, Timeout, or Pass in an overlay", parts[1]));
+    if (!files.entries.emplace(parts[0], Entry{parts[1], line.reason}).second)
+      throw line.bad(fmt::format("a second entry for {}", parts[0]));
+  }
+  if (header.vendor.empty() && header.renderer.empty() && header.version.text().empty() &&
+      (header.extends.empty() || header.implementations.empty()))
+    throw BadBaseline(
+        fmt::format("{}: the header must say which implementations the file is for: '# vendor: TEXT', "
+                    "'# renderer: TEXT' or '# version: NAME A to B'",
+                    fails.string()));
+  files.skips = read_patterns(folder / (name + "-skips.txt"));
+  files.flakes = read_patterns(folder / (name + "-flakes.txt"));
+  read_signatures(folder / (name + "-signatures.txt"), files);
+  return files;
+}
+
+std::vector<BaselineFiles> BaselineFiles::read_all(const fs::path& folder) {
   std::set<std::string> names, of_others;  // in a fixed order
   if (fs::is_directory(folder))
     for (const auto& file : fs::directory_iterator(folder)) {
@@ -154,40 +226,126 @@ std::vector<Baseline> Baseline::read_all(const fs::path& folder) {
           (ending == "-fails.txt" ? names : of_others).insert(name.substr(0, name.size() - ending.size()));
     }
   for (const std::string& name : of_others)
-    if (!names.count(name))
+    if (!names.contains(name))
       throw BadBaseline(
           fmt::format("'{}' is missing (it may hold nothing but its header): it says what the "
                       "other files of that name are for",
                       (folder / (name + "-fails.txt")).string()));
-  std::vector<Baseline> baselines;
-  for (const std::string& name : names) baselines.push_back(read(folder, name));
-  return baselines;
+  std::vector<BaselineFiles> all;
+  for (const std::string& name : names) all.push_back(read(folder, name));
+  for (const BaselineFiles& files : all) {
+    if (files.header.extends.empty()) continue;
+    const BaselineFiles* const base = find(all, files.header.extends);
+    if (!base || !base->header.extends.empty())
+      throw BadBaseline(fmt::format("{}: it extends '{}', which is {}",
+                                    (folder / (files.name + "-fails.txt")).string(), files.header.extends,
+                                    base ? "an overlay itself" : "not in this folder"));
+  }
+  return all;
 }
 
-bool Baseline::fits(const json& implementation, const std::string& pass) const {
-  const auto part_of = [&](const std::string& part, const char* member) {
-    return text_of(implementation, member).find(part) != std::string::npos;
+void BaselineFiles::write(const fs::path& folder) const {
+  std::string fails;
+  for (const auto& [key, value] :
+       {std::pair{"extends", header.extends},
+        {"vendor", header.vendor},
+        {"renderer", header.renderer},
+        {"version", header.version.text()},
+        {"implementation", fmt::format("{}", fmt::join(header.implementations, ", "))},
+        {"pass", header.pass}})
+    if (!value.empty()) fails += fmt::format("# {}: {}\n", key, value);
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const auto& [test, entry] : entries) by_reason[entry.reason].push_back(test);
+  for (const auto& [reason, tests] : by_reason) {
+    fails += "\n";
+    append_comment(reason, fails);
+    for (const std::string& test : tests) fails += fmt::format("{},{}\n", test, entries.at(test).status);
+  }
+  std::string lines = fmt::format(
+      "# test name,depth,signature: the number of mismatches and a hash of their identities. A signature\n"
+      "# belongs to its depth and to seed {}: runs with other seeds are not compared with it.\n\n",
+      kSeedOfSignatures);
+  for (const auto& [test, by_depth] : signatures)
+    for (const auto& [depth, signature] : by_depth)
+      lines += fmt::format("{},{},{}\n", test, depth, signature);
+  fs::create_directories(folder);
+  write_atomically(folder / (name + "-fails.txt"), fails);
+  write_atomically(folder / (name + "-signatures.txt"), lines);
+}
+
+// --- one implementation
+// ----------------------------------------------------------------------------------------------
+
+Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const json& implementation,
+                            const std::string& pass, const std::string& chosen) {
+  const BaselineFiles* const wanted = chosen.empty() ? nullptr : find(all, chosen);
+  if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("there is no baseline '{}'", chosen));
+  const bool is_chosen = wanted && wanted->header.pass == pass;
+  const auto more_specific = [](const BaselineFiles* a, const BaselineFiles* b) {
+    return a->header.specificity() < b->header.specificity();
   };
-  return pass == pass_ && (implementation_.empty() || implementation_ == text_of(implementation, "kind")) &&
-         part_of(vendor_, "vendor") && part_of(renderer_, "renderer") && part_of(version_, "version");
+
+  const BaselineFiles* base = nullptr;
+  if (is_chosen) {
+    base = wanted->header.extends.empty() ? wanted : find(all, wanted->header.extends);
+  } else {
+    for (const BaselineFiles& files : all)
+      if (files.header.extends.empty() && files.header.fits(implementation, pass) &&
+          (!base || more_specific(base, &files)))
+        base = &files;
+  }
+  if (!base) return {};
+
+  std::vector<const BaselineFiles*> overlays;
+  for (const BaselineFiles& files : all)
+    if (files.header.extends == base->name &&
+        (files.header.fits(implementation, pass) || (is_chosen && &files == wanted)))
+      overlays.push_back(&files);
+  std::stable_sort(overlays.begin(), overlays.end(), more_specific);
+  std::vector<BaselineFiles> parts = {*base};
+  for (const BaselineFiles* overlay : overlays) parts.push_back(*overlay);
+  return composed(std::move(parts));
 }
 
-std::size_t Baseline::specificity() const {
-  return vendor_.size() + renderer_.size() + version_.size() + implementation_.size();
+Baseline Baseline::composed(std::vector<BaselineFiles> parts) {
+  Baseline baseline;
+  for (const BaselineFiles& part : parts) {
+    for (const auto& [test, entry] : part.entries) {
+      if (entry.status == "Pass") {
+        baseline.entries_.erase(test);
+      } else {
+        baseline.entries_[test].status = entry.status;
+        baseline.entries_[test].reason = entry.reason;
+      }
+    }
+    for (const auto& [test, by_depth] : part.signatures)
+      if (const auto entry = baseline.entries_.find(test); entry != baseline.entries_.end())
+        for (const auto& [depth, signature] : by_depth) entry->second.signatures[depth] = signature;
+  }
+  baseline.parts_ = std::move(parts);
+  return baseline;
 }
 
-Baseline Baseline::best_fit(const std::vector<Baseline>& baselines, const json& implementation,
-                            const std::string& pass) {
-  const Baseline* best = nullptr;
-  for (const Baseline& baseline : baselines)
-    if (baseline.fits(implementation, pass) && (!best || baseline.specificity() > best->specificity()))
-      best = &baseline;
-  return best ? *best : Baseline();
+Baseline Baseline::with(const BaselineFiles& files) const {
+  std::vector<BaselineFiles> parts = parts_;
+  for (BaselineFiles& part : parts)
+    if (part.name == files.name) part = files;
+  if (parts.empty()) parts.push_back(files);
+  return composed(std::move(parts));
 }
 
-const Baseline::Pattern* Baseline::matching(const std::vector<Pattern>& patterns, const std::string& test) {
-  for (const Pattern& pattern : patterns)
-    if (std::regex_search(test, pattern.expression)) return &pattern;
+std::string Baseline::name() const {
+  if (parts_.empty()) return {};
+  std::vector<std::string> overlays;
+  for (std::size_t i = 1; i < parts_.size(); ++i) overlays.push_back(parts_[i].name);
+  return parts_[0].name + (overlays.empty() ? "" : fmt::format(" with {}", fmt::join(overlays, ", ")));
+}
+
+const Baseline::Pattern* Baseline::matching(std::vector<Pattern> BaselineFiles::*patterns,
+                                            const std::string& test) const {
+  for (const BaselineFiles& part : parts_)
+    for (const Pattern& pattern : part.*patterns)
+      if (std::regex_search(test, pattern.expression)) return &pattern;
   return nullptr;
 }
 
@@ -203,7 +361,7 @@ bool Baseline::knows(const json& test, const std::string& depth, std::uint32_t s
 }
 
 void Baseline::apply(json& result) const {
-  if (!name_.empty()) result["baseline"] = name_;
+  if (!parts_.empty()) result["baseline"] = name();
   for (json& test : result["tests"]) {
     if (test.value("also_in_fresh_context", false)) continue;
     const char* status = status_of(test["verdict"]);
@@ -232,84 +390,89 @@ void Baseline::apply(json& result) const {
 }
 
 std::vector<std::string> Baseline::stale_entries(const json& tests) const {
-  std::set<std::string> existing;
+  std::set<std::string> existing, stale;
   for (const json& test : tests.at("tests")) existing.insert(test.at("name").get<std::string>());
-  std::vector<std::string> stale;
-  for (const auto& [name, entry] : entries_)
-    if (!existing.count(name)) stale.push_back(name);
-  for (const auto& [patterns, kind] : {std::pair{&skips_, "skips"}, {&flakes_, "flakes"}})
-    for (const Pattern& pattern : *patterns) {
-      const auto matches = [&](const std::string& name) {
-        return std::regex_search(name, pattern.expression);
-      };
-      if (std::none_of(existing.begin(), existing.end(), matches))
-        stale.push_back(fmt::format("{} (in the {})", pattern.text, kind));
+  for (const BaselineFiles& part : parts_) {
+    for (const auto& [test, entry] : part.entries) {
+      if (!existing.contains(test)) stale.insert(test);
+      if (entry.status == "Pass" && !parts_[0].entries.contains(test))
+        stale.insert(
+            fmt::format("{} (Pass in {}, but {} expects no failure)", test, part.name, parts_[0].name));
     }
-  return stale;
+    for (const auto& [test, by_depth] : part.signatures)
+      if (!entries_.contains(test))
+        stale.insert(fmt::format("{} (in the signatures of {})", test, part.name));
+    for (const auto& [patterns, kind] : {std::pair{&part.skips, "skips"}, {&part.flakes, "flakes"}})
+      for (const Pattern& pattern : *patterns) {
+        const auto matches = [&](const std::string& name) {
+          return std::regex_search(name, pattern.expression);
+        };
+        if (std::none_of(existing.begin(), existing.end(), matches))
+          stale.insert(fmt::format("{} (in the {})", pattern.text, kind));
+      }
+  }
+  return {stale.begin(), stale.end()};
 }
 
-Baseline Baseline::renewed(const json& result, const std::string& name) const {
-  Baseline renewed = *this;
-  renewed.name_ = name_.empty() ? name : name_;
-  const json& implementation = result["implementation"];
-  if (vendor_.empty()) {
-    renewed.vendor_ = text_of(implementation, "vendor");
-    renewed.renderer_ = text_of(implementation, "renderer");
-    renewed.version_ = text_of(implementation, "version");
-    renewed.implementation_ = text_of(implementation, "kind");
-    renewed.pass_ = text_of(result, "pass");
+BaselineFiles Baseline::renewed(const json& result, const std::string& target,
+                                const std::string& new_name) const {
+  BaselineFiles files;
+  std::vector<BaselineFiles> others = parts_;
+  if (parts_.empty()) {
+    const json& implementation = result["implementation"];
+    files.name = new_name;
+    files.header.vendor = text_of(implementation, "vendor");
+    files.header.renderer = text_of(implementation, "renderer");
+    files.header.version = VersionRange(text_of(implementation, "version"));
+    files.header.implementations = {text_of(implementation, "kind")};
+    files.header.pass = text_of(result, "pass");
+  } else {
+    if (parts_.size() > 1 && target.empty())
+      throw BadBaseline(fmt::format(
+          "the baseline of this implementation is {}: name the one to write, with --baseline FOLDER/NAME",
+          name()));
+    const auto found = std::find_if(others.begin(), others.end(), [&](const BaselineFiles& part) {
+      return target.empty() || part.name == target;
+    });
+    if (found == others.end())
+      throw BadBaseline(fmt::format("'{}' is not part of the baseline {}", target, name()));
+    files = *found;
+    others.erase(found);
   }
+
+  const Baseline without = composed(std::move(others));
+  const std::string depth = text_of(result, "depth");
   const bool with_signatures = result.value("seed", kSeedOfSignatures) == kSeedOfSignatures;
   for (const json& test : result["tests"]) {
     const std::string test_name = test["name"];
     if (test.value("also_in_fresh_context", false) || flake(test_name)) continue;
-    const char* status = status_of(test["verdict"]);
+    const char* const status = status_of(test["verdict"]);
+    const auto other = without.entries().find(test_name);
+    const bool expected_anyway = other != without.entries().end();
+    const auto own = files.entries.find(test_name);
+    const std::string reason = own == files.entries.end() ? kNotTraced : own->second.reason;
     if (!status) {
-      if (test["verdict"] == "pass") renewed.entries_.erase(test_name);
+      if (text_of(test, "verdict") != "pass") continue;
+      files.signatures.erase(test_name);
+      files.entries.erase(test_name);
+      if (expected_anyway) files.entries[test_name] = {"Pass", reason};
       continue;
     }
-    Entry& entry = renewed.entries_[test_name];
-    entry.status = status;
-    if (entry.reason.empty()) entry.reason = kNotTraced;
-    if (with_signatures) entry.signatures[text_of(result, "depth")] = signature_of(test);
-  }
-  return renewed;
-}
-
-void Baseline::write(const fs::path& folder) const {
-  std::string fails =
-      fmt::format("# vendor: {}\n# renderer: {}\n# version: {}\n", vendor_, renderer_, version_);
-  if (!implementation_.empty()) fails += fmt::format("# implementation: {}\n", implementation_);
-  if (!pass_.empty()) fails += fmt::format("# pass: {}\n", pass_);
-  std::string signatures = fmt::format(
-      "# test name,depth,signature: the number of mismatches and a hash of their identities. A signature\n"
-      "# belongs to its depth and to seed {}: runs with other seeds are not compared with it.\n\n",
-      kSeedOfSignatures);
-  std::map<std::string, std::vector<std::string>> by_reason;
-  for (const auto& [test, entry] : entries_) by_reason[entry.reason].push_back(test);
-  for (const auto& [reason, tests] : by_reason) {
-    // Wrapped at 100 columns; reading joins the lines again.
-    std::string line = "#";
-    fails += "\n";
-    std::istringstream words(reason);
-    for (std::string word; words >> word;) {
-      if (line.size() + word.size() > 99) {
-        fails += line + "\n";
-        line = "#";
-      }
-      line += " " + word;
+    if (expected_anyway && other->second.status == status) {
+      files.entries.erase(test_name);
+    } else {
+      files.entries[test_name] = {status, reason};
     }
-    fails += line + "\n";
-    for (const std::string& test : tests) {
-      const Entry& entry = entries_.at(test);
-      fails += fmt::format("{},{}\n", test, entry.status);
-      for (const auto& [depth, signature] : entry.signatures)
-        signatures += fmt::format("{},{},{}\n", test, depth, signature);
+    if (!with_signatures) continue;
+    const std::string signature = signature_of(test);
+    if (expected_anyway && other->second.signatures.contains(depth) &&
+        other->second.signatures.at(depth) == signature) {
+      files.signatures[test_name].erase(depth);
+    } else {
+      files.signatures[test_name][depth] = signature;
     }
   }
-  fs::create_directories(folder);
-  write_atomically(folder / (name_ + "-fails.txt"), fails);
-  write_atomically(folder / (name_ + "-signatures.txt"), signatures);
+  return files;
 }
 
 }  // namespace evalcts

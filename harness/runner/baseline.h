@@ -1,43 +1,75 @@
-// Baselines: what is known of one implementation and not news, each with its reason. A baseline never changes
-// a verdict; it says what was expected, so that only what changes is red.
+// Baselines: the known failures of one implementation, each with its reason. A baseline never changes a
+// verdict. It states which results are expected, so that only a change makes a run fail.
 //
-// A folder of plain text files, as GL driver CI uses them. The reason of an entry is the comment above it
-// (the same for all entries up to the next empty line), and no entry goes without:
-//   NAME-fails.txt       "test name,Status" (Fail, Crash, Timeout). At the top of the file "# vendor: ",
-//                        "# renderer: " and "# version: " name what it is for: each must be part of what the
-//                        implementation says of itself. "# implementation: osmesa" tells two ways to the same
-//                        library apart; "# pass: reuse-context" makes it the baseline of the second pass over
-//                        one shared context (without: the pass with fresh contexts). Where several fit, the
-//                        one with the more specific header is meant.
-//   NAME-signatures.txt  "test name,depth,signature": which cases of the test fail, so that a known failure
-//                        cannot hide a new one. Signatures belong to a depth and to the seed 1.
-//   NAME-skips.txt       regular expressions (ECMAScript; found anywhere in the name, so anchor with ^ and
-//   $):
-//                        tests that are not run and get the verdict `skipped`
-//   NAME-flakes.txt      regular expressions: tests whose fail, crash, timeout or pass is no news
+// A baseline is stored as plain text files in one folder, in the format of GL driver CI. The reason of an
+// entry is the comment above it (the same for all entries up to the next empty line), and every entry needs
+// one.
+//   NAME-fails.txt       "test name,Status" (Fail, Crash, Timeout). The comments at the top of the file form
+//   its
+//                        header, which states the implementations that the files are for:
+//                          # vendor: TEXT            part of GL_VENDOR
+//                          # renderer: TEXT          part of GL_RENDERER
+//                          # version: RANGE          GL_VERSION, see version_range.h
+//                          # implementation: A, B    names of implementations (see `evalcts list
+//                          implementations`) # pass: reuse-context     the second pass, over one shared
+//                          context, instead of the first # extends: BASE           makes the files an overlay
+//   NAME-signatures.txt  "test name,depth,signature": the failing cases of the test, so that a known failure
+//   cannot
+//                        hide a new one. A signature belongs to its depth and to seed 1.
+//   NAME-skips.txt       regular expressions (ECMAScript, found anywhere in the name): tests that are not run
+//   and get
+//                        the verdict `skipped`
+//   NAME-flakes.txt      regular expressions: tests whose fail, crash, timeout or pass is never unexpected
+//
+// An overlay holds only what differs from BASE for one driver, window system or range of versions. The status
+// "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
+// implementation is the base with the most specific header, and all overlays of this base that fit, the most
+// specific one last.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "harness/runner/version_range.h"
+
 namespace evalcts {
 
-// A file of a baseline does not follow its format; the message names file and line.
+// A file of a baseline does not follow its format, or a baseline cannot be chosen or written as asked. The
+// message is for the user and names file and line.
 struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-class Baseline {
- public:
+// The content of NAME-fails.txt and of the other files of that name.
+struct BaselineFiles {
+  struct Header {
+    std::string vendor, renderer;
+    VersionRange version;
+    std::vector<std::string> implementations;  // empty: all
+    std::string pass;                          // empty: the pass with fresh contexts
+    std::string extends;                       // empty: not an overlay
+
+    // Number of fields, then length of their texts: the larger of two is the more specific header.
+    struct Specificity {
+      std::size_t fields = 0, length = 0;
+      auto operator<=>(const Specificity&) const = default;
+    };
+    Specificity specificity() const;
+    // `implementation`: the member of a result record.
+    bool fits(const nlohmann::json& implementation, const std::string& for_pass) const;
+  };
+
   struct Entry {
-    std::string status;  // Fail, Crash, Timeout
+    std::string status;  // Fail, Crash, Timeout; in an overlay also Pass
     std::string reason;
-    std::map<std::string, std::string> signatures;  // by depth; a depth that is missing is not compared
   };
 
   struct Pattern {
@@ -46,55 +78,82 @@ class Baseline {
     std::string reason;
   };
 
+  std::string name;
+  Header header;
+  std::map<std::string, Entry> entries;                                  // by test
+  std::map<std::string, std::map<std::string, std::string>> signatures;  // by test and depth
+  std::vector<Pattern> skips, flakes;
+
   // Reads NAME-fails.txt and those of the other files that exist. Throws BadBaseline.
-  static Baseline read(const std::filesystem::path& folder, const std::string& name);
-  // All baselines of a folder (none where it does not exist), by name. Throws BadBaseline.
-  static std::vector<Baseline> read_all(const std::filesystem::path& folder);
+  static BaselineFiles read(const std::filesystem::path& folder, const std::string& name);
+  // All files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline, also
+  // if the base of an overlay is missing.
+  static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
 
-  // The one whose header fits the implementation of a result record and the pass (empty: fresh contexts) most
-  // specifically; an empty one where none does.
-  static Baseline best_fit(const std::vector<Baseline>& baselines, const nlohmann::json& implementation,
-                           const std::string& pass = {});
+  // Writes the fails and the signatures; the files of skips and flakes are maintained by hand. Throws
+  // std::runtime_error.
+  void write(const std::filesystem::path& folder) const;
+};
 
-  const std::string& name() const { return name_; }
+// The known failures of one implementation: a base and its overlays, composed. Default-constructed: none.
+class Baseline {
+ public:
+  struct Entry {
+    std::string status;  // Fail, Crash, Timeout
+    std::string reason;
+    std::map<std::string, std::string> signatures;  // by depth; a depth that is missing is not compared
+  };
+  using Pattern = BaselineFiles::Pattern;
+
+  // The baseline of the implementation of a result record, in the given pass (empty: fresh contexts). If
+  // `chosen` is not empty, that base or overlay is used whatever its header says, provided that it is meant
+  // for the pass. Throws BadBaseline if no files have the name `chosen`.
+  static Baseline best_fit(const std::vector<BaselineFiles>& all, const nlohmann::json& implementation,
+                           const std::string& pass = {}, const std::string& chosen = {});
+
+  // This baseline with the given files in the place of those with the same name, or, if it is empty, made of
+  // them.
+  Baseline with(const BaselineFiles& files) const;
+
+  // "mesa", "mesa with mesa.softpipe"; empty if there is none.
+  std::string name() const;
+  const std::vector<BaselineFiles>& parts() const { return parts_; }
   const std::map<std::string, Entry>& entries() const { return entries_; }
-  bool fits(const nlohmann::json& implementation, const std::string& pass = {}) const;
 
-  // The pattern that says not to run the test, or that it is flaky; null where none does.
-  const Pattern* skip(const std::string& test) const { return matching(skips_, test); }
-  const Pattern* flake(const std::string& test) const { return matching(flakes_, test); }
+  // The pattern that excludes the test from the run, or declares it flaky; null if there is none.
+  const Pattern* skip(const std::string& test) const { return matching(&BaselineFiles::skips, test); }
+  const Pattern* flake(const std::string& test) const { return matching(&BaselineFiles::flakes, test); }
 
-  // Whether a test record is a fail, crash or timeout that is known, with the same failing cases where the
+  // True if a test record is a fail, crash or timeout that is known, with the same failing cases if the
   // record was made at the depth and seed of a signature.
   bool knows(const nlohmann::json& test, const std::string& depth, std::uint32_t seed) const;
 
   // Marks the tests of a result record: "expected_by_baseline" and "baseline_reason". A known failure whose
-  // signature changed stays unexpected and says so in its message. Sets "baseline" of the record. Leaves
-  // alone what is marked as "also_in_fresh_context".
+  // signature changed stays unexpected, and its message says so. Sets "baseline" of the record. Does not
+  // change tests that are marked as "also_in_fresh_context".
   void apply(nlohmann::json& result) const;
 
-  // Entries for tests that do not exist any more, and patterns that match no test (`tests`: as the suite
-  // program lists them).
+  // Entries for tests that do not exist any more, patterns that match no test, and "Pass" entries of an
+  // overlay that withdraw nothing (`tests`: as the suite program lists them).
   std::vector<std::string> stale_entries(const nlohmann::json& tests) const;
 
-  // What fails in the record, as a baseline: reasons of entries that this one has are kept, new ones say that
-  // they have not been traced yet. Skips and flakes stay as they are, and flaky tests get no entry.
-  Baseline renewed(const nlohmann::json& result, const std::string& name) const;
-  // Writes the fails and the signatures; the files of skips and flakes belong to people. Throws
-  // std::runtime_error.
-  void write(const std::filesystem::path& folder) const;
+  // The files that make this baseline expect exactly what fails in the record: those called `target`, which
+  // are a part of this baseline, with entries for what the other parts do not expect. If `target` is empty,
+  // the only part, or new files called `new_name` if there is none. Existing reasons are kept; new entries
+  // state that they have not been traced. Skips and flakes are kept, and flaky tests get no entry. Throws
+  // BadBaseline if there are several parts and no target.
+  BaselineFiles renewed(const nlohmann::json& result, const std::string& target,
+                        const std::string& new_name) const;
 
  private:
-  static const Pattern* matching(const std::vector<Pattern>& patterns, const std::string& test);
-  std::size_t specificity() const;
+  static Baseline composed(std::vector<BaselineFiles> parts);
+  const Pattern* matching(std::vector<Pattern> BaselineFiles::*patterns, const std::string& test) const;
 
-  std::string name_;
-  std::string vendor_, renderer_, version_, implementation_, pass_;
+  std::vector<BaselineFiles> parts_;  // the base first
   std::map<std::string, Entry> entries_;
-  std::vector<Pattern> skips_, flakes_;
 };
 
-// Stands for the sorted identities of the failing cases of a test record.
+// A short text for the sorted identities of the failing cases of a test record.
 std::string signature_of(const nlohmann::json& test);
 
 }  // namespace evalcts

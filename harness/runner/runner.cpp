@@ -246,7 +246,7 @@ class Run {
     for (const char* member : {"library", "vendor", "renderer", "version", "max_eval_order"})
       implementation[member] = description[member];
     implementation["kind"] = description["name"];
-    baseline_ = Baseline::best_fit(request_.baselines, implementation, pass());
+    baseline_ = Baseline::best_fit(request_.baselines, implementation, pass(), request_.baseline);
     implementation["captures"] = json::array();
     const std::vector<std::string> names = description["all_captures"];
     std::vector<std::unique_ptr<Question>> proofs;

@@ -23,9 +23,12 @@ class Baselines : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  Baseline find(const json& implementation, const std::string& pass = {}) const {
-    return Baseline::best_fit(Baseline::read_all(folder_), implementation, pass);
+  Baseline find(const json& implementation, const std::string& pass = {},
+                const std::string& chosen = {}) const {
+    return Baseline::best_fit(BaselineFiles::read_all(folder_), implementation, pass, chosen);
   }
+  // The baseline in the files called `name`, for whatever implementation.
+  Baseline read(const std::string& name) const { return find(record({})["implementation"], "", name); }
 
   static json test(const std::string& name, const std::string& verdict,
                    const std::vector<std::string>& mismatches = {}) {
@@ -76,7 +79,7 @@ TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
   json result = record({test("A.B", "fail", {"case 1: x", "case 2: y"})});
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
   write("m-signatures.txt", "A.B,quick," + signature_of(result["tests"][0]) + "\n");
-  const Baseline baseline = Baseline::read(folder_, "m");
+  const Baseline baseline = read("m");
   json same = result;
   baseline.apply(same);
   EXPECT_EQ(same["tests"][0]["expected_by_baseline"], true);
@@ -96,14 +99,14 @@ TEST_F(Baselines, OthersAreNotMeant) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
   EXPECT_EQ(find({{"vendor", "NVIDIA"}, {"renderer", "llvmpipe"}, {"version", "Mesa 22.3"}}).name(), "");
   EXPECT_EQ(find({{"vendor", "Mesa"}, {"renderer", "llvmpipe"}, {"version", "Mesa 23.0"}}).name(), "");
-  EXPECT_TRUE(Baseline::read_all(folder_ / "absent").empty());
+  EXPECT_TRUE(BaselineFiles::read_all(folder_ / "absent").empty());
   EXPECT_EQ(Baseline::best_fit({}, {}).name(), "");
 }
 
 TEST_F(Baselines, StaleEntriesAreNamed) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\nA.Gone,Fail\n");
   const json tests = {{"tests", {{{"name", "A.B"}}}}};
-  EXPECT_EQ(Baseline::read(folder_, "m").stale_entries(tests), std::vector<std::string>{"A.Gone"});
+  EXPECT_EQ(read("m").stale_entries(tests), std::vector<std::string>{"A.Gone"});
 }
 
 TEST_F(Baselines, BadFilesAreRefusedWithFileAndLine) {
@@ -111,25 +114,25 @@ TEST_F(Baselines, BadFilesAreRefusedWithFileAndLine) {
                                  "# reason\nA.B,Fail,x\n", "# reason\nA.B,Fail\nA.B,Fail\n"}) {
     write("m-fails.txt", kHeader + body);
     try {
-      Baseline::read(folder_, "m");
+      read("m");
       ADD_FAILURE() << body;
     } catch (const BadBaseline& error) {
       EXPECT_NE(std::string(error.what()).find("m-fails.txt:"), std::string::npos);
     }
   }
   write("m-fails.txt", "# reason\nA.B,Fail\n");  // no header
-  EXPECT_THROW(Baseline::read(folder_, "m"), BadBaseline);
+  EXPECT_THROW(read("m"), BadBaseline);
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
   write("m-signatures.txt", "A.C,quick,1\n");
-  EXPECT_THROW(Baseline::read(folder_, "m"), BadBaseline);
-  EXPECT_THROW(Baseline::read(folder_, "absent"), BadBaseline);
+  EXPECT_THROW(read("m"), BadBaseline);
+  EXPECT_THROW(read("absent"), BadBaseline);
 }
 
 TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
   write("m-fails.txt", kHeader);
   write("m-skips.txt", "# hangs\n# the machine\nB/x$\n^C\\.\n");
   write("m-flakes.txt", "# now and then\n^A\\.\n");
-  const Baseline baseline = Baseline::read(folder_, "m");
+  const Baseline baseline = read("m");
   ASSERT_NE(baseline.skip("A.B/x"), nullptr);
   EXPECT_EQ(baseline.skip("A.B/x")->reason, "hangs the machine");
   EXPECT_NE(baseline.skip("C.D"), nullptr);
@@ -147,8 +150,8 @@ TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
   EXPECT_EQ(baseline.stale_entries(tests), std::vector<std::string>{"B/x$ (in the skips)"});
 
   // Renewing leaves both alone and gives flaky tests no entry.
-  baseline.renewed(result, "m").write(folder_);
-  const Baseline after = Baseline::read(folder_, "m");
+  baseline.renewed(result, "", "ignored").write(folder_);
+  const Baseline after = read("m");
   EXPECT_EQ(after.entries().count("A.B"), 0u);
   EXPECT_EQ(after.entries().count("B.A"), 1u);
   EXPECT_NE(after.skip("C.D"), nullptr);
@@ -164,7 +167,7 @@ TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
     for (const auto& [text, message] : bad) {
       write(file, text);
       try {
-        Baseline::read_all(folder_);
+        BaselineFiles::read_all(folder_);
         ADD_FAILURE() << text;
       } catch (const BadBaseline& error) {
         EXPECT_NE(std::string(error.what()).find(file + message), std::string::npos) << error.what();
@@ -173,7 +176,7 @@ TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
     fs::remove(folder_ / file);
   }
   write("other-skips.txt", "# reason\nA\n");
-  EXPECT_THROW(Baseline::read_all(folder_), BadBaseline);  // for what?
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);  // for what?
 }
 
 TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
@@ -191,7 +194,7 @@ TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
   write("d-fails.txt", "# vendor: Mesa\n# renderer: llvmpipe\n# version: Mesa 22.3.6\n");
   EXPECT_EQ(find(implementation).name(), "d");
   write("d-fails.txt", start + "# pass: third\n");
-  EXPECT_THROW(Baseline::read_all(folder_), BadBaseline);
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
 }
 
 TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
@@ -199,8 +202,8 @@ TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
   write("m-signatures.txt", "A.B,quick,1-1\n");
   json result = record({test("A.B", "fail", {"x"})});
   result["seed"] = 2;
-  Baseline::read(folder_, "m").renewed(result, "m").write(folder_);
-  EXPECT_EQ(Baseline::read(folder_, "m").entries().at("A.B").signatures.at("quick"), "1-1");
+  read("m").renewed(result, "m", "").write(folder_);
+  EXPECT_EQ(read("m").entries().at("A.B").signatures.at("quick"), "1-1");
   std::ifstream file(folder_ / "m-signatures.txt");
   EXPECT_NE(std::string(std::istreambuf_iterator<char>(file), {}).find("seed 1"), std::string::npos);
 }
@@ -211,7 +214,7 @@ TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
   result["pass"] = "reuse-context";
   result["tests"][0]["also_in_fresh_context"] = true;
   result["tests"][0]["expected_by_baseline"] = true;
-  Baseline().renewed(result, "m.reuse-context").write(folder_);
+  Baseline().renewed(result, "", "m.reuse-context").write(folder_);
   const Baseline baseline = find(result["implementation"], "reuse-context");
   EXPECT_EQ(baseline.name(), "m.reuse-context");
   EXPECT_EQ(baseline.entries().size(), 1u);
@@ -224,14 +227,148 @@ TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
                            "# a reason that is long enough to be wrapped when it is written, because "
                            "it has many words in it\nA.B,Fail\n\n# fixed by now\nA.C,Fail\n");
   const json result = record({test("A.B", "fail", {"x"}), test("A.C", "pass"), test("A.D", "timeout")});
-  const Baseline before = Baseline::read(folder_, "m");
-  before.renewed(result, "ignored").write(folder_);
-  const Baseline after = Baseline::read(folder_, "m");
+  const Baseline before = read("m");
+  before.renewed(result, "", "ignored").write(folder_);
+  const Baseline after = read("m");
   ASSERT_EQ(after.entries().size(), 2u);
   EXPECT_EQ(after.entries().at("A.B").reason, before.entries().at("A.B").reason);
   EXPECT_EQ(after.entries().at("A.B").signatures.at("quick"), signature_of(result["tests"][0]));
   EXPECT_EQ(after.entries().at("A.D").status, "Timeout");
-  EXPECT_TRUE(after.fits(result["implementation"]));
+  EXPECT_EQ(find(result["implementation"]).name(), "m");
+}
+
+// --- overlays
+// --------------------------------------------------------------------------------------------------------
+
+class Overlays : public Baselines {
+ protected:
+  Overlays() {
+    write("mesa-fails.txt",
+          "# version: Mesa 20.3 or newer\n# implementation: egl, glx\n\n# EV-1\nA.B,Fail\nA.C,Fail\n");
+    write("mesa-signatures.txt", "A.B,quick,1-b\nA.C,quick,1-c\n");
+    write("mesa.softpipe-fails.txt",
+          "# extends: mesa\n# renderer: softpipe\n\n# EV-2\nA.C,Crash\nA.S,Fail\n\n# EV-3: right "
+          "here\nA.B,Pass\n");
+    write("mesa.softpipe-flakes.txt", "# sometimes\n^F\\.\n");
+    write("mesa.old-fails.txt", "# extends: mesa\n# version: Mesa 24.3 or older\n\n# EV-4\nA.Old,Fail\n");
+    write("mesa.old-signatures.txt", "A.C,quick,1-old\n");
+  }
+
+  static json implementation(const std::string& renderer, const std::string& version,
+                             const std::string& kind = "egl") {
+    return {{"vendor", "Mesa"}, {"renderer", renderer}, {"version", version}, {"kind", kind}};
+  }
+};
+
+TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
+  const Baseline plain = find(implementation("llvmpipe", "4.5 Mesa 25.0.7-2"));
+  EXPECT_EQ(plain.name(), "mesa");
+  EXPECT_EQ(plain.entries().size(), 2u);
+  EXPECT_EQ(plain.entries().at("A.C").signatures.at("quick"), "1-c");
+
+  const Baseline old = find(implementation("llvmpipe", "3.1 Mesa 20.3.5", "glx"));
+  EXPECT_EQ(old.name(), "mesa with mesa.old");
+  EXPECT_EQ(old.entries().at("A.Old").reason, "EV-4");
+  EXPECT_EQ(old.entries().at("A.C").reason, "EV-1");
+  EXPECT_EQ(old.entries().at("A.C").signatures.at("quick"), "1-old");
+
+  const Baseline softpipe = find(implementation("softpipe", "4.5 Mesa 25.0.7"));
+  EXPECT_EQ(softpipe.name(), "mesa with mesa.softpipe");
+  EXPECT_EQ(softpipe.entries().at("A.C").status, "Crash");
+  EXPECT_EQ(softpipe.entries().count("A.S"), 1u);
+  EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn
+  EXPECT_NE(softpipe.flake("F.x"), nullptr);
+
+  // In the order of their specificity: the longer header is the last.
+  EXPECT_EQ(find(implementation("softpipe", "3.1 Mesa 20.3.5")).name(), "mesa with mesa.softpipe, mesa.old");
+
+  EXPECT_EQ(find(implementation("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");
+  EXPECT_EQ(find(implementation("llvmpipe", "4.5 Mesa 20.2.6")).name(), "");
+}
+
+TEST_F(Overlays, AChosenOneIsUsedWhateverItsHeaderSays) {
+  const json other = implementation("Radeon", "1.4 somebody's GL 2.0");
+  EXPECT_EQ(find(other).name(), "");
+  EXPECT_EQ(find(other, "", "mesa").name(), "mesa");
+  EXPECT_EQ(find(other, "", "mesa.softpipe").name(), "mesa with mesa.softpipe");
+  EXPECT_EQ(find(other, "reuse-context", "mesa").name(), "");
+  EXPECT_THROW(find(other, "", "absent"), BadBaseline);
+}
+
+TEST_F(Overlays, BadOverlaysAreRejected) {
+  write("m-fails.txt", "# extends: absent\n# renderer: x\n");
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
+  write("m-fails.txt", "# extends: mesa.old\n# renderer: x\n");
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
+  write("m-fails.txt", "# extends: mesa\n");  // for which implementations?
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
+  write("m-fails.txt", "# version: Mesa or newer\n");
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
+  write("m-fails.txt", "# version: Mesa 22.3\n\n# withdraws nothing\nA.B,Pass\n");
+  EXPECT_THROW(BaselineFiles::read_all(folder_), BadBaseline);
+}
+
+TEST_F(Overlays, EntriesThatWithdrawNothingAreStale) {
+  write("mesa.softpipe-fails.txt", "# extends: mesa\n# renderer: softpipe\n\n# EV-3\nA.S,Pass\n");
+  const json tests = {
+      {"tests", {{{"name", "A.B"}}, {{"name", "A.C"}}, {{"name", "A.S"}}, {{"name", "F.x"}}}}};
+  EXPECT_EQ(find(implementation("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests),
+            std::vector<std::string>{"A.S (Pass in mesa.softpipe, but mesa expects no failure)"});
+}
+
+// Writing an overlay leaves in it exactly what its base does not say.
+TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
+  json result = record({test("A.B", "fail", {"x"}), test("A.C", "pass"), test("A.N", "fail", {"y"}),
+                        test("A.S", "pass"), test("A.U", "not-observable")});
+  result["implementation"] = implementation("softpipe", "4.5 Mesa 25.0.7");
+  const Baseline before = find(result["implementation"]);
+  EXPECT_THROW(before.renewed(result, "", ""), BadBaseline);          // which of the two?
+  EXPECT_THROW(before.renewed(result, "mesa.old", ""), BadBaseline);  // no part of this baseline
+  before.renewed(result, "mesa.softpipe", "").write(folder_);
+  const BaselineFiles files = BaselineFiles::read(folder_, "mesa.softpipe");
+  ASSERT_EQ(files.entries.size(), 2u);
+  EXPECT_EQ(files.entries.at("A.C").status, "Pass");
+  EXPECT_EQ(files.entries.at("A.N").status, "Fail");
+  EXPECT_EQ(files.signatures.count("A.B"), 1u);  // the failure that the base knows, in another case
+  EXPECT_EQ(files.header.renderer, "softpipe");
+  EXPECT_EQ(files.header.extends, "mesa");
+
+  find(result["implementation"]).apply(result);
+  EXPECT_EQ(result["baseline"], "mesa with mesa.softpipe");
+  EXPECT_EQ(result["tests"][0]["expected_by_baseline"], true);
+  EXPECT_EQ(result["tests"][2]["expected_by_baseline"], true);
+  for (const int passes : {1, 3}) EXPECT_EQ(result["tests"][passes]["baseline_reason"], "");
+}
+
+// --- versions
+// --------------------------------------------------------------------------------------------------------
+
+TEST(VersionRanges, CompareTheComponentsOfTheirBounds) {
+  struct Case {
+    const char* range;
+    const char* version;
+    bool contained;
+  };
+  for (const auto& [range, version, contained] : {
+           Case{"Mesa 20.3 to 24.3", "4.5 (Compatibility Profile) Mesa 24.3.9", true},
+           {"Mesa 20.3 to 24.3", "3.1 Mesa 20.3.5", true},
+           {"Mesa 20.3 to 24.3", "4.5 Mesa 25.0.0", false},
+           {"Mesa 20.3 to 24.3", "4.5 Mesa 20.2.6", false},
+           {"Mesa 20.3 to 24.3", "4.5 Mesa 9.0", false},  // as numbers, not as text
+           {"Mesa 25.0 or newer", "4.6 (Compatibility Profile) Mesa 26.3.0-devel (git-0123456789)", true},
+           {"Mesa 25.0 or newer", "4.6 Mesa 24.99", false},
+           {"Mesa 25.0 or newer", "4.6.0 NVIDIA 580.159.04", false},
+           {"Mesa 22.3 or older", "1.4 (4.5 Mesa 22.3.6)", true},
+           {"Mesa 22.3 or older", "4.5 Mesa 23.0.0", false},
+           {"Mesa 22.3", "4.5 Mesa 22.3.6", true},
+           {"Mesa 22.3.6", "4.5 Mesa 22.3.5", false},
+           {"NVIDIA 580", "4.6.0 NVIDIA 580.159.04", true},
+           {"Mesa 25.0 or newer", "Mesa", false},
+       })
+    EXPECT_EQ(VersionRange(range).contains(version), contained) << range << ": " << version;
+  EXPECT_TRUE(VersionRange().contains("anything"));
+  for (const char* bad : {"Mesa or newer", "Mesa 20 to x", "Mesa to 20.3", "20.3 to 24.3"})
+    EXPECT_THROW(VersionRange{bad}, std::invalid_argument) << bad;
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ data card(const Column& column) {
   add_row(circumstances, "Shard", record.shard);
   add_row(circumstances, "Depth", record.depth);
   add_row(circumstances, "Seed", record.seed ? fmt::format("{}", *record.seed) : "");
+  add_row(circumstances, "Baseline", record.baseline);
   add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
   add_row(circumstances, "Largest order", integer(implementation.max_eval_order));
   add_row(circumstances, "Machine", implementation.machine);

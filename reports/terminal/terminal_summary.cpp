@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kMostInFull = 8;     // failures, where not all were asked for
 constexpr std::size_t kLinesInFull = 8;    // of a failure: commands take two lines
-constexpr std::size_t kLinesAtEnd = 6;     // what follows the failures, and the prompt
+constexpr std::size_t kLinesAtEnd = 7;     // what follows the failures, and the prompt
 constexpr std::size_t kMostOfSource = 24;  // columns
 
 enum class Colour { kNone, kRed, kYellow, kGreen, kFaint, kBold };
@@ -197,6 +197,17 @@ void write_captures(Screen& screen, const Record& record) {
   }
 }
 
+// Which known failures were expected, and how to choose others.
+void write_baseline(Screen& screen, const Record& record) {
+  if (!record.baseline.empty())
+    screen.whole_line(
+        fmt::format("baseline: {} (--baseline NAME, DIR or none chooses another)", record.baseline),
+        Colour::kFaint);
+  else if (record.unexpected_count() > 0)
+    screen.whole_line("baseline: none; --baseline DIR --write-baseline records these failures as known",
+                      Colour::kFaint);
+}
+
 void write_last_line(Screen& screen, const Record& record, const std::string& head = {}) {
   const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
   std::vector<std::string> last;
@@ -272,6 +283,7 @@ std::string terminal_summary(const nlohmann::json& result, const nlohmann::json&
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);
+  write_baseline(screen, record);
   write_last_line(screen, record);
   return screen.text();
 }
