@@ -374,7 +374,7 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithArguments) {
       const auto expect = [&](glev_result expected, std::size_t offset, std::size_t stride) {
         Memory memory(kNoRoom);
         const auto change = [&](Call& call) {
-          (is_u ? call.batch.u : call.batch.v) = {memory.data() + offset, kNoRoom - offset, stride};
+          (is_u ? call.batch.u : call.batch.v) = glev_input{memory.data() + offset, kNoRoom - offset, stride};
         };
         EXPECT_EQ(Evaluate(dimension, change, memory), expected) << offset << " " << stride;
       };
