@@ -76,4 +76,21 @@ std::string join(const std::vector<std::string>& parts, std::string_view separat
   return fmt::format("{}", fmt::join(parts, separator));
 }
 
+std::string markdown_code(const std::string& text, std::size_t most) {
+  const std::string line = cut(one_line(text), most);
+  std::size_t longest = 0, length = 0;
+  for (const char c : line) {
+    length = c == '`' ? length + 1 : 0;
+    longest = std::max(longest, length);
+  }
+  const std::string fence(longest + 1, '`');
+  // With a space at either end; GitHub and GitLab take one off each.
+  return longest || line.empty() ? fence + " " + line + " " + fence : fence + line + fence;
+}
+
+std::string markdown_cell(std::string text) {
+  std::replace(text.begin(), text.end(), '|', '/');
+  return markdown_code(text);
+}
+
 }  // namespace evalcts::reports

@@ -49,6 +49,20 @@ std::string why_not(const std::string& implementation) {
   return !ending->signalled && ending->value == 0 ? "" : "it ended with " + describe(*ending);
 }
 
+std::vector<std::string> default_implementations() {
+  std::vector<std::string> names;
+  for (const ImplementationKind& kind : implementation_kinds()) {
+    if (!kind.by_default) continue;
+    names.push_back(kind.name);
+    if (kind.name != "osmesa") continue;
+    const std::string reason = why_not("osmesa");
+    if (reason.empty()) continue;
+    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reports::clean(reason));
+    names.back() = "egl";
+  }
+  return names;
+}
+
 int list(const std::string& what, bool as_json) {
   if (what == "implementations") {
     const json all = implementations();

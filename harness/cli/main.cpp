@@ -33,8 +33,8 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   run_options.program = program;
   run_options.command = "evalcts";
   for (int i = 1; i < argc; ++i) run_options.command += std::string(" ") + argv[i];
-  CLI::App* run_command =
-      app.add_subcommand("run", "judge implementations (default: all that are available)");
+  CLI::App* run_command = app.add_subcommand(
+      "run", "judge implementations (default: osmesa, or egl without it, production and reference)");
   run_command->add_option("--implementation", run_options.implementations, "what to judge; may be repeated")
       ->expected(1)
       ->take_all();
@@ -210,10 +210,11 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   CLI::App* ulp_command = app.add_subcommand(
       "ulp", "how far from the exact values? errors of implementations in ULP and beside their condition");
   ulp_command
-      ->add_option("--implementation", ulp_options.implementations,
-                   fmt::format("what to measure, also {}; may be repeated (default: osmesa and all that need "
-                               "no library)",
-                               fmt::join(own_subject_names(), ", ")))
+      ->add_option(
+          "--implementation", ulp_options.implementations,
+          fmt::format("what to measure, also {}; may be repeated (default: osmesa, or egl without it, "
+                      "and all that need no library)",
+                      fmt::join(own_subject_names(), ", ")))
       ->expected(1)
       ->take_all();
   ulp_command->add_option("--library", ulp_options.library, "shared library instead of the usual one");

@@ -116,6 +116,7 @@ int report(const ReportOptions& options) {
   if (!before.empty()) std::cout << changes.text << "\n";
   try {
     write_pages(output, results, before);
+    write_atomically(output / "requirements.md", reports::requirements_table(results, catalogue()));
   } catch (const std::runtime_error& failure) {
     std::cerr << "evalcts: " << failure.what() << "; choose another folder with --output\n";
     return kWrongUse;

@@ -136,8 +136,7 @@ int run(const RunOptions& options) {
       return kWrongUse;
     }
   } else {
-    for (const ImplementationKind& kind : implementation_kinds())
-      if (kind.by_default) chosen.push_back({kind.name, "", ""});
+    for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
   }
   if (!options.label.empty() && chosen.size() != 1) {
     std::cerr << "evalcts: --name labels one implementation; name only that one\n";
@@ -199,15 +198,6 @@ int run(const RunOptions& options) {
   }
   if (options.shuffle)
     std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
-
-  if (!named)
-    for (ImplementationOptions& implementation : chosen)
-      if (implementation.name == "osmesa") {
-        const std::string reason = why_not("osmesa");
-        if (reason.empty()) continue;
-        std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reports::clean(reason));
-        implementation.name = "egl";
-      }
 
   stop_when_asked();
   adopt_what_children_leave();

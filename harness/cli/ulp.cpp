@@ -483,8 +483,7 @@ int ulp(const UlpOptions& options) {
     return wrong_use("--library, --context and --name go with one implementation");
   const bool named = !names.empty();
   if (!named) {
-    for (const ImplementationKind& kind : implementation_kinds())
-      if (kind.by_default) names.push_back(kind.name);
+    names = default_implementations();
     for (const std::string& own : own_subject_names()) names.push_back(own);
   }
   if (chosen_rows(options).empty())

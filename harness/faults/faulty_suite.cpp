@@ -13,11 +13,27 @@ namespace {
 
 using namespace evalcts;
 
-// What tells this program the implementation of a fault.
+// True if OSMesa can be opened. Mesa 25.1 and newer have none; their faults are put into the same Mesa
+// through EGL.
+bool has_osmesa() {
+  static const bool has = [] {
+    try {
+      open_implementation({"osmesa"})->create_context();
+      return true;
+    } catch (const CannotStart&) {
+      return false;
+    }
+  }();
+  return has;
+}
+
+// The arguments that make this program open the implementation of a fault.
 std::vector<std::string_view> arguments_of(std::string_view implementation) {
+  if (implementation == "osmesa" && !has_osmesa()) return {"--implementation", "egl"};
+  if (implementation == "dropin" && !has_osmesa()) return {"--implementation", "dropin-egl"};
   if (implementation == faults::kNvVertexProgram) return {"--context", NV_VERTEX_PROGRAM_PROVIDER};
   if (implementation == faults::kRepairedOSMesa || implementation == faults::kOSMesa30)
-    return {"--implementation", "osmesa", "--base", implementation};
+    return {"--implementation", has_osmesa() ? "osmesa" : "egl", "--base", implementation};
   return {"--implementation", implementation};
 }
 

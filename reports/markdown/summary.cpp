@@ -10,28 +10,7 @@ namespace evalcts::reports {
 namespace {
 
 constexpr std::size_t kMostTests = 10;        // of each kind and record
-constexpr std::size_t kMostOfMessage = 200;   // columns
 constexpr std::size_t kMostOfCommand = 2000;  // columns: a command has to work when it is copied
-
-// A code span that ends where it should: its fence is longer than any in the text. Nothing in it is markup, a
-// link or a mention.
-std::string code(const std::string& text, std::size_t most = kMostOfMessage) {
-  const std::string line = cut(one_line(text), most);
-  std::size_t longest = 0, length = 0;
-  for (const char c : line) {
-    length = c == '`' ? length + 1 : 0;
-    longest = std::max(longest, length);
-  }
-  const std::string fence(longest + 1, '`');
-  // With a space at either end; GitHub and GitLab take one off each.
-  return longest || line.empty() ? fence + " " + line + " " + fence : fence + line + fence;
-}
-
-// In a table a bar ends the cell even in code, and there is no way around that is the same everywhere.
-std::string cell(std::string text) {
-  std::replace(text.begin(), text.end(), '|', '/');
-  return code(text);
-}
 
 std::string counts_table(const std::vector<Column>& columns) {
   std::vector<Verdict> verdicts;
@@ -50,7 +29,7 @@ std::string counts_table(const std::vector<Column>& columns) {
   for (const Column& column : columns) {
     const Record& record = column.record;
     const std::uint64_t unexpected = record.unexpected_count();
-    out += fmt::format("| {} | {} | {} |", cell(column.label),
+    out += fmt::format("| {} | {} | {} |", markdown_cell(column.label),
                        unexpected ? fmt::format("**{}**", unexpected) : "0", record.total());
     for (const Verdict verdict : verdicts)
       out += fmt::format(" {} |", record.counts[static_cast<std::size_t>(verdict)]);
@@ -65,23 +44,24 @@ std::string about(const Column& column) {
   const Implementation& implementation = record.implementation;
   std::vector<std::string> parts;
   for (const std::string* part : {&implementation.vendor, &implementation.renderer, &implementation.version})
-    if (!part->empty()) parts.push_back(code(*part));
+    if (!part->empty()) parts.push_back(markdown_code(*part));
   if (record.status.empty()) parts.emplace_back("**status unknown**");
   if (!record.status.empty() && !record.complete())
-    parts.push_back("**" + record.status + "**" + (record.reason.empty() ? "" : ": " + code(record.reason)));
-  return parts.empty() ? "" : fmt::format("* {}: {}\n", code(column.label), join(parts, ", "));
+    parts.push_back("**" + record.status + "**" +
+                    (record.reason.empty() ? "" : ": " + markdown_code(record.reason)));
+  return parts.empty() ? "" : fmt::format("* {}: {}\n", markdown_code(column.label), join(parts, ", "));
 }
 
 std::string changes_of(const Comparison& pair) {
-  std::string out = fmt::format("* {}: {}\n", code(pair.label), pair.headline());
-  for (const std::string& caveat : pair.caveats) out += "  * " + code(caveat) + "\n";
+  std::string out = fmt::format("* {}: {}\n", markdown_code(pair.label), pair.headline());
+  for (const std::string& caveat : pair.caveats) out += "  * " + markdown_code(caveat) + "\n";
   // The rest is in the headline, and on the page.
   for (const ChangeKind kind : {ChangeKind::kRegression, ChangeKind::kNewFailure, ChangeKind::kFix}) {
     std::size_t told = 0;
     for (const Change& change : pair.changes) {
       if (change.kind != kind || ++told > kMostTests) continue;
-      out +=
-          fmt::format("  * {}: {}, {}\n", text_of(kind).word, code(change.now->name), code(words_of(change)));
+      out += fmt::format("  * {}: {}, {}\n", text_of(kind).word, markdown_code(change.now->name),
+                         markdown_code(words_of(change)));
     }
     if (told > kMostTests) out += fmt::format("  * and {} more\n", told - kMostTests);
   }
@@ -98,16 +78,16 @@ std::string failures_of(const Column& column) {
   for (std::size_t i = 0; i < tests.size() && i < kMostTests; ++i) {
     const TestResult& test = *tests[i];
     out +=
-        fmt::format("* {}: {} {}", code(column.label),
+        fmt::format("* {}: {} {}", markdown_code(column.label),
                     test.unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).word,
-                    code(test.name));
-    if (!test.message.empty()) out += ": " + code(test.message);
+                    markdown_code(test.name));
+    if (!test.message.empty()) out += ": " + markdown_code(test.message);
     out += "\n";
     if (!test.rerun.empty())
-      out += fmt::format("  * run just this test: {}\n", code(test.rerun, kMostOfCommand));
+      out += fmt::format("  * run just this test: {}\n", markdown_code(test.rerun, kMostOfCommand));
   }
   if (tests.size() > kMostTests)
-    out += fmt::format("* {}: and {} more\n", code(column.label), tests.size() - kMostTests);
+    out += fmt::format("* {}: and {} more\n", markdown_code(column.label), tests.size() - kMostTests);
   return out;
 }
 
@@ -126,9 +106,9 @@ std::string markdown_summary(const std::vector<nlohmann::json>& results,
     out += "\n### Changes\n\n";
     for (const Comparison& pair : comparisons.pairs) out += changes_of(pair);
     for (const std::string& label : comparisons.only_now)
-      out += fmt::format("* {}: not in the earlier results\n", code(label));
+      out += fmt::format("* {}: not in the earlier results\n", markdown_code(label));
     for (const std::string& label : comparisons.only_before)
-      out += fmt::format("* {}: only in the earlier results\n", code(label));
+      out += fmt::format("* {}: only in the earlier results\n", markdown_code(label));
   }
 
   std::string failures;

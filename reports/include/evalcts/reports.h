@@ -59,6 +59,12 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
 std::string markdown_summary(const std::vector<nlohmann::json>& results,
                              const std::vector<nlohmann::json>& before = {});
 
+// Requirements by record in Markdown: each requirement with a failing test, with the number of failing and of
+// decided tests in each record, and each test whose verdict is not the same in all records. requirements: as
+// for html. Throws FormatError.
+std::string requirements_table(const std::vector<nlohmann::json>& results,
+                               const nlohmann::json& requirements);
+
 // The changes for a terminal, at most eight of each kind, on lines of 100 columns, and how many regressions
 // there are. Throws FormatError.
 struct Changes {

@@ -1,0 +1,99 @@
+// The Markdown table of requirements by result, from the records that `report` is given.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "evalcts/reports.h"
+#include "reports/side_by_side.h"
+#include "reports/text.h"
+
+namespace evalcts::reports {
+namespace {
+
+constexpr std::size_t kMostOfText = 100;  // columns
+
+struct Tally {
+  std::size_t bad = 0, decided = 0;
+
+  void add(const TestResult& test) {
+    const bool passes = test.verdict == Verdict::kPass || test.verdict == Verdict::kQualityWarning;
+    bad += test.bad();
+    decided += test.bad() || passes;
+  }
+  std::string text() const {
+    if (decided == 0) return "not observed";
+    return bad == 0 ? "pass" : fmt::format("**{}** of {}", bad, decided);
+  }
+};
+
+std::string table_head(const std::string& first, const std::vector<Column>& columns) {
+  std::string head = "| " + first + " |", rule = "| --- |";
+  for (const Column& column : columns) {
+    head += " " + markdown_cell(column.label) + " |";
+    rule += " --- |";
+  }
+  return head + "\n" + rule + "\n";
+}
+
+}  // namespace
+
+std::string requirements_table(const std::vector<nlohmann::json>& results,
+                               const nlohmann::json& requirements) {
+  const std::vector<Column> columns = read_columns(results);
+  const Requirements catalogue = read_requirements(requirements);
+  std::string out = "# Requirements by implementation\n\n";
+  for (const Column& column : columns) {
+    const Implementation& implementation = column.record.implementation;
+    out += fmt::format("* {}: {}, {}\n", markdown_cell(column.label), markdown_cell(implementation.renderer),
+                       markdown_cell(implementation.version));
+  }
+
+  std::map<std::string, std::vector<Tally>> tallies;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (const TestResult& test : columns[i].record.tests)
+      for (const std::string& id : test.requirements) {
+        std::vector<Tally>& row = tallies[id];
+        row.resize(columns.size());
+        row[i].add(test);
+      }
+  std::vector<std::string> violated;
+  for (const auto& [id, row] : tallies)
+    if (std::ranges::any_of(row, [](const Tally& tally) { return tally.bad > 0; })) violated.push_back(id);
+  const auto place_of = [&](const std::string& id) {
+    const Requirement* const requirement = find_requirement(catalogue, id);
+    return requirement ? requirement->place : catalogue.size();
+  };
+  std::ranges::stable_sort(violated, {}, place_of);
+  out += fmt::format(
+      "\n## Requirements with a failing test\n\n{} of {} requirements. Bold: failing tests of those that "
+      "were "
+      "decided.\n\n",
+      violated.size(), tallies.size());
+  out += table_head("requirement", columns);
+  for (const std::string& id : violated) {
+    const Requirement* const requirement = find_requirement(catalogue, id);
+    out += fmt::format("| {}{} |", markdown_cell(id),
+                       requirement ? ": " + markdown_cell(cut(requirement->text, kMostOfText)) : "");
+    for (const Tally& tally : tallies[id]) out += " " + tally.text() + " |";
+    out += "\n";
+  }
+
+  const std::vector<Row> rows = read_rows(columns);
+  out +=
+      "\n## Tests that do not have the same verdict everywhere\n\nTests that no implementation fails are "
+      "left "
+      "out.\n\n";
+  out += table_head("test", columns);
+  for (const Row& row : rows) {
+    if (!row.differs() || !row.worst().bad()) continue;
+    out += fmt::format("| {} |", markdown_cell(row.name));
+    for (const TestResult* outcome : row.outcomes)
+      out += fmt::format(" {} |", outcome ? text_of(outcome->verdict).word : std::string_view("no test"));
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace evalcts::reports
