@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "harness/results/json.h"
 
 namespace evalcts::reports {
 namespace {

@@ -19,11 +19,12 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts {
 

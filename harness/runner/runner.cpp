@@ -418,7 +418,7 @@ class Run {
 
   const json& test(const std::string& name) const {
     for (const json& test : request_.tests)
-      if (test["name"] == name) return test;
+      if (as_text(test["name"]) == name) return test;
     throw std::logic_error("unknown test " + name);
   }
 
@@ -506,7 +506,7 @@ class Run {
     std::vector<std::string> names;
     for (const json& test : request_.tests) {
       const auto found = records_.find(test["name"]);
-      if (found != records_.end() && found->second["verdict"] == "fail" &&
+      if (found != records_.end() && as_text(found->second["verdict"]) == "fail" &&
           !baseline_.knows(found->second, request_.depth, request_.seed))
         names.push_back(test["name"]);
     }
@@ -552,9 +552,9 @@ class Run {
   // --- what a failure depends on -------------------------------------------------------------------------
 
   static bool is_death(const json& record) {
-    return record["verdict"] == "crash" || record["verdict"] == "timeout";
+    return as_text(record["verdict"]) == "crash" || as_text(record["verdict"]) == "timeout";
   }
-  static bool is_bad(const json& record) { return record["verdict"] == "fail" || is_death(record); }
+  static bool is_bad(const json& record) { return as_text(record["verdict"]) == "fail" || is_death(record); }
 
   // Sorted (as the suite program writes them), each as often as it occurred.
   static std::vector<std::string> mismatches_of(const json& record) {
@@ -617,7 +617,7 @@ class Run {
     const auto begin = Clock::now();
     searched_.insert(record["name"]);
     double seconds = std::min(kSearchBudget, searches_left_);
-    if (record["verdict"] == "timeout")
+    if (as_text(record["verdict"]) == "timeout")
       seconds += 4 * request_.limits.seconds_per_test;  // to see it hang again
     deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const std::optional<bool> alone = happens_again(record, {});

@@ -15,7 +15,6 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -23,6 +22,7 @@
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
 #include "harness/implementations/reused_context.h"
+#include "harness/results/json.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/events.h"
 #include "harness/runner/reproduction.h"
