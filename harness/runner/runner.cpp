@@ -14,8 +14,10 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <thread>
 
+#include "harness/implementations/gl_environment.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/control_case.h"
@@ -36,7 +38,9 @@ constexpr double kLook = 0.02;           // seconds between two looks at a child
 constexpr double kStartTimeout = 60;     // for the questions that each library is asked first
 constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
 constexpr double kSearchesBudget = 120;  // ... and all of them
-constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
+constexpr std::size_t kMostQuotedLines = 3;
+constexpr char kCannotStartLine[] = "cannot start: ";  // the reason itself, as suite_main prints it
+constexpr int kMostEmptyStarts = 2;                    // children that end without having begun a test
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -224,15 +228,31 @@ class Run {
     stream.close();
     fs::remove(answer_file);
     if (answer.is_object() && answer.contains("cannot_start")) {
-      reason = answer["cannot_start"];
+      reason = answer["cannot_start"].get<std::string>() + quote_output(child.printed());
       return nullptr;
     }
     if (ending->signalled || ending->value != 0 || !answer.is_object()) {
       reason =
-          fmt::format("it ended with {}; see {}", describe(*ending), file("log", "txt").filename().string());
+          fmt::format("the process that loads the library ended with {}{}; see {}{}", describe(*ending),
+                      describe_gl_environment(), file("log", "txt").string(), quote_output(child.printed()));
       return nullptr;
     }
     return answer;
+  }
+
+  // Returns a clause with the first different lines that a library printed before it failed to start, and the
+  // name of the log with all of them; empty if it printed none.
+  std::string quote_output(const std::string& printed) const {
+    std::vector<std::string> lines;
+    std::istringstream stream(printed);
+    for (std::string line; std::getline(stream, line);)
+      if (!line.empty() && !line.starts_with(kCannotStartLine) &&
+          std::find(lines.begin(), lines.end(), line) == lines.end())
+        lines.push_back(line);
+    if (lines.empty()) return {};
+    if (lines.size() > kMostQuotedLines) lines.resize(kMostQuotedLines);
+    return fmt::format("; the library printed \"{}\" (all of its output is in {})", fmt::join(lines, " | "),
+                       file("log", "txt").string());
   }
 
   bool start(json& result) {
@@ -246,6 +266,8 @@ class Run {
     for (const char* member : {"library", "vendor", "renderer", "version", "max_eval_order"})
       implementation[member] = description[member];
     implementation["kind"] = description["name"];
+    if (!description["files"].empty()) implementation["files"] = description["files"];
+    if (const std::string note = description.value("note", ""); !note.empty()) implementation["note"] = note;
     baseline_ = Baseline::best_fit(request_.baselines, implementation, pass());
     implementation["captures"] = json::array();
     const std::vector<std::string> names = description["all_captures"];

@@ -73,6 +73,8 @@ inline nlohmann::json hostile_record() {
             {"renderer", text},
             {"version", text},
             {"machine", text},
+            {"note", text},
+            {"files", {text}},
             {"captures", {{{"name", text}, {"available", false}, {"reason", text}}}}}},
           {"tests",
            {test("A." + text, "fail"), test("B." + text, "not-observable"),
