@@ -221,6 +221,8 @@ Implementation read_implementation(const Object& in) {
   out.library = in.text("library");
   out.vendor = in.text("vendor");
   out.renderer = in.text("renderer");
+  out.note = in.text("note");
+  out.files = in.texts("files");
   out.version = in.text("version");
   out.machine = in.text("machine");
   out.max_eval_order = in.integer("max_eval_order");

@@ -5,11 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts::reports {
 
@@ -44,7 +45,9 @@ struct Capture {
 
 struct Implementation {
   std::string name, library, vendor, renderer, version, machine;
+  std::string note;  // what the reader has to know about it, such as a driver that was not asked for
   std::optional<std::int64_t> max_eval_order;  // what it says; a broken one may say anything
+  std::vector<std::string> files;              // the libraries and drivers that were loaded, beside `library`
   std::vector<Capture> captures;
 };
 

@@ -4,7 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "harness/results/json.h"
 
 namespace evalcts::reports {
 namespace {

@@ -1,9 +1,8 @@
 // Programs that random search found on some implementation, see findings/README.md: each has to do what the
 // executable specification says.
-#include <nlohmann/json.hpp>
-
 #include "harness/fuzz/as_specified.h"
 #include "harness/gl/case_json.h"
+#include "harness/results/json.h"
 #include "suites/generated/findings_data.h"
 
 namespace evalcts::suite_findings {

@@ -89,7 +89,7 @@ SweptMap map_from(const json& checkpoint) {
   map.two_dimensional = value.at("orders").size() == 2;
   if (map.two_dimensional) {
     value.at("orders").at(1).get_to(map.map.vorder);
-    map.along_v = value.at("swept") == "v";
+    map.along_v = as_text(value.at("swept")) == "v";
     map.other = static_cast<float>(number_from(value.at("other")));
   }
   map.map.points = std::move(points);
@@ -105,7 +105,7 @@ json read_whole(const std::filesystem::path& file) {
     throw std::invalid_argument("no whole JSON");
   const json checksum = checkpoint["checksum"];
   checkpoint.erase("checksum");
-  if (checksum != checksum_of(checkpoint)) throw std::invalid_argument("its checksum does not fit");
+  if (as_text(checksum) != checksum_of(checkpoint)) throw std::invalid_argument("its checksum does not fit");
   return checkpoint;
 }
 

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "harness/accuracy/sweep.h"
+#include "harness/results/json.h"
 
 namespace evalcts::accuracy {
 

@@ -1,11 +1,11 @@
 // Errors along the domain of a few curves: where they are large, and how near to a zero of the polynomial.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "harness/accuracy/subject.h"
+#include "harness/results/json.h"
 
 namespace evalcts::accuracy {
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <atomic>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "harness/accuracy/errors.h"
 #include "harness/accuracy/subject.h"
+#include "harness/results/json.h"
 
 namespace evalcts::accuracy {
 

@@ -1,9 +1,10 @@
 // The requirements as data (suites/requirements.json, part of the program) and what the tests decide of them.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts {
 

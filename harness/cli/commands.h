@@ -4,11 +4,11 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/results/json.h"
 #include "harness/runner/folder_lock.h"
 
 namespace evalcts::cli {

@@ -78,7 +78,7 @@ void labelled(const std::string& label, const json& entry, const char* member) {
 
 const json* entry_named(const char* group, const std::string& id) {
   for (const json& entry : catalogue()[group])
-    if (entry["id"] == id) return &entry;
+    if (as_text(entry["id"]) == id) return &entry;
   return nullptr;
 }
 
@@ -94,7 +94,7 @@ void explain_requirement(const json& requirement) {
   if (requirement.value("inferred", false))
     paragraph("Inferred: no single sentence says it; it follows from those that are named.");
   for (const Coverage& covered : coverage_of(catalogue(), list_tests(places().suite_program))) {
-    if (covered.id != requirement["id"].get_ref<const std::string&>()) continue;
+    if (covered.id != as_text(requirement["id"])) continue;
     std::string state = covered.state;
     if (!covered.lacks.empty()) state += fmt::format(": no test decides its {} half", covered.lacks);
     if (!covered.reason.empty()) state += ". " + covered.reason;
@@ -200,7 +200,7 @@ int explain(const std::string& name) {
   }
   const json tests = list_tests(places().suite_program);
   for (const json& test : tests["tests"])
-    if (test["name"] == name) {
+    if (as_text(test["name"]) == name) {
       explain_test(test);
       return kNothingUnexpected;
     }

@@ -8,6 +8,7 @@
 
 #include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/implementation.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
@@ -46,7 +47,9 @@ std::string why_not(const std::string& implementation) {
   std::filesystem::remove(name);
   if (answer.is_object() && answer.contains("cannot_start")) return answer["cannot_start"];
   if (!ending) return "it does not answer within 30 seconds";
-  return !ending->signalled && ending->value == 0 ? "" : "it ended with " + describe(*ending);
+  if (!ending->signalled && ending->value == 0) return {};
+  return fmt::format("the process that loads the library ended with {}{}", describe(*ending),
+                     describe_gl_environment());
 }
 
 std::vector<std::string> default_implementations() {

@@ -1,10 +1,11 @@
 // Results of earlier runs as what to play again: files that anybody may have written.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts::cli {
 

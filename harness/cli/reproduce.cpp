@@ -185,7 +185,7 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
   text += " *\n" + comment(test.value("message", ""));
   for (const std::string id : failure.test.value("requirements", json::array()))
     for (const json& requirement : catalogue()["requirements"])
-      if (requirement["id"] == id.substr(0, id.find('/')))
+      if (as_text(requirement["id"]) == id.substr(0, id.find('/')))
         text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement["text"].get<std::string>(),
                                              requirement["source"].get<std::string>()));
   text += " *\n *   " + compile + "\n *\n" +
@@ -244,7 +244,7 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   if (verdict == "pass")
     throw CannotReproduce(fmt::format(
         "{} passes now, alone in a new process: {}", failure.name(),
-        failure.test["verdict"] == "fail"
+        as_text(failure.test["verdict"]) == "fail"
             ? "the library has changed, or it depends on chance"
             : "what it needs to fail is in its message:\n  " + failure.test.value("message", "")));
   if (!verdict.empty() && verdict != "fail")

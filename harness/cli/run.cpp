@@ -28,7 +28,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 int exit_code_of(const json& result, bool named, bool strict) {
-  if (result["status"] == "not-started") return named ? kWrongUse : kNothingUnexpected;
+  if (as_text(result["status"]) == "not-started") return named ? kWrongUse : kNothingUnexpected;
   int code = kNothingUnexpected;
   for (const json& test : result["tests"]) {
     const std::string verdict = test["verdict"];
@@ -91,7 +91,8 @@ std::string wrong_reading(const std::vector<std::string>& choices) {
     if (equals == std::string::npos) return fmt::format("--interpretation '{}' is no NAME=READING", choice);
     const std::string name = choice.substr(0, equals), reading = choice.substr(equals + 1);
     const std::vector<json> all = interpretations();
-    const auto entry = std::find_if(all.begin(), all.end(), [&](const json& e) { return e["id"] == name; });
+    const auto entry =
+        std::find_if(all.begin(), all.end(), [&](const json& e) { return as_text(e["id"]) == name; });
     if (entry == all.end()) return fmt::format("there is no interpretation '{}'", name);
     if (!(*entry)["readings"].contains(reading)) return fmt::format("{} has no reading '{}'", name, reading);
   }
@@ -219,7 +220,7 @@ int run(const RunOptions& options) {
                   progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
       };
       std::vector<json> passes = {run_implementation(request, show)};
-      if (options.reuse_context && passes[0]["status"] == "complete") {
+      if (options.reuse_context && as_text(passes[0]["status"]) == "complete") {
         const json first = passes[0];
         pace = {};
         request.first_pass = &first;
@@ -240,7 +241,7 @@ int run(const RunOptions& options) {
     for (json& result : passes) {
       const std::string pass = result.value("pass", "");
       const std::string label = file_label(result["implementation"]["name"], request.shard, pass);
-      if (options.baseline != "none" && result["status"] != "not-started") {
+      if (options.baseline != "none" && as_text(result["status"]) != "not-started") {
         Baseline baseline =
             Baseline::best_fit(request.baselines, result["implementation"], pass, request.baseline);
         if (options.write_baseline) {
@@ -260,7 +261,7 @@ int run(const RunOptions& options) {
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
       code = std::max(code, exit_code_of(result, named, options.strict));
-      if (result["status"] == "interrupted") code = std::max(code, kWrongUse);
+      if (as_text(result["status"]) == "interrupted") code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
   }

@@ -309,7 +309,7 @@ int sweep(const UlpOptions& options) {
     line.print(sweep_in_words(last, replay_line(options, task, last["result"]["worst_ulp"]),
                               replay_line(options, task, last["result"]["worst_condition_aware"])));
     line.print(fmt::format("{}: {}\n", last["status"].get<std::string>(), file.string()));
-    if (last["status"] == "complete") return kNothingUnexpected;
+    if (as_text(last["status"]) == "complete") return kNothingUnexpected;
     std::cerr << "evalcts: interrupted; the same command goes on from there\n";
     return kWrongUse;
   } catch (const CannotStart& reason) {

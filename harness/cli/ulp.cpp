@@ -253,7 +253,7 @@ std::string in_words(const json& entry, bool with_target, bool verbose) {
       if (!row.contains(kWorst[i].first)) continue;
       if (verbose) text += worst_in_words(row, kWorst[i].first, kWorst[i].second);
       // Near the end of the range floats are coarser than that unit, whatever was computed.
-      if (i == 1 && row["data"] == "extreme") continue;
+      if (i == 1 && as_text(row["data"]) == "extreme") continue;
       if (largest[i] == nullptr || error_of(row, kMaxima[i]) > error_of(*largest[i], kMaxima[i]))
         largest[i] = &row;
     }
@@ -364,7 +364,7 @@ json result_of(const Measurement& measurement, const UlpOptions& options) {
   }
   std::error_code error;
   fs::remove(measurement.rows, error);
-  if (entry["status"] != "crashed") fs::remove(measurement.log, error);
+  if (as_text(entry["status"]) != "crashed") fs::remove(measurement.log, error);
   return entry;
 }
 
@@ -528,8 +528,8 @@ int ulp(const UlpOptions& options) {
   for (const Measurement& measurement : all) {
     json entry = result_of(measurement, options);
     line.print(in_words(entry, with_target, options.verbose) + "\n");
-    if (entry["status"] == "crashed") code = std::max(code, kUnexpected);
-    if (entry["status"] == "not-started" && named) code = std::max(code, kWrongUse);
+    if (as_text(entry["status"]) == "crashed") code = std::max(code, kUnexpected);
+    if (as_text(entry["status"]) == "not-started" && named) code = std::max(code, kWrongUse);
     document["implementations"].push_back(std::move(entry));
   }
   write_atomically(output / "ulp.json", document.dump(1) + "\n");

@@ -118,7 +118,7 @@ class Trial {
       const ChildRun run = play(fault, "sound-" + implementation, depth, missing);
       if (run.records.empty() && run.in_flight.empty())
         throw CannotTry{fmt::format("{} does not start: {}", implementation, describe(run.ending))};
-      for (const auto& [name, record] : run.records) sound[name] = record["verdict"] == "pass";
+      for (const auto& [name, record] : run.records) sound[name] = as_text(record["verdict"]) == "pass";
       if (!run.in_flight.empty()) sound[run.in_flight] = false;
       std::erase_if(missing, [&](const std::string& name) { return sound.contains(name); });
     }
@@ -132,7 +132,7 @@ class Trial {
   json catching(const json& fault, Depth depth, const std::vector<std::string>& tests) {
     const ChildRun run = play(fault, fault["name"], depth, tests);
     if (interrupted) throw CannotTry{"interrupted"};  // the death of the child says nothing then
-    const bool quality = fault["level"] == "quality";
+    const bool quality = as_text(fault["level"]) == "quality";
     for (const std::string& name : run.finished) {
       const json& record = run.records.at(name);
       const std::string verdict = record["verdict"];
@@ -171,7 +171,8 @@ class Trial {
                                         "--die-with-parent",
                                         "--gtest_brief=1"};
     for (const std::string& argument : opening_of(fault)) command.push_back(argument);
-    if (label == fault["name"].get_ref<const std::string&>()) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
+    if (label == as_text(fault["name"]))
+      command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
     SuiteChild child(command, events, request_.scratch / (label + ".log"), {request_.seconds_per_test});
     while (!child.look(kLook)) continue;
     return child.run();
@@ -212,7 +213,7 @@ json faults_by_requirement(const json& faults, const std::vector<std::string>& d
     json names = json::array();
     for (const json& fault : faults)
       for (const json& cell : fault["requirements"])
-        if (cell["id"] == id || cell["id"].get<std::string>().starts_with(id + "/")) {
+        if (as_text(cell["id"]) == id || cell["id"].get<std::string>().starts_with(id + "/")) {
           names.push_back(fault["name"]);
           break;
         }

@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "harness/results/json.h"
 
 namespace evalcts::faults {
 

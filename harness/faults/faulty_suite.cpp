@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "harness/faults/fault.h"
 #include "harness/faults/repaired_osmesa.h"
+#include "harness/results/json.h"
 #include "harness/runner/suite_main.h"
 
 namespace {

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/fuzz/as_specified.h"
 #include "harness/gl/case.h"
+#include "harness/results/json.h"
 #include "harness/runner/test.h"
 
 namespace evalcts::fuzz {

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/implementations/implementation.h"
+#include "harness/results/json.h"
 
 namespace evalcts::fuzz {
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "harness/gl/tokens.h"
+#include "harness/results/json.h"
 
 namespace evalcts::gl {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/shared_library.h"
 
 namespace evalcts {
@@ -121,9 +122,10 @@ class EglContexts final : public ContextMaker {
     }
     throw CannotStart(
         fmt::format("no display of {} gives an {} context ({}); a driver for it may be missing (Mesa's are "
-                    "in the packages libegl-mesa0 and libgl1-mesa-dri){}",
+                    "in the packages libegl-mesa0 and libgl1-mesa-dri){}{}",
                     library_.path(), opengl() ? "OpenGL" : "OpenGL ES 2", fmt::join(reasons, "; "),
-                    opengl() ? ", or name another EGL with --library" : ""));
+                    opengl() ? ", or name another EGL with --library" : "",
+                    describe_egl_vendors() + describe_gl_environment()));
   }
 
   void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
@@ -406,8 +408,7 @@ std::string usual_library() {
     return SharedLibrary("libEGL.so.1").path();
   } catch (const CannotStart& error) {
     throw CannotStart(
-        fmt::format("libEGL.so.1 is not installed (package libegl1), or name a library with --library; {}",
-                    error.what()));
+        fmt::format("{}; Debian's package is libegl1; another EGL is chosen with --library", error.what()));
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/shared_library.h"
 #include "harness/implementations/x_recorder.h"
 #include "harness/implementations/x_server.h"
@@ -72,7 +73,7 @@ SharedLibrary usual(const char* name, const char* package, const std::string& in
   try {
     return SharedLibrary(name, in_front);
   } catch (const CannotStart& error) {
-    throw CannotStart(fmt::format("{} is not installed (package {}); {}", name, package, error.what()));
+    throw CannotStart(fmt::format("{}; Debian's package is {}", error.what(), package));
   }
 }
 
@@ -112,9 +113,10 @@ class GlxContexts final : public ContextMaker {
     xlib_.SetIOErrorHandler(&errors::end);
     try {
       open();
-    } catch (const CannotStart&) {
+    } catch (const CannotStart& error) {
+      const bool has_server = server_ || display_;
       disconnect();
-      throw;
+      throw CannotStart(error.what() + (has_server ? describe_gl_environment() : ""));
     }
   }
   ~GlxContexts() override { disconnect(); }
@@ -271,7 +273,8 @@ class GlxContexts final : public ContextMaker {
     const std::string where = server_ ? "Xvfb" : fmt::format("display {}", xlib_.DisplayName(nullptr));
     int major = 0, minor = 0;
     if (!glx_.QueryVersion(display_, &major, &minor) || major != 1 || minor < 3)
-      throw CannotStart(fmt::format("{} has GLX {}.{}; 1.3 is needed", where, major, minor));
+      throw CannotStart(fmt::format("{} has GLX {}.{}; 1.3 is needed{}", where, major, minor,
+                                    server_ ? " (an Xvfb whose GL driver does not load has no GLX)" : ""));
     choose_configuration(where);
     Made* context = nullptr;
     try {
@@ -284,7 +287,10 @@ class GlxContexts final : public ContextMaker {
     const std::string silence = direct_ ? "" : silence_of_context();
     destroy(context);
     if (is_direct != direct_)
-      throw CannotStart(fmt::format("{} makes {} contexts only", where, is_direct ? "direct" : "indirect"));
+      throw CannotStart(fmt::format(
+          "{} makes {} contexts only{}", where, is_direct ? "direct" : "indirect",
+          direct_ ? ": libGL renders indirectly if it cannot load a driver or if LIBGL_ALWAYS_INDIRECT is set"
+                  : ""));
     if (!silence.empty())
       throw CannotStart(fmt::format("indirect rendering has no effect on {}: {}{}", where, silence,
                                     server_ ? "; libOSMesa.so.8 (package libosmesa6) can mend that" : kHint));

@@ -123,14 +123,17 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
 
 namespace {
 
-void require_an_effect(const gl::Table& table, const std::string& version) {
+void require_an_effect(const gl::Table& table, const std::string& library, const std::string& version) {
   int missing = 0;
   const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d,
                                       gl::EntryPoint::EvalCoord1f, gl::EntryPoint::GetMapfv};
   for (const gl::EntryPoint entry : essential) missing += !gl::has(table, entry);
   if (missing == static_cast<int>(std::size(essential)))
-    throw CannotStart(
-        "the library has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing");
+    throw CannotStart(fmt::format(
+        "{} has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing (GL_VERSION is "
+        "'{}'). "
+        "OpenGL ES has none; choose a desktop GL, or the library of a layer that adds them, with --library",
+        library, version));
   if (missing > 0 || !table.GetError) return;  // half of an implementation is judged to the end
 
   // Any answer will do here: what is wrong with it is for the tests to say. The memory is roomier than the
@@ -193,7 +196,7 @@ ImplementationInfo inquire(Implementation& implementation) {
   if (table.GetError)
     for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
 
-  require_an_effect(table, info.version);
+  require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
   return info;
 }
 

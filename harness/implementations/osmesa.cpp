@@ -4,6 +4,7 @@
 
 #include "harness/gl/contexts.h"
 #include "harness/implementations/context_maker.h"
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/shared_library.h"
 
 namespace evalcts {
@@ -81,7 +82,7 @@ class OSMesaContexts final : public ContextMaker {
 
  private:
   void* current(void* context) {
-    if (!context) throw CannotStart("OSMesaCreateContext gives no context");
+    if (!context) throw CannotStart("OSMesaCreateContext returns no context" + describe_gl_environment());
     try {
       make_current(context);
     } catch (const CannotStart&) {
@@ -107,12 +108,14 @@ std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library, c
   if (!library.empty()) return std::make_unique<OSMesaContexts>(library, in_front);
   try {
     return std::make_unique<OSMesaContexts>("libOSMesa.so.8", in_front);
-  } catch (const CannotStart&) {
+  } catch (const CannotStart& error) {
     try {
       return std::make_unique<OSMesaContexts>("libOSMesa.so", in_front);
     } catch (const CannotStart&) {
-      throw CannotStart(
-          "libOSMesa.so.8 is not installed (package libosmesa6), or name a library with --library");
+      throw CannotStart(fmt::format(
+          "{}; OSMesa is part of Mesa up to 25.0 (Debian's package is libosmesa6); another library is "
+          "chosen with --library",
+          error.what()));
     }
   }
 }

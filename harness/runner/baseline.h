@@ -31,13 +31,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "harness/results/json.h"
 #include "harness/runner/version_range.h"
 
 namespace evalcts {

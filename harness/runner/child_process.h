@@ -51,6 +51,8 @@ class ChildProcess {
   std::uint64_t memory() const;
   // The latest line of a limited output that begins with "evalcts: ".
   std::string own_words() const { return output_ ? output_->own_words() : std::string(); }
+  // The first lines of limited output, see OutputLog::beginning.
+  std::string printed() const { return output_ ? output_->beginning() : std::string(); }
 
  private:
   bool has_ended() const;

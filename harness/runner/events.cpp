@@ -7,7 +7,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <nlohmann/json.hpp>
+
+#include "harness/results/json.h"
 
 namespace evalcts {
 

@@ -77,6 +77,7 @@ void OutputLog::take_line(const std::string& line) {
     say_what_is_left_out();
     kept_ = 0;
   }
+  if (beginning_.size() + line.size() <= kMostRemembered) beginning_ += line;
   if (line.starts_with(kOwnWords)) own_words_ = line.substr(0, line.find('\n'));
   if (left_out_ > 0 || kept_ + line.size() > kMostPrinted) {
     left_out_ += line.size();

@@ -11,6 +11,8 @@ namespace evalcts {
 // Bytes that are kept of what comes before the first test, and of each test. A test begins with the line in
 // which GoogleTest says so.
 inline constexpr std::size_t kMostPrinted = 64 * 1024;
+// Bytes that are remembered for messages about a process that does not start.
+inline constexpr std::size_t kMostRemembered = 16 * 1024;
 
 class OutputLog {
  public:
@@ -33,6 +35,8 @@ class OutputLog {
 
   // The latest whole line that says something about evalcts ("evalcts: ...").
   const std::string& own_words() const { return own_words_; }
+  // The first kMostRemembered bytes, in whole lines.
+  const std::string& beginning() const { return beginning_; }
 
  private:
   void take_line(const std::string& line);
@@ -42,7 +46,7 @@ class OutputLog {
   int reader_ = -1, writer_ = -1, log_ = -1;
   std::string partial_;  // the beginning of a line
   std::size_t kept_ = 0, left_out_ = 0;
-  std::string own_words_;
+  std::string own_words_, beginning_;
 };
 
 }  // namespace evalcts

@@ -1,7 +1,8 @@
 #include "harness/runner/record.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "harness/results/json.h"
 
 namespace evalcts {
 namespace {

@@ -14,8 +14,10 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <thread>
 
+#include "harness/implementations/gl_environment.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/control_case.h"
@@ -36,7 +38,9 @@ constexpr double kLook = 0.02;           // seconds between two looks at a child
 constexpr double kStartTimeout = 60;     // for the questions that each library is asked first
 constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
 constexpr double kSearchesBudget = 120;  // ... and all of them
-constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
+constexpr std::size_t kMostQuotedLines = 3;
+constexpr char kCannotStartLine[] = "cannot start: ";  // the reason itself, as suite_main prints it
+constexpr int kMostEmptyStarts = 2;                    // children that end without having begun a test
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -224,15 +228,31 @@ class Run {
     stream.close();
     fs::remove(answer_file);
     if (answer.is_object() && answer.contains("cannot_start")) {
-      reason = answer["cannot_start"];
+      reason = answer["cannot_start"].get<std::string>() + quote_output(child.printed());
       return nullptr;
     }
     if (ending->signalled || ending->value != 0 || !answer.is_object()) {
       reason =
-          fmt::format("it ended with {}; see {}", describe(*ending), file("log", "txt").filename().string());
+          fmt::format("the process that loads the library ended with {}{}; see {}{}", describe(*ending),
+                      describe_gl_environment(), file("log", "txt").string(), quote_output(child.printed()));
       return nullptr;
     }
     return answer;
+  }
+
+  // Returns a clause with the first different lines that a library printed before it failed to start, and the
+  // name of the log with all of them; empty if it printed none.
+  std::string quote_output(const std::string& printed) const {
+    std::vector<std::string> lines;
+    std::istringstream stream(printed);
+    for (std::string line; std::getline(stream, line);)
+      if (!line.empty() && !line.starts_with(kCannotStartLine) &&
+          std::find(lines.begin(), lines.end(), line) == lines.end())
+        lines.push_back(line);
+    if (lines.empty()) return {};
+    if (lines.size() > kMostQuotedLines) lines.resize(kMostQuotedLines);
+    return fmt::format("; the library printed \"{}\" (all of its output is in {})", fmt::join(lines, " | "),
+                       file("log", "txt").string());
   }
 
   bool start(json& result) {
@@ -246,6 +266,8 @@ class Run {
     for (const char* member : {"library", "vendor", "renderer", "version", "max_eval_order"})
       implementation[member] = description[member];
     implementation["kind"] = description["name"];
+    if (!description["files"].empty()) implementation["files"] = description["files"];
+    if (const std::string note = description.value("note", ""); !note.empty()) implementation["note"] = note;
     baseline_ = Baseline::best_fit(request_.baselines, implementation, pass(), request_.baseline);
     implementation["captures"] = json::array();
     const std::vector<std::string> names = description["all_captures"];
@@ -418,7 +440,7 @@ class Run {
 
   const json& test(const std::string& name) const {
     for (const json& test : request_.tests)
-      if (test["name"] == name) return test;
+      if (as_text(test["name"]) == name) return test;
     throw std::logic_error("unknown test " + name);
   }
 
@@ -506,7 +528,7 @@ class Run {
     std::vector<std::string> names;
     for (const json& test : request_.tests) {
       const auto found = records_.find(test["name"]);
-      if (found != records_.end() && found->second["verdict"] == "fail" &&
+      if (found != records_.end() && as_text(found->second["verdict"]) == "fail" &&
           !baseline_.knows(found->second, request_.depth, request_.seed))
         names.push_back(test["name"]);
     }
@@ -552,9 +574,9 @@ class Run {
   // --- what a failure depends on -------------------------------------------------------------------------
 
   static bool is_death(const json& record) {
-    return record["verdict"] == "crash" || record["verdict"] == "timeout";
+    return as_text(record["verdict"]) == "crash" || as_text(record["verdict"]) == "timeout";
   }
-  static bool is_bad(const json& record) { return record["verdict"] == "fail" || is_death(record); }
+  static bool is_bad(const json& record) { return as_text(record["verdict"]) == "fail" || is_death(record); }
 
   // Sorted (as the suite program writes them), each as often as it occurred.
   static std::vector<std::string> mismatches_of(const json& record) {
@@ -617,7 +639,7 @@ class Run {
     const auto begin = Clock::now();
     searched_.insert(record["name"]);
     double seconds = std::min(kSearchBudget, searches_left_);
-    if (record["verdict"] == "timeout")
+    if (as_text(record["verdict"]) == "timeout")
       seconds += 4 * request_.limits.seconds_per_test;  // to see it hang again
     deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const std::optional<bool> alone = happens_again(record, {});

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "harness/implementations/implementation.h"
+#include "harness/results/json.h"
 #include "harness/runner/baseline.h"
 #include "harness/runner/events.h"
 #include "harness/runner/suite_child.h"

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/results/json.h"
 #include "harness/runner/child_process.h"
 
 namespace evalcts {

@@ -15,14 +15,15 @@
 #include <iostream>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "harness/fuzz/campaign.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/reused_context.h"
+#include "harness/results/json.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/events.h"
 #include "harness/runner/reproduction.h"
@@ -142,13 +143,22 @@ json list_tests() {
   return {{"tests", tests}};
 }
 
-json description_of(const Subject& subject) {
+// A sink and the implementations in this process have no driver; a layer hides the renderer below it.
+std::string note_on_driver(const ImplementationInfo& info, const ImplementationOptions& options) {
+  const bool is_layer = !options.context.empty() && !options.library.empty();
+  if (is_layer || info.name == "sink" || info.name == "production" || info.name == "reference") return {};
+  return describe_other_driver(info.renderer);
+}
+
+json description_of(const Subject& subject, const ImplementationOptions& options) {
   const ImplementationInfo& info = subject.info;
   json captures = json::array();
   for (const auto& capture : all_captures()) captures.push_back(capture->name());
-  return {{"name", info.name},         {"library", info.library}, {"vendor", info.vendor},
-          {"renderer", info.renderer}, {"version", info.version}, {"max_eval_order", info.max_eval_order},
-          {"all_captures", captures}};
+  return {{"name", info.name},         {"library", info.library},
+          {"vendor", info.vendor},     {"renderer", info.renderer},
+          {"version", info.version},   {"max_eval_order", info.max_eval_order},
+          {"all_captures", captures},  {"note", note_on_driver(info, options)},
+          {"files", loaded_gl_files()}};
 }
 
 void answer(const Options& options, const json& value) {
@@ -348,7 +358,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
              {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
     };
     if (answers) {
-      answer(options, options.describe ? description_of(program.subject) : prove_one(program));
+      answer(options,
+             options.describe ? description_of(program.subject, options.implementation) : prove_one(program));
       return 0;
     }
     program.captures = std::make_unique<Captures>(*program.implementation, program.subject.info,

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
+#include "harness/results/json.h"
 #include "harness/tests/drill.h"
 
 namespace evalcts {
@@ -66,8 +66,8 @@ TEST_F(CommandLine, ListsAndExplains) {
   EXPECT_EQ(evalcts({"explain", "not-observable"}).code, 0);
   EXPECT_NE(evalcts({"explain", "C-MESH1-LINES"}).text.find("Taken here: LINE_STRIP."), std::string::npos);
   for (const json& requirement : coverage["requirements"])
-    if (requirement["id"] == "EV-ATTR-INDEX") {
-      EXPECT_EQ(requirement["state"], "undecidable");
+    if (as_text(requirement["id"]) == "EV-ATTR-INDEX") {
+      EXPECT_EQ(as_text(requirement["state"]), "undecidable");
       EXPECT_NE(evalcts({"coverage"}).text.find(requirement["reason"].get<std::string>().substr(0, 40)),
                 std::string::npos);
       EXPECT_NE(evalcts({"explain", "EV-ATTR-INDEX"}).text.find("undecidable"), std::string::npos);
@@ -81,8 +81,8 @@ TEST_F(CommandLine, RunWritesEverything) {
   for (const std::string name : {"reference", "production"}) {
     const json result = results(name);
     ASSERT_TRUE(result.is_object());
-    EXPECT_EQ(result["format"], "evalcts-results-1");
-    EXPECT_EQ(result["status"], "complete");
+    EXPECT_EQ(as_text(result["format"]), "evalcts-results-1");
+    EXPECT_EQ(as_text(result["status"]), "complete");
     EXPECT_FALSE(result["tests"].empty());
     EXPECT_TRUE(test_named(result, "InitialState.Domain").is_null());
     EXPECT_EQ(result["summary"]["pass"], result["tests"].size());
@@ -95,7 +95,7 @@ TEST_F(CommandLine, RunWritesEverything) {
 TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
   const Outcome outcome = drill("nothing");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_EQ(test_named(results("drill"), kVictim)["verdict"], "pass");
+  EXPECT_EQ(as_text(test_named(results("drill"), kVictim)["verdict"]), "pass");
 }
 
 // A library that breaks one rule: the verdict, the record and the summary say which, and with which calls.
@@ -103,14 +103,14 @@ TEST_F(CommandLine, FailureSaysWhatWasExpectedAndWhatCame) {
   const Outcome outcome = drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"});
   EXPECT_EQ(outcome.code, 1);
   const json result = results("drill");
-  EXPECT_EQ(test_named(result, "Map1Errors.StrideBelowK/MAP1_VERTEX_4_f")["verdict"], "pass");
+  EXPECT_EQ(as_text(test_named(result, "Map1Errors.StrideBelowK/MAP1_VERTEX_4_f")["verdict"]), "pass");
   const json test = test_named(result, "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
-  EXPECT_EQ(test["verdict"], "fail");
-  EXPECT_EQ(test["level"], "must");
-  EXPECT_EQ(test["requirements"][0], "EV-MAP1-ERR-STRIDE");
+  EXPECT_EQ(as_text(test["verdict"]), "fail");
+  EXPECT_EQ(as_text(test["level"]), "must");
+  EXPECT_EQ(as_text(test["requirements"][0]), "EV-MAP1-ERR-STRIDE");
   EXPECT_EQ(test["cases"], 5);
-  EXPECT_EQ(test["expected"], "GL_INVALID_VALUE");
-  EXPECT_EQ(test["captured"], "GL_NO_ERROR");
+  EXPECT_EQ(as_text(test["expected"]), "GL_INVALID_VALUE");
+  EXPECT_EQ(as_text(test["captured"]), "GL_NO_ERROR");
   EXPECT_NE(test["message"].get<std::string>().find("missing error: after glMap1f(GL_MAP1_VERTEX_3"),
             std::string::npos)
       << test["message"];
@@ -134,7 +134,7 @@ TEST_F(CommandLine, JobsDecideTheSame) {
     for (std::string line; std::getline(records, line);) {
       const json event = json::parse(line, nullptr, false);
       EXPECT_TRUE(event.is_object()) << line;
-      if (event["event"] == "result") ++lines[event["record"]["name"]];
+      if (as_text(event["event"]) == "result") ++lines[event["record"]["name"]];
     }
     json result = results("drill");
     EXPECT_GT(result["tests"].size(), 50u);
@@ -169,7 +169,7 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
     arguments.insert(arguments.end(), {"--shard", std::to_string(k) + "/3"});
     drill("lenient", arguments);
     const json result = results("drill." + std::to_string(k) + "-of-3");
-    EXPECT_EQ(result["shard"], std::to_string(k) + "-of-3");
+    EXPECT_EQ(as_text(result["shard"]), std::to_string(k) + "-of-3");
     const auto part = verdicts(result);
     EXPECT_LE(part.size(), whole.size() / 3 + 1);
     for (const auto& [name, verdict] : part) EXPECT_TRUE(together.emplace(name, verdict).second) << name;
@@ -186,7 +186,7 @@ TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
   std::size_t quick = 0;
   for (const json& test : tests["tests"]) {
     const std::string name = test["name"];
-    const bool is_quick = test["from"] == "quick";
+    const bool is_quick = as_text(test["from"]) == "quick";
     quick += is_quick;
     bool& kept = names[name.substr(0, name.find('/'))];
     kept = kept || is_quick;
@@ -228,11 +228,11 @@ TEST_F(CommandLine, WhatGoesWrongInAControlIsNotTheEvaluators) {
     const Outcome outcome = drill(what, {"--filter", name});
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     const json test = test_named(results("drill"), name);
-    EXPECT_EQ(test["verdict"], "not-observable") << test;
+    EXPECT_EQ(as_text(test["verdict"]), "not-observable") << test;
     EXPECT_NE(test["message"].get<std::string>().find(message), std::string::npos) << test;
   }
   EXPECT_EQ(drill("nothing", {"--filter", name}).code, 0);
-  EXPECT_EQ(test_named(results("drill"), name)["verdict"], "pass");
+  EXPECT_EQ(as_text(test_named(results("drill"), name)["verdict"]), "pass");
 }
 
 TEST_F(CommandLine, DeathThatDependsOnAnEarlierTestNamesIt) {
@@ -264,19 +264,19 @@ TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
   const Outcome outcome = drill("history", again);
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   EXPECT_NE(outcome.text.find("\ndrill, one shared context: "), std::string::npos) << outcome.text;
-  EXPECT_EQ(test_named(results("drill"), victim)["verdict"], "pass");
+  EXPECT_EQ(as_text(test_named(results("drill"), victim)["verdict"]), "pass");
   EXPECT_FALSE(results("drill").contains("pass"));
   const json second = results("drill.reuse-context");
-  EXPECT_EQ(second["pass"], "reuse-context");
-  EXPECT_EQ(second["status"], "complete");
+  EXPECT_EQ(as_text(second["pass"]), "reuse-context");
+  EXPECT_EQ(as_text(second["status"]), "complete");
   const json test = test_named(second, victim);
-  EXPECT_EQ(test["verdict"], "fail");
+  EXPECT_EQ(as_text(test["verdict"]), "fail");
   EXPECT_EQ(test["history"], json::array({guilty}));
   EXPECT_NE(test["history_case"].get<std::string>().find("order 5"), std::string::npos)
       << test["history_case"];
   EXPECT_TRUE(test["message"].get<std::string>().starts_with("after " + std::string(guilty)))
       << test["message"];
-  EXPECT_EQ(test_named(second, guilty)["verdict"], "pass");
+  EXPECT_EQ(as_text(test_named(second, guilty)["verdict"]), "pass");
   for (const char* name : {"junit-drill.reuse-context.xml", "log-drill.reuse-context.txt"})
     EXPECT_TRUE(fs::exists(folder_ / name)) << name;
 }
@@ -298,9 +298,9 @@ TEST_F(CommandLine, SecondPassKnowsWhatFailsAnyway) {
                                           "--reuse-context"};
   EXPECT_EQ(drill("lenient", tests).code, 1);  // because of the first pass
   const json known = test_named(results("drill.reuse-context"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
-  EXPECT_EQ(known["verdict"], "fail");
+  EXPECT_EQ(as_text(known["verdict"]), "fail");
   EXPECT_EQ(known["expected_by_baseline"], true);
-  EXPECT_EQ(known["baseline_reason"], "fails in a fresh context as well");
+  EXPECT_EQ(as_text(known["baseline_reason"]), "fails in a fresh context as well");
   EXPECT_FALSE(known.contains("history"));
 
   const fs::path baseline = folder_ / "baseline";
@@ -354,14 +354,14 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   append("drill-flakes.txt", "# crashes now and then\n^Map1State\\.Stride/MAP1_INDEX_f$\n");
   const Outcome flaky = run("crash");
   EXPECT_EQ(flaky.code, 0) << flaky.text;
-  EXPECT_EQ(test_named(results("drill"), kVictim)["baseline_reason"], "flaky: crashes now and then");
+  EXPECT_EQ(as_text(test_named(results("drill"), kVictim)["baseline_reason"]), "flaky: crashes now and then");
   EXPECT_EQ(run("lenient", {"--strict"}).code, 0);  // ... and passes
 
   append("drill-skips.txt", "# takes the machine down\nMAP1_INDEX_f$\n");
   EXPECT_EQ(run("crash").code, 0);
   const json skipped = test_named(results("drill"), kVictim);
-  EXPECT_EQ(skipped["verdict"], "skipped");
-  EXPECT_EQ(skipped["message"], "takes the machine down");
+  EXPECT_EQ(as_text(skipped["verdict"]), "skipped");
+  EXPECT_EQ(as_text(skipped["message"]), "takes the machine down");
   std::ifstream log(folder_ / "log-drill.txt");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(log), {}).find("MAP1_INDEX_f"), std::string::npos);
 
@@ -399,7 +399,7 @@ TEST_F(CommandLine, ShuffledRunsDecideTheSame) {
 TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
   const Outcome crash = drill("start");
   EXPECT_EQ(crash.code, 2) << crash.text;
-  EXPECT_EQ(results("drill")["status"], "not-started");
+  EXPECT_EQ(as_text(results("drill")["status"]), "not-started");
   EXPECT_NE(results("drill")["reason"].get<std::string>().find("SIGSEGV"), std::string::npos);
 
   unsetenv("EVALCTS_DRILL");
@@ -415,7 +415,7 @@ TEST_F(CommandLine, WhatCannotStartIsNotStarted) {
                                      "drill", "--output", folder_.string(), "--filter", "InitialState.*"});
     EXPECT_EQ(outcome.code, 2) << outcome.text;
     const json result = results("drill");
-    EXPECT_EQ(result["status"], "not-started");
+    EXPECT_EQ(as_text(result["status"]), "not-started");
     EXPECT_NE(result["reason"].get<std::string>().find(reason), std::string::npos) << result["reason"];
     EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
   }
@@ -486,7 +486,7 @@ TEST_F(CommandLine, EvaluatorThatIsNoGl) {
                folder_.string(), "--filter", "Map1*:Precedence*:Api.VectorForm/*:Api.EntryPoint/*Map1*"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   const json result = results("bezier");
-  EXPECT_EQ(result["implementation"]["renderer"], "Bezier example");
+  EXPECT_EQ(as_text(result["implementation"]["renderer"]), "Bezier example");
   const std::pair<const char*, const char*> expected[] = {
       {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1f", "pass"},
       {"Map1Values.Ends/MAP1_VERTEX_4/EvalCoord1fv", "pass"},
@@ -496,7 +496,7 @@ TEST_F(CommandLine, EvaluatorThatIsNoGl) {
       {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-observable"},         // no GetError
       {"Api.EntryPoint/Map1d", "fail"}};
   for (const auto& [name, verdict] : expected)
-    EXPECT_EQ(test_named(result, name)["verdict"], verdict) << name;
+    EXPECT_EQ(as_text(test_named(result, name)["verdict"]), verdict) << name;
   EXPECT_FALSE(result["summary"].contains("crash"));
   EXPECT_FALSE(result["summary"].contains("internal-error"));
 }
@@ -577,7 +577,7 @@ TEST_F(Reproduce, WhatACaptureSaw) {
                                "--output", folder_.string(), "--baseline", "none"});
   // Nothing is judged where OSMesa is missing, or does not start under sanitizers.
   const json known = test_named(results("osmesa"), test);
-  if (known.is_null() || known["verdict"] != "fail") GTEST_SKIP() << run.text;
+  if (known.is_null() || as_text(known["verdict"]) != "fail") GTEST_SKIP() << run.text;
   write_and_build(test);
   const Outcome shown = program();
   EXPECT_EQ(shown.code, 1) << shown.text;
@@ -704,8 +704,8 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
   ASSERT_TRUE(ending);
   EXPECT_EQ(ending->value, 1);
   const json result = results("drill");
-  EXPECT_EQ(result["status"], "complete");
-  EXPECT_EQ(test_named(result, kVictim)["verdict"], "crash");
+  EXPECT_EQ(as_text(result["status"]), "complete");
+  EXPECT_EQ(as_text(test_named(result, kVictim)["verdict"]), "crash");
   EXPECT_NE(test_named(result, kVictim)["message"].get<std::string>().find("SIGKILL"), std::string::npos);
   EXPECT_EQ(result["summary"]["crash"], 1);
 }
@@ -727,9 +727,9 @@ TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
         for (std::string line; std::getline(records, line);) {
           const json event = json::parse(line, nullptr, false);
           if (!event.is_object()) continue;
-          if (event["event"] == "start") started = started || event["name"] == kVictim;
-          if (event["event"] == "result")
-            last_ended = last_ended || event["record"]["name"] == "Map1State.Stride/MAP1_VERTEX_4_f";
+          if (as_text(event["event"]) == "start") started = started || as_text(event["name"]) == kVictim;
+          if (as_text(event["event"]) == "result")
+            last_ended = last_ended || as_text(event["record"]["name"]) == "Map1State.Stride/MAP1_VERTEX_4_f";
         }
         return started && (jobs == "1" || last_ended);
       };
@@ -739,16 +739,16 @@ TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
       ASSERT_TRUE(ending);
       EXPECT_EQ(ending->value, 2);
       const json result = results("drill");
-      EXPECT_EQ(result["status"], "interrupted");
-      EXPECT_EQ(test_named(result, "InitialState.OrderOf1D")["verdict"], "pass");
+      EXPECT_EQ(as_text(result["status"]), "interrupted");
+      EXPECT_EQ(as_text(test_named(result, "InitialState.OrderOf1D")["verdict"]), "pass");
       const json victim = test_named(result, kVictim);
       if (jobs == "1") {
         EXPECT_TRUE(victim.is_null());
       } else {
-        EXPECT_EQ(test_named(result, "Map1State.Stride/MAP1_VERTEX_4_f")["verdict"], "pass");
+        EXPECT_EQ(as_text(test_named(result, "Map1State.Stride/MAP1_VERTEX_4_f")["verdict"]), "pass");
         EXPECT_TRUE(test_named(result, "Map1State.Stride/MAP1_INDEX_d").is_null());
         ASSERT_FALSE(victim.is_null());
-        EXPECT_EQ(victim["verdict"], "crash");
+        EXPECT_EQ(as_text(victim["verdict"]), "crash");
         EXPECT_NE(victim["message"].get<std::string>().find("not confirmed"), std::string::npos) << victim;
       }
       EXPECT_TRUE(fs::exists(folder_ / "junit-drill.xml"));

@@ -40,15 +40,15 @@ json fault(const char* name, const char* requirements) {
 
 TEST_F(Faults, OneIsCaughtByATestOfItsRequirement) {
   const json result = try_one(fault("OrderZeroTaken", "EV-MAP1-ERR-ORDER-LOW"));
-  EXPECT_EQ(result["outcome"], "caught");
-  EXPECT_EQ(result["requirements"][0]["verdict"], "fail");
-  EXPECT_EQ(result["requirements"][0]["test_level"], "must");
+  EXPECT_EQ(as_text(result["outcome"]), "caught");
+  EXPECT_EQ(as_text(result["requirements"][0]["verdict"]), "fail");
+  EXPECT_EQ(as_text(result["requirements"][0]["test_level"]), "must");
 }
 
 // Caught by tests of other requirements only: the one that it is said to break does not notice.
 TEST_F(Faults, OneThatNoTestOfItsRequirementNoticesSurvives) {
   const json result = try_one(fault("OrderZeroTaken", "EV-MAP1-ERR-ORDER-LOW EV-GRID1-ERR-N"));
-  EXPECT_EQ(result["outcome"], "survives");
+  EXPECT_EQ(as_text(result["outcome"]), "survives");
   EXPECT_TRUE(result["requirements"][0]["caught"]);
   EXPECT_FALSE(result["requirements"][1]["caught"]);
 }
@@ -56,8 +56,8 @@ TEST_F(Faults, OneThatNoTestOfItsRequirementNoticesSurvives) {
 TEST_F(Faults, WhatCannotBeStartedIsNotTried) {
   json unknown = fault("OrderZeroTaken", "EV-MAP1-ERR-ORDER-LOW");
   unknown["implementation"] = "no-such-implementation";
-  EXPECT_EQ(try_one(unknown)["outcome"], "not-tried");
-  EXPECT_EQ(try_one(fault("NoSuchFault", "EV-MAP1-ERR-ORDER-LOW"))["outcome"], "not-tried");
+  EXPECT_EQ(as_text(try_one(unknown)["outcome"]), "not-tried");
+  EXPECT_EQ(as_text(try_one(fault("NoSuchFault", "EV-MAP1-ERR-ORDER-LOW"))["outcome"]), "not-tried");
 }
 
 TEST_F(Faults, TheTableNamesRequirementsWithoutOne) {

@@ -1,14 +1,13 @@
 // Random programs: made, judged, made small, kept.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "harness/fuzz/campaign.h"
 #include "harness/fuzz/legal.h"
 #include "harness/fuzz/random_program.h"
 #include "harness/fuzz/shrink.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
+#include "harness/results/json.h"
 #include "harness/tests/program.h"
 
 namespace evalcts::fuzz {
@@ -334,8 +333,8 @@ Played play_against(Implementation& implementation, std::uint32_t programs) {
   subject.captures = &captures;
   Played played;
   play(subject, {.programs = programs, .length = 60}, [&](const json& event) {
-    if (event["event"] == "finding") played.findings.push_back(event);
-    if (event["event"] == "progress") {
+    if (as_text(event["event"]) == "finding") played.findings.push_back(event);
+    if (as_text(event["event"]) == "progress") {
       played.programs = event["programs"];
       played.commands = event["commands"];
     }
@@ -362,7 +361,7 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   const gl::Case program = gl::case_from_json(finding["program"]);
   EXPECT_LE(program.commands().size(), 5u) << text_of(program);
   EXPECT_TRUE(has(program, gl::EntryPoint::EvalCoord2d)) << text_of(program);
-  EXPECT_EQ(finding["cause"], "Begin, Enable, End, EvalCoord2, Map2: position");
+  EXPECT_EQ(as_text(finding["cause"]), "Begin, Enable, End, EvalCoord2, Map2: position");
   EXPECT_EQ(finding["outside_evaluators"], false);
 }
 
@@ -388,7 +387,7 @@ TEST(Campaign, FindsAWrongAnswer) {
   });
   const Played played = play_against(altered, 400);
   ASSERT_FALSE(played.findings.empty());
-  EXPECT_EQ(played.findings.front()["finding"]["cause"], "GetError, MapGrid1: glGetError");
+  EXPECT_EQ(as_text(played.findings.front()["finding"]["cause"]), "GetError, MapGrid1: glGetError");
 }
 
 // --- the command ------------------------------------------------------------------------------------------
@@ -435,7 +434,7 @@ TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   EXPECT_NE(outcome.text.find("150 programs"), std::string::npos) << outcome.text;
   ASSERT_TRUE(finding().is_object()) << outcome.text;
-  EXPECT_EQ(finding()["cause"], "Map1: crash");
+  EXPECT_EQ(as_text(finding()["cause"]), "Map1: crash");
   EXPECT_EQ(finding()["program"].size(), 1u);
   std::ifstream program(folder_ / "fuzz-osmesa-1.c");
   EXPECT_TRUE(program) << "a C program";
@@ -448,9 +447,9 @@ TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   EXPECT_NE(outcome.text.find("150 programs"), std::string::npos) << outcome.text;
   const json crash = finding(1), answer = finding(2);
   ASSERT_TRUE(crash.is_object() && answer.is_object()) << outcome.text;
-  EXPECT_EQ(crash["cause"], "GetError, Map1: crash");
+  EXPECT_EQ(as_text(crash["cause"]), "GetError, Map1: crash");
   EXPECT_EQ(crash["program"].size(), 2u) << crash["program"];
-  EXPECT_EQ(answer["cause"], "Enable, GetError, Map1: glGetError");
+  EXPECT_EQ(as_text(answer["cause"]), "Enable, GetError, Map1: glGetError");
   EXPECT_EQ(answer["program"].size(), 3u) << answer["program"];
 }
 
@@ -458,7 +457,7 @@ TEST_F(FuzzCommand, AWrongAnswerIsMadeSmall) {
   const Outcome outcome = fuzz_drill("lenient");
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   ASSERT_TRUE(finding().is_object()) << outcome.text;
-  EXPECT_EQ(finding()["what"], "glGetError");
+  EXPECT_EQ(as_text(finding()["what"]), "glGetError");
   EXPECT_EQ(finding()["program"].size(), 2u) << finding()["program"];
 }
 

@@ -6,8 +6,11 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <tuple>
 
+#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/implementation.h"
+#include "harness/implementations/shared_library.h"
 #include "harness/tests/program.h"
 
 namespace evalcts {
@@ -33,7 +36,7 @@ class GlLibrary : public ProgramTest {
   bool available(const std::string& name) {
     const json list = json::parse(evalcts({"list", "implementations", "--json"}).text, nullptr, false);
     for (const json& entry : list["implementations"])
-      if (entry["name"] == name) return entry["available"];
+      if (as_text(entry["name"]) == name) return entry["available"];
     return false;
   }
 
@@ -41,11 +44,11 @@ class GlLibrary : public ProgramTest {
   void expect_judged(const Outcome& outcome, const std::string& name) {
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     const json result = results(name);
-    ASSERT_EQ(result["status"], "complete") << outcome.text;
+    ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
     EXPECT_GT(result["summary"].value("pass", 0), 20) << outcome.text;
     EXPECT_EQ(result["summary"].size(), 1u) << result["summary"];
     for (const json& capture : result["implementation"]["captures"])
-      EXPECT_EQ(capture["available"], capture["name"] != "Sink") << capture;
+      EXPECT_EQ(capture["available"], as_text(capture["name"]) != "Sink") << capture;
   }
 };
 
@@ -69,11 +72,11 @@ TEST_F(GlLibrary, ErrorsAreMeasuredAndReplayed) {
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   std::ifstream file(folder_ / "ulp.json");
   const json entry = json::parse(file)["implementations"][0];
-  EXPECT_EQ(entry["status"], "complete");
+  EXPECT_EQ(as_text(entry["status"]), "complete");
   ASSERT_EQ(entry["rows"].size(), 4u);
   for (const json& row : entry["rows"]) {
     ASSERT_TRUE(row.contains("worst_ulp")) << row;
-    EXPECT_EQ(row["capture"], "TransformFeedback");
+    EXPECT_EQ(as_text(row["capture"]), "TransformFeedback");
     EXPECT_GT(row["not_correctly_rounded"].get<int>(), 100) << "float arithmetic";
     EXPECT_LT(row["max_condition_aware"].get<double>(), 60) << "float arithmetic";
     const Outcome again = start(row["worst_ulp"]["replay"].get<std::vector<std::string>>());
@@ -95,7 +98,7 @@ TEST_F(GlLibrary, EveryFloatOfAnIntervalIsMeasured) {
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   std::ifstream stream(file);
   const json sweep = json::parse(stream);
-  EXPECT_EQ(sweep["status"], "complete");
+  EXPECT_EQ(as_text(sweep["status"]), "complete");
   EXPECT_EQ(sweep["result"]["values"], 335545);
   EXPECT_GT(sweep["result"]["not_correctly_rounded"].get<int>(), 1000) << "float arithmetic";
   const json worst = sweep["result"]["worst_condition_aware"];
@@ -144,10 +147,151 @@ TEST_F(GlLibrary, EglTakesThePlaceOfOSMesa) {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"}) std::ofstream(folder_ / name) << "no library\n";
   setenv("LD_LIBRARY_PATH", folder_.c_str(), 1);
   const Outcome outcome = run({});
-  EXPECT_NE(outcome.text.find("osmesa does not start (libOSMesa.so.8 is not installed"), std::string::npos)
+  EXPECT_NE(outcome.text.find("osmesa does not start (cannot load 'libOSMesa.so.8': "), std::string::npos)
       << outcome.text;
   expect_judged(outcome, "egl");
   EXPECT_FALSE(fs::exists(folder_ / "results-osmesa.json"));
+}
+
+// Sets an environment variable until the end of its scope.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  ~Variable() { unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+};
+
+TEST_F(GlLibrary, LibraryThatCannotBeLoaded) {
+  const auto reason = [](const std::string& name) -> std::string {
+    try {
+      const SharedLibrary library(name);
+      return "it was loaded";
+    } catch (const CannotStart& error) {
+      return error.what();
+    }
+  };
+  const auto says = [&](const fs::path& name, const std::string& expected) {
+    const std::string message = reason(name);
+    EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_TRUE(message.starts_with("cannot load '" + name.string() + "': ")) << message;
+  };
+  says(folder_ / "absent.so", "there is no such file");
+  says(folder_, "it is a directory");
+  says("libabsent.so.1", "the dynamic loader finds no library of this name");
+  std::ofstream(folder_ / "text.so") << "GROUP ( /usr/lib/libGL.so.1 ) is a script of the linker\n";
+  says(folder_ / "text.so", "it does not begin with an ELF header");
+  // The beginning of a library for the big-endian SPARC.
+  std::string head("\177ELF\2\2\1\0\0\0\0\0\0\0\0\0\0\3\0\53", 20);
+  std::ofstream(folder_ / "sparc.so") << head << std::string(100, '\0');
+  says(folder_ / "sparc.so", "it is built for ELF machine 43 (64-bit), but this evalcts is built for ");
+
+  const std::string in_folder = "cd '" + folder_.string() + "' && ";
+  const Outcome built =
+      start({"/bin/sh", "-c",
+             in_folder + "echo 'int one(void) { return 1; }' > one.c && "
+                         "cc -shared -fPIC -o libone.so one.c && "
+                         "echo 'int one(void); int two(void) { return one() + 1; }' > two.c && "
+                         "cc -shared -fPIC -o two.so two.c -L. -lone && rm libone.so"});
+  if (built.code != 0) GTEST_SKIP() << "no C compiler here: " << built.text;
+  says(folder_ / "two.so", "it depends on libone.so, which the dynamic loader does not find");
+}
+
+// A driver that is not what the environment asks for is named in the summary and in the results.
+TEST_F(GlLibrary, OtherDriverThanAskedFor) {
+  const std::string llvmpipe = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  EXPECT_EQ(describe_other_driver(llvmpipe), "");
+  for (const auto& [wanted, renderer, is_other] :
+       std::initializer_list<std::tuple<const char*, std::string, bool>>{
+           {"llvmpipe", llvmpipe, false},
+           {"softpipe", llvmpipe, true},
+           {"misspelt", llvmpipe, true},
+           {"swrast", llvmpipe, false},
+           {"softpipe", "NVIDIA H200/PCIe/SSE2", true},
+           {"zink", "zink Vulkan 1.3(" + llvmpipe + ")", false},
+           {"llvmpipe", "zink Vulkan 1.3(" + llvmpipe + ")", true},
+           {"iris", "Mesa Intel(R) UHD Graphics 770 (ADL-S GT1)", false},
+           {"iris", llvmpipe, true}}) {
+    const Variable variable("GALLIUM_DRIVER", wanted);
+    EXPECT_EQ(!describe_other_driver(renderer).empty(), is_other) << wanted << ", " << renderer;
+  }
+
+  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+  // OSMesa does not read this variable.
+  const Variable variable("MESA_LOADER_DRIVER_OVERRIDE", "zink");
+  const Outcome outcome = run({"--implementation", "osmesa"});
+  EXPECT_NE(outcome.text.find("note: MESA_LOADER_DRIVER_OVERRIDE=zink asks for another driver"),
+            std::string::npos)
+      << outcome.text;
+  EXPECT_TRUE(
+      as_text(results("osmesa")["implementation"]["note"]).starts_with("MESA_LOADER_DRIVER_OVERRIDE"));
+}
+
+TEST_F(GlLibrary, DriverOfTheEnvironmentIsJudged) {
+  if (!available("egl")) GTEST_SKIP() << "no EGL here";
+  const Variable software("LIBGL_ALWAYS_SOFTWARE", "1");
+  const fs::path suite = fs::path(EVALCTS_PROGRAM).parent_path() / "evalcts-suite",
+                 answer = folder_ / "answer.json";
+  for (const char* const driver : {"softpipe", "zink"}) {
+    const Variable variable("GALLIUM_DRIVER", driver);
+    const Outcome outcome = start({suite, "--implementation", "egl", "--describe", "--answer", answer});
+    if (outcome.code != 0) GTEST_SKIP() << "no " << driver << " here: " << outcome.text;
+    std::ifstream file(answer);
+    const json implementation = json::parse(file);
+    if (as_text(implementation["note"]) != "") GTEST_SKIP() << implementation["note"];
+    EXPECT_TRUE(as_text(implementation["renderer"]).starts_with(driver)) << implementation;
+    const json files = implementation["files"];
+    EXPECT_GE(files.size(), 2u) << "libEGL and a driver: " << files;
+    EXPECT_EQ(files.dump().find("libvulkan") != std::string::npos, driver == std::string("zink")) << files;
+  }
+}
+
+// What points a GL to a driver that it does not find is part of the reason, with what the GL printed.
+TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
+  const auto run_with = [&](const char* variable, const std::string& value, const char* implementation) {
+    const Variable set(variable, value);
+    return run({"--implementation", implementation});
+  };
+  const auto expect_named = [](const Outcome& outcome, const std::string& text) {
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.text.find(text), std::string::npos) << outcome.text;
+  };
+  if (available("osmesa")) {
+    const Outcome outcome = run_with("GALLIUM_DRIVER", "misspelt", "osmesa");
+    expect_named(outcome, "the environment sets GALLIUM_DRIVER='misspelt'");
+    expect_named(outcome, "log-osmesa.txt");
+  }
+  if (!available("egl")) GTEST_SKIP() << "no EGL here";
+  run({"--implementation", "egl"});
+  const std::string version = results("egl")["implementation"]["version"];
+  if (version.find("Mesa") == std::string::npos) GTEST_SKIP() << "EGL is not Mesa: " << version;
+  Outcome outcome = run_with("GALLIUM_DRIVER", "misspelt", "egl");
+  expect_named(outcome, "the environment sets GALLIUM_DRIVER='misspelt'");
+  expect_named(outcome, "the library printed \"");
+  expect_named(outcome, "failed to create dri2 screen");
+  expect_named(outcome, "log-egl.txt");
+
+  // Mesa without libglvnd reads no vendor files.
+  const std::string absent = (folder_ / "absent").string();
+  outcome = run_with("__EGL_VENDOR_LIBRARY_FILENAMES", absent, "egl");
+  if (outcome.code != 0) {
+    expect_named(outcome, "there is no file '" + absent + "'");
+    const fs::path vendor = folder_ / "vendor.json";
+    std::ofstream(vendor) << R"({"file_format_version": "1.0.0", "ICD": {"library_path": "/absent.so"}})";
+    expect_named(
+        run_with("__EGL_VENDOR_LIBRARY_FILENAMES", vendor, "egl"),
+        "the EGL of '" + vendor.string() + "' is not used: cannot load '/absent.so': there is no such file");
+  }
+  // Mesa 25.0 does not read this variable any more, 22.3 does.
+  outcome = run_with("LIBGL_DRIVERS_PATH", folder_, "egl");
+  if (outcome.code != 0) {
+    expect_named(outcome, "there is no *_dri.so in '" + folder_.string() + "'");
+    expect_named(outcome, "MESA-LOADER: failed to open swrast");
+    expect_named(run_with("LIBGL_DRIVERS_PATH", absent, "egl"), "there is no directory '" + absent + "'");
+  }
 }
 
 // A layer over OpenGL ES: its commands, loaded once an ES context is current. There is one context in it.
@@ -197,8 +341,8 @@ TEST_F(GlLibrary, MapsOfVertexAttributes) {
     std::size_t passed = 0;
     const json result = results("attributes");
     for (const json& test : result["tests"]) {
-      if (test["verdict"] == "pass") ++passed;
-      if (test["verdict"] == "fail") failed.insert(test["name"].get<std::string>().substr(16));
+      if (as_text(test["verdict"]) == "pass") ++passed;
+      if (as_text(test["verdict"]) == "fail") failed.insert(test["name"].get<std::string>().substr(16));
     }
     EXPECT_EQ(failed, tests);
     EXPECT_EQ(passed + failed.size(), 13u);
@@ -218,7 +362,7 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
          "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     const json result = results("wretched");
-    EXPECT_EQ(result["status"], "complete") << outcome.text;
+    EXPECT_EQ(as_text(result["status"]), "complete") << outcome.text;
     EXPECT_FALSE(result["summary"].contains("internal-error")) << result["summary"];
     EXPECT_GT(result["tests"].size(), 30u);
     EXPECT_EQ(result["summary"].contains("crash"), how == std::string("crashes")) << result["summary"];
@@ -245,7 +389,7 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
     const json result = results("wretched");
     EXPECT_EQ(result["tests"].size(), 7u) << outcome.text;
     for (const json& test : result["tests"])
-      EXPECT_EQ(test["verdict"], verdict) << test["name"] << ": " << test["message"];
+      EXPECT_EQ(as_text(test["verdict"]), verdict) << test["name"] << ": " << test["message"];
   }
 }
 
@@ -280,11 +424,11 @@ TEST_F(GlxLibrary, Indirect) {
   if (!available("glx-indirect")) GTEST_SKIP() << "no indirect rendering here";
   const Outcome outcome = run({"--implementation", "glx-indirect", "--baseline", "none"});
   const json result = results("glx-indirect");
-  ASSERT_EQ(result["status"], "complete") << outcome.text;
+  ASSERT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_TRUE(result["implementation"]["version"].get<std::string>().starts_with("1.")) << outcome.text;
   EXPECT_GT(result["summary"].value("pass", 0), 20) << outcome.text;
   for (const json& capture : result["implementation"]["captures"])
-    EXPECT_EQ(capture["available"], capture["name"] == "FeedbackBuffer") << capture;
+    EXPECT_EQ(capture["available"], as_text(capture["name"]) == "FeedbackBuffer") << capture;
 }
 
 // What the client sends is seen on its way to the server.
@@ -293,11 +437,11 @@ TEST_F(GlxLibrary, RequestsAreRecorded) {
   const Outcome outcome = evalcts({"run", "--implementation", "glx-indirect", "--output", folder_.string(),
                                    "--filter", "GlxProtocol.*:-GlxProtocol.EmptyReplies/*", "--verbose"});
   const json result = results("glx-indirect");
-  EXPECT_EQ(result["status"], "complete") << outcome.text;
+  EXPECT_EQ(as_text(result["status"]), "complete") << outcome.text;
   EXPECT_GT(result["summary"].value("pass", 0), 50) << outcome.text;
   // On a busy machine Mesa's protocol code fails now and then, never twice in the same place.
   for (const json& test : result["tests"])
-    EXPECT_TRUE(test["verdict"] == "pass" || test.value("/again/verdict"_json_pointer, "") == "pass")
+    EXPECT_TRUE(as_text(test["verdict"]) == "pass" || test.value("/again/verdict"_json_pointer, "") == "pass")
         << outcome.text;
 }
 

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -20,6 +19,7 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/recorded.h"
 #include "harness/gl/case_json.h"
+#include "harness/results/json.h"
 #include "harness/runner/baseline.h"
 #include "vectors/lint/lint.h"
 #include "vectors/pipe/pipe.h"

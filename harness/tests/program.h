@@ -6,10 +6,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/results/json.h"
 #include "harness/runner/child_process.h"
 
 namespace evalcts {
@@ -52,7 +52,7 @@ class ProgramTest : public testing::Test {
   }
   static nlohmann::json test_named(const nlohmann::json& result, const std::string& name) {
     for (const nlohmann::json& test : result["tests"])
-      if (test["name"] == name) return test;
+      if (as_text(test["name"]) == name) return test;
     return nullptr;
   }
 

@@ -437,7 +437,7 @@ TEST_F(SweepCommand, GoesOnAfterItWasKilled) {
   EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
   const json after = checkpoint("sweep.json");
   EXPECT_EQ(complaints(after), "");
-  EXPECT_EQ(after["status"], "complete");
+  EXPECT_EQ(as_text(after["status"]), "complete");
   EXPECT_EQ(after["proven"], true);
   EXPECT_EQ(after["result"]["values"], 2 * (1 << 23) + 1);
 
@@ -534,8 +534,8 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   const json result = checkpoint("sweep.json");
   EXPECT_EQ(complaints(result), "");
-  EXPECT_EQ(result["map"]["target"], "texture_coord_2");
-  EXPECT_EQ(result["map"]["swept"], "v");
+  EXPECT_EQ(as_text(result["map"]["target"]), "texture_coord_2");
+  EXPECT_EQ(as_text(result["map"]["swept"]), "v");
   EXPECT_EQ(with({"--v", "0.3"}).code, 2) << "another sweep";
   // The command below the largest error evaluates it again.
   const json worst = result["result"]["worst_ulp"];
@@ -570,7 +570,7 @@ TEST_F(SweepOfProcesses, GivesWhatOneGives) {
     EXPECT_NE(outcome.text.find(std::string(", ") + processes + " processes"), std::string::npos)
         << outcome.text;
     EXPECT_EQ(checkpoint(processes)["result"], checkpoint("one")["result"]);
-    EXPECT_EQ(checkpoint(processes)["status"], "complete");
+    EXPECT_EQ(as_text(checkpoint(processes)["status"]), "complete");
   }
   const Outcome again = start(by_mpirun("2", "2"));
   EXPECT_EQ(again.code, 0) << "nothing is left to do: " << again.text;
@@ -604,17 +604,17 @@ TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
     for (const pid_t rank : ranks("1")) kill(rank, SIGKILL);
     const auto ending = child.wait(60);
     ASSERT_TRUE(ending) << "the job ends with its process";
-    if (checkpoint("sweep.json")["status"] == "complete") continue;
+    if (as_text(checkpoint("sweep.json")["status"]) == "complete") continue;
     EXPECT_NE(ending->value, 0);
     break;
   }
   const json before = checkpoint("sweep.json");
-  EXPECT_EQ(before["status"], "unfinished");
+  EXPECT_EQ(as_text(before["status"]), "unfinished");
   ASSERT_GT(before["blocks_done"].size(), 0u);
   const Outcome outcome = start(by_mpirun("2", "sweep.json", to));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
-  EXPECT_EQ(checkpoint("sweep.json")["status"], "complete");
+  EXPECT_EQ(as_text(checkpoint("sweep.json")["status"]), "complete");
   ASSERT_EQ(evalcts(command({"--from", "0.375", "--to", to, "--checkpoint", folder_ / "one"})).code, 0);
   EXPECT_EQ(checkpoint("sweep.json")["result"], checkpoint("one")["result"]);
 }

@@ -46,6 +46,7 @@ data card(const Column& column) {
   add_row(facts, "Vendor", implementation.vendor);
   add_row(facts, "Renderer", implementation.renderer);
   add_row(facts, "Version", implementation.version);
+  add_row(facts, "Note", implementation.note);
   out.set("facts", facts);
 
   data circumstances = list();
@@ -57,6 +58,7 @@ data card(const Column& column) {
   add_row(circumstances, "Baseline", record.baseline);
   add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
   add_row(circumstances, "Largest order", integer(implementation.max_eval_order));
+  add_row(circumstances, "Loaded", join(implementation.files, ", "));
   add_row(circumstances, "Machine", implementation.machine);
   add_row(circumstances, "Command", record.command, true);
   add_row(circumstances, "evalcts", record.evalcts_version);

@@ -45,6 +45,7 @@ std::string about(const Column& column) {
   std::vector<std::string> parts;
   for (const std::string* part : {&implementation.vendor, &implementation.renderer, &implementation.version})
     if (!part->empty()) parts.push_back(markdown_code(*part));
+  if (!implementation.note.empty()) parts.push_back("**note**: " + markdown_code(implementation.note));
   if (record.status.empty()) parts.emplace_back("**status unknown**");
   if (!record.status.empty() && !record.complete())
     parts.push_back("**" + record.status + "**" +

@@ -75,7 +75,7 @@ std::vector<std::string> classes_of(const json& ulp, const std::string& kind) {
   for (const json& entry : ulp.at("implementations"))
     for (const json& row : entry.at("rows")) {
       const std::string name = row.at("name");
-      if (row.at("data") == kind && std::find(names.begin(), names.end(), name) == names.end())
+      if (as_text(row.at("data")) == kind && std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
     }
   return names;
@@ -84,7 +84,7 @@ std::vector<std::string> classes_of(const json& ulp, const std::string& kind) {
 // Of several targets the first that an implementation has.
 const json* row_of(const json& entry, const std::string& name) {
   for (const json& row : entry.at("rows"))
-    if (row.at("name") == name) return &row;
+    if (as_text(row.at("name")) == name) return &row;
   return nullptr;
 }
 
@@ -202,9 +202,10 @@ data sweep_view(const json& sweep) {
   item.set("ulp", largest_of_sweep(result.at("worst_ulp")));
   item.set("condition", largest_of_sweep(result.at("worst_condition_aware")));
   item.set("digest", shown(result.at("digest")));
-  item.set("status", sweep.at("proven").get<bool>()     ? "proven"
-                     : sweep.at("status") == "complete" ? "largest found: shard " + shown(sweep.at("shard"))
-                                                        : "largest found: unfinished");
+  item.set("status", sweep.at("proven").get<bool>() ? "proven"
+                     : as_text(sweep.at("status")) == "complete"
+                         ? "largest found: shard " + shown(sweep.at("shard"))
+                         : "largest found: unfinished");
   return item;
 }
 
@@ -247,7 +248,7 @@ data worst_view(const json& ulp) {
       const json* worst_row = nullptr;
       for (const json& row : entry.at("rows")) {
         if (!row.contains(which)) continue;
-        if (row.at("data") == "extreme" && which == std::string("worst_condition_aware")) continue;
+        if (as_text(row.at("data")) == "extreme" && which == std::string("worst_condition_aware")) continue;
         if (worst_row == nullptr ||
             size_of(row.at(which).at("error")) > size_of(worst_row->at(which).at("error")))
           worst_row = &row;
@@ -292,7 +293,7 @@ std::string accuracy_html(const json& ulp, const std::vector<json>& sweeps, cons
   page.set("title", "evalcts: accuracy of " + join(names, ", "));
   page.set("subtitle", fmt::format("{}, seed {}, evalcts {}", count(names.size(), "implementation"),
                                    natural(ulp.at("seed")), words(ulp, "evalcts_version")));
-  page.set("note", ulp.at("status") == "complete"
+  page.set("note", as_text(ulp.at("status")) == "complete"
                        ? data(false)
                        : data("The run was interrupted; this is what was finished."));
   page.set("implementations", implementations_view(ulp));

@@ -61,7 +61,7 @@ std::string id_of(std::string text) {
 // Rows of an implementation, where it has been measured, by name.
 const json* row_named(const json& entry, const std::string& name) {
   for (const json& row : entry.at("rows"))
-    if (row.at("name") == name && row.contains("max_ulp")) return &row;
+    if (as_text(row.at("name")) == name && row.contains("max_ulp")) return &row;
   return nullptr;
 }
 
@@ -105,7 +105,8 @@ Figure errors_by_order(const json& ulp, const std::string& data) {
   for (const json& entry : ulp.at("implementations")) {
     std::vector<std::string> lines;
     for (const json& row : entry.at("rows")) {
-      if (row.at("data") != data || row.at("orders").size() != 1 || !row.contains("max_ulp")) continue;
+      if (as_text(row.at("data")) != data || row.at("orders").size() != 1 || !row.contains("max_ulp"))
+        continue;
       if (row.contains("target") && row.at("target") != ulp.at("targets").at(0)) continue;
       const std::string order = fmt::format("{}", natural(row.at("orders").at(0)));
       lines.push_back(fmt::format("{} {}", order, plain(error_of(row.at("max_condition_aware")), 1e4)));
@@ -149,7 +150,7 @@ Figure errors_over_u(const json& ulp, const json& curve) {
   std::vector<const json*> profiles;
   for (const json& entry : ulp.at("implementations"))
     for (const json& profile : entry.at("profiles"))
-      if (profile.at("name") == name && profile.contains("max_ulp")) {
+      if (as_text(profile.at("name")) == name && profile.contains("max_ulp")) {
         profiles.push_back(&profile);
         figure.names.push_back(entry.at("name"));
       }

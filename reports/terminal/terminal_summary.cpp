@@ -155,6 +155,7 @@ void write_head(Screen& screen, const Record& record) {
   }
   if (!parts.empty()) head += ": " + join(parts, ", ");
   screen.line(head, Colour::kBold);
+  if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
 
   if (!record.complete()) {
     const std::string status = record.status.empty() ? "status unknown" : record.status;

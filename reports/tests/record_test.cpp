@@ -196,10 +196,10 @@ TEST(Record, SeverityPutsTheUnexpectedFirst) {
 
 TEST(Record, TextOfAFile) {
   const std::string head = R"({"format": "evalcts-results-1", "reason": )";
-  EXPECT_EQ(parse_result(head + R"("fine"})")["reason"], "fine");
+  EXPECT_EQ(as_text(parse_result(head + R"("fine"})")["reason"]), "fine");
   // Brackets in strings nest nothing, whatever is escaped there.
   const std::string brackets(200, '['), closed = std::string(90, '[') + std::string(90, ']');
-  EXPECT_EQ(parse_result(head + "\"\\\\\\\"" + brackets + "\"}")["reason"], "\\\"" + brackets);
+  EXPECT_EQ(as_text(parse_result(head + "\"\\\\\\\"" + brackets + "\"}")["reason"]), "\\\"" + brackets);
   EXPECT_NO_THROW(parse_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));
   std::string nested = head + R"("\\", "unknown": )";
   nested += brackets + std::string(200, ']') + "}";

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+
+#include "harness/results/json.h"
 
 namespace evalcts::reports {
 
@@ -26,9 +27,9 @@ inline nlohmann::json earlier_sample() {
   record["implementation"]["version"] = "4.5 (Compatibility Profile) Mesa 21.0.0";
   nlohmann::json& tests = record["tests"];
   for (nlohmann::json& test : tests) {
-    if (test["name"] == "Map1Values.Bezier/TEXTURE_COORD_1/d") test["verdict"] = "pass";
-    if (test["name"] == "Map1Values.Bezier/TEXTURE_COORD_1/f") test["verdict"] = "fail";
-    if (test["name"] == "Map2Output.HugeGrid") test["name"] = "Map2Output.OnceWas";
+    if (as_text(test["name"]) == "Map1Values.Bezier/TEXTURE_COORD_1/d") test["verdict"] = "pass";
+    if (as_text(test["name"]) == "Map1Values.Bezier/TEXTURE_COORD_1/f") test["verdict"] = "fail";
+    if (as_text(test["name"]) == "Map2Output.HugeGrid") test["name"] = "Map2Output.OnceWas";
   }
   return record;
 }
@@ -72,6 +73,8 @@ inline nlohmann::json hostile_record() {
             {"renderer", text},
             {"version", text},
             {"machine", text},
+            {"note", text},
+            {"files", {text}},
             {"captures", {{{"name", text}, {"available", false}, {"reason", text}}}}}},
           {"tests",
            {test("A." + text, "fail"), test("B." + text, "not-observable"),

@@ -33,6 +33,20 @@ json large_record() {
   return {{"status", "complete"}, {"implementation", {{"name", "large"}}}, {"tests", tests}};
 }
 
+// In each report, in full: it says whether the right library was judged.
+TEST(Terminal, NoteOnTheImplementation) {
+  json record = large_record();
+  const std::string note =
+      "GALLIUM_DRIVER=zink asks for another driver than the one that was judged: " + std::string(100, 'x') +
+      " end";
+  record["implementation"]["note"] = note;
+  record["implementation"]["files"] = {"/build/libEGL_mesa.so.0"};
+  EXPECT_EQ(lines_of(terminal_summary(record, nullptr, false, false))[1], "note: " + note);
+  EXPECT_NE(html({record}, nullptr).find(note), std::string::npos);
+  EXPECT_NE(html({record}, nullptr).find("/build/libEGL_mesa.so.0"), std::string::npos);
+  EXPECT_NE(markdown_summary({record}).find("**note**: `" + note), std::string::npos);
+}
+
 TEST(Terminal, TellsTheWorstFirst) {
   const std::string text =
       terminal_summary(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, false);

@@ -1,11 +1,12 @@
 // Looks after files of vectors: whether they are what INTERPRETING.md says, and agree with themselves.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts::vectors {
 

@@ -5,9 +5,10 @@
 #include <cstddef>
 #include <istream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts::vectors {
 

@@ -82,9 +82,9 @@ TEST(Sequence, EmitsWhatIsCompleted) {
   c.EvalMesh1(GL_POINT, 1, 0);
   const Json all = steps(c, {.color = true});
   const Json vertices = all[5]["emits"][0]["vertices"];
-  EXPECT_EQ(all[5]["emits"][0]["mode"], "GL_LINES");
-  EXPECT_EQ(vertices[0]["position"][1]["exact"], "1/1");
-  EXPECT_EQ(vertices[0]["position"][3], "0x1p+0");
+  EXPECT_EQ(as_text(all[5]["emits"][0]["mode"]), "GL_LINES");
+  EXPECT_EQ(as_text(vertices[0]["position"][1]["exact"]), "1/1");
+  EXPECT_EQ(as_text(vertices[0]["position"][3]), "0x1p+0");
   EXPECT_EQ(vertices[1]["position"], Json({"0x1p+2", "0x1.4p+2", "0x0p+0", "0x1p+0"}));
   EXPECT_EQ(vertices[1]["color"], Json({"0x1p+0", "0x1p+0", "0x1p+0", "0x1p+0"}));
   EXPECT_FALSE(vertices[0].contains("normal"));

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "harness/results/json.h"
 #include "vectors/lint/lint.h"
 #include "vectors/write/write.h"
 

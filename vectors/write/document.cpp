@@ -12,7 +12,7 @@ Document::Document(std::string kind, std::string description)
     : kind_(std::move(kind)), description_(std::move(description)), notes_(Json::object()) {}
 
 void Document::explain(const std::string& flag, const std::string& meaning) {
-  if (notes_.contains(flag) && notes_[flag] != meaning)
+  if (notes_.contains(flag) && as_text(notes_[flag]) != meaning)
     throw std::logic_error(fmt::format("{}: two meanings of '{}'", kind_, flag));
   notes_[flag] = meaning;
 }

@@ -1,10 +1,10 @@
 // A file of vectors while it is made.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/results/json.h"
 #include "vectors/write/dice.h"
 
 namespace evalcts::vectors {

@@ -23,10 +23,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "harness/results/json.h"
 
 namespace evalcts::reports {
 

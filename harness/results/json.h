@@ -1,0 +1,36 @@
+// nlohmann-json, as every file of the project includes it: comparisons between JSON values and strings do not
+// compile. Whether the library accepts them depends on its version, the compiler and the order of the
+// operands.
+#pragma once
+
+#include <concepts>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace evalcts {
+
+template <class T>
+concept Json = std::same_as<T, nlohmann::json> || std::same_as<T, nlohmann::ordered_json>;
+
+// Types that are compared like a string.
+template <class T>
+concept Text = std::convertible_to<const T&, std::string_view> && !Json<T>;
+
+// Returns the text of a JSON string, which lives as long as `value`; empty if `value` is not a string.
+std::string_view as_text(const Json auto& value) {
+  const auto* text = value.template get_ptr<const std::string*>();
+  return text ? std::string_view(*text) : std::string_view();
+}
+
+}  // namespace evalcts
+
+namespace nlohmann {
+
+// Compare evalcts::as_text(value) with the string instead.
+bool operator==(const evalcts::Json auto&, const evalcts::Text auto&) = delete;
+bool operator==(const evalcts::Text auto&, const evalcts::Json auto&) = delete;
+bool operator!=(const evalcts::Json auto&, const evalcts::Text auto&) = delete;
+bool operator!=(const evalcts::Text auto&, const evalcts::Json auto&) = delete;
+
+}  // namespace nlohmann
