@@ -458,7 +458,8 @@ TEST_F(Terminal, WhatWasMeantIsGuessed) {
 
 TEST_F(Terminal, EveryCommandHasExamples) {
   const std::string all = evalcts({"--help"}).text;
-  std::istringstream lines(all.substr(all.find("Subcommands:")));
+  // CLI11 2.5 and newer write "SUBCOMMANDS:".
+  std::istringstream lines(all.substr(std::min(all.find("Subcommands:"), all.find("SUBCOMMANDS:"))));
   int commands = 0;
   std::string line;
   for (std::getline(lines, line); std::getline(lines, line) && line.starts_with("  ");) {

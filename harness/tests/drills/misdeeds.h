@@ -93,6 +93,10 @@ inline void corrupt_heap() {
   std::free(next);
   std::free(const_cast<char*>(small));
   std::free(std::malloc(5000));
+  // The GNU C library does not notice every overflow at once, but it notices a double free.
+  void* volatile freed = std::malloc(24);
+  std::free(freed);
+  std::free(freed);
 }
 
 inline void leave_process(bool own_session) {

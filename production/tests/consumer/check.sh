@@ -47,7 +47,7 @@ same find_package_shared "$work/build/curve_glevaluator_shared"
 
 # A version that is not there is not found.
 sed 's/glevaluator 0.1/glevaluator 99.0/' "$here/CMakeLists.txt" >"$work/CMakeLists.txt"
-if cmake -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1; then
+if cmake -G Ninja -S "$work" -B "$work/refused" -DCMAKE_PREFIX_PATH="$prefix" -DEXAMPLES="$examples" >"$work/refused.log" 2>&1; then
   fail "version 99 was found"
 fi
 grep -q 'requested version "99.0"' "$work/refused.log" || fail "version 99 is refused for another reason"
