@@ -256,6 +256,45 @@ TEST(Markdown, IsShort) {
   EXPECT_TRUE(contains(text, "* `x`: and 90 more\n"));
 }
 
+TEST(Markdown, RequirementsByResult) {
+  const auto test = [](const std::string& name, const std::string& verdict, const std::string& requirement) {
+    json record = outcome(name, verdict);
+    record["requirements"] = {requirement};
+    return record;
+  };
+  const json catalogue = {
+      {"requirements", {{{"id", "EV-2"}, {"text", "the second"}}, {{"id", "EV-1"}, {"text", "one"}}}}};
+  EXPECT_EQ(requirements_table(
+                {result("old", {test("A.a", "fail", "EV-1"), test("A.b", "pass", "EV-1"),
+                                test("A.c", "not-observable", "EV-2"), test("A.d", "pass", "EV-3")}),
+                 result("new", {test("A.a", "pass", "EV-1"), test("A.b", "pass", "EV-1"),
+                                test("A.c", "crash", "EV-2"), test("A.d", "quality-warning", "EV-3")})},
+                catalogue),
+            R"(# Requirements by implementation
+
+* `old`: ` `, ` `
+* `new`: ` `, ` `
+
+## Requirements with a failing test
+
+2 of 3 requirements. Bold: failing tests of those that were decided.
+
+| requirement | `old` | `new` |
+| --- | --- | --- |
+| `EV-2`: `the second` | not observed | **1** of 1 |
+| `EV-1`: `one` | **1** of 2 | pass |
+
+## Tests that do not have the same verdict everywhere
+
+Tests that no implementation fails are left out.
+
+| test | `old` | `new` |
+| --- | --- | --- |
+| `A.a` | fail | pass |
+| `A.c` | not-observable | crash |
+)");
+}
+
 // Outside code spans nothing of a record is left; a table has no other bars than its own.
 TEST(Markdown, HostileTextStaysInCode) {
   json record = hostile_record();
