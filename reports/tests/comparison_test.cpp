@@ -272,8 +272,8 @@ TEST(Markdown, RequirementsByResult) {
                 catalogue),
             R"(# Requirements by implementation
 
-* `old`: ` `, ` `
-* `new`: ` `, ` `
+* `old`: `  `, `  `
+* `new`: `  `, `  `
 
 ## Requirements with a failing test
 
