@@ -5,20 +5,12 @@ set -euo pipefail
 packages=$1
 fail() { echo "$*" >&2; exit 1; }
 work=$(mktemp -d)
-root=$work/root
-trap 'umount "$root/proc" "$root/dev" 2>/dev/null; rm -rf --one-file-system "$work"' EXIT
 # shellcheck source=/dev/null
-suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
-options=()
-for file in /etc/apt/apt.conf.d/*; do grep -q '^ *Acquire::' "$file" && options+=("--aptopt=$file"); done
-
-# The smallest system that has apt.
-cat /etc/apt/sources.list /etc/apt/sources.list.d/*.sources 2>/dev/null >"$work/sources" || true
-mmdebstrap --quiet --variant=apt "${options[@]}" "$suite" "$root" - <"$work/sources" || fail "no clean root"
-mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
+. "$(dirname -- "${BASH_SOURCE[0]}")/../../packaging/clean-root.sh"
+trap 'remove_root "$work"' EXIT
+# shellcheck source=/dev/null
+make_root "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$work" || fail "no clean root"
 cp "$packages"/evalcts_*.deb "$packages"/libglevaluator-dev_*.deb "$root/tmp"
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C "$@"; }
 inside apt-get -qq update
 inside sh -c 'DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-recommends /tmp/evalcts_*.deb libosmesa6' >"$work/log" 2>&1 ||
   { cat "$work/log"; fail "the package cannot be installed"; }
