@@ -68,12 +68,17 @@ verb=$1
 shift
 printf '%s\n' "${@%=*}" | awk -v verb="$verb" '
   function tell(name) {
-    if (verb == "policy") printf "%s:\n  Installed: (none)\n  Candidate: 1.0\n", name
+    if (verb == "policy") printf "%s:\n  Installed: (none)\n  Candidate: %s\n", name, name in versions ? versions[name] : "99"
     else printf "Package: %s\nInstalled-Size: 2000\nSize: 500000\n\n", name
   }
+  FILENAME ~ /versions$/ { versions[$1] = $2; next }
   FILENAME != "-" { if (FILENAME ~ /lists$/) exact[$0]; known[++n] = $0; next }
   $0 in exact { tell($0); next }
-  { for (i = 1; i <= n; ++i) if (known[i] ~ $0) tell(known[i]) }' "$machine"/{base,lists} -
+  { for (i = 1; i <= n; ++i) if (known[i] ~ $0) tell(known[i]) }' "$machine"/{versions,base,lists} -
+X
+  : >"$machine/versions" # of packages that the distribution offers; 99 if a package is not in it
+  script dpkg <<'X'
+[[ $2 != "$4" && $(printf '%s\n' "$2" "$4" | sort -V | head -n 1) == "$2" ]]
 X
   script apt-get <<'X'
 if [[ " $* " == *" --simulate "* ]]; then
@@ -285,7 +290,7 @@ rm "$bin/apt-get" "$bin/dpkg-query"
 touch "$machine/no-configure"
 evalcts run
 exits 2
-says "no Debian"
+says "this is not Debian or Ubuntu"
 check "names them" grep -qxF "  nlohmann-json3-dev" <<<"$output"
 says "libosmesa6 (optional: the implementation osmesa)"
 rm "$machine/no-configure"
@@ -295,6 +300,36 @@ rm -r "$tree/build"
 rm "$bin/ninja"
 evalcts run
 exits 2
+
+scenario "no apt, but dnf or pacman"
+rm "$bin/apt-get" "$bin/dpkg-query"
+touch "$machine/no-configure"
+script dnf </dev/null
+evalcts run
+exits 2
+says "Fedora's packages, as far as their names are known (untested):"
+check "the line" grep -qE "^  sudo dnf install .*gcc-c\+\+ .*json-devel" <<<"$output"
+rm "$bin/dnf"
+script pacman </dev/null
+evalcts run
+exits 2
+check "the line" grep -qE "^  sudo pacman -S --needed .*nlohmann-json" <<<"$output"
+called_not "configure clang"
+
+scenario "a distribution that is too old"
+printf '%s\n' 'g++ 4:10.2.1-1' 'cmake 3.18.4-2+deb11u1' 'libboost-dev 1.74.0.3' >"$machine/versions"
+evalcts run
+exits 2
+says "this distribution is too old: it offers g++ 10.2.1-1 (12 is needed), cmake 3.18.4-2+deb11u1 (3.25 is needed); Debian 12"
+called_not install
+
+scenario "a compiler that is too old"
+echo "$required libosmesa6 xvfb" | tr ' ' '\n' >"$machine/installed"
+touch "$machine/no-configure"
+sed -i 's/CMake Error: no Boost/The compiler is too old: GCC 10/' "$bin/cmake"
+evalcts run
+exits 2
+says "The compiler is too old: GCC 10"
 
 scenario "EVALCTS_ASSUME_DEPENDENCIES"
 EVALCTS_ASSUME_DEPENDENCIES=1 evalcts run
