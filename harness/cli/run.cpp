@@ -244,7 +244,8 @@ int run(const RunOptions& options) {
       if (options.baseline != "none" && as_text(result["status"]) != "not-started") {
         Baseline baseline =
             Baseline::best_fit(request.baselines, result["implementation"], pass, request.baseline);
-        if (options.write_baseline) {
+        // A baseline that was chosen for one pass leaves the other pass alone.
+        if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
           const BaselineFiles renewed = baseline.renewed(result, request.baseline, label);
           if (!baseline.name().empty() || !renewed.entries.empty())
             renewed.write(baseline_of(options.baseline, where.baselines).folder);

@@ -334,6 +334,8 @@ Baseline Baseline::with(const BaselineFiles& files) const {
   return composed(std::move(parts));
 }
 
+bool Baseline::has_part(const std::string& name) const { return find(parts_, name) != nullptr; }
+
 std::string Baseline::name() const {
   if (parts_.empty()) return {};
   std::vector<std::string> overlays;

@@ -117,7 +117,8 @@ class Baseline {
 
   // "mesa", "mesa with mesa.softpipe"; empty if there is none.
   std::string name() const;
-  const std::vector<BaselineFiles>& parts() const { return parts_; }
+  // True if the base or an overlay of it has this name.
+  bool has_part(const std::string& name) const;
   const std::map<std::string, Entry>& entries() const { return entries_; }
 
   // The pattern that excludes the test from the run, or declares it flaky; null if there is none.
