@@ -10,6 +10,7 @@
 #include "harness/cli/commands.h"
 #include "harness/implementations/gl_environment.h"
 #include "harness/implementations/implementation.h"
+#include "harness/runner/baseline.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/runner.h"
 #include "reports/text.h"
@@ -52,6 +53,23 @@ std::string why_not(const std::string& implementation) {
                      describe_gl_environment());
 }
 
+// The shipped baselines and overlays, each with its header and the number of its entries.
+void list_baselines(bool as_json) {
+  json all = json::array();
+  for (const BaselineFiles& files : BaselineFiles::read_all(places().baselines)) {
+    json header = json::object();
+    for (const auto& [key, value] : files.header.fields()) header[key] = value;
+    all.push_back({{"name", files.name}, {"header", header}, {"entries", files.entries.size()}});
+    if (as_json) continue;
+    std::vector<std::string> fields;
+    for (const auto& [key, value] : files.header.fields())
+      fields.push_back(fmt::format("{}: {}", key, value));
+    std::cout << fmt::format("{:<20} {:>4} entries   {}\n", files.name, files.entries.size(),
+                             fmt::join(fields, "; "));
+  }
+  if (as_json) std::cout << json{{"baselines", all}}.dump(1) << "\n";
+}
+
 std::vector<std::string> default_implementations() {
   std::vector<std::string> names;
   for (const ImplementationKind& kind : implementation_kinds()) {
@@ -88,6 +106,8 @@ int list(const std::string& what, bool as_json) {
           std::cout << fmt::format("{:<36} {}\n", entry["id"].get<std::string>() + "=" + reading,
                                    meaning.get<std::string>());
     }
+  } else if (what == "baselines") {
+    list_baselines(as_json);
   } else if (what == "faults") {
     const json all = list_faults();
     if (as_json) {

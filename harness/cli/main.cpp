@@ -93,11 +93,12 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
 
   std::string what;
   bool as_json = false;
-  CLI::App* list_command =
-      app.add_subcommand("list", "implementations, requirements, interpretations, tests or faults");
+  CLI::App* list_command = app.add_subcommand(
+      "list", "implementations, requirements, interpretations, tests, faults or baselines");
   list_command->add_option("what", what)
       ->required()
-      ->check(CLI::IsMember({"implementations", "requirements", "interpretations", "tests", "faults"}));
+      ->check(CLI::IsMember(
+          {"implementations", "requirements", "interpretations", "tests", "faults", "baselines"}));
   list_command->add_flag("--json", as_json, "as JSON");
 
   CLI::App* coverage_command =

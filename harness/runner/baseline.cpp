@@ -166,13 +166,23 @@ std::string signature_of(const json& test) {
 // --- files
 // -----------------------------------------------------------------------------------------------------------
 
+std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields() const {
+  std::vector<std::pair<std::string, std::string>> given = {
+      {"extends", extends},
+      {"vendor", vendor},
+      {"renderer", renderer},
+      {"version", version.text()},
+      {"implementation", fmt::format("{}", fmt::join(implementations, ", "))},
+      {"pass", pass}};
+  std::erase_if(given, [](const auto& field) { return field.second.empty(); });
+  return given;
+}
+
 BaselineFiles::Header::Specificity BaselineFiles::Header::specificity() const {
   Specificity sum;
-  std::vector<std::string> texts = {vendor, renderer, version.text(), pass};
-  if (!implementations.empty()) texts.push_back(fmt::format("{}", fmt::join(implementations, "")));
-  for (const std::string& text : texts) {
-    sum.fields += !text.empty();
-    sum.length += text.size();
+  for (const auto& [key, value] : fields()) {
+    ++sum.fields;
+    sum.length += value.size();
   }
   return sum;
 }
@@ -246,14 +256,7 @@ std::vector<BaselineFiles> BaselineFiles::read_all(const fs::path& folder) {
 
 void BaselineFiles::write(const fs::path& folder) const {
   std::string fails;
-  for (const auto& [key, value] :
-       {std::pair{"extends", header.extends},
-        {"vendor", header.vendor},
-        {"renderer", header.renderer},
-        {"version", header.version.text()},
-        {"implementation", fmt::format("{}", fmt::join(header.implementations, ", "))},
-        {"pass", header.pass}})
-    if (!value.empty()) fails += fmt::format("# {}: {}\n", key, value);
+  for (const auto& [key, value] : header.fields()) fails += fmt::format("# {}: {}\n", key, value);
   std::map<std::string, std::vector<std::string>> by_reason;
   for (const auto& [test, entry] : entries) by_reason[entry.reason].push_back(test);
   for (const auto& [reason, tests] : by_reason) {

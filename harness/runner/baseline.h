@@ -63,6 +63,8 @@ struct BaselineFiles {
       auto operator<=>(const Specificity&) const = default;
     };
     Specificity specificity() const;
+    // The fields that are given, in the order of the file: {"version", "Mesa 20.3 or newer"}.
+    std::vector<std::pair<std::string, std::string>> fields() const;
     // `implementation`: the member of a result record.
     bool fits(const nlohmann::json& implementation, const std::string& for_pass) const;
   };

@@ -380,6 +380,33 @@ TEST_F(CommandLine, BaselineDecidesWhatIsRed) {
   EXPECT_NE(bad.text.find("drill-flakes.txt:5: '*' is no regular expression"), std::string::npos) << bad.text;
 }
 
+// A baseline is chosen by its header, and by name if no header fits.
+TEST_F(CommandLine, BaselineIsNamedAndChosen) {
+  const fs::path folder = folder_ / "baseline";
+  const auto run = [&](const std::string& baseline, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f", "--baseline", baseline});
+    return drill("lenient", more);
+  };
+  EXPECT_EQ(run(folder.string(), {"--write-baseline"}).code, 0);
+  EXPECT_NE(run(folder.string()).text.find("baseline: drill (--baseline NAME, DIR or none chooses another)"),
+            std::string::npos);
+
+  std::stringstream text;
+  text << std::ifstream(folder / "drill-fails.txt").rdbuf();
+  const std::string own = text.str(), first = "# vendor: ";
+  ASSERT_TRUE(own.starts_with(first)) << own;
+  std::ofstream(folder / "drill-fails.txt") << first << "somebody else" << own.substr(own.find('\n'));
+  const Outcome other = run(folder.string());
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.text.find("baseline: none; --baseline DIR --write-baseline"), std::string::npos)
+      << other.text;
+  EXPECT_EQ(run((folder / "drill").string()).code, 0);
+
+  const Outcome absent = run((folder / "absent").string());
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_NE(absent.text.find("not a directory, a baseline in a directory"), std::string::npos) << absent.text;
+}
+
 TEST_F(CommandLine, ShuffledRunsDecideTheSame) {
   const auto names = [](const json& result) {
     std::vector<std::string> all;
