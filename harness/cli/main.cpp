@@ -16,8 +16,19 @@
 #include "harness/runner/baseline.h"
 #include "harness/runner/events.h"
 
+namespace {
+
+// CLI11 2.5 and newer join the lines of a footer into paragraphs, which would destroy the examples in it.
+void keep_lines_of_footers(auto& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+    formatter.enable_footer_formatting(false);
+}
+
+}  // namespace
+
 int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators"};
+  keep_lines_of_footers(*app.get_formatter());
   app.footer(
       "'evalcts COMMAND --help' shows the options of a command with examples.\n"
       "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something\n"

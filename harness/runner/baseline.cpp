@@ -317,8 +317,10 @@ Baseline Baseline::composed(std::vector<BaselineFiles> parts) {
       if (entry.status == "Pass") {
         baseline.entries_.erase(test);
       } else {
-        baseline.entries_[test].status = entry.status;
-        baseline.entries_[test].reason = entry.reason;
+        Entry& composed = baseline.entries_[test];
+        if (composed.status != entry.status) composed.signatures.clear();  // those of the other status
+        composed.status = entry.status;
+        composed.reason = entry.reason;
       }
     }
     for (const auto& [test, by_depth] : part.signatures)

@@ -275,6 +275,7 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
   const Baseline softpipe = find(implementation("softpipe", "4.5 Mesa 25.0.7"));
   EXPECT_EQ(softpipe.name(), "mesa with mesa.softpipe");
   EXPECT_EQ(softpipe.entries().at("A.C").status, "Crash");
+  EXPECT_TRUE(softpipe.entries().at("A.C").signatures.empty());  // the base's are those of a failure
   EXPECT_EQ(softpipe.entries().count("A.S"), 1u);
   EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn
   EXPECT_NE(softpipe.flake("F.x"), nullptr);
