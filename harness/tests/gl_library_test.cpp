@@ -64,10 +64,20 @@ TEST_F(GlLibrary, OSMesaContexts) {
 }
 
 // What is measured through captures is what single calls gave: replays give the same bits.
-TEST_F(GlLibrary, ErrorsAreMeasuredAndReplayed) {
-  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+// The real libraries here that draw without a window system.
+class OffScreenLibraries : public GlLibrary, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    if (!available(GetParam())) GTEST_SKIP() << GetParam() << " is not available";
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, OffScreenLibraries, testing::Values("osmesa", "egl"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
   const Outcome outcome =
-      evalcts({"ulp", "--implementation", "osmesa", "--values", "700", "--target", "vertex_4", "--target",
+      evalcts({"ulp", "--implementation", GetParam(), "--values", "700", "--target", "vertex_4", "--target",
                "texture_coord_1", "--filter", "curve/6/ordinary:surface/4x4/lines", "--output", folder_});
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   std::ifstream file(folder_ / "ulp.json");
@@ -86,10 +96,9 @@ TEST_F(GlLibrary, ErrorsAreMeasuredAndReplayed) {
 }
 
 // A sweep calls the library without a case in between: it sees what a case sees.
-TEST_F(GlLibrary, EveryFloatOfAnIntervalIsMeasured) {
-  if (!available("osmesa")) GTEST_SKIP() << "no OSMesa here";
+TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
   const fs::path file = folder_ / "sweep.json";
-  const std::vector<std::string> map = {"--implementation", "osmesa",    "--orders", "4",
+  const std::vector<std::string> map = {"--implementation", GetParam(),  "--orders", "4",
                                         "--points",         "1,-1,2,0.5"};
   std::vector<std::string> arguments = {"ulp",  "--sweep", "--from",       "0.5",
                                         "--to", "0.52",    "--checkpoint", file};
