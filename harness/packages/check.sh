@@ -5,7 +5,7 @@ set -euo pipefail
 packages=$1
 fail() { echo "$*" >&2; exit 1; }
 work=$(mktemp -d)
-# shellcheck source=/dev/null
+# shellcheck source-path=SCRIPTDIR source=../../packaging/clean-root.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/../../packaging/clean-root.sh"
 trap 'remove_root "$work"' EXIT
 # shellcheck source=/dev/null
@@ -29,6 +29,7 @@ inside sh -c 'DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-re
   >"$work/log" 2>&1 || { cat "$work/log"; fail "the package of the library cannot be installed"; }
 # The first program of its README.
 awk '/^```/ { if (on) exit; on = /^```c$/; next } on' "$root/usr/share/doc/glevaluator/README.md" >"$root/tmp/curve.c"
+# shellcheck disable=SC2016 # the shell in the root expands it
 inside sh -c 'cd /tmp && cc curve.c -o curve $(pkg-config --cflags --libs glevaluator) && ./curve' | tail -n 1 | grep -qx '4 0 0\|2 1.5 0' ||
   fail "the program of the README prints something else"
 inside sh -c 'apt-get -qq remove evalcts libglevaluator-dev >/dev/null && ! ls /usr/bin/evalcts* /usr/include/gleval* 2>/dev/null' ||

@@ -308,12 +308,17 @@ script dnf </dev/null
 evalcts run
 exits 2
 says "Fedora's packages, as far as their names are known (untested):"
-check "the line" grep -qE "^  sudo dnf install .*gcc-c\+\+ .*json-devel" <<<"$output"
+check "the line" grep -qxF "  sudo dnf install boost-devel cli11-devel cmake fmt-devel gcc-c++ google-highway-devel gtest-devel \
+json-devel libglvnd-devel mesa-libEGL-devel ninja-build xorg-x11-server-Xvfb" <<<"$output"
 rm "$bin/dnf"
 script pacman </dev/null
 evalcts run
 exits 2
-check "the line" grep -qE "^  sudo pacman -S --needed .*nlohmann-json" <<<"$output"
+check "the line" grep -qxF "  sudo pacman -S --needed boost cli11 cmake fmt gcc gtest highway libglvnd mesa ninja nlohmann-json \
+xorg-server-xvfb" <<<"$output"
+rm "$machine/no-configure"
+evalcts run
+exits 7
 called_not "configure clang"
 
 scenario "a distribution that is too old"
@@ -327,9 +332,20 @@ scenario "a compiler that is too old"
 echo "$required libosmesa6 xvfb" | tr ' ' '\n' >"$machine/installed"
 touch "$machine/no-configure"
 sed -i 's/CMake Error: no Boost/The compiler is too old: GCC 10/' "$bin/cmake"
+mkdir -p "$tree/build/release"
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$tree" >"$tree/build/release/CMakeCache.txt"
 evalcts run
 exits 2
 says "The compiler is too old: GCC 10"
+check "the next call may choose another compiler" test ! -e "$tree/build/release/CMakeCache.txt"
+
+scenario "a CMake that is too old"
+install_all
+touch "$machine/no-configure"
+sed -i 's/CMake Error: no Boost/CMake 3.25 or higher is required.  You are running version 3.22/' "$bin/cmake"
+evalcts run
+exits 2
+says "or higher is required"
 
 scenario "EVALCTS_ASSUME_DEPENDENCIES"
 EVALCTS_ASSUME_DEPENDENCIES=1 evalcts run
@@ -541,6 +557,66 @@ called_not "ctest"
 touch "$machine/unstable"
 evalcts test --preset stability
 exits 1
+
+scenario "test: C++23"
+install_all
+evalcts test --preset cxx23
+exits 0
+calls_are "configure cxx23;build cxx23 all;ctest --preset cxx23 in a tree;"
+
+# The script that makes clean roots: its exit code for a suite is in root-SUITE, 0 without.
+clean_roots() {
+  mkdir "$tree/packaging"
+  { echo '#!/usr/bin/env bash'; echo "machine='$machine'"; cat; } >"$tree/packaging/clean-root.sh" <<'X'
+echo "clean-root $*" >>"$machine/calls"
+echo "the output of $1"
+exit "$(cat "$machine/root-$1" 2>/dev/null || echo 0)"
+X
+  chmod +x "$tree/packaging/clean-root.sh"
+}
+
+scenario "test: clean roots of Debian's releases"
+install_all
+clean_roots
+evalcts test --preset debian-12 --preset debian-13 --preset debian-unstable
+exits 0
+calls_are "clean-root bookworm;clean-root trixie;clean-root sid;"
+for stage in debian-12 debian-13; do check "$stage passed" grep -qE "^$stage +passed +[0-9]+ s$" <<<"$output"; done
+check "unstable is reported" grep -qE "^debian-unstable +reported: passed +[0-9]+ s$" <<<"$output"
+check "a log" grep -qxF "the output of trixie" "$tree/build/debian-13.log"
+echo 1 >"$machine/root-sid"
+evalcts test --preset debian-unstable
+exits 0
+check "unstable is reported" grep -qE "^debian-unstable +reported: FAILED +[0-9]+ s$" <<<"$output"
+says "  the output of sid"
+echo 1 >"$machine/root-trixie"
+evalcts test --preset debian-13
+exits 1
+check "debian-13 failed" grep -qE "^debian-13 +FAILED +[0-9]+ s$" <<<"$output"
+echo 143 >"$machine/root-trixie" # ended by a signal
+evalcts test --preset debian-13
+exits 1
+echo 3 >"$machine/root-trixie"
+evalcts test --preset debian-13
+exits 3
+check "debian-13 did not build" grep -qE "^debian-13 +did not build +[0-9]+ s$" <<<"$output"
+
+scenario "test: no clean root can be made"
+install_all
+clean_roots
+for suite in bookworm trixie sid; do echo 77 >"$machine/root-$suite"; done
+evalcts test --preset debian-12
+exits 2
+says "  the output of bookworm"
+check "debian-12 is left out" grep -qE "^debian-12 +left out: no clean root could be made" <<<"$output"
+evalcts test --preset debian-unstable
+exits 0
+# Without the stages that this machine has no tools for.
+sed -i 's/^stages_all=(.*/stages_all=(release/' "$tree/evalcts"
+evalcts test --all
+exits 0
+for stage in debian-12 debian-13; do check "$stage is left out" grep -qE "^$stage +left out: no clean root" <<<"$output"; done
+check "unstable is left out" grep -qE "^debian-unstable +reported: left out: no clean root" <<<"$output"
 
 ((failures == 0)) && echo "all scenarios passed"
 exit $((failures > 0))
