@@ -78,7 +78,7 @@ printf '%s\n' "${@%=*}" | awk -v verb="$verb" '
 X
   : >"$machine/versions" # of packages that the distribution offers; 99 if a package is not in it
   script dpkg <<'X'
-[[ $2 != "$4" && $(printf '%s\n' "$2" "$4" | sort -V | head -n 1) == "$2" ]]
+[[ $3 == lt && $2 != "$4" && $(printf '%s\n' "$2" "$4" | sort -V | head -n 1) == "$2" ]]
 X
   script apt-get <<'X'
 if [[ " $* " == *" --simulate "* ]]; then
