@@ -308,14 +308,16 @@ script dnf </dev/null
 evalcts run
 exits 2
 says "Fedora's packages, as far as their names are known (untested):"
-check "the line" grep -qxF "  sudo dnf install boost-devel cli11-devel cmake fmt-devel gcc-c++ google-highway-devel gtest-devel \
-json-devel libglvnd-devel mesa-libEGL-devel ninja-build xorg-x11-server-Xvfb" <<<"$output"
+check "the line" grep -qxF "  sudo dnf install gcc-c++ cmake ninja-build boost-devel gtest-devel cli11-devel json-devel \
+fmt-devel highway-devel libglvnd-devel mesa-libEGL-devel xorg-x11-server-Xvfb" <<<"$output"
+check "what has no name there" grep -qxF "  libkainjow-mustache-dev" <<<"$output"
+says_not nlohmann-json3-dev
 rm "$bin/dnf"
 script pacman </dev/null
 evalcts run
 exits 2
-check "the line" grep -qxF "  sudo pacman -S --needed boost cli11 cmake fmt gcc gtest highway libglvnd mesa ninja nlohmann-json \
-xorg-server-xvfb" <<<"$output"
+check "the line" grep -qxF "  sudo pacman -S --needed gcc cmake ninja boost gtest cli11 nlohmann-json fmt highway libglvnd \
+mesa xorg-server-xvfb" <<<"$output"
 rm "$machine/no-configure"
 evalcts run
 exits 7
