@@ -45,7 +45,7 @@ inside() {
 # Undoes the mounts and removes the folder.
 remove_root() { # folder
   local mounted
-  for mounted in dev/shm dev/pts dev proc; do umount --lazy "$1/root/$mounted" 2>/dev/null; done
+  for mounted in dev/shm dev/pts dev proc; do umount --lazy "$1/root/$mounted" 2>/dev/null || true; done
   rm -rf --one-file-system "$1"
 }
 
