@@ -157,8 +157,8 @@ nlohmann::json list_faults();
 // process well.
 std::string why_not(const std::string& implementation);
 
-// The implementations that `run` and `ulp` use unless told otherwise. If OSMesa does not start, egl takes its place,
-// and a line on standard output says so.
+// The implementations that `run` and `ulp` use unless told otherwise. If OSMesa does not start, egl takes its
+// place, and a line on standard output says so.
 std::vector<std::string> default_implementations();
 
 // Where this program, the suite programs and the usual output folder are.

@@ -9,7 +9,8 @@ namespace {
 
 const std::map<std::string, std::string>& examples() {
   static const std::map<std::string, std::string> all = {
-      {"run", R"(  evalcts run                                         # osmesa (or egl), production and reference
+      {"run",
+       R"(  evalcts run                                         # osmesa (or egl), production and reference
   evalcts run --library ./libOSMesa.so.8              # a library of your own
   evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
   evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once

@@ -33,7 +33,8 @@ struct RunRequest {
   std::string command;              // as the user typed it, for the record
   std::string program = "evalcts";  // how the user calls it, for the commands that a failure is shown with
   bool own_output = false;          // whether the user chose the output folder
-  // The baseline that fits states the tests that are not run, and the failures that are not investigated further.
+  // The baseline that fits states the tests that are not run, and the failures that are not investigated
+  // further.
   std::vector<BaselineFiles> baselines;
   std::string baseline;  // name of the base or overlay that the user chose; empty: the one that fits
   // The result of the pass with fresh contexts: this is the second pass, over one shared context.
