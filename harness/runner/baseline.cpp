@@ -130,7 +130,7 @@ void read_signatures(const fs::path& path, BaselineFiles& files) {
   }
 }
 
-// Files that are named in the header of an overlay.
+// Returns the files of this name; null if there are none.
 const BaselineFiles* find(const std::vector<BaselineFiles>& all, const std::string& name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& files) { return files.name == name; });
@@ -164,7 +164,6 @@ std::string signature_of(const json& test) {
 }
 
 // --- files
-// -----------------------------------------------------------------------------------------------------------
 
 std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields() const {
   std::vector<std::pair<std::string, std::string>> given = {
@@ -277,7 +276,6 @@ void BaselineFiles::write(const fs::path& folder) const {
 }
 
 // --- one implementation
-// ----------------------------------------------------------------------------------------------
 
 Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const json& implementation,
                             const std::string& pass, const std::string& chosen) {
@@ -407,7 +405,7 @@ std::vector<std::string> Baseline::stale_entries(const json& tests) const {
             fmt::format("{} (Pass in {}, but {} expects no failure)", test, part.name, parts_[0].name));
     }
     for (const auto& [test, by_depth] : part.signatures)
-      if (!entries_.contains(test))
+      if (std::ranges::none_of(parts_, [&](const auto& any) { return any.entries.contains(test); }))
         stale.insert(fmt::format("{} (in the signatures of {})", test, part.name));
     for (const auto& [patterns, kind] : {std::pair{&part.skips, "skips"}, {&part.flakes, "flakes"}})
       for (const Pattern& pattern : *patterns) {

@@ -238,7 +238,6 @@ TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
 }
 
 // --- overlays
-// --------------------------------------------------------------------------------------------------------
 
 class Overlays : public Baselines {
  protected:
@@ -317,6 +316,14 @@ TEST_F(Overlays, EntriesThatWithdrawNothingAreStale) {
             std::vector<std::string>{"A.S (Pass in mesa.softpipe, but mesa expects no failure)"});
 }
 
+// An entry that an overlay withdraws keeps its signature in the base.
+TEST_F(Overlays, SignaturesOfWithdrawnEntriesAreNotStale) {
+  const json tests = {
+      {"tests", {{{"name", "A.B"}}, {{"name", "A.C"}}, {{"name", "A.S"}}, {{"name", "F.x"}}}}};
+  EXPECT_EQ(find(implementation("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests),
+            std::vector<std::string>{});
+}
+
 // Writing an overlay leaves in it exactly what its base does not say.
 TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
   json result = record({test("A.B", "fail", {"x"}), test("A.C", "pass"), test("A.N", "fail", {"y"}),
@@ -342,7 +349,6 @@ TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
 }
 
 // --- versions
-// --------------------------------------------------------------------------------------------------------
 
 TEST(VersionRanges, CompareTheComponentsOfTheirBounds) {
   struct Case {

@@ -258,7 +258,7 @@ TEST_F(GlLibrary, DriverOfTheEnvironmentIsJudged) {
   }
 }
 
-// What points a GL to a driver that it does not find is part of the reason, with what the GL printed.
+// The reason names the variable that points a GL to a missing driver, and includes what the GL printed.
 TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
   const auto run_with = [&](const char* variable, const std::string& value, const char* implementation) {
     const Variable set(variable, value);

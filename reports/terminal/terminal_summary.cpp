@@ -198,7 +198,7 @@ void write_captures(Screen& screen, const Record& record) {
   }
 }
 
-// Which known failures were expected, and how to choose others.
+// Names the baseline whose failures were expected, and the option that chooses another one.
 void write_baseline(Screen& screen, const Record& record) {
   if (!record.baseline.empty())
     screen.whole_line(
