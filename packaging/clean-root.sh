@@ -77,5 +77,5 @@ if (($#)); then
   exit
 fi
 in_checkout ./evalcts run | tee "$work/run"
-grep -q '^nothing unexpected'"$work/run" || { echo "the output of ./evalcts run has no line 'nothing unexpected'" >&2; exit 1; }
+grep -q '^nothing unexpected' "$work/run" || { echo "the output of ./evalcts run has no line 'nothing unexpected'" >&2; exit 1; }
 in_checkout ./evalcts test
