@@ -2,8 +2,8 @@
 // good as the defects it catches.
 //
 // Most are wrappers around entry points, written with EVALCTS_FAULT in wrappers/, one file a section of the
-// requirements. What a wrapper cannot do is a switch inside a build of `production`
-// (production/src/faults.def).
+// requirements. What a wrapper cannot do is a mutation of the sources of `production`
+// (production/mutations/mutations.json).
 #pragma once
 
 #include <map>
@@ -29,7 +29,7 @@ struct Fault {
   Level level;                      // at which a test has to catch it
   std::string_view requirements;    // IDs (or halves, "ID/2-D") with blanks between: each betrayed by a test
   std::string_view what;            // the mistake, in words
-  void (*inject)(Injection&);       // null: a switch inside production
+  void (*inject)(Injection&);       // null: a mutation of production
 };
 
 // The entry points without the fault.
@@ -45,7 +45,7 @@ struct Memory {
 };
 inline Memory memory;
 
-// Wrappers and switches, by name.
+// Wrappers and mutations, by name.
 const std::vector<Fault>& all_faults();
 
 // Implementations for faults in what none at hand has, or follows.

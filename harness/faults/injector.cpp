@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness/faults/fault.h"
-#include "production/src/fault.h"
+#include "production/mutations/mutation.h"
 
 namespace evalcts::faults {
 namespace {
@@ -15,20 +15,26 @@ std::vector<Fault>& wrappers() {
   return all;
 }
 
-// The faults that are switches, in the order of glev::Fault.
-std::vector<Fault> switches() {
-  return {
-#define GLEV_FAULT(name, level, requirements, what) \
-  {#name, "production", Level::level, requirements, what, nullptr},
-#include "production/src/faults.def"
-#undef GLEV_FAULT
-  };
+// The mutations of the production library that tests of the suite detect, with their numbers in front. Those
+// without requirements are detected by production's own tests.
+const std::vector<std::pair<int, Fault>>& mutations() {
+  static const std::vector<std::pair<int, Fault>> all = [] {
+    std::vector<std::pair<int, Fault>> list;
+    int number = 0;
+#define GLEV_MUTATION(name, level, requirements, what, test) \
+  ++number;                                                  \
+  if (*requirements != '\0')                                 \
+    list.push_back({number, {#name, "production", Level::level, requirements, what, nullptr}});
+#include "mutation_list.h"
+#undef GLEV_MUTATION
+    return list;
+  }();
+  return all;
 }
 
-void activate_switch(std::string_view name) {
-  const std::vector<Fault> all = switches();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].name == name) glev::active_fault = static_cast<glev::Fault>(i + 1);
+void activate_mutation(std::string_view name) {
+  for (const auto& [number, fault] : mutations())
+    if (fault.name == name) glev::active_mutation = number;
 }
 
 // What a fault does to a context.
@@ -87,7 +93,7 @@ FaultRegistration::FaultRegistration(const Fault& fault) { wrappers().push_back(
 const std::vector<Fault>& all_faults() {
   static const std::vector<Fault> sorted = [] {
     std::vector<Fault> all = wrappers();
-    for (const Fault& fault : switches()) all.push_back(fault);
+    for (const auto& [number, fault] : mutations()) all.push_back(fault);
     std::ranges::sort(all, {}, &Fault::name);
     const auto twice = std::ranges::adjacent_find(all, {}, &Fault::name);
     if (twice != all.end()) throw std::logic_error(fmt::format("two faults are called {}", twice->name));
@@ -100,7 +106,7 @@ std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner
   const auto found = std::ranges::find(all_faults(), name, &Fault::name);
   if (found == all_faults().end()) throw CannotStart(fmt::format("there is no fault '{}'", name));
   if (found->inject) return std::make_unique<Faulty>(std::move(inner), *found);
-  activate_switch(name);
+  activate_mutation(name);
   return inner;
 }
 

@@ -10,7 +10,6 @@
 #include "production/src/normal_kernels.h"
 #include "production/src/plan.h"
 #include "production/src/resolve.h"
-#include "production/src/row.h"
 
 namespace {
 
@@ -182,10 +181,10 @@ void EvaluateInDouble(const glev::PreparedMap& map, const Output& output, const 
 
 template <class U, class V>
 void EvaluateNormals(const glev_plan& plan, const Output& output, const U& u, const V& v) {
-  glev::Row row(plan);
+  glev::NormalRow row(plan);
   ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
     row.MoveTo(at_v);
-    const std::array<float, 3> normal = row.NormalAt(at_u);
+    const std::array<float, 3> normal = row.At(at_u);
     return std::array<double, 4>{normal[0], normal[1], normal[2], 0};
   });
 }

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "production/src/binomials.h"
-#include "production/src/fault.h"
 
 namespace glev {
 namespace {
@@ -36,17 +35,16 @@ struct Step {
 Step StepOf(const Parameter& at, int degree) {
   constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
   if (at.end != Parameter::End::kNeither) return {at.end, at.end == Parameter::End::kLast, 0, 1, 0};
-  const bool from_last = GLEV_FAULTY(AlwaysFromTheLastPoint) || std::fabs(at.t) <= std::fabs(at.s);
+  const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
   const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
   Step step = {at.end, from_last, smaller / larger, 1, 0};
-  if (GLEV_FAULTY(LinesInSteps) && degree == 1) step.ratio = std::round(256 * step.ratio) / 256;
   if (std::fabs(larger) < kPowerIsFinite || !std::isfinite(larger)) {
     step.power = Power(larger, degree);
   } else {
     int two = 0;
     const double significand = 2 * std::frexp(larger, &two);  // 1 <= |significand| < 2
     step.power = Power(significand, degree);
-    step.exponent = (GLEV_FAULTY(FarPowerTooLarge) ? two : two - 1) * degree;
+    step.exponent = (two - 1) * degree;
   }
   return step;
 }
@@ -62,13 +60,11 @@ void EvaluateSteps(const double* first, int count, int degree, const Step& step,
   for (int i = 0; i < count; ++i) {
     const double* point = step.from_last ? first + to_last : first;
     std::array<double, sizeof...(kComponent)> sum = {point[kComponent]...};
-    if (GLEV_FAULTY(ZeroPowerZeroIsZero) && step.end == Parameter::End::kFirst && degree == 0) sum = {};
     if (step.end == Parameter::End::kNeither) {
       for (int k = 0; k < degree; ++k) {
         point += next;
         ((sum[kComponent] = sum[kComponent] * step.ratio + point[kComponent]), ...);
       }
-      if (GLEV_FAULTY(WeightsOfVBelowOne) && count > 1) ((sum[kComponent] *= 1 - 0.01 * step.ratio), ...);
       ((sum[kComponent] *= step.power), ...);
       if (step.exponent != 0) ((sum[kComponent] = std::ldexp(sum[kComponent], step.exponent)), ...);
     }
@@ -97,18 +93,11 @@ void EvaluateCurves(const double* first, int components, int count, int degree, 
 
 void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
   const std::uint64_t* const row_u = Binomials(order[0] - 1);
-  const std::uint64_t* const row_v =
-      Binomials(order[GLEV_FAULTY(BinomialsOfUForV) && order[0] > order[1] ? 0 : 1] - 1);
-  const auto weight = [](std::uint64_t binomial) {
-    if (GLEV_FAULTY(BinomialMisprinted) && binomial == 462) return 426.0;  // 11 over 5
-    return static_cast<double>(GLEV_FAULTY(BinomialsIn32Bits) ? binomial & 0xFFFFFFFF : binomial);
-  };
+  const std::uint64_t* const row_v = Binomials(order[1] - 1);
   for (int i = 0; i < order[0]; ++i) {
-    const bool mistyped = GLEV_FAULTY(BinomialMistyped) && order[0] == 8 && i == 3;
-    const double in_u = weight(mistyped ? row_u[i] + 1 : row_u[i]);
+    const auto in_u = static_cast<double>(row_u[i]);
     for (int j = 0; j < order[1]; ++j) {
-      const bool narrow = GLEV_FAULTY(BinomialsOfVIn32Bits);
-      const double in_v = weight(narrow ? static_cast<std::uint32_t>(row_v[j]) : row_v[j]);
+      const auto in_v = static_cast<double>(row_v[j]);
       for (int k = 0; k < components; ++k) {
         *scaled++ = in_u * (in_v * *points++);
       }
@@ -117,13 +106,12 @@ void ScaleByBinomials(const double* points, std::array<int, 2> order, int compon
 }
 
 void Evaluate(const Curve& curve, const Parameter& at, double* result) {
-  if (GLEV_FAULTY(ConstantOutsideKeepsDefault) && curve.degree == 0 && at.t * at.s < 0) return;
   EvaluateCurves(curve.scaled, curve.components, 1, curve.degree, at, result);
 }
 
 Curve CurveAt(const Surface& surface, const Parameter& v, double* room) {
   const auto [degree_u, degree_v] = surface.degree;
-  const bool constant = degree_v == 0 || (GLEV_FAULTY(ConstantInUIgnoresV) && degree_u == 0);
+  const bool constant = degree_v == 0;
   if (!constant) EvaluateCurves(surface.scaled, surface.components, degree_u + 1, degree_v, v, room);
   return {degree_u, surface.components, surface.domain[0], constant ? surface.scaled : room};
 }

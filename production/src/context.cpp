@@ -7,7 +7,6 @@
 #include "production/src/command.h"
 #include "production/src/convert.h"
 #include "production/src/environment.h"
-#include "production/src/fault.h"
 
 using glev::Attribute;
 using glev::FindTarget;
@@ -80,7 +79,6 @@ glev_enum FindMapError(int dimension, glev_enum name, const std::array<glev::Map
   const int components = glev::kSlotTable[target.slot].components;
   for (int d = 0; d < dimension; ++d) {
     const auto& [u1, u2, stride, order] = directions[d];
-    if (GLEV_FAULTY(LastComponentOfStrideForgotten) && stride == 3 && components == 4) continue;
     if (order < 1 || order > glev::kMaxOrder || stride < components || u1 == u2) return GLEV_INVALID_VALUE;
   }
   return points == nullptr ? GLEV_INVALID_VALUE : GLEV_NO_ERROR;
@@ -94,18 +92,15 @@ void glev_context::DefineMap(int dimension, glev_enum name,
   const glev::DefaultEnvironment environment;
   const glev_enum error = FindMapError(dimension, name, directions, points);
   if (error != GLEV_NO_ERROR) return RecordError(error);
-  if (!(GLEV_FAULTY(ListDefinesInPrimitive) && list_depth_ > 0) && RefusedInPrimitive()) return;
-  const bool unit_counts = !(GLEV_FAULTY(ActiveTextureIgnoredInLists) && list_depth_ > 0);
-  if (active_unit_ != 0 && unit_counts) return RecordError(GLEV_INVALID_OPERATION);
+  if (RefusedInPrimitive()) return;
+  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
   const int slot = FindTarget(name).slot;
   const auto& [u, v] = directions;
   glev::Map& map = maps_[dimension - 1][slot];
-  const bool kept = GLEV_FAULTY(PlanKeptAtEqualOrder) && map.order(0) == u.order && map.order(1) == v.order;
   if (!map.Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
     return RecordError(GLEV_OUT_OF_MEMORY);
   }
-  if (GLEV_FAULTY(ListedMapKeepsPlan) && list_depth_ > 0) return;
-  if (eval_.enabled[dimension - 1][slot] && !kept) DropPlan(dimension);
+  if (eval_.enabled[dimension - 1][slot]) DropPlan(dimension);
 }
 
 template <class Real>
@@ -120,14 +115,13 @@ void glev_context::IssueDefineMap(int dimension, glev_enum name,
       const int components = glev::kSlotTable[FindTarget(name).slot].components;
       const auto& [u, v] = directions;
       glev::DefineMapCommand packed{dimension, name, directions};
-      packed.directions[0].stride = (GLEV_FAULTY(CompiledRowsByUOrder) ? u.order : v.order) * components;
+      packed.directions[0].stride = v.order * components;
       packed.directions[1].stride = components;
       const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
       void* memory = Compile(packed, values * sizeof(double));
       if (memory != nullptr) glev::CopyPoints(components, u, v, points, new (memory) double[values]);
     }
-    if (GLEV_FAULTY(DoublesNotExecutedWhileCompiling) && sizeof(Real) == sizeof(double)) return;
-    if (open_.mode == GLEV_COMPILE && !(GLEV_FAULTY(Map2ExecutedWhileCompiling) && dimension == 2)) return;
+    if (open_.mode == GLEV_COMPILE) return;
   }
   DefineMap(dimension, name, directions, points);
 }
@@ -198,9 +192,6 @@ void glev_context::SetEnabled(glev_enum cap, bool enabled) {
   if (RefusedInPrimitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
-  if (GLEV_FAULTY(DisabledMapStaysInPlan) && cap == GLEV_MAP1_COLOR_4 && !enabled) return;
-  if (GLEV_FAULTY(DisableOfTextureMapKeepsPlan) && cap == GLEV_MAP1_TEXTURE_COORD_4 && !enabled) return;
-  if (GLEV_FAULTY(DisableOfAutoNormalKeepsPlan) && cap == GLEV_AUTO_NORMAL && !enabled) return;
   DropPlan(FindTarget(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
 }
 
@@ -221,7 +212,7 @@ glev_plan* glev_context::CurrentPlan(int dimension) {
     const glev::DefaultEnvironment environment;
     plan = glev_plan::Create(
         allocator_, {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
-                     (dimension == 2 || GLEV_FAULTY(AutoNormalsOfCurves)) && eval_.auto_normal, kernels_});
+                     dimension == 2 && eval_.auto_normal, kernels_});
   }
   return plan;
 }
@@ -245,40 +236,32 @@ const glev_plan* glev_context::PlanToDraw(int dimension) {
 
 // Vertices within a callback: it has the staged one in its hands.
 void glev_context::EmitWithin(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                              const glev::Row* row) {
+                              const glev::NormalRow* row) {
   glev_vertex vertex = current_.values();
   EvaluateInto(plan, u, v, row, &vertex);
   Emit(vertex);
 }
 
 void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                          const glev::Row* row) {
+                          const glev::NormalRow* row) {
   if (callbacks_ > 0) return EmitWithin(plan, u, v, row);
   glev_vertex& vertex = current_.StagedFor(&plan);
   EvaluateInto(plan, u, v, row, &vertex);
-  if (GLEV_FAULTY(EvaluatedQStaysCurrent)) current_.Change().texcoord[0][3] = vertex.texcoord[0][3];
-  if (GLEV_FAULTY(ListLeaksTextureT) && list_depth_ > 0)
-    current_.Change().texcoord[0][1] = vertex.texcoord[0][1];
-  if (GLEV_FAULTY(ListLeaksAlpha) && list_depth_ > 0) current_.Change().color[3] = vertex.color[3];
-  if (GLEV_FAULTY(ListLeaksNormal) && list_depth_ > 0) current_.Change().normal[0] = vertex.normal[0];
-  if (GLEV_FAULTY(ListedMeshLeaksColor) && list_depth_ > 0 && in_mesh_)
-    current_.Change().color[0] = vertex.color[0];
   Emit(vertex);
 }
 
 inline void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                                       const glev::Row* row, glev_vertex* vertex) const {
+                                       const glev::NormalRow* row, glev_vertex* vertex) const {
   const glev::DefaultEnvironment environment;
   const auto evaluate = [&](Attribute attribute, float* values) {
-    row != nullptr ? row->ValuesAt(attribute, u, values) : glev::ValuesAt(plan, attribute, u, v, values);
+    glev::ValuesAt(plan, attribute, u, v, values);
   };
   evaluate(Attribute::kVertex, vertex->position);
   if (plan.has_vertices_only()) return;
   if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
-  if (plan.components(Attribute::kTexcoord) != 0)
-    evaluate(Attribute::kTexcoord, vertex->texcoord[GLEV_FAULTY(ActiveUnitIsFed) ? active_unit_ : 0]);
+  if (plan.components(Attribute::kTexcoord) != 0) evaluate(Attribute::kTexcoord, vertex->texcoord[0]);
   if (plan.automatic_normals()) {
-    CopyTo(vertex->normal, row->NormalAt(u));
+    CopyTo(vertex->normal, row->At(u));
   } else if (plan.components(Attribute::kNormal) != 0) {
     float values[4];
     evaluate(Attribute::kNormal, values);
@@ -286,20 +269,20 @@ inline void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument
   }
 }
 
-void glev_context::EmitRow(const glev::Row& row, const GridArgument& u) {
+void glev_context::EmitRow(const glev::NormalRow& row, const GridArgument& u) {
   EmitAt(row.plan(), u, row.v(), &row);
 }
 
-void glev_context::MoveTo(const GridArgument& v, glev::Row* row) {
+void glev_context::MoveTo(const GridArgument& v, glev::NormalRow* row) {
   const glev::DefaultEnvironment environment;
   row->MoveTo(v);
 }
 
 void glev_context::EvaluateAt(int dimension, const GridArgument& u, const GridArgument& v) {
-  if (!in_primitive_ || (GLEV_FAULTY(DeepListsDoNotEvaluate) && list_depth_ > 32)) return;
+  if (!in_primitive_) return;
   const glev_plan* plan = PlanToDraw(dimension);
   if (plan == nullptr) return;
-  if (plan->automatic_normals() || glev::IsPlain()) return EvaluateWithRow(*plan, u, v);
+  if (plan->automatic_normals()) return EvaluateWithRow(*plan, u, v);
   EmitAt(*plan, u, v, nullptr);
   // A callback may have ended the primitive, and the plan.
   if (plans_[dimension - 1] == plan && IsDirect(*plan)) direct_[dimension - 1] = plan;
@@ -312,7 +295,7 @@ bool glev_context::IsDirect(const glev_plan& plan) const {
 
 // Apart, for its large frame.
 void glev_context::EvaluateWithRow(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
-  glev::Row row(plan);
+  glev::NormalRow row(plan);
   MoveTo(v, &row);
   EmitRow(row, u);
 }
@@ -325,12 +308,9 @@ void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
   for (const Grid& direction : grid) {
     if (direction.segments <= 0) return RecordError(GLEV_INVALID_VALUE);
   }
-  if (GLEV_FAULTY(ListRefusesGridSilently) && list_depth_ > 0 && in_primitive_) return;
   if (RefusedInPrimitive()) return;
-  const bool kept = GLEV_FAULTY(MeshOnGridOfPlan) || (GLEV_FAULTY(ListedGridKeepsPlan) && list_depth_ > 0) ||
-                    (GLEV_FAULTY(MeshMissesNewV) && eval_.grid[dimension - 1][0] == grid[0]);
   eval_.grid[dimension - 1] = grid;
-  if (!kept) DropPlan(dimension);
+  DropPlan(dimension);
 }
 
 void glev_context::EvalPoint(int dimension, glev_int i, glev_int j) {
@@ -357,7 +337,7 @@ void glev_context::EvalMesh1(glev_enum mode, glev_int i1, glev_int i2) {
   const glev_plan* plan = PlanToDraw(1);
   if (plan == nullptr) return;
 
-  glev::Row row(*plan);
+  glev::NormalRow row(*plan);
   MoveTo({}, &row);
   MeshPrimitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
     for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, GridArgument{plan->grid(0), i});
@@ -372,7 +352,7 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
 
   const auto u = [&](std::int64_t i) { return GridArgument{plan->grid(0), i}; };
   const auto v = [&](std::int64_t j) { return GridArgument{plan->grid(1), j}; };
-  glev::Row row(*plan);
+  glev::NormalRow row(*plan);
   if (mode == GLEV_POINT) {
     MeshPrimitive(GLEV_POINTS, [&] {
       for (std::int64_t j = j1; j <= j2; ++j) {
@@ -396,8 +376,8 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
       });
     }
   } else {
-    glev::Row next(*plan);
-    glev::Row *lower = &row, *upper = &next;
+    glev::NormalRow next(*plan);
+    glev::NormalRow *lower = &row, *upper = &next;
     MoveTo(v(j1), lower);
     for (std::int64_t j = j1; j < j2; ++j) {
       MoveTo(v(j + 1), upper);
@@ -480,18 +460,13 @@ void glev_context::PopAttrib() {
     const glev::EvalAttributes before = eval_;
     eval_.enabled = saved.eval.enabled;
     eval_.auto_normal = saved.eval.auto_normal;
-    if ((saved.mask & GLEV_EVAL_BIT) != 0 || GLEV_FAULTY(EnableBitRestoresGrids))
-      eval_.grid = saved.eval.grid;
+    if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
     // What is as before keeps its plan.
     const auto changed = [&](int d) {
-      const bool grid_counts = !(GLEV_FAULTY(PopKeepsPlanOfGrid) && d == 1);
-      const bool enables_count = !(GLEV_FAULTY(PopKeepsPlanOfCurve) && d == 0);
-      return (enables_count && eval_.enabled[d] != before.enabled[d]) ||
-             (grid_counts && eval_.grid[d] != before.grid[d]);
+      return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
     };
     if (changed(0)) DropPlan(1);
-    if (changed(1) || (eval_.auto_normal != before.auto_normal && !GLEV_FAULTY(PopKeepsPlanOfNormals)))
-      DropPlan(2);
+    if (changed(1) || eval_.auto_normal != before.auto_normal) DropPlan(2);
   }
   if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_.Change() = saved.current;
   if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;

@@ -13,12 +13,11 @@
 #include "production/src/attributes.h"
 #include "production/src/current_vertex.h"
 #include "production/src/display_list.h"
-#include "production/src/fault.h"
 #include "production/src/list_table.h"
 #include "production/src/map.h"
+#include "production/src/normal.h"
 #include "production/src/parameter.h"
 #include "production/src/plan.h"
-#include "production/src/row.h"
 #include "production/src/target.h"
 
 namespace glev {
@@ -63,13 +62,8 @@ struct glev_context {
   template <class Command>
   void Issue(const Command& command) {
     if (IsCompiling()) {
-      const bool executes = open_.mode != GLEV_COMPILE;
-      if (GLEV_FAULTY(ExecutedMeshNotCompiled) && Command::kOpcode == glev::Opcode::kEvalMesh2 && executes)
-        return command.Run(*this);
       Compile(command);
-      if (GLEV_FAULTY(EnableExecutedWhileCompiling) && Command::kOpcode == glev::Opcode::kSetEnabled)
-        command.Run(*this);
-      if (!executes) return;
+      if (open_.mode == GLEV_COMPILE) return;
     }
     command.Run(*this);
   }
@@ -154,16 +148,16 @@ struct glev_context {
   // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
   const glev_plan* PlanToDraw(int dimension);
   // The evaluated vertex at u of the row.
-  void EmitRow(const glev::Row& row, const glev::GridArgument& u);
+  void EmitRow(const glev::NormalRow& row, const glev::GridArgument& u);
   // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
   void EmitAt(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-              const glev::Row* row);
+              const glev::NormalRow* row);
   void EmitWithin(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-                  const glev::Row* row);
+                  const glev::NormalRow* row);
   void EvaluateInto(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-                    const glev::Row* row, glev_vertex* vertex) const;
+                    const glev::NormalRow* row, glev_vertex* vertex) const;
   void EvaluateWithRow(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
-  static void MoveTo(const glev::GridArgument& v, glev::Row* row);
+  static void MoveTo(const glev::GridArgument& v, glev::NormalRow* row);
   void EvaluateAt(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.
   template <class Body>

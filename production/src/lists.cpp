@@ -6,7 +6,6 @@
 
 #include "production/src/command.h"
 #include "production/src/context.h"
-#include "production/src/fault.h"
 #include "production/src/list_offsets.h"
 
 using glev::DisplayList;
@@ -132,18 +131,13 @@ void glev_context::CallList(glev_uint name) {
   const DisplayList* found = lists_.Find(name);
   if (found == nullptr) return;
   const DisplayList list = *found;  // stays until the end: see RefusedWithLists
-  const bool in_primitive_before = in_primitive_;
   ++list_depth_;
   for (const std::byte* place = list.begin(); place != list.end();) {
     const auto& record = *std::launder(reinterpret_cast<const Record*>(place));
     const std::byte* payload = place + sizeof(Record);
     Run(*this, record.opcode, payload);
-    if (GLEV_FAULTY(InnerErrorEndsOuterList) && record.opcode == Opcode::kCallList && error_ != 0) break;
-    if (GLEV_FAULTY(BadMapEndsTheList) && record.opcode == Opcode::kError) break;
-    if (GLEV_FAULTY(BadMeshEndsTheList) && record.opcode == Opcode::kEvalMesh2 && error_ != 0) break;
     place = payload + record.units * glev::kListUnit;
   }
-  if (GLEV_FAULTY(ListEndsItsPrimitive) && in_primitive_ && !in_primitive_before) End();
   --list_depth_;
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "production/src/enclosure.h"
-#include "production/src/fault.h"
 #include "production/src/plan.h"
 
 namespace glev {
@@ -110,6 +109,8 @@ bool FromEnclosures(const PreparedMap& map, const GridArgument& u, const GridArg
 
 // ---- A row
 
+const PreparedMap& VerticesOf(const glev_plan& plan) { return plan.map(Attribute::kVertex); }
+
 // Sums of products with the weights of one direction: `count` of them, each over degree + 1 points.
 void Combine(const double* points, int components, int count, int degree, const double* weights, double scale,
              double* result) {
@@ -130,15 +131,12 @@ Vector UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u, std::array
   Scale(p_u);
   Scale(p_v);
   Vector a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
-  if (GLEV_FAULTY(WForgottenInV)) b = {p_v[0], p_v[1], p_v[2]};
-  if (GLEV_FAULTY(NormalTurnedByNegativeW) && p[3] < 0) a = {-a[0], -a[1], -a[2]};
   Scale(a);
   Scale(b);
   Vector m = Cross(a, b);
   Scale(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-  if (GLEV_FAULTY(ShortNormalsStay) && length < 0x1p-28) return m;
   for (double& x : m) x /= length;
   return m;
 }
@@ -196,11 +194,10 @@ void NormalWeights(int degree, double s, double t, double* weights) {
   for (int i = degree - 1; i >= 0; --i, power *= s) weights[i] *= power;
 }
 
-NormalRow::NormalRow(const glev_plan& plan) : plan_(plan) {}
-
 void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
   v_ = v;
-  const Surface& surface = plan_.surface(Attribute::kVertex);
+  if (!plan_.automatic_normals()) return;
+  const Surface& surface = VerticesOf(plan_).surface;
   const auto [n, m] = surface.degree;
   if (n == 0 || m == 0) return;
   const Parameter at = Locate(surface.domain[1], v);
@@ -220,7 +217,7 @@ void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
 }
 
 std::array<float, 3> NormalRow::At(const GridArgument& u) const {
-  const Surface& surface = plan_.surface(Attribute::kVertex);
+  const Surface& surface = VerticesOf(plan_).surface;
   const auto [n, m] = surface.degree;
   if (n == 0 || m == 0) return {0, 0, 0};
   const Parameter at = Locate(surface.domain[0], u);
@@ -253,7 +250,7 @@ std::array<float, 3> NormalRow::At(const GridArgument& u) const {
       return result;
     }
   }
-  if (FromEnclosures(plan_.map(Attribute::kVertex), u, v_, &result)) return result;
+  if (FromEnclosures(VerticesOf(plan_), u, v_, &result)) return result;
 
   const auto plainly = [&](const Surface& net, std::array<double, 4> value) {
     std::array<double, kMaxOrder * 4> room;

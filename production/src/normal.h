@@ -61,14 +61,19 @@ struct NormalBounds {
 
 NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest);
 
-// One row of normals: v stays. In the default environment.
+// One row of a plan: v is constant. What automatic normals need of v is computed once, by MoveTo. Needs the
+// default floating-point environment.
 class NormalRow {
  public:
-  explicit NormalRow(const glev_plan& plan);
-  // The points of kPoint only if they matter to normals, or are wanted.
+  explicit NormalRow(const glev_plan& plan) : plan_(plan) {}
+  // Computes nothing if the plan has no automatic normals. Computes the points of kPoint only if normals
+  // depend on them, or with_points is set.
   void MoveTo(const GridArgument& v, bool with_points = false);
 
-  // For each u.
+  const glev_plan& plan() const { return plan_; }
+  const GridArgument& v() const { return v_; }
+
+  // The unit normal at u. The plan must have automatic normals.
   std::array<float, 3> At(const GridArgument& u) const;
 
   // For the kernels: control points of the row, four values apart, and what bounds are multiplied with for

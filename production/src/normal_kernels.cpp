@@ -7,9 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "production/src/fault.h"
 #include "production/src/normal.h"
-#include "production/src/row.h"
 #include "production/src/triples.h"
 
 // As in kernels.cpp.
@@ -356,7 +354,6 @@ constexpr NamedMesh kNormalMeshes[] = {
 }  // namespace
 
 NormalMesh NormalMeshOf(const Kernels& kernels) {
-  if (IsPlain()) return nullptr;  // faults sit in Row
   for (const auto& [name, mesh] : kNormalMeshes) {
     if (std::strcmp(name, kernels.name) == 0) return mesh;
   }

@@ -7,7 +7,6 @@
 #include <glevaluator.h>
 
 #include "production/src/double_double.h"
-#include "production/src/fault.h"
 
 namespace glev {
 
@@ -46,20 +45,7 @@ struct Parameter {
 inline Parameter Locate(const Domain& domain, double u) {
   if (u == domain.u1) return {1, 0, Parameter::End::kFirst};
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
-  const double width =
-      GLEV_FAULTY(WidthWithoutSign) ? std::fabs(domain.u2 - domain.u1) : domain.u2 - domain.u1;
-  if (GLEV_FAULTY(QuotientsSubtracted)) {
-    const float t = static_cast<float>(u / width) - static_cast<float>(domain.u1 / width);
-    return {1 - t, t, Parameter::End::kNeither};
-  }
-  if (GLEV_FAULTY(SFromRoundedT)) {
-    const float t = static_cast<float>((u - domain.u1) / width);
-    return {1 - t, t, Parameter::End::kNeither};
-  }
-  if (GLEV_FAULTY(DivisionBeforeSubtraction)) {
-    const double t = static_cast<float>(u / width) - static_cast<float>(domain.u1 / width);
-    return {1 - t, t, Parameter::End::kNeither};
-  }
+  const double width = domain.u2 - domain.u1;
   return {(domain.u2 - u) / width, (u - domain.u1) / width, Parameter::End::kNeither};
 }
 
@@ -70,7 +56,6 @@ inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
   const double i = static_cast<double>(argument.index), n = grid.segments;
   if (i == 0 || grid.u1 == grid.u2) return Locate(domain, grid.u1);
   if (i == n) return Locate(domain, grid.u2);
-  if (GLEV_FAULTY(GridSpansDomain)) return {1 - i / n, i / n, Parameter::End::kNeither};
   if (grid.u1 == domain.u1 && grid.u2 == domain.u2) return {(n - i) / n, i / n, Parameter::End::kNeither};
   if (grid.u2 == domain.u1 && grid.u1 == domain.u2) return {i / n, (n - i) / n, Parameter::End::kNeither};
   // n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. Each of the differences is

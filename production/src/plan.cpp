@@ -4,8 +4,6 @@
 #include <cmath>
 #include <new>
 
-#include "production/src/fault.h"
-
 namespace {
 
 using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, glev::kSlots, glev::kSlotTable,
@@ -67,8 +65,6 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   std::array<int, kAttributes> winners;
   for (int a = 0; a < kAttributes; ++a) winners[a] = WinningSlot(static_cast<Attribute>(a), source.enabled);
   const int vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
-  const int vertex_3 = glev::SlotsOf(Attribute::kVertex).first;
-  const int normal_slot = GLEV_FAULTY(NormalOfVertex3) && source.enabled[vertex_3] ? vertex_3 : vertex_slot;
   const bool automatic_normals = source.automatic_normals && vertex_slot >= 0;
   if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
 
@@ -83,8 +79,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
   if (has_tangents) {
     for (const int direction : {0, 1}) {
-      const std::array<int, 2> order = TangentOrder(source.maps[normal_slot], direction);
-      bytes += BytesOf(ValuesOf(order, kSlotTable[normal_slot].components));
+      const std::array<int, 2> order = TangentOrder(source.maps[vertex_slot], direction);
+      bytes += BytesOf(ValuesOf(order, kSlotTable[vertex_slot].components));
     }
   }
 
@@ -104,12 +100,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const Map& map = source.maps[slot];
     const int components = kSlotTable[slot].components;
     const std::array<int, 2> order = {map.order(0), map.order(1)};
-    const double* points = map.points(GLEV_FAULTY(UndefinedTextureOfColor) && slot == 6 ? 0 : slot);
-    const int first = glev::SlotsOf(static_cast<Attribute>(a)).first;
-    const bool loser = GLEV_FAULTY(LoserGivesTheDomain) && source.enabled[first];
-    const Map& placed = source.maps[loser ? first : slot];
-    std::array<glev::Domain, 2> domain = {placed.domain(0), placed.domain(1)};
-    if (GLEV_FAULTY(OneDomainForAllMaps) && a > 0) domain = plan->maps_[0].surface.domain;
+    const double* points = map.points(slot);
+    const std::array<glev::Domain, 2> domain = {map.domain(0), map.domain(1)};
     double *const scaled = take(order, components), *const lowest = take(order, components);
     plan->maps_[a] =
         glev::PrepareMap(points, order, components, domain, scaled, lowest, take(order, components));
@@ -120,7 +112,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   plan->has_vertices_only_ = !automatic_normals;
   for (int a = 1; a < kAttributes; ++a) plan->has_vertices_only_ = plan->has_vertices_only_ && winners[a] < 0;
   const glev::PreparedMap& vertices = plan->map(Attribute::kVertex);
-  if (plan->has_vertices_only_ && vertices.is_direct && !glev::IsPlain()) {
+  if (plan->has_vertices_only_ && vertices.is_direct) {
     plan->direct_ = source.kernels->direct;
     if (glev::HasDirectMap(vertices)) {
       plan->direct_map_ = glev::DirectMapOf(vertices, take({4, 4}, 4));
@@ -131,15 +123,15 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   glev::NormalMajorants largest{};
   for (const int direction : {0, 1}) {
     if (!has_tangents) break;
-    const Map& map = source.maps[normal_slot];
+    const Map& map = source.maps[vertex_slot];
     const std::array<int, 2> order = TangentOrder(map, direction);
     if (order[direction] == 0) continue;
-    const int components = kSlotTable[normal_slot].components;
+    const int components = kSlotTable[vertex_slot].components;
     double* net = take(order, components);
-    Differences(map.points(normal_slot), {map.order(0), map.order(1)}, components, direction, net);
+    Differences(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
     largest[glev::kTangentU + direction] = Largest(net, count, components);
-    if (!GLEV_FAULTY(TangentsWithoutBinomials)) glev::ScaleByBinomials(net, order, components, net);
+    glev::ScaleByBinomials(net, order, components, net);
     plan->tangents_[direction] = {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }

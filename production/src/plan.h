@@ -86,3 +86,16 @@ struct glev_plan {
   std::array<glev::Surface, 2> tangents_;
   glev::NormalBounds normal_bounds_;
 };
+
+namespace glev {
+
+// Writes four values of an attribute that has a map, correctly rounded; components that the map does not have
+// are those of (0, 0, 0, 1). Needs the default floating-point environment.
+inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgument& u, const GridArgument& v,
+                     float* values) {
+  const PreparedMap& map = plan.map(attribute);
+  plan.kernels().point(map, u, v, values);
+  for (int k = map.surface.components; k < 4; ++k) values[k] = k == 3 ? 1 : 0;
+}
+
+}  // namespace glev

@@ -1,0 +1,23 @@
+// The switch of the mutated library, which tests of the tests link in place of the library to ship.
+// mutations.json lists the mutations; apply_mutations writes them into copies of production/src. At most one
+// is active at a time. Each copied source includes this file.
+#pragma once
+
+#include <cstdlib>
+
+namespace glev {
+
+// Number of the active mutation, counted from 1 in the order of mutations.json; 0 is the unmodified library.
+// Programs may set it before they create a context. The environment variable GLEV_MUTATION sets it from
+// outside.
+inline int active_mutation = [] {
+  const char* number = std::getenv("GLEV_MUTATION");
+  return number == nullptr ? 0 : std::atoi(number);
+}();
+
+// What a mutation of several places remembers from one to the other.
+inline int mutation_memory[256] = {};
+
+inline bool mutation_is(int number) { return active_mutation == number; }
+
+}  // namespace glev
