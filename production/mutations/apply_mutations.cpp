@@ -1,6 +1,6 @@
 // Writes the sources of the mutated library: copies of production/src with the mutations of mutations.json,
-// each behind a run-time switch (mutation.h), and mutation_list.h, the list of mutations for C++ programs. Runs
-// as a step of the build, so a mutation whose snippet is no longer in the sources stops the build of the
+// each behind a run-time switch (mutation.h), and mutation_list.h, the list of mutations for C++ programs. It
+// is a step of the build, so a mutation whose snippet is no longer in the sources stops the build of the
 // mutated library.
 #include <algorithm>
 #include <cctype>
@@ -15,7 +15,8 @@
 #include <string_view>
 #include <vector>
 
-// Included directly and not through harness/results/json.h, because production uses no other folder of the project.
+// Included directly and not through harness/results/json.h, because production uses no other folder of the
+// project.
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -144,7 +145,8 @@ std::string definition(const json& row) {
 void apply(const fs::path& mutations, const fs::path& from, const fs::path& to) {
   std::map<std::string, Source> sources;
   for (const fs::directory_entry& file : fs::directory_iterator(from))
-    sources.emplace(file.path().filename().string(), Source(file.path()));
+    if (file.path().extension() == ".h" || file.path().extension() == ".cpp")
+      sources.emplace(file.path().filename().string(), Source(file.path()));
   std::string definitions, errors;
   int number = 0;
   for (const json& row : json::parse(read(mutations))) {

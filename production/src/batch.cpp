@@ -7,7 +7,7 @@
 
 #include "production/src/environment.h"
 #include "production/src/kernels.h"
-#include "production/src/normal_kernels.h"
+#include "production/src/normal.h"
 #include "production/src/plan.h"
 #include "production/src/resolve.h"
 
@@ -335,10 +335,10 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(scratch) % kCacheLine;
   std::byte* const aligned = scratch + (unaligned == 0 ? 0 : kCacheLine - unaligned);
   const glev::MeshRange range = {plan->grid(0), plan->grid(1), mesh.i1, mesh.j1, columns, rows};
-  const glev::NormalMesh normals = glev::NormalMeshOf(plan->kernels());
+  const auto normals = plan->kernels().normals;
   Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
          &normal = outputs[static_cast<int>(Attribute::kNormal)];
-  if (plan->automatic_normals() && normals != nullptr && AreRecords(*plan, vertex, normal)) {
+  if (plan->automatic_normals() && AreRecords(*plan, vertex, normal)) {
     const glev::DefaultEnvironment environment;
     normals(*plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
     vertex.is_wanted = normal.is_wanted = false;
@@ -355,7 +355,6 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
         plan->kernels().mesh(map, range, mesh.precision == GLEV_FAST, to, aligned);
       },
       [&](const glev::Destination& to) {
-        if (normals == nullptr) return false;
         normals(*plan, range, to, false, aligned);
         return true;
       });

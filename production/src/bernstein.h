@@ -23,6 +23,14 @@ struct Surface {
   const double* scaled = nullptr;  // C(degree[0], i) * C(degree[1], j) * R_ij, v fastest
 };
 
+// Writes t^i s^(degree - i) for i from 0 to degree.
+inline void ScalarWeights(int degree, double s, double t, double* weights) {
+  weights[0] = 1;
+  for (int i = 1; i <= degree; ++i) weights[i] = weights[i - 1] * t;
+  double power = s;
+  for (int i = degree - 1; i >= 0; --i, power *= s) weights[i] *= power;
+}
+
 // scaled[i][j] = C(order[0] - 1, i) * C(order[1] - 1, j) * points[i][j], v fastest; orders from 1 to 64.
 // scaled may be points.
 void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled);

@@ -22,6 +22,11 @@ struct Enclosure {
 // is claimed where magnitudes are beyond 2^300 or 2^-300: then products of parts could leave the range.
 Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v);
 
+// The type of Enclose, and of what a set of kernels has in its place: for maps that have at least three
+// values behind the control points of a component.
+using Encloses = Enclosure (*)(const Component& component, double largest, const GridArgument& u,
+                               const GridArgument& v);
+
 // One direction of it: V is power times a Horner sum in ratio, from the last point or the first.
 struct PreparedDirection {
   bool from_last = false;

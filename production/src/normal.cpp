@@ -187,13 +187,6 @@ NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest)
   return bounds;
 }
 
-void NormalWeights(int degree, double s, double t, double* weights) {
-  weights[0] = 1;
-  for (int i = 1; i <= degree; ++i) weights[i] = weights[i - 1] * t;
-  double power = s;
-  for (int i = degree - 1; i >= 0; --i, power *= s) weights[i] *= power;
-}
-
 void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
   v_ = v;
   if (!plan_.automatic_normals()) return;
@@ -204,8 +197,8 @@ void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
   growth_ = at.is_sure ? Growth(at, m) : HUGE_VAL;
   if (!(growth_ < 0x1p40)) return;
   std::array<double, kMaxOrder> weights, weights_of_tangent;
-  NormalWeights(m, at.s, at.t, weights.data());
-  NormalWeights(m - 1, at.s, at.t, weights_of_tangent.data());
+  ScalarWeights(m, at.s, at.t, weights.data());
+  ScalarWeights(m - 1, at.s, at.t, weights_of_tangent.data());
   const auto& scale = plan_.normal_bounds().scale;
   const auto combine = [&](NormalNet net, const Surface& points, const auto& with) {
     Combine(points.scaled, points.components, points.degree[0] + 1, points.degree[1], with.data(), scale[net],
@@ -226,8 +219,8 @@ std::array<float, 3> NormalRow::At(const GridArgument& u) const {
   std::array<float, 3> result;
   if (growth < 0x1p40) {
     std::array<double, kMaxOrder> weights, weights_of_tangent;
-    NormalWeights(n, at.s, at.t, weights.data());
-    NormalWeights(n - 1, at.s, at.t, weights_of_tangent.data());
+    ScalarWeights(n, at.s, at.t, weights.data());
+    ScalarWeights(n - 1, at.s, at.t, weights_of_tangent.data());
     std::array<std::array<double, 4>, kNets> value;
     // The padding of rows counts as a component.
     if (is_rational) Combine(points(kPoint), 4, 1, n, weights.data(), 1, value[kPoint].data());

@@ -27,7 +27,7 @@
 // claimed but finite results.
 //
 // Every operation is an IEEE operation in a certain order, without fused ones, and the kernels of
-// normal_kernels.cpp do the same: the same bits on every instruction set.
+// normals-inl.h do the same: the same bits on every instruction set.
 #pragma once
 
 #include <array>
@@ -87,8 +87,5 @@ class NormalRow {
   double growth_ = HUGE_VAL;
   std::array<std::array<double, kMaxOrder * 4>, kNets> points_;
 };
-
-// t^i s^(degree-i) for i from 0 to degree; as the kernels do it.
-void NormalWeights(int degree, double s, double t, double* weights);
 
 }  // namespace glev

@@ -105,7 +105,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     double *const scaled = take(order, components), *const lowest = take(order, components);
     plan->maps_[a] =
         glev::PrepareMap(points, order, components, domain, scaled, lowest, take(order, components));
-    plan->maps_[a].encloses = glev::EnclosesOf(source.kernels->name);
+    plan->maps_[a].encloses = source.kernels->encloses;
   }
 
   plan->automatic_normals_ = automatic_normals;

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "production/src/bernstein.h"
-#include "production/src/enclosure_kernels.h"
+#include "production/src/enclosure.h"
 #include "production/src/exact.h"
 #include "production/src/parameter.h"
 

@@ -1,71 +1,25 @@
-// Compiled once for each instruction set. The operations of NormalRow in the same order, a lane a column; the
-// lanes where double does not do are left to it.
-#include "production/src/normal_kernels.h"
+// Automatic normals of meshes: the operations of NormalRow in the same order, a lane a column. The lanes for
+// which double is not precise enough are left to NormalRow.
+#if defined(GLEVALUATOR_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_NORMALS_INL_H_
+#undef GLEVALUATOR_NORMALS_INL_H_
+#else
+#define GLEVALUATOR_NORMALS_INL_H_
+#endif
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
-#include <limits>
 
-#include "production/src/normal.h"
+#include "production/src/mesh-inl.h"
+#include "production/src/plan.h"
 #include "production/src/triples.h"
-
-// As in kernels.cpp.
-#define HWY_IS_DEBUG_BUILD 0
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "production/src/normal_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 namespace normals {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Doubles = hn::CappedTag<double, 8>;
-using Vector = hn::Vec<Doubles>;
-constexpr Doubles kDoubles;
-constexpr std::size_t kLanes = hn::MaxLanes(kDoubles);
-constexpr hn::Rebind<float, Doubles> kHalves;
-constexpr std::size_t kUnroll = 2;
-constexpr std::size_t kStep = kUnroll * kLanes;
-
-// t and s of the columns, NaN where they are outside the domain or not sure.
-void PlaceColumns(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
-                  double* s) {
-  const Grid& grid = range.u;
-  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1;
-  if (grid.u1 == domain.u1 && grid.u2 == domain.u2 && range.i1 >= 0 && i2 <= grid.segments) {
-    const Vector segments = hn::Set(kDoubles, grid.segments);
-    for (std::size_t c = 0; c < padded; c += kLanes) {
-      const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
-      hn::Store(hn::Div(index, segments), kDoubles, t + c);
-      hn::Store(hn::Div(hn::Sub(segments, index), segments), kDoubles, s + c);
-    }
-    return;
-  }
-  for (std::size_t c = 0; c < padded; ++c) {
-    const std::size_t column = std::min(c, range.columns - 1);
-    const Parameter at = Locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
-    const bool is_inside = at.is_sure && Growth(at, degree) == 1;
-    t[c] = is_inside ? at.t : std::numeric_limits<double>::quiet_NaN();
-    s[c] = at.s;
-  }
-}
-
-// NormalWeights
-HWY_INLINE void StoreWeights(int degree, Vector s, Vector t, std::size_t padded, double* weights) {
-  Vector column[kMaxOrder];
-  column[0] = hn::Set(kDoubles, 1);
-  for (int i = 1; i <= degree; ++i) column[i] = hn::Mul(column[i - 1], t);
-  Vector power = s;
-  for (int i = degree - 1; i >= 0; --i, power = hn::Mul(power, s)) column[i] = hn::Mul(column[i], power);
-  for (int i = 0; i <= degree; ++i) hn::Store(column[i], kDoubles, weights + i * padded);
-}
 
 template <std::size_t kCount>
 struct Block {
@@ -113,8 +67,6 @@ HWY_INLINE Block<3> OfQuotient(const Block<4>& p, const Block<4>& derivative) {
   return result;
 }
 
-using Half = hn::Vec<decltype(kHalves)>;
-
 #if HWY_MAX_BYTES >= 32
 constexpr bool kHasRecords = true;
 
@@ -158,6 +110,55 @@ HWY_NOINLINE void ForOthers(D d, hn::Mask<D> mask, std::size_t count, const Func
   }
 }
 
+// Unit vectors along a x b as floats, and the lanes in which double is precise enough for them.
+struct UnitNormals {
+  HWY_INLINE UnitNormals(const Block<3>& a, const Block<3>& b, const NormalBounds& bounds) {
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      Vector m[3];
+      for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        m[k] = Difference(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
+      }
+      const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
+      sure[part] = hn::Ge(square, hn::Set(kDoubles, bounds.least_square));
+      const Vector inverse = hn::Div(hn::Set(kDoubles, 1), hn::Sqrt(square));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto is_known = hn::Gt(hn::Abs(m[k]), hn::Set(kDoubles, bounds.error[k]));
+        value[part][k] = hn::DemoteTo(kHalves, hn::IfThenElseZero(is_known, hn::Mul(m[k], inverse)));
+      }
+    }
+  }
+
+  Half value[kUnroll][3];
+  hn::Mask<Doubles> sure[kUnroll];
+};
+
+// Vertices as floats, and the lanes in which all components are correctly rounded.
+struct Positions {
+  HWY_INLINE Positions(const Block<3>& at, const PreparedMap::Test& test) {
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      settled[part] = hn::Eq(hn::Zero(kHalves), hn::Zero(kHalves));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector error = hn::Set(kDoubles, test.error[k]);
+        const Half least = hn::DemoteTo(kHalves, hn::Sub(at.value[k][part], error));
+        value[part][k] = hn::DemoteTo(kHalves, hn::Add(at.value[k][part], error));
+        settled[part] = hn::And(settled[part], hn::Eq(least, value[part][k]));
+      }
+    }
+  }
+
+  Half value[kUnroll][3];
+  hn::Mask<decltype(kHalves)> settled[kUnroll];
+};
+
+HWY_INLINE void StoreNormals(const Half (&normal)[3], float* to) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int k = 0; k < 3; ++k) to[k] = hn::GetLane(normal[k]);
+#else
+  hn::StoreInterleaved3(normal[0], normal[1], normal[2], kHalves, to);
+#endif
+}
+
 // The degree in u, if known when this is compiled.
 template <bool kRational, bool kVertices, int kDegree>
 void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
@@ -166,20 +167,14 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
   const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
   double *const weights_of_tangent = weights + (n + 1) * padded, *const t = weights_of_tangent + n * padded,
                 *const s = t + padded;
-  PlaceColumns(surface.domain[0], range, n, padded, t, s);
+  // Inside the domain growth is exactly 1; outside it is larger than that limit.
+  PlaceColumns(surface.domain[0], range, n, 1 + 0x1p-20, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
     const Vector at_s = hn::Load(kDoubles, s + c), at_t = hn::Load(kDoubles, t + c);
     StoreWeights(n, at_s, at_t, padded, weights + c);
     StoreWeights(n - 1, at_s, at_t, padded, weights_of_tangent + c);
   }
 
-  const NormalBounds& bounds = plan.normal_bounds();
-  const Vector least_square = hn::Set(kDoubles, bounds.least_square), one = hn::Set(kDoubles, 1);
-  Vector error[3];
-  for (std::size_t k = 0; k < 3; ++k) error[k] = hn::Set(kDoubles, bounds.error[k]);
-  const PreparedMap& map = plan.map(Attribute::kVertex);
-  Vector vertex_error[3];
-  for (std::size_t k = 0; k < 3; ++k) vertex_error[k] = hn::Set(kDoubles, map.test.error[k]);
   constexpr std::size_t kValues = kVertices ? 6 : 3;
   const std::size_t before = (kValues - 3) * sizeof(float);
   NormalRow row(plan);
@@ -221,47 +216,17 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
         a = Sum<3>(p_u, n - 1, weights_of_tangent + c, padded);
         b = Sum<3>(p_v, n, weights + c, padded);
       }
-      hn::Mask<Doubles> sure[kUnroll];
-      Half normal[kUnroll][3];
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        Vector m[3];
-        for (int k = 0; k < 3; ++k) {
-          const int i = (k + 1) % 3, j = (k + 2) % 3;
-          m[k] = Difference(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
-        }
-        const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
-        sure[part] = hn::Ge(square, least_square);
-        const Vector inverse = hn::Div(one, hn::Sqrt(square));
-        for (int k = 0; k < 3; ++k) {
-          const Vector unit = hn::IfThenElseZero(hn::Gt(hn::Abs(m[k]), error[k]), hn::Mul(m[k], inverse));
-          normal[part][k] = hn::DemoteTo(kHalves, unit);
-        }
-      }
-      Half position[kUnroll][3];
-      hn::Mask<decltype(kHalves)> settled[kUnroll];
+      const UnitNormals normals(a, b, plan.normal_bounds());
+      [[maybe_unused]] hn::Mask<decltype(kHalves)> settled[kUnroll];
       if constexpr (kVertices) {
-        const Block<3> at = Sum<3, true>(p, n, weights + c, padded);
+        const Positions positions(Sum<3, true>(p, n, weights + c, padded), plan.map(Attribute::kVertex).test);
         for (std::size_t part = 0; part < kUnroll; ++part) {
-          settled[part] = hn::Eq(hn::Zero(kHalves), hn::Zero(kHalves));
-          for (int k = 0; k < 3; ++k) {
-            const Vector value = at.value[k][part];
-            const Half least = hn::DemoteTo(kHalves, hn::Sub(value, vertex_error[k]));
-            position[part][k] = hn::DemoteTo(kHalves, hn::Add(value, vertex_error[k]));
-            settled[part] = hn::And(settled[part], hn::Eq(least, position[part][k]));
-          }
+          settled[part] = positions.settled[part];
+          StoreRecords(positions.value[part], normals.value[part], results + part * kLanes * kValues);
         }
-      }
-      for (std::size_t part = 0; part < kUnroll; ++part) {
-        float* const here = results + part * kLanes * kValues;
-        if constexpr (kVertices) {
-          StoreRecords(position[part], normal[part], here);
-        } else {
-#if HWY_TARGET == HWY_SCALAR
-          for (int k = 0; k < 3; ++k) here[k] = hn::GetLane(normal[part][k]);
-#else
-          hn::StoreInterleaved3(normal[part][0], normal[part][1], normal[part][2], kHalves, here);
-#endif
-        }
+      } else {
+        for (std::size_t part = 0; part < kUnroll; ++part)
+          StoreNormals(normals.value[part], results + part * kLanes * kValues);
       }
       if (!in_place) {
         if (!kVertices && kStep % 4 == 0 && count == kStep) {
@@ -274,8 +239,8 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
       for (std::size_t part = 0; part < kUnroll; ++part) {
         const std::size_t begin = c + part * kLanes, end = c + count;
         const std::size_t left = end > begin ? end - begin : 0;
-        if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, sure[part])))
-          ForOthers(kDoubles, sure[part], left, [&](std::size_t lane) { put_normal(begin + lane); });
+        if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, normals.sure[part])))
+          ForOthers(kDoubles, normals.sure[part], left, [&](std::size_t lane) { put_normal(begin + lane); });
         if constexpr (kVertices) {
           if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled[part])))
             ForOthers(kHalves, settled[part], left, [&](std::size_t lane) { put_vertex(begin + lane); });
@@ -323,48 +288,8 @@ void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, 
   if (with_vertices) vertices_apart();
 }
 
-constexpr NormalMesh MakeNormalMesh() { return Mesh; }
-
 }  // namespace normals
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace glev {
-namespace {
-
-struct NamedMesh {
-  const char* name;  // of Kernels
-  NormalMesh mesh;
-};
-
-constexpr NamedMesh kNormalMeshes[] = {
-#if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
-    {"AVX3", N_AVX3::normals::MakeNormalMesh()},
-#endif
-#if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
-    {"AVX2", N_AVX2::normals::MakeNormalMesh()},
-#endif
-#if (HWY_TARGETS & HWY_SSE4) && HWY_STATIC_TARGET != HWY_SSE4
-    {"SSE4", N_SSE4::normals::MakeNormalMesh()},
-#endif
-    {"baseline", HWY_STATIC_DISPATCH(normals::MakeNormalMesh)()},
-};
-
-}  // namespace
-
-NormalMesh NormalMeshOf(const Kernels& kernels) {
-  for (const auto& [name, mesh] : kNormalMeshes) {
-    if (std::strcmp(name, kernels.name) == 0) return mesh;
-  }
-  return nullptr;
-}
-
-std::size_t NormalMeshScratch(int degree, std::size_t columns) {
-  constexpr std::size_t kWidest = 64;  // the step of any instruction set divides it
-  const std::size_t padded = (columns + kWidest - 1) / kWidest * kWidest;
-  return padded * sizeof(double) * (2 * static_cast<std::size_t>(degree) + 3);
-}
-
-}  // namespace glev
-#endif  // HWY_ONCE
+#endif  // GLEVALUATOR_NORMALS_INL_H_

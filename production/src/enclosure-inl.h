@@ -1,65 +1,57 @@
-// Compiled once for each instruction set. The bound is that of Enclose: sums take the same steps, in another
-// order, or, along a curve, a quarter of them in the fourth power of the ratio, whose error is at most that
-// of four ratios and three products.
-#include "production/src/enclosure_kernels.h"
+// Enclose with several control points at a time. The error bound is that of Enclose: sums take the same steps
+// in another order, or, along a curve, a quarter of them in the fourth power of the ratio, whose error is at
+// most that of four ratios and three products.
+#if defined(GLEVALUATOR_ENCLOSURE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_ENCLOSURE_INL_H_
+#undef GLEVALUATOR_ENCLOSURE_INL_H_
+#else
+#define GLEVALUATOR_ENCLOSURE_INL_H_
+#endif
 
-#include <array>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 #include "production/src/binomials.h"
-
-#define HWY_IS_DEBUG_BUILD 0
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "production/src/enclosure_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+#include "production/src/enclosure.h"
+#include "production/src/point-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 namespace enclosure {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Four = hn::CappedTag<double, 4>;
-constexpr Four kFour;
-constexpr std::size_t kLanes = hn::MaxLanes(kFour);
-using Vector = hn::Vec<Four>;
+constexpr std::size_t kWidth = hn::MaxLanes(kFour);
 
 // As DoubleDouble, with the same names and errors.
 struct Pairs {
-  Vector high, low;
+  FourVector high, low;
 };
 
 HWY_INLINE Pairs PairsOf(const DoubleDouble& x) { return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)}; }
 
-HWY_INLINE Pairs FastTwoSums(Vector x, Vector y) {
-  const Vector sum = hn::Add(x, y);
+HWY_INLINE Pairs FastTwoSums(FourVector x, FourVector y) {
+  const FourVector sum = hn::Add(x, y);
   return {sum, hn::Sub(y, hn::Sub(sum, x))};
 }
 
-HWY_INLINE Pairs TwoSums(Vector x, Vector y) {
-  const Vector sum = hn::Add(x, y), part = hn::Sub(sum, x);
+HWY_INLINE Pairs TwoSums(FourVector x, FourVector y) {
+  const FourVector sum = hn::Add(x, y), part = hn::Sub(sum, x);
   return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, part)), hn::Sub(y, part))};
 }
 
-HWY_INLINE Pairs TwoProducts(Vector x, Vector y) {
-  const Vector product = hn::Mul(x, y);
+HWY_INLINE Pairs TwoProducts(FourVector x, FourVector y) {
+  const FourVector product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA
   return {product, hn::MulSub(x, y, product)};
 #else
-  const auto split = [](Vector z) -> Pairs {
-    const Vector shifted = hn::Mul(z, hn::Set(kFour, 0x1p27 + 1)),
-                 high = hn::Sub(shifted, hn::Sub(shifted, z));
+  const auto split = [](FourVector z) -> Pairs {
+    const FourVector shifted = hn::Mul(z, hn::Set(kFour, 0x1p27 + 1)),
+                     high = hn::Sub(shifted, hn::Sub(shifted, z));
     return {high, hn::Sub(z, high)};
   };
   const Pairs a = split(x), b = split(y);
-  const Vector rest = hn::Add(hn::Add(hn::Sub(hn::Mul(a.high, b.high), product), hn::Mul(a.high, b.low)),
-                              hn::Mul(a.low, b.high));
+  const FourVector rest = hn::Add(hn::Add(hn::Sub(hn::Mul(a.high, b.high), product), hn::Mul(a.high, b.low)),
+                                  hn::Mul(a.low, b.high));
   return {product, hn::Add(rest, hn::Mul(a.low, b.low))};
 #endif
 }
@@ -71,7 +63,7 @@ HWY_INLINE Pairs Sums(const Pairs& x, const Pairs& y) {
 
 HWY_INLINE Pairs Products(const Pairs& x, const Pairs& y) {
   const Pairs product = TwoProducts(x.high, y.high);
-  const Vector cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
+  const FourVector cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
   return FastTwoSums(product.high, hn::Add(product.low, cross));
 }
 
@@ -101,7 +93,7 @@ DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
   const Pairs fourth = PairsOf(square * square);
   Row last;  // four sums of every fourth term, without its power below four
   const std::size_t end = RoundUp(degree + 1);
-  for (std::size_t lane = 0; lane < 4; lane += kLanes) {
+  for (std::size_t lane = 0; lane < 4; lane += kWidth) {
     Pairs sum = terms.At(end - 4 + lane);
     for (std::size_t i = end - 4; i != 0; i -= 4) sum = Sums(Products(sum, fourth), terms.At(i - 4 + lane));
     last.Put(lane, sum);
@@ -134,9 +126,9 @@ Enclosure EncloseAll(const Component& component, double largest, const GridArgum
     }
     const Pairs ratio = PairsOf(in_u.ratio);
     const int last = in_u.from_last ? n : 0, step = in_u.from_last ? -1 : 1;
-    for (std::size_t j = 0; j < padded; j += kLanes) {
+    for (std::size_t j = 0; j < padded; j += kWidth) {
       const auto term = [&](int i) {
-        const Vector point =
+        const FourVector point =
             hn::LoadU(kFour, component.points + static_cast<std::ptrdiff_t>(i) * order_v + j);
         return Products({point, hn::Zero(kFour)}, PairsOf(binomials[static_cast<std::size_t>(i)]));
       };
@@ -157,46 +149,12 @@ Enclosure EncloseAll(const Component& component, double largest, const GridArgum
     binomials.high[j] = binomial.high;
     binomials.low[j] = binomial.low;
   }
-  for (std::size_t j = 0; j < padded; j += kLanes) terms.Put(j, Products(terms.At(j), binomials.At(j)));
+  for (std::size_t j = 0; j < padded; j += kWidth) terms.Put(j, Products(terms.At(j), binomials.At(j)));
   return EnclosureOf(SumOf(terms, degree, along.ratio), {n, m}, in_u, in_v, largest);
 }
-
-constexpr Encloses MakeEncloses() { return EncloseAll; }
 
 }  // namespace enclosure
 }  // namespace glev::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-#if HWY_ONCE
-namespace glev {
-namespace {
-
-struct NamedEncloses {
-  const char* name;
-  Encloses encloses;
-};
-
-constexpr NamedEncloses kEncloses[] = {
-#if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
-    {"AVX3", N_AVX3::enclosure::MakeEncloses()},
-#endif
-#if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
-    {"AVX2", N_AVX2::enclosure::MakeEncloses()},
-#endif
-#if (HWY_TARGETS & HWY_SSE4) && HWY_STATIC_TARGET != HWY_SSE4
-    {"SSE4", N_SSE4::enclosure::MakeEncloses()},
-#endif
-    {"baseline", HWY_STATIC_DISPATCH(enclosure::MakeEncloses)()},
-};
-
-}  // namespace
-
-Encloses EnclosesOf(const char* name) {
-  for (const auto& [own, encloses] : kEncloses) {
-    if (std::strcmp(own, name) == 0) return encloses;
-  }
-  return Enclose;
-}
-
-}  // namespace glev
-#endif  // HWY_ONCE
+#endif  // GLEVALUATOR_ENCLOSURE_INL_H_

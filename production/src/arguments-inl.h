@@ -1,0 +1,63 @@
+// Arguments of curves and surfaces: loading them, and mapping them to the domain.
+#if defined(GLEVALUATOR_ARGUMENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_ARGUMENTS_INL_H_
+#undef GLEVALUATOR_ARGUMENTS_INL_H_
+#else
+#define GLEVALUATOR_ARGUMENTS_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "production/src/kernels.h"
+#include "production/src/vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+// What t and s are computed from.
+struct Place {
+  Place(const PreparedMap& map, int direction)
+      : u1(hn::Set(kDoubles, map.surface.domain[direction].u1)),
+        u2(hn::Set(kDoubles, map.surface.domain[direction].u2)),
+        width(hn::Sub(u2, u1)),
+        inverse(hn::Set(kDoubles, map.inverse_width[direction])),
+        scale(hn::Add(inverse, inverse)),
+        middle(hn::Mul(hn::Add(u1, u2), inverse)),
+        has_inverse(map.inverse_width[direction] != 0) {}
+  HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
+  HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
+  HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
+
+  // t - s where there is an inverse: it is a power of two, so that this is rounded once.
+  HWY_INLINE Vector X(Vector u) const { return hn::MulSub(u, scale, middle); }
+
+  // Of t and s.
+  int roundings() const { return has_inverse ? 1 : 3; }
+
+  Vector u1, u2, width, inverse, scale, middle;
+  bool has_inverse;  // that is exact
+};
+
+// The arguments from `begin` on, kStep of them; those from `count` on are the last one.
+HWY_INLINE void Fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
+  if (!input.is_double && input.stride == sizeof(float) && count == kStep) {
+    const auto* floats = reinterpret_cast<const float*>(input.data) + begin;
+    for (std::size_t i = 0; i < kStep; i += kLanes)
+      hn::Store(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + i)), kDoubles, arguments + i);
+    return;
+  }
+  for (std::size_t i = 0; i < kStep; ++i) arguments[i] = input[begin + std::min(i, count - 1)];
+}
+
+// t inside the domain, NaN elsewhere.
+HWY_INLINE Vector Inside(Vector t, Vector s) {
+  const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
+  return hn::IfThenElse(hn::Ge(hn::Min(t, s), hn::Zero(kDoubles)), t, nan);
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_ARGUMENTS_INL_H_

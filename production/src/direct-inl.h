@@ -1,0 +1,98 @@
+// Points of vertex maps for one call after another: without the set-up and the exact routes of Point.
+#if defined(GLEVALUATOR_DIRECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_DIRECT_INL_H_
+#undef GLEVALUATOR_DIRECT_INL_H_
+#else
+#define GLEVALUATOR_DIRECT_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "production/src/plan.h"
+#include "production/src/point-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+bool IsNearest(const PreparedMap::Probe& probe) {
+  using Two = hn::CappedTag<double, 2>;
+  constexpr Two kTwo;
+  bool is_nearest = true;
+  for (std::size_t i = 0; i < 2; i += hn::MaxLanes(kTwo)) {
+    const auto sum = hn::Add(hn::LoadU(kTwo, &probe.first[i]), hn::LoadU(kTwo, &probe.second[i]));
+    is_nearest &= hn::AllTrue(kTwo, hn::Eq(sum, hn::LoadU(kTwo, &probe.sum[i])));
+  }
+  return is_nearest;
+}
+
+// Stores the floats; whether the wanted ones are right.
+HWY_INLINE bool Settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
+                        float* result) {
+  unsigned settled = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto [low, high] = SidesOf(test, sum[part], part);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
+    settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
+    hn::StoreU(high, kFourFloats, result + part * hn::MaxLanes(kFour));
+  }
+  return (settled & wanted) == wanted;
+}
+
+bool Direct(const glev_plan& plan, double u, double v, float* position) {
+  const PreparedMap& map = plan.map(Attribute::kVertex);
+  const auto [n, m] = map.surface.degree;
+  const auto place = [&](int direction, double argument) -> Parameter {
+    const Domain& domain = map.surface.domain[direction];
+    const double width = domain.u2 - domain.u1;
+    return {(domain.u2 - argument) / width, (argument - domain.u1) / width, Parameter::End::kNeither};
+  };
+  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(0, u);
+  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(1, v);
+  if (!(at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0)) return false;
+  FourVector sum[kParts];
+  ValueAt(map, at_u, at_v, sum);
+  const int components = map.surface.components;
+  const bool settled = Settled(map.test, sum, (1U << components) - 1, position);
+  if (components == 3) position[3] = 1;
+  return settled && IsNearest(map.probe);
+}
+
+// Cubics in powers of x and y, in a domain that has an exact inverse of its width.
+template <bool kSurface>
+bool DirectCubic(const glev_plan& plan, double u, double v, float* position) {
+  const DirectMap& map = plan.direct_map();
+  const auto place = [&](int direction, double argument) {
+    const auto& [scale, middle] = map.place[direction];
+    return hn::MulSub(hn::Set(kFour, argument), hn::Set(kFour, scale), hn::Set(kFour, middle));
+  };
+  const FourVector x = place(0, u);
+  FourVector farthest = hn::Abs(x), y;
+  if constexpr (kSurface) {
+    y = place(1, v);
+    farthest = hn::Max(farthest, hn::Abs(y));
+  }
+  FourVector sum[kParts];
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const double* const centred = map.centred + part * hn::MaxLanes(kFour);
+    const auto cubic = [&](const double* first, FourVector at) {
+      FourVector value = hn::Load(kFour, first + 12);
+      for (int i = 2; i >= 0; --i) value = hn::MulAdd(value, at, hn::Load(kFour, first + 4 * i));
+      return value;
+    };
+    if constexpr (kSurface) {
+      sum[part] = cubic(centred + 48, y);
+      for (int i = 2; i >= 0; --i) sum[part] = hn::MulAdd(sum[part], x, cubic(centred + 16 * i, y));
+    } else {
+      sum[part] = cubic(centred, x);
+    }
+  }
+  const bool inside = hn::AllTrue(kFour, hn::Le(farthest, hn::Set(kFour, 1)));
+  return Settled(map.test, sum, 0xF, position) && inside && IsNearest(map.probe);
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_DIRECT_INL_H_

@@ -1,0 +1,247 @@
+// Meshes for GLEV_FAST, in float.
+#if defined(GLEVALUATOR_FAST_MESH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_FAST_MESH_INL_H_
+#undef GLEVALUATOR_FAST_MESH_INL_H_
+#else
+#define GLEVALUATOR_FAST_MESH_INL_H_
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "production/src/binomials.h"
+#include "production/src/mesh-inl.h"
+#include "production/src/sequence-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+using Floats = hn::CappedTag<float, 16>;
+constexpr Floats kFloats;
+constexpr std::size_t kFloatLanes = hn::MaxLanes(kFloats);
+constexpr std::size_t kFloatStep = kUnroll * kFloatLanes;
+
+template <int kComponents>
+HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float* to) {
+  if constexpr (kComponents == 1) hn::StoreU(values[0], kFloats, to);
+  if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kFloats, to);
+  if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kFloats, to);
+  if constexpr (kComponents == 4)
+    hn::StoreInterleaved4(values[0], values[1], values[2], values[3], kFloats, to);
+}
+
+// The weights of a fast mesh along u, of each degree `padded` apart.
+void FastWeights(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
+                 double* s, float* weights) {
+  PlaceColumns(domain, range, degree, kLargestGrowth, padded, t, s);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    Vector column[kMaxOrder];
+    WeightsOf(degree, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
+    for (int i = 0; i <= degree; ++i) {
+      const Vector binomial = hn::Set(kDoubles, static_cast<double>(Binomials(degree)[i]));
+      const Vector weight = hn::Mul(column[i], binomial);
+      // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
+      const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
+      hn::StoreU(hn::DemoteTo(kHalves, seen), kHalves, weights + static_cast<std::size_t>(i) * padded + c);
+    }
+  }
+}
+
+// The points of a row of a fast mesh, four values each, times the binomials.
+template <int kComponents>
+HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
+  double weights[kMaxOrder];
+  WeightsAt(map.surface.degree[1],
+            Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
+            weights);
+  RowOf<kComponents>(map.surface, weights, row);
+}
+
+// Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
+// together, those of degree 3, and cost 5 units of 2^-24 max|R|, x 3, and the sums 7.5, twice that without
+// fused operations; so the bound of GLEV_FAST, 6 n + 12, is kept. Ends of the domain, where neighbours meet,
+// are taken from the control points.
+constexpr int kMaxFastDegree = 3;
+
+// x of the columns. `t` and `s` are room for them.
+void FastPlaces(const Domain& domain, const MeshRange& range, std::size_t padded, double* t, double* s,
+                float* x) {
+  // Beyond that float has no room for each index.
+  constexpr std::int64_t kMostSegments = 1 << 20;
+  if (!Spans(range.u, domain) || range.u.segments > kMostSegments) {
+    PlaceColumns(domain, range, 1, kLargestGrowth, padded, t, s);
+    for (std::size_t c = 0; c < padded; c += kLanes) {
+      const Vector at = hn::Sub(hn::Load(kDoubles, t + c), hn::Load(kDoubles, s + c));
+      hn::StoreU(hn::DemoteTo(kHalves, at), kHalves, x + c);
+    }
+    return;
+  }
+  const double step = 1 / static_cast<double>(range.u.segments);
+  const auto high = static_cast<float>(step), low = static_cast<float>(step - static_cast<double>(high));
+  const auto segments = hn::Set(kFloats, static_cast<float>(range.u.segments)),
+             high_step = hn::Set(kFloats, high), low_step = hn::Set(kFloats, low);
+  for (std::size_t c = 0; c < padded; c += kFloatLanes) {
+    const auto index = hn::Iota(kFloats, static_cast<float>(range.i1 + static_cast<std::int64_t>(c))),
+               place = hn::Sub(hn::Add(index, index), segments);
+    hn::Store(
+        HWY_NATIVE_FMA ? hn::MulAdd(place, high_step, hn::Mul(place, low_step)) : hn::Div(place, segments),
+        kFloats, x + c);
+  }
+}
+
+// A row: its coefficients, four floats for each power of x, after which vectors may read on, and its ends.
+// The same, but for signs, from either side.
+template <int kComponents, int kDegree>
+struct FastRowOfPowers {
+  float power[4 * (kDegree + 1) + kFloatLanes];
+  float first[kComponents], last[kComponents];
+
+  // The points are four values each, times the binomials.
+  HWY_INLINE void Set(const double* points) {
+    for (int k = 0; k < kComponents; ++k, ++points) {
+      const double a = points[0], z = points[4 * kDegree], ends = a + z, slope = z - a;
+      first[k] = static_cast<float>(a), last[k] = static_cast<float>(z);
+      double of[kDegree + 1];
+      if constexpr (kDegree == 1) {
+        of[0] = ends / 2, of[1] = slope / 2;
+      } else if constexpr (kDegree == 2) {
+        of[0] = (ends + points[4]) / 4, of[1] = slope / 2, of[2] = (ends - points[4]) / 4;
+      } else {
+        const double middle = points[8] + points[4], tilt = points[8] - points[4];
+        of[0] = (ends + middle) / 8, of[1] = (3 * slope + tilt) / 8;
+        of[2] = (3 * ends - middle) / 8, of[3] = (slope - tilt) / 8;
+      }
+      for (int i = 0; i <= kDegree; ++i) power[4 * i + k] = static_cast<float>(of[i]);
+    }
+  }
+};
+
+template <int kComponents, int kDegree>
+void FastPowers(const PreparedMap& map, const MeshRange& range, const Destination& to, const float* x) {
+  constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
+  static_assert(kColumns % kFloatLanes == 0);
+  using Values = Sequence<Floats, kComponents>;
+  constexpr std::size_t kPeriod = Values::kPeriod, kGroup = Values::kGroup;
+  const Values sequence;
+  HWY_ALIGN float places[kComponents * kColumns], values[kComponents * kColumns];
+  FastRowOfPowers<kComponents, kDegree> row[kRows];
+  for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
+    const std::size_t rows = std::min(kRows, range.rows - r0);
+    for (std::size_t r = 0; r < rows; ++r) {
+      double points[4 * (kDegree + 1)];
+      FastRow<kComponents>(map, range, r0 + r, points);
+      row[r].Set(points);
+    }
+    for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
+      const float* const column = x + c0;
+      const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
+      sequence.Repeat(column, columns, places);
+      const auto is_end = [&](std::size_t c) { return std::fabs(column[c]) == 1; };
+      std::size_t head = 0, tail = columns;
+      while (head < columns && is_end(head)) ++head;
+      while (tail > head && is_end(tail - 1)) --tail;
+      for (std::size_t r = 0; r < rows; ++r) {
+        hn::Vec<Floats> power[kDegree + 1][kPeriod];
+        for (int i = 0; i <= kDegree; ++i) {
+          for (std::size_t part = 0; part < kPeriod; ++part)
+            power[i][part] = sequence.Of(row[r].power + 4 * i, part);
+        }
+        const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
+          for (std::size_t part = 0; part < kPeriod; ++part) {
+            const auto at = hn::Load(kFloats, places + begin + part * kFloatLanes);
+            auto value = power[kDegree][part];
+            for (int i = kDegree - 1; i >= 0; --i) value = hn::MulAdd(value, at, power[i][part]);
+            hn::StoreU(value, kFloats, group + part * kFloatLanes);
+          }
+        };
+        std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
+        float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
+        InGroups<kGroup>(count, out, evaluate);
+        const auto take_end = [&](std::size_t end) {
+          std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
+                      kComponents * sizeof(float));
+        };
+        for (std::size_t end = 0; end < head; ++end) take_end(end);
+        for (std::size_t end = tail; end < columns; ++end) take_end(end);
+        if (out == values) Scatter<kComponents>(values, columns, to, data);
+      }
+    }
+  }
+}
+
+// False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
+template <int kComponents>
+bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* scratch) {
+  const auto [n, m] = map.surface.degree;
+  for (int k = 0; k < kComponents; ++k) {
+    const double largest = map.component[k].largest;
+    if (largest != 0 && !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
+    if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
+  }
+  const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
+  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
+                     j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
+  if (n > 0 && !(IsInside(domain_u, range.u, range.i1) && IsInside(domain_u, range.u, i2))) return false;
+  if (m > 0 && !(IsInside(domain_v, range.v, range.j1) && IsInside(domain_v, range.v, j2))) return false;
+
+  const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
+  double* const t = scratch;
+  double* const s = t + padded;
+  auto* const weights = reinterpret_cast<float*>(s + padded);
+  if (n >= 1 && n <= kMaxFastDegree) {
+    constexpr decltype(&FastPowers<kComponents, 1>) kOf[kMaxFastDegree] = {
+        FastPowers<kComponents, 1>, FastPowers<kComponents, 2>, FastPowers<kComponents, 3>};
+    FastPlaces(domain_u, range, padded, t, s, weights);
+    kOf[n - 1](map, range, to, weights);
+    return true;
+  }
+  FastWeights(domain_u, range, n, padded, t, s, weights);
+  const bool is_packed = IsPacked<kComponents>(to);
+  for (std::size_t r = 0; r < range.rows; ++r) {
+    double row[4 * kMaxOrder];
+    FastRow<kComponents>(map, range, r, row);
+    float points[4 * kMaxOrder];
+    for (int i = 0; i <= n; ++i) {
+      const double inverse = 1 / static_cast<double>(Binomials(n)[i]);
+      for (int k = 0; k < kComponents; ++k) points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse);
+    }
+    std::byte* const data = to.data + r * to.row_stride;
+    for (std::size_t c = 0; c < range.columns; c += kFloatStep) {
+      hn::Vec<Floats> value[kUnroll][kComponents];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        for (int k = 0; k < kComponents; ++k)
+          value[part][k] =
+              hn::Mul(hn::Load(kFloats, weights + c + part * kFloatLanes), hn::Set(kFloats, points[k]));
+      }
+      const float* column = weights + c + padded;
+      const float* point = points + 4;
+      for (int i = 1; i <= n; ++i, column += padded, point += 4) {
+        for (std::size_t part = 0; part < kUnroll; ++part) {
+          const auto weight = hn::Load(kFloats, column + part * kFloatLanes);
+          for (int k = 0; k < kComponents; ++k)
+            value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
+        }
+      }
+      if (HWY_LIKELY(is_packed && c + kFloatStep <= range.columns)) {
+        for (std::size_t part = 0; part < kUnroll; ++part) {
+          StoreFloats<kComponents>(
+              value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
+        }
+        continue;
+      }
+      alignas(64) float values[kFloatStep * kComponents];
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        StoreFloats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
+      Scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
+    }
+  }
+  return true;
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_FAST_MESH_INL_H_

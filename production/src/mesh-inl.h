@@ -1,0 +1,144 @@
+// Meshes: the weights of the columns are computed once, then each row is a curve.
+#if defined(GLEVALUATOR_MESH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_MESH_INL_H_
+#undef GLEVALUATOR_MESH_INL_H_
+#else
+#define GLEVALUATOR_MESH_INL_H_
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "production/src/point-inl.h"
+#include "production/src/resolve.h"
+#include "production/src/weights-inl.h"
+#include "production/src/writer-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+// Beyond that, values in double are not looked at.
+constexpr double kLargestGrowth = 0x1p40;
+
+// The points of the grid are i / n of the domain, then, with one rounding each.
+bool Spans(const Grid& grid, const Domain& domain) { return grid.u1 == domain.u1 && grid.u2 == domain.u2; }
+
+// Writes t and s of the columns, in place of the weights that are computed from them. Columns whose growth is
+// not below `limit` or not known get NaN, which is never settled. Returns the largest growth of the others.
+double PlaceColumns(const Domain& domain, const MeshRange& range, int degree, double limit,
+                    std::size_t padded, double* t, double* s) {
+  const Grid& grid = range.u;
+  const double n = grid.segments;
+  double growth = 1;
+  if (Spans(grid, domain) && range.i1 >= 0 &&
+      range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
+    const Vector segments = hn::Set(kDoubles, n);
+    for (std::size_t c = 0; c < padded; c += kLanes) {
+      const Vector index = hn::Iota(kDoubles, static_cast<double>(range.i1) + static_cast<double>(c));
+      hn::Store(hn::Div(index, segments), kDoubles, t + c);
+      hn::Store(hn::Div(hn::Sub(segments, index), segments), kDoubles, s + c);
+    }
+    return growth;
+  }
+  for (std::size_t c = 0; c < padded; ++c) {
+    const std::size_t column = std::min(c, range.columns - 1);
+    const Parameter at = Locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
+    const double own = at.is_sure ? Growth(at, degree) : HUGE_VAL;
+    t[c] = own < limit ? at.t : std::numeric_limits<double>::quiet_NaN();
+    s[c] = at.s;
+    if (own < limit) growth = std::max(growth, own);
+  }
+  return growth;
+}
+
+bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
+  const Parameter at = Locate(domain, GridArgument{grid, index});
+  return at.is_sure && at.t >= 0 && at.s >= 0;
+}
+
+template <int kComponents>
+HWY_INLINE void RowOf(const Surface& surface, const double* weights_v, double* row) {
+  const auto [n, m] = surface.degree;
+  const double* points = surface.scaled;
+  for (int i = 0; i <= n; ++i, points += (m + 1) * kComponents, row += 4) {
+    FourVector sum[kParts];
+    AddPoints(points, kComponents, weights_v, m, sum);
+    for (std::size_t part = 0; part < kParts; ++part)
+      hn::StoreU(sum[part], kFour, row + part * hn::MaxLanes(kFour));
+  }
+}
+
+// Sums of products of so many weights, one row of them after another, and control points of four values each.
+template <int kComponents>
+HWY_INLINE void SumOf(int degree, const double* weights, std::size_t padded, const double* points,
+                      Vector (&value)[kUnroll][kComponents]) {
+  for (int k = 0; k < kComponents; ++k) {
+    for (std::size_t part = 0; part < kUnroll; ++part)
+      value[part][k] = hn::Mul(hn::Load(kDoubles, weights + part * kLanes), hn::Set(kDoubles, points[k]));
+  }
+  for (int i = 1; i <= degree; ++i) {
+    weights += padded;
+    points += 4;
+    Vector weight[kUnroll];
+    for (std::size_t part = 0; part < kUnroll; ++part)
+      weight[part] = hn::Load(kDoubles, weights + part * kLanes);
+    for (int k = 0; k < kComponents; ++k) {
+      const Vector next = hn::Set(kDoubles, points[k]);
+      for (std::size_t part = 0; part < kUnroll; ++part)
+        value[part][k] = hn::MulAdd(weight[part], next, value[part][k]);
+    }
+  }
+}
+
+template <int kComponents>
+void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* weights) {
+  const auto [n, m] = map.surface.degree;
+  const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
+  double* const t = weights + (n + 1) * padded;
+  double* const s = t + padded;
+  const double growth_u = PlaceColumns(map.surface.domain[0], range, n, kLargestGrowth, padded, t, s);
+  for (std::size_t c = 0; c < padded; c += kLanes) {
+    StoreWeights(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), padded, weights + c);
+  }
+  const auto [domain_u, domain_v] = map.surface.domain;
+  const int roundings = Spans(range.u, domain_u) && (m == 0 || Spans(range.v, domain_v)) ? 1 : kRoundings;
+  const double units = WeightUnits(n, m, roundings);
+  const PreparedMap::Test test = TestOf(map, units, 1);
+  // The weights of a block of columns stay in the nearest cache for a group of rows.
+  constexpr std::size_t kRows = 8, kBlock = 2048;
+  const std::size_t block = std::max(kBlock / (n + 1) / kStep, std::size_t{1}) * kStep;
+  for (std::size_t first = 0; first < range.rows; first += kRows) {
+    const std::size_t rows = std::min(kRows, range.rows - first);
+    PreparedMap::Test tests[kRows];
+    double row[kRows][4 * kMaxOrder];
+    for (std::size_t r = 0; r < rows; ++r) {
+      const Parameter at_v = Locate(map.surface.domain[1], range.v_of(first + r));
+      double weights_v[kMaxOrder];
+      WeightsAt(m, at_v, weights_v);
+      RowOf<kComponents>(map.surface, weights_v, row[r]);
+      const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
+      tests[r] = growth == 1 ? test : TestOf(map, units, growth);
+    }
+    for (std::size_t begin = 0; begin < range.columns; begin += block) {
+      const std::size_t end = std::min(begin + block, range.columns);
+      for (std::size_t r = 0; r < rows; ++r) {
+        const Writer<kComponents> writer(tests[r], to, to.data + (first + r) * to.row_stride);
+        for (std::size_t c = begin; c < end; c += kStep) {
+          Vector value[kUnroll][kComponents];
+          SumOf<kComponents>(n, weights + c, padded, row[r], value);
+          writer.Write(writer.Round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
+            return Resolve(map, k, range.u_of(i), range.v_of(first + r));
+          });
+        }
+      }
+    }
+  }
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_MESH_INL_H_

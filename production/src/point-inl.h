@@ -1,0 +1,179 @@
+// One point of a map, a lane a component.
+#if defined(GLEVALUATOR_POINT_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_POINT_INL_H_
+#undef GLEVALUATOR_POINT_INL_H_
+#else
+#define GLEVALUATOR_POINT_INL_H_
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "production/src/bernstein.h"
+#include "production/src/kernels.h"
+#include "production/src/resolve.h"
+#include "production/src/vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+using Four = hn::CappedTag<double, 4>;
+constexpr Four kFour;
+constexpr std::size_t kParts = 4 / hn::MaxLanes(kFour);
+using FourVector = hn::Vec<Four>;
+
+HWY_INLINE void AddPoint(const double* point, double weight, FourVector (&sum)[kParts]) {
+  const FourVector factor = hn::Set(kFour, weight);
+  for (std::size_t part = 0; part < kParts; ++part) {
+    sum[part] = hn::MulAdd(factor, hn::LoadU(kFour, point + part * hn::MaxLanes(kFour)), sum[part]);
+  }
+}
+
+// sum of weights[j] * points[j]
+HWY_INLINE void AddPoints(const double* points, int components, const double* weights, int degree,
+                          FourVector (&sum)[kParts]) {
+  FourVector odd[kParts];  // a second chain of additions
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = odd[part] = hn::Zero(kFour);
+  int j = 0;
+  for (; j < degree; j += 2, points += 2 * components) {
+    AddPoint(points, weights[j], sum);
+    AddPoint(points + components, weights[j + 1], odd);
+  }
+  if (j == degree) AddPoint(points, weights[j], sum);
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Add(sum[part], odd[part]);
+}
+
+HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
+  const double s = at.s, t = at.t;
+  if (degree == 3) {
+    const double st = s * t;
+    weights[0] = s * s * s, weights[1] = st * s, weights[2] = st * t, weights[3] = t * t * t;
+  } else if (degree == 0) {
+    weights[0] = 1;
+  } else {
+    ScalarWeights(degree, s, t, weights);
+  }
+}
+
+// The four products of cubics, the most frequent ones, without an array.
+struct Cubic {
+  HWY_INLINE Cubic(FourVector s, FourVector t) {
+    const FourVector st = hn::Mul(s, t);
+    weight[0] = hn::Mul(hn::Mul(s, s), s);
+    weight[1] = hn::Mul(st, s);
+    weight[2] = hn::Mul(st, t);
+    weight[3] = hn::Mul(hn::Mul(t, t), t);
+  }
+  explicit HWY_INLINE Cubic(const Parameter& at) : Cubic(hn::Set(kFour, at.s), hn::Set(kFour, at.t)) {}
+  HWY_INLINE FourVector At(const double* points, int components) const {
+    const FourVector a = hn::MulAdd(weight[1], hn::LoadU(kFour, points + components),
+                                    hn::Mul(weight[0], hn::LoadU(kFour, points)));
+    const FourVector b = hn::MulAdd(weight[3], hn::LoadU(kFour, points + 3 * components),
+                                    hn::Mul(weight[2], hn::LoadU(kFour, points + 2 * components)));
+    return hn::Add(a, b);
+  }
+  FourVector weight[4];
+};
+
+HWY_INLINE Parameter PlaceOf(const PreparedMap& map, int direction, const GridArgument& argument) {
+  const Domain& domain = map.surface.domain[direction];
+  const double u = argument.grid.u1, inverse = map.inverse_width[direction];
+  if (argument.index != 0 || inverse == 0) return Locate(domain, argument);
+  return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
+}
+
+HWY_NOINLINE void ValueOfAnyDegree(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                                   FourVector (&sum)[kParts]) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  const double* points = map.surface.scaled;
+  double weights_u[kMaxOrder], weights_v[kMaxOrder];
+  WeightsAt(n, at_u, weights_u);
+  if (m == 0) return AddPoints(points, components, weights_u, n, sum);
+  WeightsAt(m, at_v, weights_v);
+  for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
+  for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
+    FourVector row[kParts];
+    AddPoints(points, components, weights_v, m, row);
+    for (std::size_t part = 0; part < kParts; ++part)
+      sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
+  }
+}
+
+HWY_INLINE void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                        FourVector (&sum)[kParts]) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components;
+  const double* points = map.surface.scaled;
+  if (HWY_LIKELY(n == 3 && (m == 0 || m == 3))) {
+    const Cubic in_u(at_u);
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const double* own = points + part * hn::MaxLanes(kFour);
+      if (m == 0) {
+        sum[part] = in_u.At(own, components);
+        continue;
+      }
+      const Cubic in_v(at_v);
+      sum[part] = hn::Mul(in_u.weight[0], in_v.At(own, components));
+      for (int i = 1; i <= 3; ++i)
+        sum[part] = hn::MulAdd(in_u.weight[i], in_v.At(own + 4 * i * components, components), sum[part]);
+    }
+    return;
+  }
+  ValueOfAnyDegree(map, at_u, at_v, sum);
+}
+
+constexpr hn::Rebind<float, Four> kFourFloats;
+using FourFloats = hn::Vec<decltype(kFourFloats)>;
+
+// What the ends of the interval of a test round to.
+struct Sides {
+  FourFloats low, high;
+};
+HWY_INLINE Sides SidesOf(const PreparedMap::Test& test, FourVector value, std::size_t part) {
+  const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
+  return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
+}
+
+HWY_NOINLINE void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                               const GridArgument& u, const GridArgument& v, const double* values,
+                               unsigned settled, float* result) {
+  const auto [n, m] = map.surface.degree;
+  const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
+  if (growth != 1) settled = 0;
+  const double units = WeightUnits(n, m, kRoundings) * growth;
+  for (int k = 0; k < map.surface.components; ++k) {
+    if ((settled >> k & 1) == 0) result[k] = Resolve(map, k, u, v, values[k], map.component[k].unit * units);
+  }
+}
+
+void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result) {
+  const auto [n, m] = map.surface.degree;
+  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 0, u);
+  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 1, v);
+  FourVector sum[kParts];
+  ValueAt(map, at_u, at_v, sum);
+  unsigned settled = 0;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    constexpr std::size_t kCount = hn::MaxLanes(kFour);
+    const auto [low, high] = SidesOf(map.test, sum[part], part);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
+    settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
+    hn::StoreU(high, kFourFloats, result + part * kCount);
+  }
+  const bool inside =
+      at_u.is_sure && at_v.is_sure && at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0;
+  const unsigned wanted = (1u << map.surface.components) - 1;
+  if (HWY_LIKELY(inside && (settled & wanted) == wanted)) return;
+  double values[4];
+  for (std::size_t part = 0; part < kParts; ++part)
+    hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
+  ResolvePoint(map, at_u, at_v, u, v, values, settled, result);
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_POINT_INL_H_

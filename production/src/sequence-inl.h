@@ -1,0 +1,82 @@
+// Points of a mesh as a sequence of values, which needs no interleaving.
+#if defined(GLEVALUATOR_SEQUENCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_SEQUENCE_INL_H_
+#undef GLEVALUATOR_SEQUENCE_INL_H_
+#else
+#define GLEVALUATOR_SEQUENCE_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+
+#include "production/src/vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+// Points one behind the other are a sequence of values. Each column stands there as often as a point has
+// components, so that the values come out in their order and nothing has to be interleaved.
+template <class Tag, int kComponents>
+class Sequence {
+  using Value = hn::TFromD<Tag>;
+  using Values = hn::Vec<Tag>;
+  static constexpr Tag kTag{};
+  static constexpr std::size_t kWidth = hn::MaxLanes(Tag());
+
+ public:
+  // Vectors after which the components come in the same order again, and values of those.
+  static constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
+  static constexpr std::size_t kGroup = kPeriod * kWidth;
+
+  Sequence() {
+    for (std::size_t i = 0; i < kComponents * kWidth; ++i) {
+      column_[i] = static_cast<Index>(i / kComponents);
+      component_[i] = static_cast<Index>(i % kComponents);
+    }
+  }
+
+  // Each of so many values, and of those that fill the last vector, as often.
+  HWY_INLINE void Repeat(const Value* values, std::size_t count, Value* to) const {
+    for (std::size_t c = 0; c < count; c += kWidth) {
+      const Values value = hn::Load(kTag, values + c);
+      for (std::size_t i = 0; i < kComponents * kWidth; i += kWidth) {
+        hn::Store(hn::TableLookupLanes(value, hn::SetTableIndices(kTag, column_ + i)), kTag,
+                  to + c * kComponents + i);
+      }
+    }
+  }
+
+  // The components of a point, where vectors may read on, as vector number `part` of a period.
+  HWY_INLINE Values Of(const Value* point, std::size_t part) const {
+    if constexpr (kWidth >= 4) {
+      return hn::TableLookupLanes(hn::LoadU(kTag, point),
+                                  hn::SetTableIndices(kTag, component_ + part * kWidth));
+    } else {
+      HWY_ALIGN Value lanes[kWidth];
+      for (std::size_t i = 0; i < kWidth; ++i) lanes[i] = point[component_[part * kWidth + i]];
+      return hn::Load(kTag, lanes);
+    }
+  }
+
+ private:
+  using Index = hwy::MakeSigned<Value>;
+  HWY_ALIGN Index column_[kComponents * kWidth], component_[kComponents * kWidth];
+};
+
+// evaluate(begin, group) gives so many floats of `count`, those from `begin` on.
+template <std::size_t kGroup, class Evaluate>
+HWY_INLINE void InGroups(std::size_t count, float* out, const Evaluate& evaluate) {
+  std::size_t begin = 0;
+  for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
+  if (begin < count) {
+    float group[kGroup];
+    evaluate(begin, group);
+    std::memcpy(out + begin, group, (count - begin) * sizeof(float));
+  }
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_SEQUENCE_INL_H_

@@ -1,0 +1,61 @@
+// Surfaces at scattered arguments, a lane an argument.
+#if defined(GLEVALUATOR_SURFACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_SURFACES_INL_H_
+#undef GLEVALUATOR_SURFACES_INL_H_
+#else
+#define GLEVALUATOR_SURFACES_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstddef>
+
+#include "production/src/arguments-inl.h"
+#include "production/src/resolve.h"
+#include "production/src/weights-inl.h"
+#include "production/src/writer-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+template <int kComponents>
+void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v, std::size_t count,
+              const Destination& to) {
+  const Place place_u(map, 0), place_v(map, 1);
+  const auto [n, m] = map.surface.degree;
+  const double units = WeightUnits(n, m, std::max(place_u.roundings(), place_v.roundings()));
+  const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
+  for (std::size_t begin = 0; begin < count; begin += kStep) {
+    const std::size_t part_count = std::min(kStep, count - begin);
+    alignas(64) double arguments_u[kStep], arguments_v[kStep];
+    Fetch(input_u, begin, part_count, arguments_u);
+    Fetch(input_v, begin, part_count, arguments_v);
+    Vector value[kUnroll][kComponents];
+    for (std::size_t part = 0; part < kUnroll; ++part) {
+      const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
+                   v = hn::Load(kDoubles, arguments_v + part * kLanes);
+      Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
+      const Vector su = place_u.S(u), sv = place_v.S(v);
+      WeightsOf(n, su, Inside(place_u.T(u), su), weights_u);
+      WeightsOf(m, sv, Inside(place_v.T(v), sv), weights_v);
+      for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
+      const double* point = map.surface.scaled;
+      for (int i = 0; i <= n; ++i) {
+        Vector sum[kComponents];
+        for (int k = 0; k < kComponents; ++k) sum[k] = hn::Zero(kDoubles);
+        for (int j = 0; j <= m; ++j, point += kComponents) {
+          for (int k = 0; k < kComponents; ++k)
+            sum[k] = hn::MulAdd(weights_v[j], hn::Set(kDoubles, point[k]), sum[k]);
+        }
+        for (int k = 0; k < kComponents; ++k)
+          value[part][k] = hn::MulAdd(weights_u[i], sum[k], value[part][k]);
+      }
+    }
+    writer.Write(writer.Round(value), begin, part_count,
+                 [&](std::size_t i, int k) { return Resolve(map, k, At(input_u[i]), At(input_v[i])); });
+  }
+}
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_SURFACES_INL_H_

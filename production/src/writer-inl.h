@@ -1,0 +1,127 @@
+// The results of a map: rounding of values in double whose error is bounded, and storing them as points.
+#if defined(GLEVALUATOR_WRITER_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLEVALUATOR_WRITER_INL_H_
+#undef GLEVALUATOR_WRITER_INL_H_
+#else
+#define GLEVALUATOR_WRITER_INL_H_
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "production/src/kernels.h"
+#include "production/src/triples.h"
+#include "production/src/vectors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glev::HWY_NAMESPACE {
+
+// Whether points can be stored one behind the other. Single floats cannot where they are not aligned.
+template <int kComponents>
+bool IsPacked(const Destination& to) {
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(to.data) % alignof(float) == 0 && to.row_stride % alignof(float) == 0;
+  return to.components == kComponents && to.stride == kComponents * sizeof(float) &&
+         (kLanes > 1 || is_aligned);
+}
+
+// Points one behind the other, that vectors have written, to where they belong.
+template <int kComponents>
+HWY_NOINLINE void Scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
+  if constexpr (kComponents == 3) {
+    if (count % 4 == 0 && to.components == 3) return CopyTriples(values, count, to.stride, data);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 4> element = {0, 0, 0, 1};
+    std::memcpy(element.data(), values + i * kComponents, kComponents * sizeof(float));
+    std::memcpy(data + i * to.stride, element.data(), to.components * sizeof(float));
+  }
+}
+
+// The results of a map. Lanes that are NaN are not settled.
+template <int kComponents>
+class Writer {
+ public:
+  // Values as floats, and which of them are right.
+  struct Rounded {
+    Whole value[kComponents];
+    hn::Mask<decltype(kWhole)> settled[kComponents];
+  };
+
+  Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
+    for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
+    is_packed_ = IsPacked<kComponents>(to);
+  }
+
+  HWY_INLINE Rounded Round(const Vector (&value)[kUnroll][kComponents]) const {
+    Rounded rounded;
+    for (int k = 0; k < kComponents; ++k) {
+      Half low[kUnroll], high[kUnroll];
+      for (std::size_t part = 0; part < kUnroll; ++part) {
+        low[part] = hn::DemoteTo(kHalves, hn::Sub(value[part][k], error_[k]));
+        high[part] = hn::DemoteTo(kHalves, hn::Add(value[part][k], error_[k]));
+      }
+      rounded.value[k] = Join(high);
+      rounded.settled[k] = hn::Eq(Join(low), rounded.value[k]);
+    }
+    return rounded;
+  }
+
+  // The elements from `begin` on, `count` <= kStep of them. Where one is not settled resolve(element,
+  // component) is right.
+  template <class Resolver>
+  HWY_INLINE void Write(const Rounded& rounded, std::size_t begin, std::size_t count,
+                        const Resolver& resolve) const {
+    if (HWY_LIKELY(is_packed_ && count == kStep)) {
+      Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
+    } else {
+      alignas(64) float values[kStep * kComponents];
+      Interleave(rounded, values);
+      Scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
+    }
+    auto settled = rounded.settled[0];
+    for (int k = 1; k < kComponents; ++k) settled = hn::And(settled, rounded.settled[k]);
+    if (HWY_UNLIKELY(!hn::AllTrue(kWhole, settled))) {
+      std::uint8_t bits[kComponents][8];
+      for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, rounded.settled[k], bits[k]);
+      Repair(bits, begin, count, resolve);
+    }
+  }
+
+ private:
+  static HWY_INLINE void Interleave(const Rounded& rounded, float* to) {
+#if HWY_TARGET == HWY_SCALAR
+    for (int k = 0; k < kComponents; ++k) to[k] = hn::GetLane(rounded.value[k]);
+#else
+    const auto& value = rounded.value;
+    if constexpr (kComponents == 1) hn::StoreU(value[0], kWhole, to);
+    if constexpr (kComponents == 2) hn::StoreInterleaved2(value[0], value[1], kWhole, to);
+    if constexpr (kComponents == 3) hn::StoreInterleaved3(value[0], value[1], value[2], kWhole, to);
+    if constexpr (kComponents == 4) hn::StoreInterleaved4(value[0], value[1], value[2], value[3], kWhole, to);
+#endif
+  }
+
+  template <class Resolver>
+  HWY_NOINLINE void Repair(const std::uint8_t (&settled)[kComponents][8], std::size_t begin,
+                           std::size_t count, const Resolver& resolve) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int k = 0; k < kComponents; ++k) {
+        if ((settled[k][i / 8] >> (i % 8) & 1) != 0) continue;
+        const float result = resolve(begin + i, k);
+        std::memcpy(data_ + (begin + i) * to_.stride + k * sizeof(float), &result, sizeof result);
+      }
+    }
+  }
+
+  const Destination& to_;
+  std::byte* data_;
+  bool is_packed_;
+  Vector error_[kComponents];
+};
+
+}  // namespace glev::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // GLEVALUATOR_WRITER_INL_H_
