@@ -153,7 +153,7 @@ void apply(const fs::path& mutations, const fs::path& from, const fs::path& to) 
     const std::string name = row.at("name");
     ++number;
     definitions += definition(row);
-    for (const json& edit : row.at("edits")) {
+    for (const json& edit : row.value("edits", json::array({row}))) {
       const std::string file = edit.at("file");
       const auto source = sources.find(file);
       try {
