@@ -2,6 +2,13 @@
 // each behind a run-time switch (mutation.h), and mutation_list.h, the list of mutations for C++ programs. It
 // is a step of the build, so a mutation whose snippet is no longer in the sources stops the build of the
 // mutated library.
+//
+// A row of mutations.json has "name", "what" (the mistake in words), "file", "find" and "replace", or, for
+// several places, "edits" with these three. "find" is a snippet that occurs once in the file: a statement if
+// it ends with ; or }, otherwise an expression. Its declarations, if any, must not be used behind it. A
+// mutation that the conformance suite detects has a "level" (must or quality) and "requirements", IDs with
+// blanks between: for each, a test that names it must fail. "test" is a filter of tests of production that
+// detect it.
 #include <algorithm>
 #include <cctype>
 #include <exception>
