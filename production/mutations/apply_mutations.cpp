@@ -167,7 +167,14 @@ void apply(const fs::path& mutations, const fs::path& from, const fs::path& to) 
         if (source == sources.end()) throw std::runtime_error("no such file");
         source->second.add(edit.at("find"), {number, name, edit.at("replace")});
       } catch (const std::runtime_error& error) {
-        errors += mutations.string() + ": mutation " + name + ", file " + file + ": " + error.what() + "\n";
+        errors.append(mutations.string())
+            .append(": mutation ")
+            .append(name)
+            .append(", file ")
+            .append(file)
+            .append(": ")
+            .append(error.what())
+            .append("\n");
       }
     }
   }

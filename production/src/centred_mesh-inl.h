@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
 // t - s
-double CentredAt(const Domain& domain, const GridArgument& argument) {
+inline double CentredAt(const Domain& domain, const GridArgument& argument) {
   const Parameter at = Locate(domain, argument);
   return at.t - at.s;
 }

@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-bool IsNearest(const PreparedMap::Probe& probe) {
+inline bool IsNearest(const PreparedMap::Probe& probe) {
   using Two = hn::CappedTag<double, 2>;
   constexpr Two kTwo;
   bool is_nearest = true;
@@ -40,7 +40,7 @@ HWY_INLINE bool Settled(const PreparedMap::Test& test, const FourVector (&sum)[k
   return (settled & wanted) == wanted;
 }
 
-bool Direct(const glev_plan& plan, double u, double v, float* position) {
+inline bool Direct(const glev_plan& plan, double u, double v, float* position) {
   const PreparedMap& map = plan.map(Attribute::kVertex);
   const auto [n, m] = map.surface.degree;
   const auto place = [&](int direction, double argument) -> Parameter {

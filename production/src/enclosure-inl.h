@@ -82,13 +82,13 @@ struct Row {
 constexpr std::size_t RoundUp(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
 
 // Below 2^60: sums of two doubles.
-DoubleDouble Binomial(int n, int i) {
+inline DoubleDouble Binomial(int n, int i) {
   const std::uint64_t binomial = Binomials(n)[i];
   return FastTwoSum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
 }
 
 // The sum of the terms times the powers of the ratio from 0 on.
-DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
+inline DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
   const Pairs fourth = PairsOf(square * square);
   Row last;  // four sums of every fourth term, without its power below four
@@ -101,8 +101,8 @@ DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
   return (last[0] + last[1] * ratio) + (last[2] * square + last[3] * third);
 }
 
-Enclosure EncloseAll(const Component& component, double largest, const GridArgument& u,
-                     const GridArgument& v) {
+inline Enclosure EncloseAll(const Component& component, double largest, const GridArgument& u,
+                            const GridArgument& v) {
   const int order_v = component.order[1], n = component.order[0] - 1, m = order_v - 1;
   const PreparedDirection in_u = Prepare(component.domain[0], u, n),
                           in_v = Prepare(component.domain[1], v, m);

@@ -34,8 +34,8 @@ HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float*
 }
 
 // The weights of a fast mesh along u, of each degree `padded` apart.
-void FastWeights(const Domain& domain, const MeshRange& range, int degree, std::size_t padded, double* t,
-                 double* s, float* weights) {
+HWY_NOINLINE inline void FastWeights(const Domain& domain, const MeshRange& range, int degree,
+                                     std::size_t padded, double* t, double* s, float* weights) {
   PlaceColumns(domain, range, degree, kLargestGrowth, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
     Vector column[kMaxOrder];
@@ -67,8 +67,8 @@ HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::siz
 constexpr int kMaxFastDegree = 3;
 
 // x of the columns. `t` and `s` are room for them.
-void FastPlaces(const Domain& domain, const MeshRange& range, std::size_t padded, double* t, double* s,
-                float* x) {
+HWY_NOINLINE inline void FastPlaces(const Domain& domain, const MeshRange& range, std::size_t padded,
+                                    double* t, double* s, float* x) {
   // Beyond that float has no room for each index.
   constexpr std::int64_t kMostSegments = 1 << 20;
   if (!Spans(range.u, domain) || range.u.segments > kMostSegments) {

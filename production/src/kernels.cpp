@@ -61,8 +61,16 @@ void Mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Desti
 }
 
 constexpr Kernels MakeKernels(const char* name) {
-  return {name,  Point,     Direct, DirectCubic<false>, DirectCubic<true>,
-          Curve, SurfaceAt, Mesh,   normals::Mesh,      enclosure::EncloseAll};
+  return {.name = name,
+          .point = Point,
+          .direct = Direct,
+          .direct_cubic_curve = DirectCubic<false>,
+          .direct_bicubic = DirectCubic<true>,
+          .curve = Curve,
+          .surface = SurfaceAt,
+          .mesh = Mesh,
+          .normals = normals::Mesh,
+          .encloses = enclosure::EncloseAll};
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -24,12 +24,14 @@ namespace glev::HWY_NAMESPACE {
 constexpr double kLargestGrowth = 0x1p40;
 
 // The points of the grid are i / n of the domain, then, with one rounding each.
-bool Spans(const Grid& grid, const Domain& domain) { return grid.u1 == domain.u1 && grid.u2 == domain.u2; }
+inline bool Spans(const Grid& grid, const Domain& domain) {
+  return grid.u1 == domain.u1 && grid.u2 == domain.u2;
+}
 
 // Writes t and s of the columns, in place of the weights that are computed from them. Columns whose growth is
 // not below `limit` or not known get NaN, which is never settled. Returns the largest growth of the others.
-double PlaceColumns(const Domain& domain, const MeshRange& range, int degree, double limit,
-                    std::size_t padded, double* t, double* s) {
+HWY_NOINLINE inline double PlaceColumns(const Domain& domain, const MeshRange& range, int degree,
+                                        double limit, std::size_t padded, double* t, double* s) {
   const Grid& grid = range.u;
   const double n = grid.segments;
   double growth = 1;
@@ -54,7 +56,7 @@ double PlaceColumns(const Domain& domain, const MeshRange& range, int degree, do
   return growth;
 }
 
-bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
+inline bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
   const Parameter at = Locate(domain, GridArgument{grid, index});
   return at.is_sure && at.t >= 0 && at.s >= 0;
 }

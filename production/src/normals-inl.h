@@ -262,8 +262,8 @@ void RowsOf(const glev_plan& plan, const MeshRange& range, const Destination& to
   }
 }
 
-void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
-          std::byte* scratch) {
+inline void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
+                 std::byte* scratch) {
   const Surface& surface = plan.surface(Attribute::kVertex);
   auto* const weights = reinterpret_cast<double*>(scratch);
   const auto vertices_apart = [&] {

@@ -83,8 +83,8 @@ HWY_INLINE Parameter PlaceOf(const PreparedMap& map, int direction, const GridAr
   return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
 }
 
-HWY_NOINLINE void ValueOfAnyDegree(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
-                                   FourVector (&sum)[kParts]) {
+HWY_NOINLINE inline void ValueOfAnyDegree(const PreparedMap& map, const Parameter& at_u,
+                                          const Parameter& at_v, FourVector (&sum)[kParts]) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
   const double* points = map.surface.scaled;
@@ -136,9 +136,9 @@ HWY_INLINE Sides SidesOf(const PreparedMap::Test& test, FourVector value, std::s
   return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
 }
 
-HWY_NOINLINE void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
-                               const GridArgument& u, const GridArgument& v, const double* values,
-                               unsigned settled, float* result) {
+HWY_NOINLINE inline void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                                      const GridArgument& u, const GridArgument& v, const double* values,
+                                      unsigned settled, float* result) {
   const auto [n, m] = map.surface.degree;
   const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
   if (growth != 1) settled = 0;
@@ -148,7 +148,7 @@ HWY_NOINLINE void ResolvePoint(const PreparedMap& map, const Parameter& at_u, co
   }
 }
 
-void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result) {
+inline void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result) {
   const auto [n, m] = map.surface.degree;
   const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 0, u);
   const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 1, v);
