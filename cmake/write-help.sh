@@ -9,7 +9,8 @@ rm -f "$folder"/evalcts*.txt
 
 write() { # command words
   "$program" "$@" --help >"$folder/$(echo evalcts "$@" | tr ' ' -).txt"
-  # A loop evaluates its list once, and "$@" belongs to this call: the function may call itself.
+  # A loop evaluates its list once, and "$@" belongs to this call, so that the function may call itself.
+  # shellcheck disable=SC2013 # words
   for command in $(sed '1,/^Subcommands:/d; s/^  \([a-z][a-z]*\) .*/\1/p; d' \
     "$folder/$(echo evalcts "$@" | tr ' ' -).txt"); do
     write "$@" "$command"
