@@ -78,7 +78,7 @@ go_without() { # words, package...
 
 # Installs what the purposes need, or stops.
 need() { # purpose...
-  local name state may_install='' old='' wanted missing=() known_absent=() to_install=() insist=() absent=() lists_lack=()
+  local name version state may_install='' old='' wanted missing=() known_absent=() to_install=() insist=() absent=() lists_lack=()
   local note=$build/packages-lacking why="packages are missing; this installs them:"
   local -A offered=()
   [[ ${EVALCTS_ASSUME_DEPENDENCIES:-} == 1 ]] && return
@@ -94,7 +94,7 @@ need() { # purpose...
 
   if [[ $EUID != 0 ]] && command -v sudo >/dev/null; then as_root=(sudo); fi
   if [[ ! $no_install ]] && [[ $EUID == 0 || ${as_root[*]} ]]; then may_install=yes; fi
-  look() { while read -r name state_of; do offered[$name]=$state_of; done < <(offered_packages "${missing[@]}"); }
+  look() { while read -r name version; do offered[$name]=$version; done < <(offered_packages "${missing[@]}"); }
   look
   if ((${#offered[@]} < ${#missing[@]})) && [[ $may_install ]]; then update_lists; look; fi
   for name in "${missing[@]}"; do
