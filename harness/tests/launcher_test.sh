@@ -4,6 +4,7 @@
 # temporary folder. As root it drops to an ordinary user, so that it sees the same wherever it runs.
 # usage: launcher_test.sh [LAUNCHER]
 set -u
+unset EVALCTS_ASSUME_DEPENDENCIES # of whoever runs this test
 launcher=$(readlink -f -- "${1:-$(dirname -- "${BASH_SOURCE[0]}")/../../evalcts}")
 parts=(evalcts CMakeLists.txt CMakePresets.json docs/help packaging) # what of the checkout the launcher reads
 if [[ $EUID == 0 && ! ${LAUNCHER_TEST_DROPPED:-} ]]; then
