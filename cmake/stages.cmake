@@ -1,4 +1,4 @@
-# The stages of `./evalcts test --all` that are more than a build and its tests. Each is one test, labelled with the name
+# Tests for the stages of `./evalcts test --all` that are more than a build and its tests. Each is one test, labelled with the name
 # of its stage. `ctest --preset STAGE` selects it; without a preset ctest leaves it out, because of its configuration.
 # CMakePresets.json says which build each stage needs; `cmake --workflow --preset STAGE` does all of it.
 # (A semicolon would split an argument.)
@@ -7,16 +7,16 @@ function(evalcts_stage name seconds)
   set_tests_properties(stage.${name} PROPERTIES LABELS ${name} TIMEOUT ${seconds})
 endfunction()
 
-# What a stage builds that needs no build.
+# The build preset of a stage that needs no build has this target.
 add_custom_target(evalcts_nothing)
 
 evalcts_stage(format 600 sh -c [=[find . \( -path './build*' -o -path './.*' \) -prune -o -type f \
   \( -name '*.cpp' -o -name '*.h' -o -name '*.c' \) -print0 | xargs -0 clang-format-14 --dry-run --Werror]=])
 
-# The files that this build compiles, but Fortran's; those of the preset clang are the ones that clang-tidy can judge.
+# clang-tidy on every C and C++ file of this build, which is the one of the preset clang.
 evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "\\.(c|cpp)$")
 
-# The same verdicts and signatures in repeated and shuffled runs, and from each test alone.
+# Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
 evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
 
 # Every fault is caught by a test of each requirement that it breaks, and every requirement that tests decide has one.
@@ -53,7 +53,8 @@ exit $status")
   set_tests_properties(stage.${stage} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()
 
-# Lines that the tests reach in the project's own code; tests left out, and faults, which the stage faults injects.
+# The preset coverage reports the lines of the project's own code that the tests reach, without the tests themselves and
+# without the injected faults, which run in the stage faults only.
 # ctest runs these commands before and after the tests.
 if(EVALCTS_COVERAGE)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/CTestCustom.cmake @ONLY CONTENT [=[

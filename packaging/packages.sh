@@ -20,8 +20,8 @@ packages_for() { # purpose...
   done
 }
 
-# Those of the given packages that are not installed. The names of all that are installed stay in a file: when it changes,
-# CMake has to look again.
+# Prints the given packages that are not installed. Notes in a file which packages of the table are installed: when it
+# changes, CMake has to look again.
 not_installed() { # package...
   local installed note=$build/packages-installed
   installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null |
@@ -30,7 +30,7 @@ not_installed() { # package...
   printf '%s\n' "$@" | grep -vxF -e "$installed"
 }
 
-# "NAME VERSION" of those of the given packages that the distribution offers. (A name that apt does not know is a regular
+# Prints "NAME VERSION" for each of the given packages that the distribution offers. (A name that apt does not know is a regular
 # expression to it: `g++` then stands for every package with a g.)
 offered_packages() { # package...
   LC_ALL=C apt-cache policy "$@" 2>/dev/null | awk -v names=" $* " '
@@ -38,7 +38,7 @@ offered_packages() { # package...
     /^  Candidate:/ && $2 != "(none)" && index(names, " " name " ") { print name, $2 }'
 }
 
-# "N packages, X MB to download, Y MB on disk": from apt's records, which need neither root nor one version's wording.
+# Prints "N packages, X MB to download, Y MB on disk": from apt's records, which need neither root nor one version's wording.
 install_size() { # package...
   local plan
   mapfile -t plan < <(LC_ALL=C apt-get install --simulate --no-install-recommends "$@" 2>/dev/null |
@@ -136,7 +136,7 @@ need() { # purpose...
   stop_missing '' "apt-get could not install what is missing (no network? no rights?); the line was:" "${to_install[@]}"
 }
 
-# Elsewhere nobody can say by name what is there: CMake finds it or not.
+# Distributions without apt: CMake finds what is needed, or the missing packages are listed.
 need_without_apt() { # purpose...
   local name other distribution='' install='' names=() rest=()
   command -v cmake >/dev/null && command -v ninja >/dev/null && configure release quietly && return
