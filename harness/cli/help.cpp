@@ -4,39 +4,41 @@
 #include <algorithm>
 #include <map>
 
+#include "harness/cli/wrap.h"
+
 namespace evalcts::cli {
 namespace {
 
 const std::map<std::string, std::string>& examples() {
   static const std::map<std::string, std::string> all = {
       {"run",
-       R"(  evalcts run                                         # osmesa (or egl), production and reference
-  evalcts run --library ./libOSMesa.so.8              # a library of your own
-  evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
-  evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
-  evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
-  evalcts run --shard 2/4 --output part-2             # on the second of four machines)"},
-      {"list", R"(  evalcts list implementations
-  evalcts list tests --json)"},
-      {"coverage", R"(  evalcts coverage
-  evalcts coverage --complete --json)"},
-      {"explain", R"(  evalcts explain EV-MAP1-COPY
-  evalcts explain Map1State.CopyOnCall/UNMAPPED
-  evalcts explain not-observable)"},
-      {"reproduce", R"(  evalcts reproduce IntegersSaturate/MAP1_INDEX
-  evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)"},
-      {"faults", R"(  evalcts faults
-  evalcts faults --filter 'Grid*' --jobs 2)"},
-      {"fuzz", R"(  evalcts fuzz --implementation osmesa --seconds 60
-  evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)"},
-      {"rounding", R"(  evalcts rounding
-  evalcts rounding --filter 'curve/4/*' --samples 1000000)"},
-      {"ulp", R"(  evalcts ulp --implementation osmesa --filter 'curve/4/*'
-  evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
-  evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)"},
-      {"report", R"(  evalcts report results-osmesa.json)"},
-      {"vectors", R"(  evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
-  evalcts vectors lint mine.json)"}};
+       R"(  $ evalcts run                                         # osmesa (or egl), production and reference
+  $ evalcts run --library ./libOSMesa.so.8              # a library of your own
+  $ evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
+  $ evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
+  $ evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
+  $ evalcts run --shard 2/4 --output part-2             # on the second of four machines)"},
+      {"list", R"(  $ evalcts list implementations
+  $ evalcts list tests --json)"},
+      {"coverage", R"(  $ evalcts coverage
+  $ evalcts coverage --complete --json)"},
+      {"explain", R"(  $ evalcts explain EV-MAP1-COPY
+  $ evalcts explain Map1State.CopyOnCall/UNMAPPED
+  $ evalcts explain not-observable)"},
+      {"reproduce", R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
+  $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)"},
+      {"faults", R"(  $ evalcts faults
+  $ evalcts faults --filter 'Grid*' --jobs 2)"},
+      {"fuzz", R"(  $ evalcts fuzz --implementation osmesa --seconds 60
+  $ evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)"},
+      {"rounding", R"(  $ evalcts rounding
+  $ evalcts rounding --filter 'curve/4/*' --samples 1000000)"},
+      {"ulp", R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
+  $ evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
+  $ evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)"},
+      {"report", R"(  $ evalcts report results-osmesa.json)"},
+      {"vectors", R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
+  $ evalcts vectors lint mine.json)"}};
   return all;
 }
 
@@ -59,7 +61,55 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 constexpr std::size_t kLongestWord = 64;
 
+// "TEXT", "INT", "{quick,full}": the type of a value or the accepted words, without the range of a number.
+std::string value_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t colon = type.find(':');
+  if (option.get_type_size() == 0 || type.empty()) return {};
+  return " " + (colon != std::string::npos && type[colon + 1] == '{' ? type.substr(colon + 1)
+                                                                     : type.substr(0, colon));
+}
+
+// "  --seed UINT    seed of the random tests"
+std::string row(const std::string& name, const std::string& description) {
+  constexpr std::size_t kColumn = 30, kColumns = 100;
+  std::string line = "  " + name;
+  if (description.empty()) return line + "\n";
+  line +=
+      line.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - line.size(), ' ');
+  return line + wrapped(description, kColumns, std::string(kColumn, ' '), kColumn) + "\n";
+}
+
+// Writes the same text with every version of CLI11, in the form that help2man reads.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
+    std::string usage = "Usage: " + name + " [OPTIONS]", positionals, options, commands;
+    for (const CLI::Option* option : app->get_options(std::function<bool(const CLI::Option*)>())) {
+      if (option->get_group().empty()) continue;
+      const bool repeats = option->get_expected_max() >= CLI::detail::expected_max_vector_size;
+      const std::string value = value_of(*option) + (repeats ? " ..." : "");
+      if (option->get_positional()) {
+        const std::string word = option->get_name(true) + (repeats ? "..." : "");
+        usage += option->get_required() ? " " + word : " [" + word + "]";
+        positionals += row(option->get_name(true) + value, option->get_description());
+      } else {
+        options += row(option->get_name(false, true) + value, option->get_description());
+      }
+    }
+    for (const CLI::App* command : app->get_subcommands(std::function<bool(const CLI::App*)>()))
+      commands += row(command->get_name(), command->get_description());
+    std::string text = app->get_description() + "\n" + usage + (commands.empty() ? "\n" : " SUBCOMMAND\n");
+    for (const auto& [heading, rows] :
+         {std::pair("Positionals", positionals), {"Options", options}, {"Subcommands", commands}})
+      if (!rows.empty()) text += std::string("\n") + heading + ":\n" + rows;
+    return text + "\n" + app->get_footer() + "\n";
+  }
+};
+
 }  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<HelpFormatter>(); }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
   if (word.size() > kLongestWord) return {};

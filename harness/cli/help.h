@@ -1,14 +1,19 @@
-// What helps who types: examples, and the word that was meant.
+// Helps users with the command line: the layout of --help, examples, and suggestions for mistyped words.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): not ours
 class App;
-}
+class FormatterBase;
+}  // namespace CLI
 
 namespace evalcts::cli {
+
+// Writes the text of --help.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 // Puts examples under the help of each command that has some.
 void add_examples(CLI::App& app);

@@ -11,24 +11,13 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/environment.h"
 #include "harness/cli/help.h"
-#include "harness/cli/manual.h"
 #include "harness/implementations/implementation.h"
 #include "harness/runner/baseline.h"
 #include "harness/runner/events.h"
 
-namespace {
-
-// CLI11 2.5 and newer join the lines of a footer into paragraphs, which would destroy the examples in it.
-void keep_lines_of_footers(auto& formatter) {
-  if constexpr (requires { formatter.enable_footer_formatting(false); })
-    formatter.enable_footer_formatting(false);
-}
-
-}  // namespace
-
 int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
-  CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators"};
-  keep_lines_of_footers(*app.get_formatter());
+  CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators", "evalcts"};
+  app.formatter(help_formatter());
   app.footer(
       "'evalcts COMMAND --help' shows the options of a command with examples.\n"
       "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something\n"
@@ -301,9 +290,6 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
     command->add_option("--kind", vectors_options.kinds, "only these (the same for emit and check)")
         ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
 
-  // For the packages.
-  CLI::App* manual_command = app.add_subcommand("manual", "the manual page, for man")->group("");
-
   add_examples(app);
   try {
     app.parse(argc, argv);
@@ -315,7 +301,6 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   }
   if (only_parse) return kNothingUnexpected;
   try {
-    if (*manual_command) return write_manual(app, std::cout), kNothingUnexpected;
     if (run_options.shard.empty()) run_options.shard = shard_of_environment();
     forget_googletest();
     if (*run_command) return run(run_options);

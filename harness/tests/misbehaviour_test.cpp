@@ -466,7 +466,7 @@ TEST_F(Terminal, EveryCommandHasExamples) {
     if (line[2] == ' ') continue;  // the rest of a description
     const std::string command = line.substr(2, line.find(' ', 2) - 2);
     const std::string help = evalcts({command, "--help"}).text;
-    EXPECT_NE(help.find("Examples:\n  evalcts " + command), std::string::npos) << help;
+    EXPECT_NE(help.find("Examples:\n  $ evalcts " + command), std::string::npos) << help;
     ++commands;
   }
   EXPECT_GE(commands, 10);

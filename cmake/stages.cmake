@@ -1,0 +1,66 @@
+# Tests for the stages of `./evalcts test --all` that are more than a build and its tests. Each is one test, labelled with the name
+# of its stage. `ctest --preset STAGE` selects it; without a preset ctest leaves it out, because of its configuration.
+# CMakePresets.json says which build each stage needs; `cmake --workflow --preset STAGE` does all of it.
+# (A semicolon would split an argument.)
+function(evalcts_stage name seconds)
+  add_test(NAME stage.${name} CONFIGURATIONS Stage WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND ${ARGN})
+  set_tests_properties(stage.${name} PROPERTIES LABELS ${name} TIMEOUT ${seconds})
+endfunction()
+
+# The build preset of a stage that needs no build has this target.
+add_custom_target(evalcts_nothing)
+
+evalcts_stage(format 600 sh -c [=[find . \( -path './build*' -o -path './.*' \) -prune -o -type f \
+  \( -name '*.cpp' -o -name '*.h' -o -name '*.c' \) -print0 | xargs -0 clang-format-14 --dry-run --Werror]=])
+
+# clang-tidy on every C and C++ file of this build, which is the one of the preset clang.
+evalcts_stage(tidy 21600 run-clang-tidy-14 -quiet -p ${CMAKE_BINARY_DIR} "^(?!.*/mutated/).*\\.(c|cpp)$")
+
+# Repeated runs, shuffled runs and each test alone give the same verdicts and signatures.
+evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:evalcts>)
+
+# Every fault is caught by a test of each requirement that it breaks, and every requirement that tests decide has one.
+evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${CMAKE_BINARY_DIR}/faults)
+
+# The pages in the distribution's browser. Selenium is a package of the distribution's Python, which need not be the
+# first on the PATH.
+if(TARGET evalcts_reports_write_pages)
+  evalcts_stage(browser 3600 /usr/bin/python3 reports/tests/browser_test.py $<TARGET_FILE:evalcts_reports_write_pages>
+    --screenshots ${CMAKE_BINARY_DIR}/browser)
+endif()
+
+# The packages, installed and used in the smallest system that has apt. Without root they are only made.
+evalcts_stage(package 7200 sh -c [=[if [ $(id -u) != 0 ]
+then echo 'only root can make a clean root: the packages are made, not tried'
+else exec harness/packages/check.sh build/packages
+fi]=])
+
+# A minute of mutated files, or $EVALCTS_FUZZ_SECONDS.
+if(TARGET parsers_fuzzer)
+  evalcts_stage(fuzz 86400 harness/tests/parsers_fuzzer.sh $<TARGET_FILE:parsers_fuzzer> ${CMAKE_BINARY_DIR})
+endif()
+
+# Both commands of the README in a clean root of a Debian release. ctest does not pass on an exit code, so that the
+# launcher reads it from build/STAGE.status: 77 if the root could not be made.
+set(stages debian-12 debian-13 debian-unstable)
+set(suites bookworm trixie sid)
+foreach(stage suite IN ZIP_LISTS stages suites)
+  evalcts_stage(${stage} 43200 sh -c "packaging/clean-root.sh ${suite} >build/${stage}.log 2>&1
+status=$?
+echo $status >build/${stage}.status
+[ $status = 0 ] || tail -n 40 build/${stage}.log | sed 's/^/  /'
+exit $status")
+  set_tests_properties(stage.${stage} PROPERTIES SKIP_RETURN_CODE 77)
+endforeach()
+
+# The preset coverage reports the lines of the project's own code that the tests reach, without the tests themselves and
+# without the injected faults, which run in the stage faults only.
+# ctest runs these commands before and after the tests.
+if(EVALCTS_COVERAGE)
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/CTestCustom.cmake @ONLY CONTENT [=[
+set(CTEST_CUSTOM_PRE_TEST "find @CMAKE_BINARY_DIR@ -name *.gcda -delete")
+set(CTEST_CUSTOM_POST_TEST "sh -c \"cd '@PROJECT_SOURCE_DIR@' && gcovr --root . --object-directory '@CMAKE_BINARY_DIR@' \
+--exclude '.*/tests/' --exclude '.*/benchmarks/' --exclude '.*/examples/' --exclude '.*/faults/' --exclude '.*/mutations/' --exclude build/ \
+--exclude-unreachable-branches --sort-percentage --print-summary\"")
+]=])
+endif()
