@@ -240,7 +240,7 @@ exits 7
 says "libosmesa6 is not installed: without the implementation osmesa"
 evalcts test --no-install --preset clang
 exits 2
-says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb libmpfi-dev gfortran pkg-config libpng-dev clang libglu1-mesa-dev help2man"
+says "  sudo apt-get install --no-install-recommends libosmesa6 xvfb bsdutils libmpfi-dev gfortran pkg-config libpng-dev clang libglu1-mesa-dev help2man"
 called_not apt-get
 called_not ctest
 
