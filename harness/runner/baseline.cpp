@@ -405,7 +405,8 @@ std::vector<std::string> Baseline::stale_entries(const json& tests) const {
             fmt::format("{} (Pass in {}, but {} expects no failure)", test, part.name, parts_[0].name));
     }
     for (const auto& [test, by_depth] : part.signatures)
-      if (std::ranges::none_of(parts_, [&](const auto& any) { return any.entries.contains(test); }))
+      if (std::ranges::none_of(parts_,
+                               [&name = test](const auto& any) { return any.entries.contains(name); }))
         stale.insert(fmt::format("{} (in the signatures of {})", test, part.name));
     for (const auto& [patterns, kind] : {std::pair{&part.skips, "skips"}, {&part.flakes, "flakes"}})
       for (const Pattern& pattern : *patterns) {
