@@ -25,13 +25,13 @@ constexpr std::array<ChangeText, kChangeKinds> kChangeTexts{{
     {"vanished", "vanished test", "vanished tests", ""},
 }};
 
-bool judged(const TestResult& test) {
+bool judged(const TestRecord& test) {
   return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
 }
 
 // The first thing that is wrong now and was not before, as far as the records tell; empty where there is
 // none.
-std::string further_mismatch(const TestResult& before, const TestResult& now) {
+std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
   std::vector<std::string> further;
   std::set_difference(now.mismatches.begin(), now.mismatches.end(), before.mismatches.begin(),
                       before.mismatches.end(), std::back_inserter(further));
@@ -39,14 +39,14 @@ std::string further_mismatch(const TestResult& before, const TestResult& now) {
 }
 
 // Whether the same cases were played: other depths and seeds have others.
-bool same_cases(const Record& before, const Record& now) {
+bool same_cases(const RunResult& before, const RunResult& now) {
   return before.depth == now.depth && before.seed == now.seed;
 }
 
 // The kind of change of a test that is in both; none where there is none.
-std::optional<ChangeKind> change_of(const TestResult& before, const TestResult& now, bool cases_comparable) {
-  if (now.bad()) {
-    if (!before.bad() || now.verdict < before.verdict) return ChangeKind::kRegression;
+std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& now, bool cases_comparable) {
+  if (now.is_bad()) {
+    if (!before.is_bad() || now.verdict < before.verdict) return ChangeKind::kRegression;
     const bool comparable = cases_comparable && !before.mismatches.empty() && !now.mismatches.empty();
     if (comparable && !further_mismatch(before, now).empty()) return ChangeKind::kRegression;
     if (before.verdict != now.verdict || (comparable && before.mismatches != now.mismatches))
@@ -54,30 +54,31 @@ std::optional<ChangeKind> change_of(const TestResult& before, const TestResult& 
     return std::nullopt;
   }
   if (judged(before) && !judged(now)) return ChangeKind::kNoLongerJudged;
-  if (before.bad()) return ChangeKind::kFix;
+  if (before.is_bad()) return ChangeKind::kFix;
   return before.verdict == now.verdict ? std::nullopt : std::optional(ChangeKind::kOther);
 }
 
 Comparison compared(const Column& before, const Column& now) {
   Comparison out{now.label, &before.record, &now.record, false, {}, {}};
-  const Record &old_record = before.record, &new_record = now.record;
-  out.no_longer_starts = new_record.status == "not-started" && old_record.status != "not-started";
+  const RunResult &old_record = before.record, &new_record = now.record;
+  out.no_longer_starts = !new_record.has_started() && old_record.has_started();
   const auto caveat = [&out](const std::string& words) { out.caveats.push_back(words); };
   if (out.no_longer_starts) caveat("It no longer starts: " + one_line(new_record.reason));
-  if (!out.no_longer_starts && !new_record.complete()) caveat("The run is not complete.");
-  if (!old_record.complete()) caveat("The earlier run is not complete.");
-  if (old_record.depth != new_record.depth && !old_record.depth.empty() && !new_record.depth.empty())
-    caveat(fmt::format("The depths differ: {}, before {}.", new_record.depth, old_record.depth));
+  if (!out.no_longer_starts && !new_record.is_complete()) caveat("The run is not complete.");
+  if (!old_record.is_complete()) caveat("The earlier run is not complete.");
+  if (old_record.depth != new_record.depth && old_record.depth && new_record.depth)
+    caveat(fmt::format("The depths differ: {}, before {}.", name_of(*new_record.depth),
+                       name_of(*old_record.depth)));
   else if (old_record.seed != new_record.seed && old_record.seed && new_record.seed)
     caveat(fmt::format("The seeds differ: {}, before {}.", *new_record.seed, *old_record.seed));
 
   const bool cases_comparable = same_cases(old_record, new_record);
-  std::map<std::string, const TestResult*> earlier;
-  for (const TestResult& test : old_record.tests) earlier[test.name] = &test;
-  for (const TestResult& test : new_record.tests) {
+  std::map<std::string, const TestRecord*> earlier;
+  for (const TestRecord& test : old_record.tests) earlier[test.name] = &test;
+  for (const TestRecord& test : new_record.tests) {
     const auto found = earlier.find(test.name);
     if (found == earlier.end()) {
-      out.changes.push_back({test.bad() ? ChangeKind::kNewFailure : ChangeKind::kNew, nullptr, &test});
+      out.changes.push_back({test.is_bad() ? ChangeKind::kNewFailure : ChangeKind::kNew, nullptr, &test});
       continue;
     }
     if (const auto kind = change_of(*found->second, test, cases_comparable))
@@ -85,7 +86,7 @@ Comparison compared(const Column& before, const Column& now) {
     found->second = nullptr;
   }
   if (!out.no_longer_starts)
-    for (const TestResult& test : old_record.tests)
+    for (const TestRecord& test : old_record.tests)
       if (earlier[test.name]) out.changes.push_back({ChangeKind::kVanished, &test, nullptr});
   std::stable_sort(out.changes.begin(), out.changes.end(),
                    [](const Change& a, const Change& b) { return a.kind < b.kind; });
@@ -97,7 +98,7 @@ Comparison compared(const Column& before, const Column& now) {
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
 
 std::string words_of(const Change& change) {
-  const TestResult& latest = change.now ? *change.now : *change.before;
+  const TestRecord& latest = change.now ? *change.now : *change.before;
   const std::string word(text_of(latest.verdict).word);
   const bool both = change.now && change.before;
   if (both && change.kind == ChangeKind::kRegression && change.now->verdict == change.before->verdict)

@@ -32,8 +32,8 @@ const ChangeText& text_of(ChangeKind kind);
 
 struct Change {
   ChangeKind kind;
-  const TestResult* before;  // null where the test is new
-  const TestResult* now;     // null where it has vanished
+  const TestRecord* before;  // null where the test is new
+  const TestRecord* now;     // null where it has vanished
 };
 
 // "pass, now fail: what the record says"; of a test that is on one side only, its verdict there.
@@ -41,7 +41,7 @@ std::string words_of(const Change& change);
 
 struct Comparison {
   std::string label;
-  const Record *before, *now;
+  const RunResult *before, *now;
   bool no_longer_starts = false;     // counts as a regression
   std::vector<std::string> caveats;  // sentences: what makes the two less comparable
   std::vector<Change> changes;       // by kind, those of a kind in the order of the tests

@@ -10,14 +10,13 @@
 
 namespace evalcts::reports {
 
-std::vector<Column> read_columns(const std::vector<nlohmann::json>& results) {
+std::vector<Column> label_columns(const std::vector<RunResult>& results) {
   std::vector<Column> columns;
   std::map<std::string, int> records;
-  for (const nlohmann::json& result : results) {
-    Record record = read_record(result);
+  for (const RunResult& record : results) {
     const std::string name = record.heading("(unnamed)");
     ++records[name];
-    columns.push_back({std::move(record), name});
+    columns.push_back({record, name});
   }
   std::set<std::string> used;
   for (Column& column : columns) {
@@ -29,9 +28,9 @@ std::vector<Column> read_columns(const std::vector<nlohmann::json>& results) {
   return columns;
 }
 
-const TestResult& Row::worst() const {
-  const TestResult* out = nullptr;
-  for (const TestResult* test : outcomes) {
+const TestRecord& Row::worst() const {
+  const TestRecord* out = nullptr;
+  for (const TestRecord* test : outcomes) {
     if (test && (!out || test->severity() < out->severity())) out = test;
   }
   return *out;
@@ -40,16 +39,16 @@ const TestResult& Row::worst() const {
 bool Row::differs() const {
   const Verdict verdict = worst().verdict;
   return std::any_of(outcomes.begin(), outcomes.end(),
-                     [verdict](const TestResult* test) { return test && test->verdict != verdict; });
+                     [verdict](const TestRecord* test) { return test && test->verdict != verdict; });
 }
 
 std::vector<Row> read_rows(const std::vector<Column>& columns) {
   std::vector<Row> rows;
   std::map<std::string, std::size_t> index;
   for (std::size_t column = 0; column < columns.size(); ++column) {
-    for (const TestResult& test : columns[column].record.tests) {
+    for (const TestRecord& test : columns[column].record.tests) {
       const auto [it, inserted] = index.emplace(test.name, rows.size());
-      if (inserted) rows.push_back({test.name, std::vector<const TestResult*>(columns.size(), nullptr)});
+      if (inserted) rows.push_back({test.name, std::vector<const TestRecord*>(columns.size(), nullptr)});
       rows[it->second].outcomes[column] = &test;
     }
   }

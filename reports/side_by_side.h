@@ -4,25 +4,24 @@
 #include <string>
 #include <vector>
 
-#include "reports/record.h"
+#include "harness/results/run_result.h"
 
 namespace evalcts::reports {
 
 // A record with a label that no other has: its name, and where several have that, where it comes from or
 // which it is.
 struct Column {
-  Record record;
+  RunResult record;
   std::string label;
 };
-// Throws FormatError.
-std::vector<Column> read_columns(const std::vector<nlohmann::json>& results);
+std::vector<Column> label_columns(const std::vector<RunResult>& results);
 
 // One test across the records; null where a record does not have it.
 struct Row {
   std::string name;
-  std::vector<const TestResult*> outcomes;
+  std::vector<const TestRecord*> outcomes;
 
-  const TestResult& worst() const;
+  const TestRecord& worst() const;
   // A record that lacks the test has no opinion.
   bool differs() const;
 };

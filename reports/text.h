@@ -1,4 +1,4 @@
-// Text that is safe to show, and numbers the way all reports show them.
+// Numbers and Markdown as all reports show them.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/results/text.h"
+
 namespace evalcts::reports {
-
-// Valid UTF-8 that XML 1.0 allows and a terminal does not act on: what is not UTF-8, U+0080..U+009F, U+FFFE
-// and U+FFFF become U+FFFD; U+0000..U+001F and U+007F become U+2400..U+2421, but newline and tab stay.
-std::string clean(const std::string& text);
-
-// Line breaks and tabs become spaces.
-std::string one_line(std::string text);
-
-// At most `columns` code points; a cut is marked by "...". Clean text only; columns >= 3.
-std::string cut(const std::string& text, std::size_t columns);
 
 // Four significant digits: "0.5", "123.4", "1.234e+09"; "unknown" without a value.
 std::string number(std::optional<double> value);

@@ -12,7 +12,8 @@
 #include <reference/rounding.h>
 
 #include "harness/accuracy/table.h"
-#include "harness/runner/runner.h"
+#include "harness/results/files.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::accuracy {
 namespace {

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
+#include "harness/faults/fault_table.h"
+#include "harness/results/run_result.h"
 #include "harness/runner/folder_lock.h"
 
 namespace evalcts::cli {
@@ -145,13 +146,12 @@ std::vector<std::string> own_subject_names();
 std::vector<std::string> ulp_targets();
 
 // Writes index.html and summary.md of these results, compared with the earlier ones, into an existing folder,
-// each whole or not at all. Throws std::runtime_error, and reports::FormatError where a result is none.
-void write_pages(const std::filesystem::path& output, const std::vector<nlohmann::json>& results,
-                 const std::vector<nlohmann::json>& before);
+// each whole or not at all. Throws std::runtime_error.
+void write_pages(const std::filesystem::path& output, const std::vector<RunResult>& results,
+                 const std::vector<RunResult>& before);
 
-// {"faults": [{"name", "implementation", "level", "requirements", "what", "kind"}]}. Throws
-// std::runtime_error.
-nlohmann::json list_faults();
+// The answer of the suite program with faults. Throws std::runtime_error.
+std::vector<faults::ListedFault> list_faults();
 
 // Why an implementation does not start; empty where it does. Asked in a child: libraries do not share a
 // process well.
@@ -176,14 +176,15 @@ Places places();
 // CannotStart where nothing can be written into it or another command writes there.
 FolderLock claim(const std::filesystem::path& output, const std::string& command);
 
-// K and N of "K/N", 1 <= K <= N; none where the text is something else.
-std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text);
-
-// The tests whose names match a GoogleTest-like filter: patterns with * and ?, separated by ':', those after
-// a
-// '-' excluded.
-nlohmann::json matching(const nlohmann::json& tests, const std::string& filter);
-// Whether the filter, which may be empty, leaves the name in.
+// True if the name matches a GoogleTest-like filter: patterns with * and ?, separated by ':', those after a
+// '-' excluded. An empty filter matches every name.
 bool is_chosen(const std::string& name, const std::string& filter);
+
+// The items whose names match the filter.
+template <class Named>
+std::vector<Named> matching(std::vector<Named> items, const std::string& filter) {
+  std::erase_if(items, [&](const Named& item) { return !is_chosen(item.name, filter); });
+  return items;
+}
 
 }  // namespace evalcts::cli

@@ -6,8 +6,9 @@
 #include "harness/accuracy/digest.h"
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
+#include "harness/results/files.h"
+#include "harness/results/text.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 
@@ -30,8 +31,7 @@ int digest(const UlpOptions& options) {
       return kWrongUse;
     }
     std::cout << fmt::format("digest {:016x} of {} results, seed {}: {} {} {}\n", sum, values, options.seed,
-                             source.info.name, reports::clean(source.info.renderer),
-                             reports::clean(source.info.version));
+                             source.info.name, clean(source.info.renderer), clean(source.info.version));
     return kNothingUnexpected;
   } catch (const CannotStart& reason) {
     std::cerr << "evalcts: " << reason.what() << "\n";

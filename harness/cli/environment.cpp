@@ -7,7 +7,7 @@
 #include <fstream>
 #include <vector>
 
-#include "harness/cli/commands.h"
+#include "harness/results/run_result.h"
 
 extern char** environ;
 
@@ -30,7 +30,7 @@ std::string shard_of_environment() {
   const bool is_number = !index.empty() && index.find_first_not_of("0123456789") == std::string::npos;
   const std::string shard =
       is_number && index.size() < 10 ? fmt::format("{}/{}", std::stoul(index) + 1, total) : "";
-  if (!shard_of(shard))
+  if (!Shard::parse(shard, "/"))
     throw BadEnvironment(fmt::format(
         "GTEST_SHARD_INDEX='{}' is no part of GTEST_TOTAL_SHARDS='{}': unset both, or use --shard K/N", index,
         total));

@@ -3,32 +3,28 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
 #include "harness/fuzz/campaign.h"
+#include "harness/fuzz/events.h"
 #include "harness/fuzz/hunt.h"
-#include "harness/gl/case_json.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
+#include "harness/results/text.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 // The causes of the findings that the suite replays in every run: those are known.
 std::map<std::string, std::string> known_causes() {
   std::map<std::string, std::string> known;
-  for (const json& finding : findings())
-    known[fuzz::cause_of(gl::case_from_json(finding.at("program")), finding.at("what"))] =
-        finding.at("name").get<std::string>();
+  for (const fuzz::KnownFinding& finding : fuzz::known_findings())
+    known[fuzz::cause_of(finding.program, finding.what)] = finding.name;
   return known;
 }
 
@@ -67,7 +63,7 @@ int fuzz(const FuzzOptions& options) {
     unexpected += !known;
     text += fmt::format("{} ({} of {} programs, {} first): {}\n  {}\n  {}\n",
                         known ? "known as " + cause.known_as : "new", cause.times, hunt.programs,
-                        cause.program, cause.cause, cause.finding.value("message", ""), cause.file);
+                        cause.program, cause.cause, cause.finding.failure.message, cause.file);
   }
   text += fmt::format(
       "{}: seed {}: {} programs ({} of them seen in full), {} commands in {:.1f} s; {} causes, {} of them "
@@ -79,9 +75,9 @@ int fuzz(const FuzzOptions& options) {
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
                     hunt.not_repeated);
   if (hunt.slow) text += fmt::format("{} took too long, but not once more by themselves\n", hunt.slow);
-  line.print(reports::clean(text));
+  line.print(clean(text));
   if (!hunt.cannot_start.empty()) {
-    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, reports::clean(hunt.cannot_start));
+    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, clean(hunt.cannot_start));
     return kWrongUse;
   }
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";

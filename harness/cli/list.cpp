@@ -1,26 +1,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
-#include "harness/implementations/gl_environment.h"
 #include "harness/implementations/implementation.h"
-#include "harness/runner/baseline.h"
-#include "harness/runner/child_process.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
+#include "harness/results/baseline.h"
+#include "harness/results/json.h"
+#include "harness/results/requirements.h"
+#include "harness/results/serialization.h"
+#include "harness/runner/question.h"
 
 namespace evalcts::cli {
 namespace {
 
 using nlohmann::json;
 
-json implementations() {
+void list_implementations(bool as_json) {
   json all = json::array();
   for (const ImplementationKind& kind : implementation_kinds()) {
     const std::string reason = why_not(kind.name);
@@ -28,29 +24,12 @@ json implementations() {
         {"name", kind.name}, {"what", kind.what}, {"available", reason.empty()}, {"package", kind.package}};
     if (!reason.empty()) entry["reason"] = reason;
     all.push_back(entry);
+    if (!as_json)
+      std::cout << fmt::format("{:<12} {:<14} {}\n", kind.name,
+                               reason.empty() ? "available" : "not available",
+                               reason.empty() ? kind.what : reason);
   }
-  return all;
-}
-
-}  // namespace
-
-std::string why_not(const std::string& implementation) {
-  char name[] = "/tmp/evalcts-answer-XXXXXX";
-  const int descriptor = mkstemp(name);
-  if (descriptor < 0) throw std::runtime_error("cannot make a temporary file");
-  close(descriptor);
-  ChildProcess child(
-      {places().suite_program.string(), "--implementation", implementation, "--describe", "--answer", name},
-      "");
-  const auto ending = child.wait(30);
-  std::ifstream stream(name);
-  const json answer = json::parse(stream, nullptr, false);
-  std::filesystem::remove(name);
-  if (answer.is_object() && answer.contains("cannot_start")) return answer["cannot_start"];
-  if (!ending) return "it does not answer within 30 seconds";
-  if (!ending->signalled && ending->value == 0) return {};
-  return fmt::format("the process that loads the library ended with {}{}", describe(*ending),
-                     describe_gl_environment());
+  if (as_json) std::cout << json{{"implementations", all}}.dump(1) << "\n";
 }
 
 // The shipped baselines and overlays, each with its header and the number of its entries.
@@ -70,6 +49,16 @@ void list_baselines(bool as_json) {
   if (as_json) std::cout << json{{"baselines", all}}.dump(1) << "\n";
 }
 
+}  // namespace
+
+std::string why_not(const std::string& implementation) {
+  std::string reason;
+  return describe_implementation({places().suite_program.string(), "--implementation", implementation},
+                                 reason)
+             ? std::string()
+             : reason;
+}
+
 std::vector<std::string> default_implementations() {
   std::vector<std::string> names;
   for (const ImplementationKind& kind : implementation_kinds()) {
@@ -78,62 +67,45 @@ std::vector<std::string> default_implementations() {
     if (kind.name != "osmesa") continue;
     const std::string reason = why_not("osmesa");
     if (reason.empty()) continue;
-    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reports::clean(reason));
+    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
     names.back() = "egl";
   }
   return names;
 }
 
 int list(const std::string& what, bool as_json) {
+  const auto line = [](std::size_t width, const std::string& name, const std::string& text) {
+    std::cout << fmt::format("{:<{}} {}\n", name, width, text);
+  };
   if (what == "implementations") {
-    const json all = implementations();
-    if (as_json) {
-      std::cout << json{{"implementations", all}}.dump(1) << "\n";
-    } else {
-      for (const json& entry : all)
-        std::cout << fmt::format("{:<12} {:<14} {}\n", entry["name"].get<std::string>(),
-                                 entry["available"].get<bool>() ? "available" : "not available",
-                                 entry["available"].get<bool>()
-                                     ? entry["what"].get<std::string>()
-                                     : reports::clean(entry["reason"].get<std::string>()));
-    }
-  } else if (what == "interpretations") {
-    if (as_json) {
-      std::cout << json{{"interpretations", interpretations()}}.dump(1) << "\n";
-    } else {
-      for (const json& entry : interpretations())
-        for (const auto& [reading, meaning] : entry["readings"].items())
-          std::cout << fmt::format("{:<36} {}\n", entry["id"].get<std::string>() + "=" + reading,
-                                   meaning.get<std::string>());
-    }
+    list_implementations(as_json);
   } else if (what == "baselines") {
     list_baselines(as_json);
+  } else if (what == "interpretations") {
+    if (as_json)
+      std::cout << interpretations_as_json() << "\n";
+    else
+      for (const Ambiguity* const entry : catalogue().interpretations())
+        for (const auto& [reading, meaning] : entry->readings) line(36, entry->id + "=" + reading, meaning);
   } else if (what == "faults") {
-    const json all = list_faults();
-    if (as_json) {
-      std::cout << all.dump(1) << "\n";
-    } else {
-      for (const json& fault : all["faults"])
-        std::cout << fmt::format("{:<44} {}\n", fault["name"].get<std::string>(),
-                                 fault["what"].get<std::string>());
-    }
+    const std::vector<faults::ListedFault> all = list_faults();
+    if (as_json)
+      std::cout << faults::to_text(all);
+    else
+      for (const faults::ListedFault& fault : all) line(44, fault.name, fault.what);
   } else if (what == "requirements") {
-    if (as_json) {
-      std::cout << catalogue().dump(1) << "\n";
-    } else {
-      for (const json& requirement : catalogue()["requirements"])
-        std::cout << fmt::format("{:<28} {}\n", requirement["id"].get<std::string>(),
-                                 requirement["text"].get<std::string>());
-    }
+    if (as_json)
+      std::cout << catalogue_as_json() << "\n";
+    else
+      for (const Requirement& requirement : catalogue().requirements)
+        line(28, requirement.id, requirement.text);
   } else {
-    const json tests = list_tests(places().suite_program);
-    if (as_json) {
-      std::cout << tests.dump(1) << "\n";
-    } else {
-      for (const json& test : tests["tests"])
-        std::cout << fmt::format("{:<60} {}\n", test["name"].get<std::string>(),
-                                 fmt::join(test["requirements"].get<std::vector<std::string>>(), " "));
-    }
+    const std::vector<ListedTest> tests = list_tests(places().suite_program);
+    if (as_json)
+      std::cout << to_text(tests);
+    else
+      for (const ListedTest& test : tests)
+        line(60, test.name, fmt::format("{}", fmt::join(test.requirements, " ")));
   }
   return kNothingUnexpected;
 }

@@ -12,8 +12,8 @@
 #include "harness/cli/environment.h"
 #include "harness/cli/help.h"
 #include "harness/implementations/implementation.h"
-#include "harness/runner/baseline.h"
-#include "harness/runner/events.h"
+#include "harness/results/baseline.h"
+#include "harness/results/files.h"
 
 int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators", "evalcts"};
@@ -82,7 +82,7 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
       ->add_option("--shard", run_options.shard,
                    "K/N: every N-th of the tests, from the K-th on; N machines play them all")
       ->check([](const std::string& text) {
-        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+        return evalcts::Shard::parse(text, "/") ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
       });
   run_command->add_option("--shuffle", run_options.shuffle,
                           "run the tests in a random order (GoogleTest keeps those of a suite together): its "
@@ -145,7 +145,7 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   faults_command->add_option("--filter", faults_options.filter, "faults to try: patterns as for run");
   faults_command->add_option("--shard", faults_options.shard, "K/N: every N-th fault, from the K-th on")
       ->check([](const std::string& text) {
-        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+        return evalcts::Shard::parse(text, "/") ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
       });
   faults_command
       ->add_flag("--complete", faults_options.complete,
@@ -266,7 +266,7 @@ int evalcts::cli::command_line(int argc, char** argv, bool only_parse) {
   ulp_command
       ->add_option("--shard", ulp_options.shard, "K/N: every N-th block of the sweep, from the K-th on")
       ->check([](const std::string& text) {
-        return evalcts::cli::shard_of(text) ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+        return evalcts::Shard::parse(text, "/") ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
       });
   ulp_command->add_option(
       "--checkpoint", ulp_options.checkpoint,

@@ -6,7 +6,7 @@
 
 #include "harness/cli/commands.h"
 #include "harness/implementations/implementation.h"
-#include "reports/text.h"
+#include "harness/results/text.h"
 
 namespace evalcts::cli {
 
@@ -43,34 +43,24 @@ FolderLock claim(const fs::path& output, const std::string& command) {
   try {
     return {output, fmt::format("process {}: {}", getpid(), command)};
   } catch (const FolderInUse& problem) {
-    throw CannotStart(fmt::format("{}; wait for it, or choose another folder with --output",
-                                  reports::clean(problem.what())));
+    throw CannotStart(
+        fmt::format("{}; wait for it, or choose another folder with --output", clean(problem.what())));
   }
 }
 
-nlohmann::json matching(const nlohmann::json& tests, const std::string& filter) {
-  const auto any = [](const std::string& patterns, const std::string& name) {
+bool is_chosen(const std::string& name, const std::string& filter) {
+  const auto matches_any = [&](const std::string& patterns) {
     std::istringstream stream(patterns);
     for (std::string pattern; std::getline(stream, pattern, ':');)
       if (fnmatch(pattern.c_str(), name.c_str(), FNM_NOESCAPE) == 0) return true;
     return false;
   };
   // The first '-' at the beginning of a pattern starts the negative ones, as in GoogleTest.
-  std::size_t dash = filter.starts_with('-') ? 0 : filter.find(":-");
+  const std::size_t dash = filter.starts_with('-') ? 0 : filter.find(":-");
   const std::string positive = dash == std::string::npos ? filter : filter.substr(0, dash);
-  std::string negative;
-  if (dash != std::string::npos) negative = filter.substr(filter[dash] == ':' ? dash + 2 : dash + 1);
-  nlohmann::json matched = nlohmann::json::array();
-  for (const auto& test : tests.at("tests")) {
-    const std::string name = test.at("name");
-    if (any(positive.empty() ? "*" : positive, name) && !any(negative, name)) matched.push_back(test);
-  }
-  return matched;
-}
-
-bool is_chosen(const std::string& name, const std::string& filter) {
-  const nlohmann::json named = {{"name", name}};
-  return filter.empty() || !matching({{"tests", nlohmann::json::array({named})}}, filter).empty();
+  const std::string negative =
+      dash == std::string::npos ? "" : filter.substr(dash + (filter[dash] == ':' ? 2 : 1));
+  return (positive.empty() || matches_any(positive)) && !(!negative.empty() && matches_any(negative));
 }
 
 }  // namespace evalcts::cli

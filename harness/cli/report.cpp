@@ -9,15 +9,15 @@
 #include <iostream>
 #include <set>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
-#include "harness/runner/runner.h"
+#include "harness/results/files.h"
+#include "harness/results/serialization.h"
+#include "harness/results/text.h"
 
 namespace evalcts::cli {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 // What is wrong with what the user named; the message says what to do.
@@ -48,7 +48,7 @@ std::vector<fs::path> files_of(const fs::path& argument) {
   return files;
 }
 
-json read_result(const fs::path& file) {
+RunResult read_result(const fs::path& file) {
   std::error_code unknown;
   if (!fs::is_regular_file(file, unknown)) throw CannotReport(fmt::format("'{}' is no file", file.string()));
   errno = 0;
@@ -56,8 +56,8 @@ json read_result(const fs::path& file) {
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream) throw CannotReport(fmt::format("cannot read '{}': {}", file.string(), std::strerror(errno)));
   try {
-    return reports::parse_result(text);
-  } catch (const reports::FormatError& error) {
+    return parse_run_result(text);
+  } catch (const FormatError& error) {
     throw CannotReport(fmt::format("'{}': {}; leave it out, or run again", file.string(), error.what()));
   }
 }
@@ -68,16 +68,15 @@ std::string origin_of(const fs::path& argument) {
   return is_result_name(path) && path.has_parent_path() ? path.parent_path().string() : path.string();
 }
 
-std::vector<json> read_results(const std::vector<std::string>& arguments, bool with_origin) {
-  std::vector<json> results;
+std::vector<RunResult> read_results(const std::vector<std::string>& arguments, bool with_origin) {
+  std::vector<RunResult> results;
   std::set<fs::path> seen;
   for (const std::string& argument : arguments)
     for (const fs::path& file : files_of(argument)) {
       std::error_code unknown;
       if (!seen.insert(fs::weakly_canonical(file, unknown)).second) continue;
-      json result = read_result(file);
-      result.erase("origin");
-      if (with_origin) result["origin"] = origin_of(argument);
+      RunResult result = read_result(file);
+      result.origin = with_origin ? clean(origin_of(argument)) : std::string();
       results.push_back(std::move(result));
     }
   return reports::merge_shards(results);
@@ -85,7 +84,8 @@ std::vector<json> read_results(const std::vector<std::string>& arguments, bool w
 
 }  // namespace
 
-void write_pages(const fs::path& output, const std::vector<json>& results, const std::vector<json>& before) {
+void write_pages(const fs::path& output, const std::vector<RunResult>& results,
+                 const std::vector<RunResult>& before) {
   reports::PageOptions options;
   options.before = before;
   options.accuracy_page = fs::exists(output / "accuracy.html");
@@ -96,7 +96,7 @@ void write_pages(const fs::path& output, const std::vector<json>& results, const
 int report(const ReportOptions& options) {
   const fs::path usual = places().output;
   const fs::path output = options.output.empty() ? usual : fs::path(options.output);
-  std::vector<json> results, before;
+  std::vector<RunResult> results, before;
   reports::Changes changes;
   try {
     results =
@@ -106,12 +106,12 @@ int report(const ReportOptions& options) {
   } catch (const CannotReport& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;
-  } catch (const reports::FormatError& error) {
+  } catch (const FormatError& error) {
     std::cerr << "evalcts: " << error.what() << "\n";
     return kWrongUse;
   }
   const FolderLock lock = claim(output, "evalcts report");
-  for (const json& result : results)
+  for (const RunResult& result : results)
     std::cout << reports::terminal_summary(result, catalogue(), shows_colour(), false) << "\n";
   if (!before.empty()) std::cout << changes.text << "\n";
   try {

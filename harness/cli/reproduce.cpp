@@ -6,20 +6,21 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <list>
 #include <optional>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/recorded.h"
 #include "harness/cli/wrap.h"
+#include "harness/results/files.h"
+#include "harness/results/requirements.h"
+#include "harness/results/serialization.h"
+#include "harness/results/text.h"
 #include "harness/runner/child_process.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr double kLook = 0.1;         // seconds between two looks at the child
@@ -31,24 +32,20 @@ struct CannotReproduce : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-// Every test of every result file in the folder.
-std::vector<Candidate> recorded_tests(const fs::path& folder) {
+// Every test of every result file in the folder; `runs` keeps what they point to.
+std::vector<Candidate> recorded_tests(const fs::path& folder, std::list<RunResult>& runs) {
   std::vector<Candidate> tests;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     const std::string file = entry.path().filename().string();
     if (!file.starts_with("results-") || entry.path().extension() != ".json") continue;
     try {
-      for (Candidate& test : candidates_of(json::parse(text_of(entry.path()), nullptr, false)))
-        tests.push_back(std::move(test));
-    } catch (const BadResults& problem) {
+      const std::vector<Candidate> found =
+          candidates_of(runs.emplace_back(parse_run_result(read_file(entry.path()))));
+      tests.insert(tests.end(), found.begin(), found.end());
+    } catch (const FormatError& problem) {
       std::cerr << fmt::format("evalcts: {} holds no results; left out ({})\n", entry.path().string(),
-                               reports::clean(problem.what()));
+                               clean(problem.what()));
     }
   }
   if (tests.empty())
@@ -112,31 +109,31 @@ class TemporaryFolder {
 
 // What the suite program made of the test, once more.
 struct Replayed {
-  json record;  // null where the process died or hung in it
+  std::optional<TestRecord> record;  // none if the process died or hung in it
   bool hung = false;
   std::string ending;
   std::string program;  // C
 };
 
-// Whether the test has begun; its record once there is one.
-bool read_events(const fs::path& path, json& record) {
+// Returns true if the test has begun, and sets its record once there is one.
+bool read_events(const fs::path& path, std::optional<TestRecord>& record) {
   bool started = false;
   std::ifstream records(path);
   for (std::string line; std::getline(records, line);) {
-    const json event = json::parse(line, nullptr, false);
-    if (!event.is_object()) continue;
-    started = started || event.value("event", "") == "start";
-    if (event.value("event", "") == "result") record = event["record"];
+    const std::optional<Event> event = parse_event(line);
+    if (!event) continue;
+    started = started || std::holds_alternative<TestStarted>(*event);
+    if (const auto* result = std::get_if<TestFinished>(&*event)) record = result->record;
   }
   return started;
 }
 
 Replayed replay(const Candidate& failure) {
-  if (!failure.run.contains("suite_command"))
+  if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
-                          failure.test.value("rerun", "evalcts run"));
+                          (failure.test->rerun.empty() ? "evalcts run" : failure.test->rerun));
   const TemporaryFolder folder;
-  std::vector<std::string> command = replay_options(failure.run);
+  std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
   std::ofstream(folder / "tests") << failure.name() << "\n";
   command.insert(command.end(),
@@ -146,7 +143,7 @@ Replayed replay(const Candidate& failure) {
   bool started = false;
   {
     ChildProcess child(command, (folder / "log").string());
-    const double seconds = failure.run.value("timeout", 60.0);
+    const double seconds = failure.run->timeout.value_or(60.0);
     double waited = 0;
     std::optional<Ending> ending;
     while (!(ending = child.wait(kLook)) && waited < (started ? seconds : kStartSeconds)) {
@@ -160,10 +157,10 @@ Replayed replay(const Candidate& failure) {
     if (ending) result.ending = describe(*ending);
   }
   started = read_events(folder / "records", result.record);
-  result.program = text_of(folder / "program.c");
+  result.program = read_file(folder / "program.c");
   if (!started)
     throw CannotReproduce(
-        fmt::format("{} does not start any more:\n{}", failure.label(), text_of(folder / "log")));
+        fmt::format("{} does not start any more:\n{}", failure.label(), read_file(folder / "log")));
   return result;
 }
 
@@ -176,26 +173,22 @@ std::string comment(const std::string& text) {
 }
 
 std::string head(const Candidate& failure, const Replayed& replayed, const std::string& compile) {
-  const bool dead = replayed.record.is_null();
-  const json& test = dead ? failure.test : replayed.record;
-  const json cases = test.value("failures", json::array());
+  const TestRecord& test = replayed.record ? *replayed.record : *failure.test;
   std::string text = "/*\n" + comment(fmt::format("{} on {}: {}", failure.name(), failure.label(),
-                                                  failure.test.value("verdict", "")));
-  if (!cases.empty()) text += comment("Case: " + cases.front().value("case", ""));
-  text += " *\n" + comment(test.value("message", ""));
-  for (const std::string id : failure.test.value("requirements", json::array()))
-    for (const json& requirement : catalogue()["requirements"])
-      if (as_text(requirement["id"]) == id.substr(0, id.find('/')))
-        text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement["text"].get<std::string>(),
-                                             requirement["source"].get<std::string>()));
+                                                  text_of(failure.test->verdict).word));
+  if (!test.failures.empty()) text += comment("Case: " + test.failures.front().case_identity);
+  text += " *\n" + comment(test.message);
+  for (const std::string& id : failure.test->requirements)
+    if (const Requirement* const requirement = catalogue().find(id))
+      text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement->text, requirement->source));
   text += " *\n *   " + compile + "\n *\n" +
           comment(
               "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start. The argument, if "
               "there is one, is another library to try it on.") +
           " */\n";
-  if (replayed.hung || failure.test.value("verdict", "") == "timeout")
+  if (replayed.hung || failure.test->verdict == Verdict::kTimeout)
     text += fmt::format("#define SECONDS {} /* until this counts as a hang */\n",
-                        std::clamp(static_cast<int>(failure.run.value("timeout", 10.0)), 1, 10));
+                        std::clamp(static_cast<int>(failure.run->timeout.value_or(10.0)), 1, 10));
   return text;
 }
 
@@ -209,7 +202,7 @@ std::string from_here(const fs::path& path) {
 std::string compile_line(const Candidate& failure, const std::string& source) {
   const std::string program = source.substr(0, source.size() - fs::path(source).extension().string().size());
   std::vector<std::string> command = {"cc", "-o", program, source};
-  const std::vector<std::string> options = replay_options(failure.run);
+  const std::vector<std::string> options = replay_options(*failure.run);
   if (std::find(options.begin(), options.end(), "production") != options.end()) {
     const Places where = places();
     if (where.production_library.empty()) {
@@ -227,12 +220,14 @@ std::string compile_line(const Candidate& failure, const std::string& source) {
 
 int reproduce_or_throw(const ReproduceOptions& options) {
   const fs::path folder = options.results.empty() ? places().output : fs::path(options.results);
-  const Candidate failure = find(recorded_tests(folder), options.failure);
+  std::list<RunResult> runs;
+  const Candidate failure = find(recorded_tests(folder, runs), options.failure);
   const Replayed replayed = replay(failure);
 
   if (replayed.program.empty() || replayed.program.starts_with("#error ")) {
     std::string calls;
-    for (const std::string call : failure.test.value("calls", json::array())) calls += "  " + call + "\n";
+    if (!failure.test->failures.empty())
+      for (const std::string& call : failure.test->failures.front().calls) calls += "  " + call + "\n";
     throw CannotReproduce(fmt::format("{}.\nThe calls of the case:\n{}",
                                       replayed.program.empty()
                                           ? "the test died before its first case"
@@ -240,16 +235,16 @@ int reproduce_or_throw(const ReproduceOptions& options) {
                                       calls));
   }
 
-  const std::string verdict = replayed.record.is_null() ? "" : replayed.record.value("verdict", "");
-  if (verdict == "pass")
-    throw CannotReproduce(fmt::format(
-        "{} passes now, alone in a new process: {}", failure.name(),
-        as_text(failure.test["verdict"]) == "fail"
-            ? "the library has changed, or it depends on chance"
-            : "what it needs to fail is in its message:\n  " + failure.test.value("message", "")));
-  if (!verdict.empty() && verdict != "fail")
+  const TestRecord* const record = replayed.record ? &*replayed.record : nullptr;
+  if (record && record->verdict == Verdict::kPass)
     throw CannotReproduce(
-        fmt::format("{} is {} now: {}", failure.name(), verdict, replayed.record.value("message", "")));
+        fmt::format("{} passes now, alone in a new process: {}", failure.name(),
+                    failure.test->verdict == Verdict::kFail
+                        ? "the library has changed, or it depends on chance"
+                        : "what it needs to fail is in its message:\n  " + failure.test->message));
+  if (record && record->verdict != Verdict::kFail)
+    throw CannotReproduce(
+        fmt::format("{} is {} now: {}", failure.name(), text_of(record->verdict).word, record->message));
   const fs::path file = fs::absolute(options.output.empty() ? folder / reproducer_name(failure.name())
                                                             : fs::path(options.output))
                             .lexically_normal();
@@ -263,14 +258,14 @@ int reproduce_or_throw(const ReproduceOptions& options) {
 
   std::cout << fmt::format("{} {}; build and start it with\n\n  {}\n\n", replaced ? "Replaced" : "Wrote",
                            from_here(file), compile_line(failure, from_here(file)));
-  if (replayed.record.is_null()) {
+  if (!record) {
     std::cout << fmt::format("It makes the calls of the case in which the process {}.\n",
                              replayed.hung ? "hung" : "ended with " + replayed.ending);
     if (!replayed.hung && replayed.ending.starts_with("exit code"))
       std::cout
           << "The library ends the process by itself, so the program ends with that code instead of 1.\n";
   } else {
-    std::cout << "It shows: " << reports::clean(replayed.record.value("message", "")) << "\n";
+    std::cout << "It shows: " << record->message << "\n";
   }
   std::cout << "Exit code 1: the failure shows; 0: it does not; 2: it cannot start.\n";
   return kNothingUnexpected;
@@ -282,10 +277,10 @@ int reproduce(const ReproduceOptions& options) {
   try {
     return reproduce_or_throw(options);
   } catch (const CannotReproduce& error) {
-    std::cerr << "evalcts: " << reports::clean(error.what()) << "\n";
+    std::cerr << "evalcts: " << clean(error.what()) << "\n";
     return kWrongUse;
-  } catch (const BadResults& error) {
-    std::cerr << "evalcts: the results do not follow their format: " << reports::clean(error.what()) << "\n";
+  } catch (const FormatError& error) {
+    std::cerr << "evalcts: the results do not follow their format: " << clean(error.what()) << "\n";
     return kWrongUse;
   }
 }

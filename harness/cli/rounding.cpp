@@ -6,7 +6,7 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
 #include "harness/rounding/check.h"
-#include "harness/runner/runner.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 

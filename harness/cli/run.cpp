@@ -10,35 +10,30 @@
 #include <map>
 #include <mutex>
 #include <random>
-#include <sstream>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/terminal.h"
-#include "harness/runner/baseline.h"
+#include "harness/results/baseline.h"
+#include "harness/results/requirements.h"
+#include "harness/results/serialization.h"
 #include "harness/runner/child_process.h"
-#include "harness/runner/depth.h"
+#include "harness/runner/question.h"
 #include "harness/runner/runner.h"
-#include "reports/text.h"
 
 namespace evalcts::cli {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
-int exit_code_of(const json& result, bool named, bool strict) {
-  if (as_text(result["status"]) == "not-started") return named ? kWrongUse : kNothingUnexpected;
+int exit_code_of(const RunResult& result, bool named, bool strict) {
+  if (!result.has_started()) return named ? kWrongUse : kNothingUnexpected;
   int code = kNothingUnexpected;
-  for (const json& test : result["tests"]) {
-    const std::string verdict = test["verdict"];
-    if (verdict == "internal-error") return kOwnFault;
-    const bool failed = verdict == "fail" || verdict == "crash" || verdict == "timeout";
-    if (failed && !test["expected_by_baseline"].get<bool>()) code = kUnexpected;
-    if (strict && verdict == "pass" && !test["baseline_reason"].get<std::string>().empty())
-      code = kUnexpected;
+  for (const TestRecord& test : result.tests) {
+    if (test.verdict == Verdict::kInternalError) return kOwnFault;
+    if (is_failure(test.verdict) && !test.expected_by_baseline) code = kUnexpected;
+    if (strict && test.is_unexpected_pass()) code = kUnexpected;
   }
-  if (strict && result.contains("stale_baseline_entries")) code = kUnexpected;
+  if (strict && !result.stale_baseline_entries.empty()) code = kUnexpected;
   return code;
 }
 
@@ -71,30 +66,15 @@ bool is_file_name(const std::string& label) {
   return !label.empty() && label.size() <= kLongestLabel && label[0] != '.' && label[0] != '-';
 }
 
-}  // namespace
-
-std::optional<std::pair<std::size_t, std::size_t>> shard_of(const std::string& text) {
-  std::size_t number = 0, count = 0;
-  char slash = 0;
-  std::istringstream stream(text);
-  if (!(stream >> number >> slash >> count) || slash != '/' || !stream.eof()) return {};
-  if (number < 1 || number > count) return {};
-  return std::pair{number, count};
-}
-
-namespace {
-
 // What is wrong with the first bad one of these, NAME=READING each; empty where all are good.
 std::string wrong_reading(const std::vector<std::string>& choices) {
   for (const std::string& choice : choices) {
     const std::size_t equals = choice.find('=');
     if (equals == std::string::npos) return fmt::format("--interpretation '{}' is no NAME=READING", choice);
     const std::string name = choice.substr(0, equals), reading = choice.substr(equals + 1);
-    const std::vector<json> all = interpretations();
-    const auto entry =
-        std::find_if(all.begin(), all.end(), [&](const json& e) { return as_text(e["id"]) == name; });
-    if (entry == all.end()) return fmt::format("there is no interpretation '{}'", name);
-    if (!(*entry)["readings"].contains(reading)) return fmt::format("{} has no reading '{}'", name, reading);
+    const Ambiguity* const entry = catalogue().find_ambiguity(name);
+    if (!entry || entry->readings.empty()) return fmt::format("there is no interpretation '{}'", name);
+    if (!entry->readings.contains(reading)) return fmt::format("{} has no reading '{}'", name, reading);
   }
   return {};
 }
@@ -107,7 +87,7 @@ int run(const RunOptions& options) {
 
   RunRequest request;
   request.suite_program = where.suite_program;
-  request.depth = options.depth;
+  request.depth = depth_named(options.depth).value_or(Depth::full);
   request.seed = options.seed;
   request.limits = {options.seconds_per_test, options.mebibytes << 20};
   request.retries = options.retries;
@@ -180,22 +160,17 @@ int run(const RunOptions& options) {
     request.baseline = wanted.name;
   }
 
-  const json all_tests = list_tests(where.suite_program);
+  const std::vector<ListedTest> all_tests = list_tests(where.suite_program);
   request.tests = matching(all_tests, options.filter);
   if (options.filter.empty())
-    std::erase_if(request.tests.get_ref<json::array_t&>(), [&](const json& test) {
-      return depth_named(test["from"].get<std::string>()) > depth_named(options.depth);
-    });
+    std::erase_if(request.tests, [&](const ListedTest& test) { return test.from > request.depth; });
   if (request.tests.empty()) {
     std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
     return kWrongUse;
   }
   if (!options.shard.empty()) {
-    const auto [number, count] = *shard_of(options.shard);
-    request.shard = fmt::format("{}-of-{}", number, count);
-    json part = json::array();
-    for (std::size_t i = number - 1; i < request.tests.size(); i += count) part.push_back(request.tests[i]);
-    request.tests = std::move(part);
+    request.shard = Shard::parse(options.shard, "/");
+    request.tests = request.shard->part_of(request.tests);
   }
   if (options.shuffle)
     std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
@@ -203,11 +178,11 @@ int run(const RunOptions& options) {
   stop_when_asked();
   adopt_what_children_leave();
   ProgressLine line(options.quiet);
-  std::vector<json> results;
+  std::vector<RunResult> results;
   int code = kNothingUnexpected;
   // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
   // A second pass follows the first of the same implementation.
-  std::vector<std::future<std::vector<json>>> running;
+  std::vector<std::future<std::vector<RunResult>>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;
     request.name = !options.label.empty()        ? options.label
@@ -219,9 +194,9 @@ int run(const RunOptions& options) {
         line.show(request.name,
                   progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
       };
-      std::vector<json> passes = {run_implementation(request, show)};
-      if (options.reuse_context && as_text(passes[0]["status"]) == "complete") {
-        const json first = passes[0];
+      std::vector<RunResult> passes = {run_implementation(request, show)};
+      if (options.reuse_context && passes[0].is_complete()) {
+        const RunResult first = passes[0];
         pace = {};
         request.first_pass = &first;
         passes.push_back(run_implementation(request, show));
@@ -230,7 +205,7 @@ int run(const RunOptions& options) {
     }));
   }
   for (auto& future : running) {
-    std::vector<json> passes;
+    std::vector<RunResult> passes;
     try {
       passes = future.get();
     } catch (const CannotWrite& problem) {
@@ -238,12 +213,11 @@ int run(const RunOptions& options) {
       std::cerr << fmt::format("evalcts: {}\n", problem.what());
       code = std::max(code, kWrongUse);
     }
-    for (json& result : passes) {
-      const std::string pass = result.value("pass", "");
-      const std::string label = file_label(result["implementation"]["name"], request.shard, pass);
-      if (options.baseline != "none" && as_text(result["status"]) != "not-started") {
+    for (RunResult& result : passes) {
+      const std::string label = result.file_label();
+      if (options.baseline != "none" && result.has_started()) {
         Baseline baseline =
-            Baseline::best_fit(request.baselines, result["implementation"], pass, request.baseline);
+            Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
         // A baseline that was chosen for one pass leaves the other pass alone.
         if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
           const BaselineFiles renewed = baseline.renewed(result, request.baseline, label);
@@ -252,8 +226,7 @@ int run(const RunOptions& options) {
           baseline = baseline.with(renewed);
         }
         baseline.apply(result);
-        const std::vector<std::string> stale = baseline.stale_entries(all_tests);
-        if (!stale.empty()) result["stale_baseline_entries"] = stale;
+        result.stale_baseline_entries = baseline.stale_entries(all_tests);
         write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       }
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
@@ -262,7 +235,7 @@ int run(const RunOptions& options) {
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
       code = std::max(code, exit_code_of(result, named, options.strict));
-      if (as_text(result["status"]) == "interrupted") code = std::max(code, kWrongUse);
+      if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
   }

@@ -21,9 +21,10 @@
 #include "harness/cli/ulp.h"
 #include "harness/cli/world.h"
 #include "harness/gl/tokens.h"
+#include "harness/results/files.h"
+#include "harness/results/text.h"
 #include "harness/runner/child_process.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 namespace {
@@ -226,9 +227,9 @@ int sweep(const UlpOptions& options) {
 
   accuracy::SweepTask task{std::get<accuracy::SweptMap>(std::move(map)), options.from, options.to};
   if (!options.shard.empty()) {
-    const auto [number, count] = *shard_of(options.shard);
-    task.shard = static_cast<std::int64_t>(number) - 1;
-    task.shards = static_cast<std::int64_t>(count);
+    const Shard shard = *Shard::parse(options.shard, "/");
+    task.shard = shard.number - 1;
+    task.shards = shard.count;
   }
   const int jobs = options.jobs.value_or(world && world->size() > 1 ? 1 : usual_jobs());
   stop_when_asked();
@@ -271,7 +272,7 @@ int sweep(const UlpOptions& options) {
     }
     line.print(
         fmt::format("{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}\n", label,
-                    reports::clean(source.info.renderer), reports::clean(source.info.version),
+                    clean(source.info.renderer), clean(source.info.version),
                     task.map.is_plain_curve() ? "" : task.map.target + ", ", fmt::join(options.orders, " x "),
                     fmt::join(identity["points"].get<std::vector<std::string>>(), ","),
                     accuracy::hex(task.from), accuracy::hex(task.to),

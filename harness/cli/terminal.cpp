@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "harness/runner/runner.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 

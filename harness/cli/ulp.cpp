@@ -24,9 +24,10 @@
 #include "harness/accuracy/table.h"
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
+#include "harness/results/files.h"
+#include "harness/results/text.h"
 #include "harness/runner/child_process.h"
-#include "harness/runner/runner.h"
-#include "reports/text.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
 namespace {
@@ -224,10 +225,9 @@ double error_of(const json& row, const char* which) {
 std::string in_words(const json& entry, bool with_target, bool verbose) {
   std::string text = entry["name"].get<std::string>() + ":";
   for (const char* part : {"vendor", "renderer", "version"})
-    if (entry.contains(part)) text += " " + reports::clean(entry[part].get<std::string>());
+    if (entry.contains(part)) text += " " + clean(entry[part].get<std::string>());
   text += "\n";
-  if (entry.contains("reason"))
-    text += fmt::format("  {}\n", reports::clean(entry["reason"].get<std::string>()));
+  if (entry.contains("reason")) text += fmt::format("  {}\n", clean(entry["reason"].get<std::string>()));
   if (entry["rows"].empty()) return text;
   text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n", "maps", "values",
                       "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong",
@@ -411,7 +411,7 @@ int page_again(const UlpOptions& options) {
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const auto wrong = [&](const std::string& why) {
     std::cerr << fmt::format("evalcts: '{}': {}; --page takes the ulp.json that 'evalcts ulp' has written\n",
-                             options.page, reports::clean(why));
+                             options.page, clean(why));
     return kWrongUse;
   };
   std::ifstream stream(options.page);
@@ -423,7 +423,7 @@ int page_again(const UlpOptions& options) {
     std::cout << write_page(output, document);
   } catch (const json::exception& error) {
     return wrong(error.what());
-  } catch (const reports::FormatError& error) {
+  } catch (const FormatError& error) {
     return wrong(error.what());
   }
   return kNothingUnexpected;

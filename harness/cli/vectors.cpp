@@ -5,8 +5,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "harness/cli/catalogue.h"
 #include "harness/cli/commands.h"
+#include "harness/results/requirements.h"
 #include "vectors/lint/lint.h"
 #include "vectors/write/write.h"
 
@@ -63,7 +63,7 @@ int lint_vectors(const VectorsOptions& options) {
     for (const std::string& kind : vectors::kinds()) files.push_back(places().vectors / (kind + ".json"));
 
   std::set<std::string> requirements;
-  for (const auto& row : catalogue()["requirements"]) requirements.insert(row["id"]);
+  for (const Requirement& requirement : catalogue().requirements) requirements.insert(requirement.id);
   nlohmann::json schema;
   const fs::path schema_file = places().vectors / "schema/vectors-1.schema.json";
   const bool by_schema = vectors::has_schema_validator() && fs::exists(schema_file);

@@ -12,7 +12,7 @@
 
 #include "harness/gl/table.h"
 #include "harness/implementations/implementation.h"
-#include "harness/runner/record.h"
+#include "harness/results/test_record.h"
 
 namespace evalcts::faults {
 

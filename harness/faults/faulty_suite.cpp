@@ -3,10 +3,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "harness/faults/fault.h"
+#include "harness/faults/fault_table.h"
 #include "harness/faults/repaired_osmesa.h"
-#include "harness/results/json.h"
 #include "harness/runner/suite_main.h"
 
 namespace {
@@ -28,26 +30,28 @@ bool has_osmesa() {
 }
 
 // The arguments that make this program open the implementation of a fault.
-std::vector<std::string_view> arguments_of(std::string_view implementation) {
+std::vector<std::string> arguments_of(std::string_view implementation) {
   if (implementation == "osmesa" && !has_osmesa()) return {"--implementation", "egl"};
   if (implementation == "dropin" && !has_osmesa()) return {"--implementation", "dropin-egl"};
   if (implementation == faults::kNvVertexProgram) return {"--context", NV_VERTEX_PROGRAM_PROVIDER};
   if (implementation == faults::kRepairedOSMesa || implementation == faults::kOSMesa30)
-    return {"--implementation", has_osmesa() ? "osmesa" : "egl", "--base", implementation};
-  return {"--implementation", implementation};
+    return {"--implementation", has_osmesa() ? "osmesa" : "egl", "--base", std::string(implementation)};
+  return {"--implementation", std::string(implementation)};
 }
 
 void list_faults(const char* file) {
-  nlohmann::json all = nlohmann::json::array();
-  for (const faults::Fault& fault : faults::all_faults())
-    all.push_back({{"name", fault.name},
-                   {"implementation", fault.implementation},
-                   {"arguments", arguments_of(fault.implementation)},
-                   {"level", name_of(fault.level)},
-                   {"requirements", fault.requirements},
-                   {"what", fault.what},
-                   {"kind", fault.inject ? "wrapper" : "switch"}});
-  std::ofstream(file) << nlohmann::json{{"faults", all}}.dump(1) << "\n";
+  std::vector<faults::ListedFault> all;
+  for (const faults::Fault& fault : faults::all_faults()) {
+    std::istringstream requirements{std::string(fault.requirements)};
+    all.push_back({std::string(fault.name),
+                   std::string(fault.implementation),
+                   arguments_of(fault.implementation),
+                   fault.level,
+                   {std::istream_iterator<std::string>(requirements), {}},
+                   std::string(fault.what),
+                   fault.inject ? "wrapper" : "switch"});
+  }
+  std::ofstream(file) << faults::to_text(all);
 }
 
 std::unique_ptr<Implementation> wrapped(std::unique_ptr<Implementation> implementation,

@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "harness/fuzz/events.h"
 #include "harness/fuzz/legal.h"
 #include "harness/fuzz/random_program.h"
 #include "harness/fuzz/shrink.h"
@@ -22,7 +23,6 @@ namespace evalcts::fuzz {
 namespace {
 
 using gl::EntryPoint;
-using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto kReportEvery = std::chrono::milliseconds(500);
@@ -189,28 +189,16 @@ gl::Case without_evaluators(const gl::Case& program) {
 }
 
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
-  Record record;
+  TestRecord record;
   // Of some names the other captures check the first: not of what is only looked at again.
   record.name = look == Look::all ? program.identity() : "a smaller version";
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
-  if (record.verdict == Verdict::internal_error)
+  if (record.verdict == Verdict::kInternalError)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
-  if (record.verdict != Verdict::fail) return {{}, record.verdict == Verdict::pass};
+  if (record.verdict != Verdict::kFail) return {{}, record.verdict == Verdict::kPass};
   const Failure& failure = record.failures.front();
   return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
-}
-
-json to_json(const Finding& finding) {
-  return {{"program", gl::to_json(finding.program)},
-          {"cause", finding.cause},
-          {"requirement", finding.requirement},
-          {"outside_evaluators", finding.outside_evaluators},
-          {"what", finding.failure.what},
-          {"message", finding.failure.message},
-          {"expected", finding.failure.expected},
-          {"captured", finding.failure.captured},
-          {"calls", finding.failure.calls}};
 }
 
 namespace {
@@ -284,7 +272,7 @@ class SharedContext {
 
 class Player {
  public:
-  using Report = std::function<void(const json&)>;
+  using Report = std::function<void(const CampaignEvent&)>;
 
   Player(const Subject& subject, const Campaign& campaign, const Report& report)
       : subject_(subject),
@@ -299,9 +287,9 @@ class Player {
   }
 
   void play() {
-    report_({{"event", "campaign"}, {"max_eval_order", max_order_}});
+    report_(CampaignStarted{max_order_});
     for (std::uint32_t number = campaign_.first; goes_on(); number += campaign_.step) {
-      report_({{"event", "start"}, {"name", fmt::format("program {}", number)}});
+      report_(TestStarted{fmt::format("program {}", number)});
       play(number);
       report_progress_now_and_then();
     }
@@ -321,11 +309,7 @@ class Player {
   }
 
   void report_progress() {
-    report_({{"event", "progress"},
-             {"programs", programs_},
-             {"judged", judged_},
-             {"commands", commands_},
-             {"not_repeated", not_repeated_}});
+    report_(CampaignProgress{programs_, judged_, commands_, not_repeated_});
     reported_ = Clock::now();
   }
 
@@ -349,7 +333,7 @@ class Player {
     if (!found) return;
     const gl::Case shown = found->program;
     const Finding finding = explain(shown, *std::move(found));
-    report_({{"event", "finding"}, {"number", number}, {"finding", to_json(finding)}});
+    report_(FindingMade{number, finding});
   }
 
   // What differed in the shared context, in a fresh one: the program, or it behind some that were played
@@ -429,9 +413,7 @@ class Player {
       landed();
       return finding;
     }
-    const auto smaller = [&](const gl::Case&) {
-      report_({{"event", "smaller"}, {"finding", to_json(finding)}});
-    };
+    const auto smaller = [&](const gl::Case&) { report_(FindingShrank{finding}); };
     // Where it goes wrong with the control as well, that stands for it, whose cause names no evaluation: it
     // cannot hide what only that shows.
     gl::Case shown = program;
@@ -463,9 +445,9 @@ class Player {
   // Leaves word of the program that is played next. False where the library has died in it before.
   bool takes_off(const gl::Case& candidate) const {
     if (campaign_.in_flight.empty()) return true;
-    const json data = gl::to_json(candidate);
-    if (std::ranges::find(campaign_.deadly, data) != campaign_.deadly.end()) return false;
-    std::ofstream(campaign_.in_flight) << data;
+    const std::string text = gl::to_text(candidate);
+    if (std::ranges::count(campaign_.deadly, text) > 0) return false;
+    std::ofstream(campaign_.in_flight) << text;
     return true;
   }
   void landed() const {
@@ -486,7 +468,8 @@ class Player {
 
 }  // namespace
 
-void play(const Subject& subject, const Campaign& campaign, const std::function<void(const json&)>& report) {
+void play(const Subject& subject, const Campaign& campaign,
+          const std::function<void(const CampaignEvent&)>& report) {
   Player(subject, campaign, report).play();
 }
 

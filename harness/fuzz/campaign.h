@@ -9,7 +9,6 @@
 
 #include "harness/fuzz/as_specified.h"
 #include "harness/gl/case.h"
-#include "harness/results/json.h"
 #include "harness/runner/test.h"
 
 namespace evalcts::fuzz {
@@ -25,7 +24,7 @@ struct Campaign {
   // A program that is made smaller is written to this file before it is played, so that it is known where the
   // library dies in it; the file is empty meanwhile. Empty: nowhere.
   std::string in_flight = {};
-  std::vector<nlohmann::json> deadly = {};  // such programs that the library has died in: not played again
+  std::vector<std::string> deadly = {};  // such programs that the library has died in: not played again
   // A context for each program. Otherwise most share one, where the implementation makes contexts that live
   // beside it: making one, and shaders in it, takes most of the time of a program. What differs there has to
   // differ in a fresh one as well, at least behind programs that were played before.
@@ -70,20 +69,5 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
 // The control: vertices in the place of evaluation (see gl/explicit_vertices.h), and no command left that
 // defines, enables or asks for maps and grids.
 gl::Case without_evaluators(const gl::Case& program);
-
-// {"program": commands as in gl/case_json.h, "cause", "requirement", "outside_evaluators", "what", "message",
-// "expected", "captured", "calls"}
-nlohmann::json to_json(const Finding& finding);
-
-// Plays the campaign, of each program the commands that the implementation has, and reports events for the
-// runner (see suite_child.h):
-//   {"event": "campaign", "max_eval_order"}, first;
-//   {"event": "start", "name": "program 17"};
-//   {"event": "smaller", "finding": ...} while a failing one shrinks;
-//   {"event": "finding", "number": 17, "finding": ...};
-//   {"event": "progress", "programs", "judged", "commands", "not_repeated"}: "judged" are those of which all
-//   could be seen, "not_repeated" those that differed in the shared context only.
-void play(const Subject& subject, const Campaign& campaign,
-          const std::function<void(const nlohmann::json& event)>& report);
 
 }  // namespace evalcts::fuzz

@@ -9,19 +9,19 @@
 #include <memory>
 
 #include "harness/fuzz/campaign.h"
+#include "harness/fuzz/events.h"
 #include "harness/fuzz/legal.h"
 #include "harness/fuzz/random_program.h"
 #include "harness/fuzz/shrink.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
-#include "harness/runner/events.h"
-#include "harness/runner/runner.h"
+#include "harness/results/files.h"
+#include "harness/runner/interruption.h"
 #include "harness/runner/suite_child.h"
 
 namespace evalcts::fuzz {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
@@ -63,9 +63,9 @@ class Hunter {
     std::unique_ptr<SuiteChild> child;
     std::uint32_t first = 0;
     std::optional<std::uint32_t> programs;
-    std::uint64_t played = 0, judged = 0, commands = 0, not_repeated = 0;  // as the child last said
-    json smaller;                 // finding: the smallest so far of what it works on
-    json deadly = json::array();  // programs it died in on the way there
+    CampaignProgress played;          // as the child last said
+    std::optional<Finding> smaller;   // the smallest so far of what it works on
+    std::vector<std::string> deadly;  // programs it died in on the way there
   };
 
   // The programs K, K + jobs, K + 2 jobs, ... of one lane.
@@ -104,7 +104,8 @@ class Hunter {
     return scratch_ / fmt::format("{}.{}", lane + 1, extension);
   }
 
-  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs, json deadly = json::array()) {
+  void start(int k, std::uint32_t first, std::optional<std::uint32_t> programs,
+             std::vector<std::string> deadly = {}) {
     if (lanes_.size() <= static_cast<std::size_t>(k)) lanes_.resize(static_cast<std::size_t>(k) + 1);
     Lane& lane = lanes_[static_cast<std::size_t>(k)];
     lane = {};
@@ -124,8 +125,8 @@ class Hunter {
     if (left > 0) command.insert(command.end(), {"--seconds", fmt::format("{:.3f}", left)});
     fs::remove(scratch(k, "jsonl"));
     fs::remove(scratch(k, "in-flight"));
-    write_atomically(scratch(k, "deadly"), lane.deadly.dump());
-    write_atomically(scratch(k, "known"), json(causes_seen("")).dump());
+    write_atomically(scratch(k, "deadly"), list_as_text(lane.deadly));
+    write_atomically(scratch(k, "known"), list_as_text(causes_seen("")));
     lane.child = std::make_unique<SuiteChild>(command, scratch(k, "jsonl"), scratch(k, "log"),
                                               Limits{request_.seconds_per_program});
   }
@@ -138,32 +139,32 @@ class Hunter {
       if (request_.seconds > 0)
         deadline = begin_ + std::chrono::duration_cast<Clock::duration>(
                                 std::chrono::duration<double>(request_.seconds + kPatience));
-      const bool ended = lane.child->look(kLook, deadline, [&](const json& event) { take(lane, event); });
+      const bool ended = lane.child->look(kLook, deadline, [&](const Event& event) {
+        if (std::holds_alternative<TestStarted>(event)) lane.smaller.reset();
+        const auto* other = std::get_if<OtherEvent>(&event);
+        const std::optional<CampaignEvent> of_campaign =
+            other ? parse_campaign_event(other->line) : std::nullopt;
+        if (of_campaign) take(lane, *of_campaign);
+      });
       if (ended) finish(static_cast<int>(k));
     }
     hunt_.seconds = seconds_since(begin_);
     progress_(hunt_);
   }
 
-  void take(Lane& lane, const json& event) {
-    const std::string kind = event.value("event", "");
-    if (kind == "campaign") {
-      max_eval_order_ = event["max_eval_order"];
-    } else if (kind == "start") {
-      lane.smaller = nullptr;
-    } else if (kind == "smaller") {
-      lane.smaller = event["finding"];
-    } else if (kind == "finding") {
-      found(fmt::format("program {}", event["number"].get<std::uint32_t>()), event["finding"]);
-    } else if (kind == "progress") {
-      hunt_.programs += event["programs"].get<std::uint64_t>() - lane.played;
-      hunt_.commands += event["commands"].get<std::uint64_t>() - lane.commands;
-      hunt_.judged += event["judged"].get<std::uint64_t>() - lane.judged;
-      hunt_.not_repeated += event["not_repeated"].get<std::uint64_t>() - lane.not_repeated;
-      lane.not_repeated = event["not_repeated"];
-      lane.judged = event["judged"];
-      lane.played = event["programs"];
-      lane.commands = event["commands"];
+  void take(Lane& lane, const CampaignEvent& event) {
+    if (const auto* started = std::get_if<CampaignStarted>(&event)) {
+      max_eval_order_ = started->max_eval_order;
+    } else if (const auto* smaller = std::get_if<FindingShrank>(&event)) {
+      lane.smaller = smaller->finding;
+    } else if (const auto* made = std::get_if<FindingMade>(&event)) {
+      found(fmt::format("program {}", made->number), made->finding);
+    } else if (const auto* now = std::get_if<CampaignProgress>(&event)) {
+      hunt_.programs += now->programs - lane.played.programs;
+      hunt_.commands += now->commands - lane.played.commands;
+      hunt_.judged += now->judged - lane.played.judged;
+      hunt_.not_repeated += now->not_repeated - lane.played.not_repeated;
+      lane.played = *now;
     }
   }
 
@@ -187,25 +188,18 @@ class Hunter {
     const auto left_behind = [&](std::uint32_t behind) {
       return last.programs ? std::optional(*last.programs - behind) : std::nullopt;
     };
-    const json in_flight = read(scratch(k, "in-flight"));
+    const std::string in_flight = read_file(scratch(k, "in-flight"));
     died(run, number, in_flight);
-    if (!in_flight.is_null() && last.deadly.size() < kMostDeaths) {
+    if (!in_flight.empty() && last.deadly.size() < kMostDeaths) {
       // It died on the way to the cause of another difference, which is looked for once more.
-      json deadly = number == last.first ? last.deadly : json::array();
+      std::vector<std::string> deadly = number == last.first ? last.deadly : std::vector<std::string>();
       deadly.push_back(in_flight);
-      hunt_.programs += done - 1 - last.played;
+      hunt_.programs += done - 1 - last.played.programs;
       return start(k, number, left_behind(done - 1), std::move(deadly));
     }
-    if (!last.smaller.is_null()) found(fmt::format("program {}", number), last.smaller);
-    hunt_.programs += done - last.played;
+    if (last.smaller) found(fmt::format("program {}", number), *last.smaller);
+    hunt_.programs += done - last.played.programs;
     start(k, number + static_cast<std::uint32_t>(request_.jobs), left_behind(done));
-  }
-
-  // Null where there is none.
-  static json read(const fs::path& path) {
-    std::ifstream file(path);
-    const json data = json::parse(file, nullptr, false);
-    return data.is_discarded() ? json() : data;
   }
 
   static std::string last_line(const fs::path& log) {
@@ -218,11 +212,11 @@ class Hunter {
 
   // The death of the child in a program, or in a smaller one on the way to the cause of a difference, made
   // small by playing candidates in processes of their own.
-  void died(const ChildRun& run, std::uint32_t number, const json& in_flight) {
+  void died(const ChildRun& run, std::uint32_t number, const std::string& in_flight) {
     const std::string how = run.hung ? "timeout" : "crash";
-    gl::Case program = in_flight.is_null()
+    gl::Case program = in_flight.empty()
                            ? random_program(request_.seed, number, request_.length, max_eval_order_)
-                           : gl::case_from_json(in_flight);
+                           : gl::parse_case(in_flight);
     int at = 0;
     // On a busy machine anything takes long now and then.
     if (run.hung && ends_alone(program, ++at, request_.seconds_per_program)) {
@@ -257,15 +251,16 @@ class Hunter {
       if (outside) program = without_evaluators(program);  // its cause names no evaluation, then
       cause = cause_of(program, how);
     }
-    json finding = {{"program", gl::to_json(program)},
-                    {"requirement", requirement_of(program, how)},
-                    {"what", how},
-                    {"message", fmt::format("{}: {}", how, describe(run.ending))},
-                    {"expected", "the program is played to its end"},
-                    {"captured", describe(run.ending)},
-                    {"calls", gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1)},
-                    {"outside_evaluators", outside},
-                    {"cause", cause}};
+    Finding finding;
+    finding.program = program;
+    finding.requirement = requirement_of(program, how);
+    finding.outside_evaluators = outside;
+    finding.cause = cause;
+    finding.failure.what = how;
+    finding.failure.message = fmt::format("{}: {}", how, describe(run.ending));
+    finding.failure.expected = "the program is played to its end";
+    finding.failure.captured = describe(run.ending);
+    finding.failure.calls = gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1);
     found(fmt::format("program {}", number), finding);
   }
 
@@ -282,7 +277,7 @@ class Hunter {
   // Whether the program comes to its end in a process of its own.
   bool ends_alone(const gl::Case& program, int at, double patience) const {
     const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
-    write_atomically(file, gl::to_json(program).dump());
+    write_atomically(file, gl::to_text(program));
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", file.string(), "--records", events.string()});
     SuiteChild child(command, events, scratch_ / "alone.log", {patience});
@@ -291,8 +286,8 @@ class Hunter {
     return child.run().complete;
   }
 
-  void found(const std::string& program, const json& finding) {
-    const std::string cause = finding["cause"];
+  void found(const std::string& program, const Finding& finding) {
+    const std::string& cause = finding.cause;
     auto known = std::ranges::find(hunt_.causes, cause, &Cause::cause);
     if (known == hunt_.causes.end()) {
       Cause fresh;
@@ -301,7 +296,7 @@ class Hunter {
       fresh.finding = finding;
       const auto as = request_.known.find(cause);
       if (as != request_.known.end()) fresh.known_as = as->second;
-      if (finding["outside_evaluators"]) fresh.known_as = "a defect outside evaluators";
+      if (finding.outside_evaluators) fresh.known_as = "a defect outside evaluators";
       fresh.file =
           (request_.output / fmt::format("fuzz-{}-{}.json", request_.name, hunt_.causes.size() + 1)).string();
       hunt_.causes.push_back(std::move(fresh));
@@ -312,20 +307,19 @@ class Hunter {
   }
 
   void write(const Cause& cause) const {
-    const json& finding = cause.finding;
-    write_atomically(cause.file, finding.dump(1) + "\n");
+    write_atomically(cause.file, to_text(cause.finding));
+    const Failure& failure = cause.finding.failure;
     std::string text =
-        fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.cause,
-                    finding["message"].get<std::string>(), finding["expected"].get<std::string>(),
-                    finding["captured"].get<std::string>(), finding["requirement"].get<std::string>());
-    const gl::Case program = gl::case_from_json(finding["program"]);
+        fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.cause, failure.message,
+                    failure.expected, failure.captured, cause.finding.requirement);
+    const gl::Case& program = cause.finding.program;
     text += fmt::format(
         "{}\n",
         fmt::join(gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1, 1000, 0), "\n"));
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
     // The C program, as far as there is one for this implementation.
     const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";
-    write_atomically(replay, finding["program"].dump());
+    write_atomically(replay, gl::to_text(program));
     std::vector<std::string> command = shared_options();
     command.insert(command.end(), {"--replay", replay.string(), "--records", events.string(), "--reproduce",
                                    fs::path(cause.file).replace_extension(".c").string()});

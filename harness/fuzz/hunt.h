@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/fuzz/campaign.h"
 #include "harness/implementations/implementation.h"
-#include "harness/results/json.h"
 
 namespace evalcts::fuzz {
 
@@ -37,7 +37,7 @@ struct Cause {
   std::string program;   // "program 17", the first that showed it
   std::string file;      // fuzz-NAME-K.json in the output folder; .txt and .c beside it
   std::size_t times = 0;
-  nlohmann::json finding;  // as of to_json(Finding)
+  Finding finding;
 };
 
 struct Hunt {

@@ -189,4 +189,12 @@ Case case_from_json(const json& commands) {
   return script;
 }
 
+std::string to_text(const Case& script) { return to_json(script).dump(); }
+
+Case parse_case(const std::string& text) {
+  const json data = json::parse(text, nullptr, false);
+  if (data.is_discarded()) throw std::invalid_argument("the program is not JSON");
+  return case_from_json(data);
+}
+
 }  // namespace evalcts::gl

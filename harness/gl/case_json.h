@@ -17,4 +17,8 @@ nlohmann::json to_json(const Case& script);
 // The inverse. Throws std::invalid_argument, with words, where the data is none of these.
 Case case_from_json(const nlohmann::json& commands);
 
+// The same as text.
+std::string to_text(const Case& script);
+Case parse_case(const std::string& text);
+
 }  // namespace evalcts::gl

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "harness/capture/observation.h"
-#include "harness/judge/accuracy.h"
 #include "harness/judge/prediction.h"
 #include "harness/judge/topology.h"
+#include "harness/results/accuracy.h"
+#include "harness/results/verdict.h"
 
 namespace evalcts {
 

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/runner/events.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 

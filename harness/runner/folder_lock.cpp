@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "harness/runner/events.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "harness/runner/events.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 namespace {

@@ -255,12 +255,12 @@ std::optional<gl::Check> Reproduction::check_of(const Mismatch& mismatch,
   return std::nullopt;
 }
 
-void Reproduction::failed(const Failure& failure) {
+void Reproduction::failed(const Failure& failure, const std::optional<gl::Check>& decided) {
   if (recorder_->frozen() || recorder_->passes().empty()) return;
   const Pass& last = recorder_->passes().back();
-  gl::Check check;
-  if (failure.check) {
-    check = *failure.check;
+  gl::Check& check = check_.emplace();
+  if (decided) {
+    check = *decided;
   } else if (last.missing_command) {
     check.rule = gl::Check::Rule::has_commands;
   } else {

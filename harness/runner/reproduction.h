@@ -11,7 +11,7 @@
 #include "harness/gl/check.h"
 #include "harness/implementations/implementation.h"
 #include "harness/judge/judge.h"
-#include "harness/runner/record.h"
+#include "harness/results/test_record.h"
 
 namespace evalcts {
 
@@ -35,12 +35,16 @@ class Reproduction {
                                     const std::function<bool(Implementation&)>& still) const;
 
   // The first failure ends the recording.
-  void failed(const Failure& failure);
+  // `check`: what decides it; missing if that is a comparison of the test's own.
+  void failed(const Failure& failure, const std::optional<gl::Check>& check);
+  // The check of the first failure, as it was written.
+  const std::optional<gl::Check>& check() const { return check_; }
 
  private:
   class Recorder;
   std::unique_ptr<Recorder> recorder_;
   std::string file_;
+  std::optional<gl::Check> check_;
 };
 
 }  // namespace evalcts

@@ -1,10 +1,8 @@
 #include "harness/runner/runner.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/utsname.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,33 +12,26 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <thread>
 
-#include "harness/implementations/gl_environment.h"
 #include "harness/runner/child_process.h"
 #include "harness/runner/claims.h"
 #include "harness/runner/control_case.h"
 #include "harness/runner/history.h"
+#include "harness/runner/question.h"
 #include "harness/runner/suite_child.h"
 
 namespace evalcts {
 
-std::atomic<bool> interrupted = false;
-
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kLook = 0.02;           // seconds between two looks at a child
-constexpr double kStartTimeout = 60;     // for the questions that each library is asked first
 constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
 constexpr double kSearchesBudget = 120;  // ... and all of them
-constexpr std::size_t kMostQuotedLines = 3;
-constexpr char kCannotStartLine[] = "cannot start: ";  // the reason itself, as suite_main prints it
-constexpr int kMostEmptyStarts = 2;                    // children that end without having begun a test
+constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -75,7 +66,8 @@ class Run {
   Run(const RunRequest& request, const std::function<void(const Progress&)>& progress)
       : request_(request),
         progress_(progress),
-        scratch_(request.output / ("scratch-" + file_label(request.name, request.shard, pass()))) {}
+        result_(header()),
+        scratch_(request.output / ("scratch-" + result_.file_label())) {}
   ~Run() {
     std::error_code error;
     fs::remove_all(scratch_, error);
@@ -83,32 +75,28 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  json run() {
+  RunResult run() {
     remove_stale_files();
-    json result = header();
     progress_({"starting", 0, request_.tests.size(), ""});
     try {
-      if (!start(result)) return finish(result, "not-started");
+      if (!start()) return finish(RunStatus::kNotStarted);
       run_tests();
       if (second_pass())
         explain_by_history();
       else
-        play_failures_again(result);
+        play_failures_again();
     } catch (const CannotWrite& error) {
-      result["reason"] =
+      result_.reason =
           error.what() + std::string("; free some space, or choose another folder with --output");
-      return finish(result, "interrupted");
+      return finish(RunStatus::kInterrupted);
     }
-    return finish(result, interrupted ? "interrupted" : "complete");
+    return finish(interrupted ? RunStatus::kInterrupted : RunStatus::kComplete);
   }
 
  private:
   bool second_pass() const { return request_.first_pass != nullptr; }
-  std::string pass() const { return second_pass() ? kReuseContext : ""; }
-
   fs::path file(const std::string& kind, const std::string& extension) const {
-    return request_.output /
-           fmt::format("{}-{}.{}", kind, file_label(request_.name, request_.shard, pass()), extension);
+    return request_.output / fmt::format("{}-{}.{}", kind, result_.file_label(), extension);
   }
 
   void remove_stale_files() const {
@@ -119,25 +107,26 @@ class Run {
     fs::create_directory(scratch_);
   }
 
-  json header() const {
-    json header = {{"format", "evalcts-results-1"},
-                   {"evalcts_version", EVALCTS_VERSION},
-                   {"command", request_.command},
-                   {"depth", request_.depth},
-                   {"seed", request_.seed},
-                   {"timeout", request_.limits.seconds_per_test},
-                   {"memory", request_.limits.memory >> 20},
-                   {"suite_command", suite_command()},
-                   {"reason", ""},
-                   {"implementation", {{"name", request_.name}, {"machine", machine()}}}};
-    if (second_pass()) header["pass"] = pass();
-    if (!request_.shard.empty()) header["shard"] = request_.shard;
+  RunResult header() const {
+    RunResult header;
+    header.evalcts_version = EVALCTS_VERSION;
+    header.command = request_.command;
+    header.depth = request_.depth;
+    header.seed = request_.seed;
+    header.timeout = request_.limits.seconds_per_test;
+    header.memory = request_.limits.memory >> 20;
+    header.suite_command = suite_command();
+    header.pass = second_pass() ? Pass::kReuseContext : Pass::kFreshContexts;
+    header.shard = request_.shard;
+    header.implementation.name = request_.name;
+    header.implementation.machine = machine();
     return header;
   }
 
   // What is judged and how, in options that `evalcts run` and the suite program share.
   std::vector<std::string> shared_options() const {
-    std::vector<std::string> options = {"--depth", request_.depth, "--seed", std::to_string(request_.seed)};
+    std::vector<std::string> options = {"--depth", name_of(request_.depth), "--seed",
+                                        std::to_string(request_.seed)};
     if (!request_.implementation.name.empty())
       options.insert(options.end(), {"--implementation", request_.implementation.name});
     if (!request_.implementation.library.empty())
@@ -156,12 +145,11 @@ class Run {
   }
 
   // What to do next about a failure: judge this test alone, open it in a debugger, make a C program of it.
-  void add_commands(json& record) const {
-    const std::string name = record["name"];
+  void add_commands(TestRecord& record) const {
     // Over a shared context, with the tests that have to come before.
-    std::string filter = name;
-    if (record.contains("history"))
-      for (const std::string before : record["history"]) filter += ":" + before;
+    std::string filter = record.name;
+    for (const std::string& before : record.history.value_or(std::vector<std::string>()))
+      filter += ":" + before;
     const std::string usual_name =
         request_.implementation.name.empty() ? "library" : request_.implementation.name;
     std::vector<std::string> rerun = shared_options();
@@ -174,7 +162,7 @@ class Run {
     if (limits.memory != Limits().memory)
       rerun.insert(rerun.end(), {"--memory", std::to_string(limits.memory >> 20)});
     rerun.insert(rerun.end(), {"--filter", filter});
-    record["rerun"] = shell_line(rerun);
+    record.rerun = shell_line(rerun);
 
     std::vector<std::string> debug = suite_command();
     debug.front() = seen_from_here(debug.front());
@@ -182,106 +170,42 @@ class Run {
     if (second_pass()) debug.push_back("--reuse-context");
     std::replace(filter.begin(), filter.end(), '-', '?');  // GoogleTest takes what follows '-' as negative
     debug.push_back("--gtest_filter=" + filter);
-    record["debug"] = shell_line(debug);
+    record.debug = shell_line(debug);
 
     if (second_pass()) return;  // a C program holds one case, not its history
-    std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + name};
+    std::vector<std::string> reproduce = {request_.program, "reproduce", request_.name + ":" + record.name};
     if (request_.own_output)
       reproduce.insert(reproduce.end(), {"--results", seen_from_here(request_.output)});
-    record["reproducer"] = shell_line(reproduce);
+    record.reproducer = shell_line(reproduce);
   }
 
-  // A question to a child of its own, which is at work on it from the beginning.
-  struct Question {
-    fs::path answer_file;
-    ChildProcess child;
-    Clock::time_point begin = Clock::now();
-  };
-  // `name`: unlike that of any other question at the same time.
-  std::unique_ptr<Question> ask(const std::string& name, const std::vector<std::string>& question) const {
-    const fs::path answer_file = scratch_ / ("answer-" + name + ".json");
-    fs::remove(answer_file);
+  std::unique_ptr<Question> ask(const std::vector<std::string>& question) const {
     std::vector<std::string> command = suite_command();
-    command.push_back("--die-with-parent");
     command.insert(command.end(), question.begin(), question.end());
-    command.insert(command.end(), {"--answer", answer_file.string()});
-    return std::unique_ptr<Question>(new Question{
-        answer_file, ChildProcess(command, file("log", "txt").string(), ChildProcess::Prints::limited)});
+    return std::make_unique<Question>(command, file("log", "txt"), request_.limits.memory);
   }
 
-  // Waits for it. An empty answer comes with a reason.
-  json answer(Question& question, std::string& reason) const {
-    auto& [answer_file, child, begin] = question;
-    std::optional<Ending> ending;
-    bool swelled = false;
-    while (!(ending = child.wait(kLook)) && !interrupted && !swelled && seconds_since(begin) < kStartTimeout)
-      swelled = child.memory() > request_.limits.memory;
-    if (!ending) {
-      child.kill();
-      reason = interrupted ? "interrupted"
-               : swelled   ? fmt::format("it took more than {} MiB of memory", request_.limits.memory >> 20)
-                           : fmt::format("no answer within {} seconds", kStartTimeout);
-      return nullptr;
-    }
-    std::ifstream stream(answer_file);
-    json answer = json::parse(stream, nullptr, false);
-    stream.close();
-    fs::remove(answer_file);
-    if (answer.is_object() && answer.contains("cannot_start")) {
-      reason = answer["cannot_start"].get<std::string>() + quote_output(child.printed());
-      return nullptr;
-    }
-    if (ending->signalled || ending->value != 0 || !answer.is_object()) {
-      reason =
-          fmt::format("the process that loads the library ended with {}{}; see {}{}", describe(*ending),
-                      describe_gl_environment(), file("log", "txt").string(), quote_output(child.printed()));
-      return nullptr;
-    }
-    return answer;
-  }
-
-  // Returns a clause with the first different lines that a library printed before it failed to start, and the
-  // name of the log with all of them; empty if it printed none.
-  std::string quote_output(const std::string& printed) const {
-    std::vector<std::string> lines;
-    std::istringstream stream(printed);
-    for (std::string line; std::getline(stream, line);)
-      if (!line.empty() && !line.starts_with(kCannotStartLine) &&
-          std::find(lines.begin(), lines.end(), line) == lines.end())
-        lines.push_back(line);
-    if (lines.empty()) return {};
-    if (lines.size() > kMostQuotedLines) lines.resize(kMostQuotedLines);
-    return fmt::format("; the library printed \"{}\" (all of its output is in {})", fmt::join(lines, " | "),
-                       file("log", "txt").string());
-  }
-
-  bool start(json& result) {
-    std::string reason;
-    const json description = answer(*ask("description", {"--describe"}), reason);
-    if (description.is_null()) {
-      result["reason"] = reason;
-      return false;
-    }
-    json& implementation = result["implementation"];
-    for (const char* member : {"library", "vendor", "renderer", "version", "max_eval_order"})
-      implementation[member] = description[member];
-    implementation["kind"] = description["name"];
-    if (!description["files"].empty()) implementation["files"] = description["files"];
-    if (const std::string note = description.value("note", ""); !note.empty()) implementation["note"] = note;
-    baseline_ = Baseline::best_fit(request_.baselines, implementation, pass(), request_.baseline);
-    implementation["captures"] = json::array();
-    const std::vector<std::string> names = description["all_captures"];
+  bool start() {
+    std::string& reason = result_.reason;
+    const std::optional<Description> description = ask({"--describe"})->answer(parse_description, reason);
+    if (!description) return false;
+    ImplementationRecord& implementation = result_.implementation;
+    const ImplementationRecord named = implementation;
+    implementation = description->implementation;
+    implementation.kind = std::exchange(implementation.name, named.name);
+    implementation.machine = named.machine;
+    baseline_ = Baseline::best_fit(request_.baselines, implementation, result_.pass, request_.baseline);
     std::vector<std::unique_ptr<Question>> proofs;
-    for (const std::string& name : names) proofs.push_back(ask(name, {"--prove", name}));
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const std::string& name = names[i];
-      std::string why;
-      json capture = answer(*proofs[i], why);
-      if (capture.is_null()) capture = {{"name", name}, {"available", false}, {"reason", why}};
-      if (capture["available"].get<bool>()) captures_.push_back(name);
-      implementation["captures"].push_back(capture);
+    for (const std::string& name : description->captures) proofs.push_back(ask({"--prove", name}));
+    for (std::size_t i = 0; i < proofs.size(); ++i) {
+      CaptureRecord failed{description->captures[i], false, "", ""};
+      const std::optional<CaptureRecord> proof = proofs[i]->answer(parse_capture, failed.reason);
+      const CaptureRecord capture = proof.value_or(failed);
+      if (capture.available) captures_.push_back(capture.name);
+      implementation.captures.push_back(capture);
     }
-    return !interrupted || (result["reason"] = "interrupted", false);
+    if (interrupted) reason = "interrupted";
+    return !interrupted;
   }
 
   // --- running tests -------------------------------------------------------------------------------------
@@ -347,16 +271,14 @@ class Run {
 
   void run_tests() {
     records_file_ = file("records", "jsonl");
-    for (const json& test : request_.tests)
-      if (const Baseline::Pattern* skip = baseline_.skip(test["name"])) {
-        add_record(test["name"], "skipped", skip->reason, nullptr);
-        records_[test["name"]]["baseline_reason"] = skip->reason;
-      }
+    for (const ListedTest& test : request_.tests)
+      if (const Baseline::Pattern* skip = baseline_.skip(test.name))
+        add_record(test.name, Verdict::kSkipped, skip->reason).baseline_reason = skip->reason;
     int fruitless = 0;
     while (!interrupted) {
       std::vector<std::string> remaining;
-      for (const json& test : request_.tests)
-        if (!records_.count(test["name"])) remaining.push_back(test["name"]);
+      for (const ListedTest& test : request_.tests)
+        if (!records_.contains(test.name)) remaining.push_back(test.name);
       if (remaining.empty()) return;
       const std::size_t before = records_.size();
       const std::vector<ChildRun> ended = run_side_by_side(remaining);
@@ -364,8 +286,7 @@ class Run {
       if (interrupted || records_.size() > before || ++fruitless < kMostEmptyStarts) continue;
       const ChildRun& last = ended.back();
       for (const std::string& name : remaining)
-        add_record(name, last.hung ? "timeout" : "crash",
-                   describe(last, request_.limits) + " before its first test", nullptr);
+        add_record(name, verdict_of_death(last), describe(last, request_.limits) + " before its first test");
     }
   }
 
@@ -392,7 +313,7 @@ class Run {
       for (std::size_t job = 0; job < jobs.size(); ++job) {
         if (!jobs[job]) continue;
         if (!jobs[job]->look(kLook / static_cast<double>(running), {},
-                             [this](const json& event) { note(event); }))
+                             [this](const Event& event) { note(event); }))
           continue;
         ChildRun run = jobs[job]->run();
         jobs[job].reset();
@@ -414,19 +335,18 @@ class Run {
   }
 
   // Takes in what a process of run_side_by_side reports.
-  void note(const json& event) {
-    const std::string kind = event.value("event", "");
-    if (kind == "start") {
-      progress_({"test", records_.size(), request_.tests.size(), event.value("name", "")});
-    } else if (kind == "result") {
-      records_[event["record"]["name"]] = event["record"];
+  void note(const Event& event) {
+    if (const auto* start = std::get_if<TestStarted>(&event)) {
+      progress_({"test", records_.size(), request_.tests.size(), start->name});
+    } else if (const auto* result = std::get_if<TestFinished>(&event)) {
+      records_[result->record.name] = result->record;
     }
-    if (kind != "end") append_to_records(event);
+    if (!std::holds_alternative<RunEnded>(event)) append_to_records(event);
   }
 
-  void append_to_records(const json& event) const {
+  void append_to_records(const Event& event) const {
     std::ofstream file(records_file_, std::ios::app);
-    file << event.dump(-1, ' ', false, json::error_handler_t::replace) << '\n';
+    file << to_line(event);
     if (!file.flush())
       throw CannotWrite(fmt::format("cannot write '{}': {}", records_file_.string(), std::strerror(errno)));
   }
@@ -438,30 +358,31 @@ class Run {
     fs::remove(part);
   }
 
-  const json& test(const std::string& name) const {
-    for (const json& test : request_.tests)
-      if (as_text(test["name"]) == name) return test;
-    throw std::logic_error("unknown test " + name);
-  }
-
-  void add_record(const std::string& name, const std::string& verdict, const std::string& message,
-                  const json& last_case) {
-    json record = {{"name", name},
-                   {"requirements", test(name)["requirements"]},
-                   {"level", test(name)["level"]},
-                   {"verdict", verdict},
-                   {"message", message},
-                   {"expected_by_baseline", false},
-                   {"baseline_reason", ""},
-                   {"failures", json::array()}};
-    if (last_case.is_object()) {
-      record["calls"] = last_case["calls"];
-      record["failures"].push_back(
-          {{"case", last_case["case"]}, {"message", message}, {"calls", last_case["calls"]}});
+  // Adds a record of a test that the suite program made none of.
+  TestRecord& add_record(const std::string& name, Verdict verdict, const std::string& message,
+                         const std::optional<CaseStarted>& last_case = {}) {
+    const auto test = std::ranges::find(request_.tests, name, &ListedTest::name);
+    if (test == request_.tests.end()) throw std::logic_error("unknown test " + name);
+    TestRecord record;
+    record.name = name;
+    record.requirements = test->requirements;
+    record.level = test->level;
+    record.verdict = verdict;
+    record.message = message;
+    if (last_case) {
+      Failure failure;
+      failure.case_identity = last_case->identity;
+      failure.message = message;
+      failure.calls = last_case->calls;
+      record.failures.push_back(failure);
     }
     // The file of records is complete without the result file: append what the child could not.
-    append_to_records({{"event", "result"}, {"record", record}});
-    records_[name] = std::move(record);
+    append_to_records(TestFinished{record});
+    return records_[name] = std::move(record);
+  }
+
+  static Verdict verdict_of_death(const ChildRun& run) {
+    return run.hung ? Verdict::kTimeout : Verdict::kCrash;
   }
 
   // Those children that died in a test. Alone in a new child, with its cases traced, it shows the calls;
@@ -484,15 +405,15 @@ class Run {
 
   void record_death(const ChildRun& child, const ChildRun& alone) {
     const std::string name = child.in_flight;
-    const std::string verdict = child.hung ? "timeout" : "crash";
+    const Verdict verdict = verdict_of_death(child);
     const std::string how = describe(child, request_.limits);
     if (interrupted) {
-      add_record(name, verdict, how + "; not confirmed, the run was interrupted", nullptr);
+      add_record(name, verdict, how + "; not confirmed, the run was interrupted");
       return;
     }
-    const std::string last_case = alone.last_case.is_object() ? alone.last_case.value("case", "") : "";
+    const std::string last_case = alone.last_case ? alone.last_case->identity : "";
     if (!alone.in_flight.empty() && is_control(last_case)) {
-      add_record(name, "not-observable", fmt::format("pipeline: {} in '{}'", how, last_case), nullptr);
+      add_record(name, Verdict::kNotObservable, fmt::format("pipeline: {} in '{}'", how, last_case));
       return;
     }
     if (!alone.in_flight.empty()) {
@@ -500,40 +421,37 @@ class Run {
       return;
     }
     const auto result = alone.records.find(name);
-    const std::string again = result == alone.records.end() ? "" : result->second.value("verdict", "");
-    add_record(name, verdict, how + (again == "fail" ? "; fails alone" : "; passes alone"), nullptr);
-    add_history(records_[name], child.finished);
-    if (records_[name].contains("flake") && !again.empty())
-      records_[name]["again"] = {{"verdict", again}, {"message", result->second.value("message", "")}};
+    const bool has_record = result != alone.records.end();
+    const bool fails_alone = has_record && result->second.verdict == Verdict::kFail;
+    TestRecord& record = add_record(name, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"));
+    add_history(record, child.finished);
+    if (record.flake && has_record) record.again = {result->second.verdict, result->second.message};
   }
 
   // --- what does not come out the same ---------------------------------------------------------------------
 
-  // What a process made of the test alone, where that is not what the record says: its verdict and message.
-  // Null where it is the same, or where nothing came of it.
-  json other_outcome(const json& record, const ChildRun& again) const {
-    const std::string name = record["name"];
-    if (again.in_flight == name)
-      return {{"verdict", again.hung ? "timeout" : "crash"}, {"message", describe(again, request_.limits)}};
-    const auto found = again.records.find(name);
-    if (found == again.records.end()) return nullptr;
-    const json& other = found->second;
-    if (other["verdict"] == record["verdict"] && mismatches_of(other) == mismatches_of(record))
-      return nullptr;
-    return {{"verdict", other["verdict"]}, {"message", other.value("message", "")}};
+  // The outcome of the test in a process of its own, if that is not the outcome in the record.
+  std::optional<Repetition> other_outcome(const TestRecord& record, const ChildRun& again) const {
+    if (again.in_flight == record.name)
+      return Repetition{verdict_of_death(again), describe(again, request_.limits)};
+    const auto found = again.records.find(record.name);
+    if (found == again.records.end()) return std::nullopt;
+    const TestRecord& other = found->second;
+    if (other.verdict == record.verdict && other.mismatches == record.mismatches) return std::nullopt;
+    return Repetition{other.verdict, other.message};
   }
 
   // Fails that the baseline does not know, once more. (Deaths have been.)
-  void play_failures_again(json& result) {
+  void play_failures_again() {
     std::vector<std::string> names;
-    for (const json& test : request_.tests) {
-      const auto found = records_.find(test["name"]);
-      if (found != records_.end() && as_text(found->second["verdict"]) == "fail" &&
+    for (const ListedTest& test : request_.tests) {
+      const auto found = records_.find(test.name);
+      if (found != records_.end() && found->second.verdict == Verdict::kFail &&
           !baseline_.knows(found->second, request_.depth, request_.seed))
-        names.push_back(test["name"]);
+        names.push_back(test.name);
     }
     if (request_.retries > 0 && names.size() > kMostPlayedAgain) {
-      result["not_played_again"] = names.size() - kMostPlayedAgain;
+      result_.not_played_again = names.size() - kMostPlayedAgain;
       names.resize(kMostPlayedAgain);
     }
     for (int round = 0; round < request_.retries; ++round) {
@@ -546,11 +464,11 @@ class Run {
         progress_({"playing again", begin, names.size(), some.front()});
         const std::vector<ChildRun> runs = run_alone(some, false);
         for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
-          const json other = other_outcome(records_[some[i]], runs[i]);
-          if (other.is_null())
-            same.push_back(some[i]);
+          const std::optional<Repetition> other = other_outcome(records_[some[i]], runs[i]);
+          if (other)
+            explain_difference(records_[some[i]], *other);
           else
-            explain_difference(records_[some[i]], other);
+            same.push_back(some[i]);
         }
       }
       names = std::move(same);
@@ -558,59 +476,44 @@ class Run {
   }
 
   // A failure that did not come out the same alone: it needs other tests before it, or it is a flake.
-  void explain_difference(json& record, const json& again) {
-    const json before = record;
-    progress_({"searching a history", records_.size(), request_.tests.size(), record["name"]});
-    add_history(record, predecessors_of(record["name"]));
-    if (record.contains("history") && !record["history"].empty()) return;
+  void explain_difference(TestRecord& record, const Repetition& again) {
+    const TestRecord before = record;
+    progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
+    add_history(record, predecessors_of(record.name));
+    if (record.history && !record.history->empty()) return;
     record = before;
-    record["flake"] = true;
-    record["again"] = again;
-    record["message"] =
-        fmt::format("{}; a flake: played again, alone in a new process, its verdict is {}",
-                    record["message"].get<std::string>(), again["verdict"].get<std::string>());
+    record.flake = true;
+    record.again = again;
+    record.message = fmt::format("{}; a flake: played again, alone in a new process, its verdict is {}",
+                                 record.message, text_of(again.verdict).word);
   }
 
   // --- what a failure depends on -------------------------------------------------------------------------
 
-  static bool is_death(const json& record) {
-    return as_text(record["verdict"]) == "crash" || as_text(record["verdict"]) == "timeout";
-  }
-  static bool is_bad(const json& record) { return as_text(record["verdict"]) == "fail" || is_death(record); }
-
-  // Sorted (as the suite program writes them), each as often as it occurred.
-  static std::vector<std::string> mismatches_of(const json& record) {
-    return record.value("mismatches", std::vector<std::string>());
-  }
-
-  // Whether the test failed in the same way in the pass with fresh contexts, with all that is wrong here.
-  bool is_no_news(const json& record) const {
+  // True if the test failed in the same way in the pass with fresh contexts, with all that is wrong here.
+  bool is_no_news(const TestRecord& record) const {
     if (!second_pass()) return false;
-    for (const json& fresh : (*request_.first_pass)["tests"]) {
-      if (fresh["name"] != record["name"]) continue;
-      const std::vector<std::string> before = mismatches_of(fresh), now = mismatches_of(record);
-      return fresh["verdict"] == record["verdict"] &&
-             std::includes(before.begin(), before.end(), now.begin(), now.end());
-    }
-    return false;
+    const auto fresh = std::ranges::find(request_.first_pass->tests, record.name, &TestRecord::name);
+    return fresh != request_.first_pass->tests.end() && fresh->verdict == record.verdict &&
+           std::ranges::includes(fresh->mismatches, record.mismatches);
   }
 
   // Second pass: marks what fails with fresh contexts as well, and looks for the history of the rest.
   void explain_by_history() {
-    for (const json& test : request_.tests) {
-      const auto found = records_.find(test["name"]);
+    for (const ListedTest& test : request_.tests) {
+      const auto found = records_.find(test.name);
       if (interrupted || found == records_.end()) continue;
-      json& record = found->second;
-      if (!is_bad(record) || searched_.count(record["name"])) continue;
+      TestRecord& record = found->second;
+      if (!is_failure(record.verdict) || searched_.contains(record.name)) continue;
       if (is_no_news(record)) {
-        record["also_in_fresh_context"] = true;
-        record["expected_by_baseline"] = true;
-        record["baseline_reason"] = "fails in a fresh context as well";
+        record.also_in_fresh_context = true;
+        record.expected_by_baseline = true;
+        record.baseline_reason = "fails in a fresh context as well";
         continue;
       }
       if (baseline_.knows(record, request_.depth, request_.seed)) continue;
-      progress_({"searching a history", records_.size(), request_.tests.size(), record["name"]});
-      add_history(record, predecessors_of(record["name"]));
+      progress_({"searching a history", records_.size(), request_.tests.size(), record.name});
+      add_history(record, predecessors_of(record.name));
     }
   }
 
@@ -624,22 +527,22 @@ class Run {
   }
 
   // Whether the same happens to the test when it comes after these; empty where time runs out first.
-  std::optional<bool> happens_again(const json& record, std::vector<std::string> tests) {
-    const std::string name = record["name"];
+  std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
+    const std::string& name = record.name;
     tests.push_back(name);
     const ChildRun child = run_scratch(tests, false);
     if (child.cut_short || interrupted) return std::nullopt;
-    if (is_death(record)) return child.in_flight == name;
+    if (is_death(record.verdict)) return child.in_flight == name;
     const auto again = child.records.find(name);
-    return again != child.records.end() && is_bad(again->second) && !is_no_news(again->second);
+    return again != child.records.end() && is_failure(again->second.verdict) && !is_no_news(again->second);
   }
 
   // Finds the shortest history in new processes and puts it into the record.
-  void add_history(json& record, const std::vector<std::string>& predecessors) {
+  void add_history(TestRecord& record, const std::vector<std::string>& predecessors) {
     const auto begin = Clock::now();
-    searched_.insert(record["name"]);
+    searched_.insert(record.name);
     double seconds = std::min(kSearchBudget, searches_left_);
-    if (as_text(record["verdict"]) == "timeout")
+    if (record.verdict == Verdict::kTimeout)
       seconds += 4 * request_.limits.seconds_per_test;  // to see it hang again
     deadline_ = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     const std::optional<bool> alone = happens_again(record, {});
@@ -659,17 +562,17 @@ class Run {
     deadline_.reset();
     searches_left_ = std::max(searches_left_ - seconds_since(begin), 0.0);
     if (!history.tests.empty()) guess_ = history.tests;
-    record["message"] = words_for(history, only_case, predecessors.size(), record["message"]);
+    record.message = words_for(history, only_case, predecessors.size(), record.message);
     if (history.found == History::Found::shortest || history.found == History::Found::shortened)
-      record["history"] = history.tests;
+      record.history = history.tests;
     else
-      record["flake"] = true;
-    if (!only_case.empty()) record["history_case"] = only_case;
+      record.flake = true;
+    record.history_case = only_case;
   }
 
   // Of the one test that has to come before: the case without which (and those after it) it does not happen.
-  std::string case_of_history(const json& record, const std::string& test) {
-    const ChildRun traced = run_scratch({test, record["name"]}, true);
+  std::string case_of_history(const TestRecord& record, const std::string& test) {
+    const ChildRun traced = run_scratch({test, record.name}, true);
     const auto cases = traced.cases.find(test);
     if (traced.cut_short || interrupted || cases == traced.cases.end()) return {};
     const auto enough = least(cases->second.size(), [&](std::size_t count) {
@@ -705,39 +608,32 @@ class Run {
 
   // --- the end -------------------------------------------------------------------------------------------
 
-  json finish(json& result, const std::string& status) {
-    result["status"] = status;
-    json summary = json::object();
-    std::map<std::string, std::set<std::string>> readings;
-    result["tests"] = json::array();
-    for (const json& test : request_.tests) {
-      const auto found = records_.find(test["name"]);
+  RunResult finish(RunStatus status) {
+    result_.status = status;
+    for (const ListedTest& test : request_.tests) {
+      const auto found = records_.find(test.name);
       if (found == records_.end()) continue;
-      const std::string verdict = found->second["verdict"];
-      summary[verdict] = summary.value(verdict, 0) + 1;
-      if (verdict == "fail" || verdict == "crash" || verdict == "timeout") add_commands(found->second);
-      const json followed = found->second.value("readings", json::object());
-      for (const auto& [text, reading] : followed.items()) readings[text].insert(reading.get<std::string>());
-      result["tests"].push_back(found->second);
+      if (is_failure(found->second.verdict)) add_commands(found->second);
+      result_.tests.push_back(found->second);
     }
-    result["summary"] = summary;
-    if (!readings.empty()) result["readings"] = readings;
+    result_.summarize();
     fs::remove_all(scratch_);
     try {
-      write_atomically(file("results", "json"), to_text(result));
+      write_atomically(file("results", "json"), to_text(result_));
     } catch (const CannotWrite& error) {
       if (records_.empty()) throw;
       throw CannotWrite(fmt::format("{}; what {} has shown until then is in {}", error.what(), request_.name,
                                     file("records", "jsonl").filename().string()));
     }
-    return result;
+    return result_;
   }
 
   const RunRequest& request_;
   const std::function<void(const Progress&)>& progress_;
+  RunResult result_;
   const fs::path scratch_;  // folder for what goes between the runner and its children
   std::vector<std::string> captures_;
-  std::map<std::string, json> records_;
+  std::map<std::string, TestRecord> records_;
   fs::path records_file_;
   Baseline baseline_;
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
@@ -749,60 +645,9 @@ class Run {
 
 }  // namespace
 
-std::string file_label(const std::string& name, const std::string& shard, const std::string& pass) {
-  std::string label = name;
-  for (const std::string& part : {shard, pass})
-    if (!part.empty()) label += "." + part;
-  return label;
-}
-
-json run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress) {
+RunResult run_implementation(const RunRequest& request,
+                             const std::function<void(const Progress&)>& progress) {
   return Run(request, progress).run();
-}
-
-json list_tests(const fs::path& suite_program) {
-  char name[] = "/tmp/evalcts-tests-XXXXXX";
-  const int descriptor = mkstemp(name);
-  if (descriptor < 0) throw std::runtime_error("cannot make a temporary file");
-  close(descriptor);
-  std::optional<Ending> ending;
-  {
-    ChildProcess child({suite_program.string(), "--list", "--answer", name}, "");
-    for (int i = 0; i < 600 && !ending; ++i) ending = child.wait(0.1);
-  }
-  std::ifstream stream(name);
-  json tests = json::parse(stream, nullptr, false);
-  fs::remove(name);
-  if (!ending || ending->signalled || ending->value != 0 || !tests.is_object())
-    throw std::runtime_error(fmt::format("{} does not list its tests ({})", suite_program.string(),
-                                         ending ? describe(*ending) : "no answer"));
-  return tests;
-}
-
-std::string to_text(const json& result) {
-  return result.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
-}
-
-void write_atomically(const fs::path& path, const std::string& content) {
-  const fs::path temporary = path.string() + ".new";
-  const auto fail = [&](const char* what) {
-    const int error = errno;
-    fs::remove(temporary);
-    throw CannotWrite(fmt::format("cannot {} '{}': {}", what, path.string(), std::strerror(error)));
-  };
-  const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) fail("create");
-  for (std::size_t done = 0; done < content.size();) {
-    const ssize_t written = write(descriptor, content.data() + done, content.size() - done);
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      close(descriptor);
-      fail("write");
-    }
-    done += static_cast<std::size_t>(written);
-  }
-  if (fsync(descriptor) != 0 || close(descriptor) != 0) fail("write");
-  if (rename(temporary.c_str(), path.c_str()) != 0) fail("replace");
 }
 
 }  // namespace evalcts

@@ -2,7 +2,6 @@
 // costs the test in flight, nothing else.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -10,9 +9,10 @@
 #include <vector>
 
 #include "harness/implementations/implementation.h"
-#include "harness/results/json.h"
-#include "harness/runner/baseline.h"
-#include "harness/runner/events.h"
+#include "harness/results/baseline.h"
+#include "harness/results/files.h"
+#include "harness/results/run_result.h"
+#include "harness/runner/interruption.h"
 #include "harness/runner/suite_child.h"
 
 namespace evalcts {
@@ -20,10 +20,10 @@ namespace evalcts {
 struct RunRequest {
   std::filesystem::path suite_program;
   ImplementationOptions implementation;
-  std::string name;      // of the output: the implementation's, or the user's label
-  std::string shard;     // "K-of-N" where `tests` are a part of all; else empty
-  nlohmann::json tests;  // those to run: {"name", "requirements", "level"}
-  std::string depth = "full";
+  std::string name;               // of the output: the implementation's, or the user's label
+  std::optional<Shard> shard;     // if `tests` are a part of all
+  std::vector<ListedTest> tests;  // those to run
+  Depth depth = Depth::full;
   std::vector<std::string> readings;  // NAME=READING, asked for
   std::uint32_t seed = 1;
   Limits limits;
@@ -38,7 +38,7 @@ struct RunRequest {
   std::vector<BaselineFiles> baselines;
   std::string baseline;  // name of the base or overlay that the user chose; empty: the one that fits
   // The result of the pass with fresh contexts: this is the second pass, over one shared context.
-  const nlohmann::json* first_pass = nullptr;
+  const RunResult* first_pass = nullptr;
 };
 
 struct Progress {
@@ -48,18 +48,8 @@ struct Progress {
   std::string test;
 };
 
-// Set from a signal handler: the run stops, and what was obtained is kept with the status "interrupted".
-extern std::atomic<bool> interrupted;
-
 // More unexpected fails than these are not chance; what is beyond is not played again.
 inline constexpr std::size_t kMostPlayedAgain = 100;
-
-// What a pass of a run is called in records, baselines and file names; empty: the first, with fresh contexts.
-inline constexpr const char* kReuseContext = "reuse-context";
-
-// What stands for an implementation, a part of the tests and a pass in the names of the output's files:
-// "NAME", "NAME.1-of-4", "NAME.reuse-context", "NAME.1-of-4.reuse-context".
-std::string file_label(const std::string& name, const std::string& shard, const std::string& pass);
 
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
 // write_atomically. While it runs, records-NAME.jsonl grows in the output folder, one line for each test, and
@@ -77,17 +67,6 @@ std::string file_label(const std::string& name, const std::string& shard, const 
 // in the first is marked as expected and as "also_in_fresh_context"; for anything else that fails, the
 // shortest history found stands in the message and, as data, in "history" (names of tests, in order; none:
 // its own earlier cases) and "history_case" (the one case of the one test that it takes).
-nlohmann::json run_implementation(const RunRequest& request,
-                                  const std::function<void(const Progress&)>& progress);
-
-// All tests of the suite program: {"tests": [{"name", "requirements", "level", "from"}]}; "from": the least
-// depth that plays it where no tests are asked for by name. Throws std::runtime_error.
-nlohmann::json list_tests(const std::filesystem::path& suite_program);
-
-// A result record as the text of its file.
-std::string to_text(const nlohmann::json& result);
-
-// Writes the whole file or leaves the old one. Throws CannotWrite.
-void write_atomically(const std::filesystem::path& path, const std::string& content);
+RunResult run_implementation(const RunRequest& request, const std::function<void(const Progress&)>& progress);
 
 }  // namespace evalcts

@@ -6,12 +6,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "harness/runner/events.h"
-#include "harness/runner/runner.h"
+#include "harness/results/event_file.h"
+#include "harness/runner/interruption.h"
 
 namespace evalcts {
 
-using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 namespace {
@@ -29,17 +28,17 @@ SuiteChild::SuiteChild(const std::vector<std::string>& command, const std::files
     : events_(events), limits_(limits), process_(command, log.string(), ChildProcess::Prints::limited) {}
 
 bool SuiteChild::look(double seconds, const Deadline& deadline,
-                      const std::function<void(const json& event)>& each) {
+                      const std::function<void(const Event& event)>& each) {
   const std::optional<Ending> ending = process_.wait(seconds);
   std::ifstream file(events_, std::ios::binary);
   file.seekg(read_);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   std::size_t begin = 0;
   for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    const json event = json::parse(text.substr(begin, end - begin), nullptr, false);
-    if (!event.is_object()) continue;
-    take(event);
-    if (each) each(event);
+    const std::optional<Event> event = parse_event(text.substr(begin, end - begin));
+    if (!event) continue;
+    take(*event);
+    if (each) each(*event);
     latest_event_ = Clock::now();
   }
   read_ += static_cast<std::streamoff>(begin);
@@ -67,20 +66,18 @@ bool SuiteChild::look(double seconds, const Deadline& deadline,
   return false;
 }
 
-void SuiteChild::take(const json& event) {
-  const std::string kind = event.value("event", "");
-  if (kind == "start") {
-    run_.in_flight = event.value("name", "");
-    run_.last_case = nullptr;
-  } else if (kind == "case") {
-    run_.last_case = event;
-    run_.cases[run_.in_flight].push_back(event.value("case", ""));
-  } else if (kind == "result") {
-    const json& record = event["record"];
-    run_.finished.push_back(record["name"]);
-    run_.records[record["name"]] = record;
+void SuiteChild::take(const Event& event) {
+  if (const auto* start = std::get_if<TestStarted>(&event)) {
+    run_.in_flight = start->name;
+    run_.last_case.reset();
+  } else if (const auto* of_case = std::get_if<CaseStarted>(&event)) {
+    run_.last_case = *of_case;
+    run_.cases[run_.in_flight].push_back(of_case->identity);
+  } else if (const auto* result = std::get_if<TestFinished>(&event)) {
+    run_.finished.push_back(result->record.name);
+    run_.records[result->record.name] = result->record;
     run_.in_flight.clear();
-  } else if (kind == "end") {
+  } else if (std::holds_alternative<RunEnded>(event)) {
     run_.complete = true;
   }
 }

@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
+#include "harness/results/serialization.h"
 #include "harness/runner/child_process.h"
 
 namespace evalcts {
 
 // What one child made of its tests.
 struct ChildRun {
-  std::map<std::string, nlohmann::json> records;
+  std::map<std::string, TestRecord> records;
   std::vector<std::string> finished;                      // in the order in which they ran
   std::string in_flight;                                  // the test that the child died in
-  nlohmann::json last_case;                               // of that test, where cases were traced
+  std::optional<CaseStarted> last_case;                   // of that test, where cases were traced
   std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
   bool hung = false;
   bool swelled = false;    // it took more memory than it may
@@ -54,12 +54,12 @@ class SuiteChild {
   // once it is in run(). The child is killed when a signal has interrupted the run, and at the deadline. True
   // once it has ended, all events taken in.
   bool look(double seconds, const Deadline& deadline = {},
-            const std::function<void(const nlohmann::json& event)>& each = {});
+            const std::function<void(const Event& event)>& each = {});
 
   const ChildRun& run() const { return run_; }
 
  private:
-  void take(const nlohmann::json& event);
+  void take(const Event& event);
 
   std::filesystem::path events_;
   std::streamoff read_ = 0;

@@ -19,21 +19,21 @@
 #include <sstream>
 
 #include "harness/fuzz/campaign.h"
+#include "harness/fuzz/events.h"
 #include "harness/gl/call_log.h"
 #include "harness/gl/case_json.h"
 #include "harness/implementations/gl_environment.h"
 #include "harness/implementations/reused_context.h"
-#include "harness/results/json.h"
+#include "harness/results/event_file.h"
+#include "harness/results/files.h"
+#include "harness/results/serialization.h"
 #include "harness/runner/claims.h"
-#include "harness/runner/events.h"
 #include "harness/runner/reproduction.h"
 #include "harness/runner/surroundings.h"
 #include "harness/runner/test.h"
 
 namespace evalcts {
 namespace {
-
-using nlohmann::json;
 
 // Exit codes as of the command line (README): 2 wrong use or cannot be started, 3 a fault of evalcts.
 constexpr int kCannotStart = 2;
@@ -82,19 +82,19 @@ class GoogleTestAdapter : public testing::Test {
       if (!program_.claims->take(chosen_.position)) return;
       std::cout << "[ RUN      ] " << info.full_name() << std::endl;  // GoogleTest is told to be brief
     }
-    Record record;
+    TestRecord record;
     record.name = info.full_name();
     for (const std::string_view id : info.requirements) record.requirements.emplace_back(id);
     record.level = info.level;
     program_.cases_left = chosen_.most_cases;
-    program_.records->write({{"event", "start"}, {"name", record.name}});
+    program_.records->write(to_line(TestStarted{record.name}));
     const auto start = std::chrono::steady_clock::now();
     const Surroundings surroundings;
     evalcts::Test test(program_.subject, record);
     test.run(info.body);
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::vector<std::string> changed = surroundings.put_back();
-    program_.records->write({{"event", "result"}, {"record", to_json(record)}});
+    program_.records->write(to_line(TestFinished{record}));
     report(record);
     if (!changed.empty())
       std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
@@ -104,22 +104,22 @@ class GoogleTestAdapter : public testing::Test {
   }
 
  private:
-  static void report(const Record& record) {
+  static void report(const TestRecord& record) {
     switch (record.verdict) {
-      case Verdict::pass:
+      case Verdict::kPass:
         return;
-      case Verdict::quality_warning:
+      case Verdict::kQualityWarning:
         std::cout << "quality-warning: " << record.message << "\n";
         return;
-      case Verdict::not_supported:
-      case Verdict::not_observable:
-      case Verdict::skipped:
-        GTEST_SKIP() << name_of(record.verdict) << ": " << record.message;
+      case Verdict::kNotSupported:
+      case Verdict::kNotObservable:
+      case Verdict::kSkipped:
+        GTEST_SKIP() << text_of(record.verdict).word << ": " << record.message;
       default:
         break;
     }
-    std::string text = fmt::format("{}: {} of {} cases; {}", name_of(record.verdict), record.failed_cases,
-                                   record.cases, record.message);
+    std::string text = fmt::format("{}: {} of {} cases; {}", text_of(record.verdict).word,
+                                   record.failed_cases.value_or(0), record.cases.value_or(0), record.message);
     if (!record.failures.empty()) {
       const Failure& failure = record.failures.front();
       text += fmt::format("\n  expected {}\n  captured {}\n  case {}", failure.expected, failure.captured,
@@ -133,14 +133,12 @@ class GoogleTestAdapter : public testing::Test {
   Program& program_;
 };
 
-json list_tests() {
-  json tests = json::array();
+std::vector<ListedTest> listed_tests() {
+  std::vector<ListedTest> tests;
   for (const TestInfo& info : all_tests())
-    tests.push_back({{"name", info.full_name()},
-                     {"requirements", info.requirements},
-                     {"level", name_of(info.level)},
-                     {"from", name_of(info.from)}});
-  return {{"tests", tests}};
+    tests.push_back(
+        {info.full_name(), {info.requirements.begin(), info.requirements.end()}, info.level, info.from});
+  return tests;
 }
 
 // A sink and the implementations in this process have no driver; a layer hides the renderer below it.
@@ -150,19 +148,23 @@ std::string note_on_driver(const ImplementationInfo& info, const ImplementationO
   return describe_other_driver(info.renderer);
 }
 
-json description_of(const Subject& subject, const ImplementationOptions& options) {
+Description description_of(const Subject& subject, const ImplementationOptions& options) {
   const ImplementationInfo& info = subject.info;
-  json captures = json::array();
-  for (const auto& capture : all_captures()) captures.push_back(capture->name());
-  return {{"name", info.name},         {"library", info.library},
-          {"vendor", info.vendor},     {"renderer", info.renderer},
-          {"version", info.version},   {"max_eval_order", info.max_eval_order},
-          {"all_captures", captures},  {"note", note_on_driver(info, options)},
-          {"files", loaded_gl_files()}};
+  Description description;
+  ImplementationRecord& implementation = description.implementation;
+  implementation.name = info.name;
+  implementation.library = info.library;
+  implementation.vendor = info.vendor;
+  implementation.renderer = info.renderer;
+  implementation.version = info.version;
+  implementation.max_eval_order = info.max_eval_order;
+  implementation.note = note_on_driver(info, options);
+  implementation.files = loaded_gl_files();
+  for (const auto& capture : all_captures()) description.captures.push_back(capture->name());
+  return description;
 }
 
-void answer(const Options& options, const json& value) {
-  const std::string text = value.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+void answer(const Options& options, const std::string& text) {
   if (options.answer.empty()) {
     std::cout << text;
     return;
@@ -172,16 +174,16 @@ void answer(const Options& options, const json& value) {
   if (!file.flush()) throw std::runtime_error("cannot write '" + options.answer + "'");
 }
 
-json prove_one(Program& program) {
+CaptureRecord prove_one(Program& program) {
   for (auto& capture : all_captures()) {
     if (capture->name() != program.options.prove) continue;
-    json result = {{"name", capture->name()}, {"available", true}, {"reason", ""}};
+    CaptureRecord result{capture->name(), true, "", ""};
     try {
       capture->prove(*program.implementation, program.subject.info);
-      result["shows"] = describe(capture->attributes());
+      result.shows = describe(capture->attributes());
     } catch (const NotObservable& exception) {
-      result["available"] = false;
-      result["reason"] = exception.what();
+      result.available = false;
+      result.reason = exception.what();
     }
     return result;
   }
@@ -288,25 +290,28 @@ std::string with_names_taken_literally(const std::string& filter) {
 
 // Random programs, or one from a file: 1 where the one from the file shows a difference.
 int play_programs(const Program& program) {
-  const auto report = [&](const json& event) { program.records->write(event); };
+  const auto report = [&](const fuzz::CampaignEvent& event) { program.records->write(fuzz::to_line(event)); };
   if (program.options.fuzz) {
     fuzz::Campaign campaign = program.options.campaign;
-    if (std::ifstream known(program.options.known); known) campaign.known = json::parse(known);
-    if (std::ifstream deadly(program.options.deadly); deadly) campaign.deadly = json::parse(deadly);
+    campaign.known = fuzz::parse_list(read_file(program.options.known));
+    campaign.deadly = fuzz::parse_list(read_file(program.options.deadly));
     fuzz::play(program.subject, campaign, report);
     return 0;
   }
-  std::ifstream file(program.options.replay);
-  if (!file) throw std::runtime_error("cannot read '" + program.options.replay + "'");
-  gl::Case script = fuzz::with_commands_of(program.implementation->create_context()->table(),
-                                           gl::case_from_json(json::parse(file)));
+  const std::string text = read_file(program.options.replay);
+  if (text.empty()) throw std::runtime_error("cannot read '" + program.options.replay + "'");
+  gl::Case script =
+      fuzz::with_commands_of(program.implementation->create_context()->table(), gl::parse_case(text));
   script.set_identity("program");
-  report({{"event", "start"}, {"name", "program"}});
+  program.records->write(to_line(TestStarted{"program"}));
   const Specified specified = specify(script, std::clamp(program.subject.info.max_eval_order, 8, 64));
   const std::optional<fuzz::Finding> finding =
       fuzz::judge_program(program.subject, script, specified).finding;
-  report({{"event", "result"},
-          {"record", {{"name", "program"}, {"finding", finding ? fuzz::to_json(*finding) : json()}}}});
+  TestRecord record;
+  record.name = "program";
+  record.verdict = finding ? Verdict::kFail : Verdict::kPass;
+  if (finding) record.failures = {finding->failure};
+  program.records->write(to_line(TestFinished{record}));
   return finding ? 1 : 0;
 }
 
@@ -322,7 +327,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     std::ofstream("/proc/self/oom_score_adj") << 1000;  // where memory runs out it is this process that goes
   }
   if (options.list) {
-    answer(options, list_tests());
+    answer(options, to_text(listed_tests()));
     return 0;
   }
   const bool answers = options.describe || !options.prove.empty();
@@ -338,11 +343,11 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (wrapping) program.implementation = wrapping(std::move(program.implementation));
       program.subject.info = inquire(*program.implementation);
     } catch (const CannotStart& exception) {
-      if (!options.answer.empty()) answer(options, {{"cannot_start", exception.what()}});
+      if (!options.answer.empty()) answer(options, cannot_start_text(exception.what()));
       throw;
     }
     program.subject.implementation = program.implementation.get();
-    program.subject.depth = depth_named(options.depth);
+    program.subject.depth = depth_named(options.depth).value_or(Depth::full);
     program.subject.seed = options.seed;
     for (const std::string& choice : options.readings) {
       const std::size_t equals = choice.find('=');
@@ -352,14 +357,12 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     program.subject.before_case = [](const gl::Case& script) {
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
-        program.records->write(
-            {{"event", "case"},
-             {"case", script.identity()},
-             {"calls", gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}});
+        program.records->write(to_line(CaseStarted{
+            script.identity(), gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}));
     };
     if (answers) {
-      answer(options,
-             options.describe ? description_of(program.subject, options.implementation) : prove_one(program));
+      answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))
+                                       : to_text(prove_one(program)));
       return 0;
     }
     program.captures = std::make_unique<Captures>(*program.implementation, program.subject.info,
@@ -381,7 +384,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     program.subject.before_case = nullptr;
     const int status = play_programs(program);
     program.captures.reset();
-    program.records->write({{"event", "end"}});
+    program.records->write(to_line(RunEnded{}));
     return status;
   }
   for (const Chosen& chosen : tests)
@@ -392,7 +395,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   // Contexts go while the library is whole; Mesa hangs in a static destructor.
   program.reused.reset();
   program.captures.reset();
-  program.records->write({{"event", "end"}});
+  program.records->write(to_line(RunEnded{}));
   return status;
 }
 

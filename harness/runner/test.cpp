@@ -141,8 +141,8 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
   const gl::Ref asked = check.answer.command;
   failure.expected = check.expected = expected;
   failure.captured = captured;
-  failure.check = std::move(check);
-  test_.fail(std::move(failure), [&] { return gl::to_c(script, 0, asked.index); });
+  test_.fail(
+      std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
 }
 
 void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
@@ -262,7 +262,7 @@ bool Test::cross_checked(const Prediction& prediction) const {
 
 // Counts the case and returns it as it is delivered.
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
-  ++record_.cases;
+  ++cases_;
   lists_in_doubt_.reset();
   if (subject_.reproduction) subject_.reproduction->begin_case();
   gl::DeliveredCase delivered;
@@ -298,10 +298,10 @@ Played Test::play(const gl::Case& written) {
     failure.what = "glGetError";
     failure.expected = "GL_NO_ERROR";
     failure.captured = captured;
-    failure.check = {.answer = {.of = gl::Answer::Of::left_over, .is_error = true},
-                     .accepted = exactly(GL_NO_ERROR),
-                     .what = "an error left behind"};
-    fail(std::move(failure), all_calls(script));
+    const gl::Check check{.answer = {.of = gl::Answer::Of::left_over, .is_error = true},
+                          .accepted = exactly(GL_NO_ERROR),
+                          .what = "an error left behind"};
+    fail(std::move(failure), all_calls(script), check);
   }
   return played;
 }
@@ -323,8 +323,7 @@ std::vector<const Capture*> Test::captures_for(Attributes required, PrimitiveKin
 }
 
 void Test::note_capture(const Capture& capture) {
-  if (std::find(record_.captures.begin(), record_.captures.end(), capture.name()) == record_.captures.end())
-    record_.captures.push_back(capture.name());
+  if (record_.capture.empty()) record_.capture = capture.name();
 }
 
 Observation Test::observe(const gl::Case& written, Attributes required, std::size_t most_vertices,
@@ -500,6 +499,7 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
       failure.condition_aware = mismatch.condition_aware;
     }
     failure.capture = capture.name();
+    std::optional<gl::Check> check;
     if (subject_.reproduction) {
       // Whether another run of the same capture leads to the same mismatch, as often (a vertex may come out
       // several times).
@@ -508,11 +508,11 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
           return other.what == mismatch.what && other.captured == mismatch.captured;
         });
       };
-      failure.check = subject_.reproduction->check_of(mismatch, [&](Implementation& implementation) {
+      check = subject_.reproduction->check_of(mismatch, [&](Implementation& implementation) {
         return times(judge(capture.observe(implementation, script, wanted))) == times(mismatches);
       });
     }
-    fail(std::move(failure), all_calls(script));
+    fail(std::move(failure), all_calls(script), check);
   }
 }
 
@@ -528,12 +528,13 @@ void Test::follows(const std::string& text, const std::string& reading) {
   fail(std::move(failure));
 }
 
-void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls) {
+void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
+                const std::optional<gl::Check>& check) {
   if (lists_in_doubt_) require_lists_of_vertices(*std::exchange(lists_in_doubt_, std::nullopt));
-  if (subject_.reproduction) subject_.reproduction->failed(failure);
+  if (subject_.reproduction) subject_.reproduction->failed(failure, check);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
-  if (last_failed_case_ != record_.cases) ++record_.failed_cases;
-  last_failed_case_ = record_.cases;
+  if (last_failed_case_ != cases_) ++failed_cases_;
+  last_failed_case_ = cases_;
   if (record_.failures.size() >= kFailuresInFull) return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
@@ -543,38 +544,40 @@ void Test::run(const std::function<void(Test&)>& body) {
   record_.seed = subject_.seed;
   random_.seed(subject_.seed * 2654435761u ^ hash(record_.name));
   std::string why;
-  Verdict otherwise = Verdict::pass;
+  Verdict otherwise = Verdict::kPass;
   try {
     body(*this);
   } catch (const NotSupported& exception) {
-    otherwise = Verdict::not_supported;
+    otherwise = Verdict::kNotSupported;
     why = exception.what();
   } catch (const NotObservable& exception) {
-    otherwise = Verdict::not_observable;
+    otherwise = Verdict::kNotObservable;
     why = exception.what();
   } catch (const gl::MissingEntryPoint& exception) {
-    otherwise = Verdict::not_observable;
+    otherwise = Verdict::kNotObservable;
     why = exception.what();
   } catch (const std::exception& exception) {
-    otherwise = Verdict::internal_error;
+    otherwise = Verdict::kInternalError;
     why = exception.what();
   }
-  if (otherwise == Verdict::internal_error || record_.mismatches.empty()) {
+  if (otherwise == Verdict::kInternalError || record_.mismatches.empty()) {
     record_.verdict = otherwise;
     record_.message = why;
   } else {
-    record_.verdict = record_.level == Level::quality ? Verdict::quality_warning : Verdict::fail;
+    record_.verdict = record_.level == Level::quality ? Verdict::kQualityWarning : Verdict::kFail;
     record_.message = record_.failures.front().message;
   }
-  if (record_.verdict == Verdict::pass && record_.cases == 0) {
-    record_.verdict = Verdict::internal_error;
+  if (record_.verdict == Verdict::kPass && cases_ == 0) {
+    record_.verdict = Verdict::kInternalError;
     record_.message = "the test played no case";
   }
-  if (record_.verdict == Verdict::pass && delivery_ && delivery_->lists != gl::Lists::none && !lists_used_) {
-    record_.verdict = Verdict::internal_error;
+  if (record_.verdict == Verdict::kPass && delivery_ && delivery_->lists != gl::Lists::none && !lists_used_) {
+    record_.verdict = Verdict::kInternalError;
     record_.message = "no case of the test has a command that goes into a display list";
   }
   std::sort(record_.mismatches.begin(), record_.mismatches.end());
+  record_.cases = cases_;
+  record_.failed_cases = failed_cases_;
 }
 
 // --- Registration ----------------------------------------------------------------------------------------

@@ -15,14 +15,15 @@
 
 #include "harness/capture/varyings.h"
 #include "harness/gl/case.h"
+#include "harness/gl/check.h"
 #include "harness/gl/delivery.h"
 #include "harness/gl/player.h"
 #include "harness/gl/tokens.h"
 #include "harness/implementations/implementation.h"
 #include "harness/judge/judge.h"
 #include "harness/judge/topology.h"
-#include "harness/runner/depth.h"
-#include "harness/runner/record.h"
+#include "harness/results/depth.h"
+#include "harness/results/test_record.h"
 
 namespace evalcts {
 
@@ -106,7 +107,7 @@ class Played {
 // Handed to the body of each test.
 class Test {
  public:
-  Test(const Subject& subject, Record& record) : subject_(subject), record_(record) {}
+  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record) {}
 
   const ImplementationInfo& gl() const { return subject_.info; }
   // The largest order, or 8 where the implementation claims less (EV-INIT-MAXORDER is a test of its own).
@@ -163,7 +164,9 @@ class Test {
   void follows(const std::string& text, const std::string& reading);
 
   // `calls` is asked for those failures only that are kept in full.
-  void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {});
+  // `check`: decides the failure in a stand-alone C program.
+  void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
+            const std::optional<gl::Check>& check = {});
 
   // For the runner.
   void run(const std::function<void(Test&)>& body);
@@ -196,12 +199,12 @@ class Test {
   void require_lists_of_vertices(const Listed& listed) const;
 
   const Subject& subject_;
-  Record& record_;
+  TestRecord& record_;
   bool judges_order_of_meshes_ = false;
   std::optional<gl::Delivery> delivery_;
   bool lists_used_ = false;
   std::optional<Listed> lists_in_doubt_;  // until explicit vertices come right out of them
-  std::size_t last_failed_case_ = 0;
+  std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };
 

@@ -1,4 +1,4 @@
-#include "harness/runner/baseline.h"
+#include "harness/results/baseline.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,6 @@
 namespace evalcts {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 class Baselines : public testing::Test {
@@ -23,25 +22,45 @@ class Baselines : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  Baseline find(const json& implementation, const std::string& pass = {},
+  Baseline find(const ImplementationRecord& implementation, Pass pass = Pass::kFreshContexts,
                 const std::string& chosen = {}) const {
     return Baseline::best_fit(BaselineFiles::read_all(folder_), implementation, pass, chosen);
   }
   // The baseline in the files called `name`, for whatever implementation.
-  Baseline read(const std::string& name) const { return find(record({})["implementation"], "", name); }
-
-  static json test(const std::string& name, const std::string& verdict,
-                   const std::vector<std::string>& mismatches = {}) {
-    return {{"name", name},          {"verdict", verdict},
-            {"message", "m"},        {"mismatches", mismatches},
-            {"baseline_reason", ""}, {"expected_by_baseline", false}};
+  Baseline read(const std::string& name) const {
+    return find(record({}).implementation, Pass::kFreshContexts, name);
   }
-  static json record(const std::vector<json>& tests) {
-    return {{"implementation",
-             {{"vendor", "Mesa/X.org"}, {"renderer", "llvmpipe (LLVM 15)"}, {"version", "4.5 Mesa 22.3.6"}}},
-            {"depth", "quick"},
-            {"seed", 1},
-            {"tests", tests}};
+
+  static TestRecord test(const std::string& name, Verdict verdict,
+                         const std::vector<std::string>& mismatches = {}) {
+    TestRecord out;
+    out.name = name;
+    out.verdict = verdict;
+    out.message = "m";
+    out.mismatches = mismatches;
+    return out;
+  }
+  static RunResult record(const std::vector<TestRecord>& tests) {
+    RunResult out;
+    out.implementation = implementation("Mesa/X.org", "llvmpipe (LLVM 15)", "4.5 Mesa 22.3.6");
+    out.depth = Depth::quick;
+    out.seed = 1;
+    out.tests = tests;
+    return out;
+  }
+  static ImplementationRecord implementation(const std::string& vendor, const std::string& renderer,
+                                             const std::string& version, const std::string& kind = {}) {
+    ImplementationRecord out;
+    out.vendor = vendor;
+    out.renderer = renderer;
+    out.version = version;
+    out.kind = kind;
+    return out;
+  }
+  static std::vector<ListedTest> listed(const std::vector<std::string>& names) {
+    std::vector<ListedTest> out;
+    for (const std::string& name : names) out.push_back({.name = name, .requirements = {}});
+    return out;
   }
 
   static constexpr const char* kHeader = "# vendor: Mesa\n# renderer: llvmpipe\n# version: Mesa 22.3\n\n";
@@ -52,60 +71,61 @@ TEST_F(Baselines, KnownFailuresAreExpectedWithTheirReason) {
   write("m-fails.txt",
         std::string(kHeader) +
             "# GL 2.1 5.1: the current colour\n# is lost\nA.B,Fail\nA.C,Crash\n\n# other\nA.D,Fail\n");
-  json result = record({test("A.B", "fail"), test("A.C", "crash"), test("A.D", "pass"), test("A.E", "fail"),
-                        test("A.F", "pass")});
-  const Baseline baseline = find(result["implementation"]);
+  RunResult result =
+      record({test("A.B", Verdict::kFail), test("A.C", Verdict::kCrash), test("A.D", Verdict::kPass),
+              test("A.E", Verdict::kFail), test("A.F", Verdict::kPass)});
+  const Baseline baseline = find(result.implementation);
   ASSERT_EQ(baseline.name(), "m");
   baseline.apply(result);
-  const json& tests = result["tests"];
-  EXPECT_EQ(tests[0]["expected_by_baseline"], true);
-  EXPECT_EQ(as_text(tests[0]["baseline_reason"]), "GL 2.1 5.1: the current colour is lost");
-  EXPECT_EQ(tests[1]["expected_by_baseline"], true);
-  EXPECT_EQ(tests[2]["expected_by_baseline"], false);  // an unexpected pass
-  EXPECT_EQ(as_text(tests[2]["baseline_reason"]), "other");
-  EXPECT_EQ(tests[3]["expected_by_baseline"], false);
-  EXPECT_EQ(tests[4]["baseline_reason"].get<std::string>(), "");
-  EXPECT_EQ(as_text(result["baseline"]), "m");
+  const std::vector<TestRecord>& tests = result.tests;
+  EXPECT_TRUE(tests[0].expected_by_baseline);
+  EXPECT_EQ(tests[0].baseline_reason, "GL 2.1 5.1: the current colour is lost");
+  EXPECT_TRUE(tests[1].expected_by_baseline);
+  EXPECT_FALSE(tests[2].expected_by_baseline);  // an unexpected pass
+  EXPECT_EQ(tests[2].baseline_reason, "other");
+  EXPECT_FALSE(tests[3].expected_by_baseline);
+  EXPECT_EQ(tests[4].baseline_reason, "");
+  EXPECT_EQ(result.baseline, "m");
 }
 
 TEST_F(Baselines, AnotherStatusIsUnexpected) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
-  json result = record({test("A.B", "crash")});
-  find(result["implementation"]).apply(result);
-  EXPECT_EQ(result["tests"][0]["expected_by_baseline"], false);
+  RunResult result = record({test("A.B", Verdict::kCrash)});
+  find(result.implementation).apply(result);
+  EXPECT_FALSE(result.tests[0].expected_by_baseline);
 }
 
 TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
-  json result = record({test("A.B", "fail", {"case 1: x", "case 2: y"})});
+  RunResult result = record({test("A.B", Verdict::kFail, {"case 1: x", "case 2: y"})});
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
-  write("m-signatures.txt", "A.B,quick," + signature_of(result["tests"][0]) + "\n");
+  write("m-signatures.txt", "A.B,quick," + result.tests[0].signature() + "\n");
   const Baseline baseline = read("m");
-  json same = result;
+  RunResult same = result;
   baseline.apply(same);
-  EXPECT_EQ(same["tests"][0]["expected_by_baseline"], true);
+  EXPECT_TRUE(same.tests[0].expected_by_baseline);
 
-  json more = record({test("A.B", "fail", {"case 1: x", "case 2: y", "case 3: z"})});
+  RunResult more = record({test("A.B", Verdict::kFail, {"case 1: x", "case 2: y", "case 3: z"})});
   baseline.apply(more);
-  EXPECT_EQ(more["tests"][0]["expected_by_baseline"], false);
-  EXPECT_NE(more["tests"][0]["message"].get<std::string>().find("other cases"), std::string::npos);
+  EXPECT_FALSE(more.tests[0].expected_by_baseline);
+  EXPECT_NE(more.tests[0].message.find("other cases"), std::string::npos);
 
-  json deeper = more;  // a depth without a signature is not compared
-  deeper["depth"] = "thorough";
+  RunResult deeper = more;  // a depth without a signature is not compared
+  deeper.depth = Depth::thorough;
   baseline.apply(deeper);
-  EXPECT_EQ(deeper["tests"][0]["expected_by_baseline"], true);
+  EXPECT_TRUE(deeper.tests[0].expected_by_baseline);
 }
 
 TEST_F(Baselines, OthersAreNotMeant) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
-  EXPECT_EQ(find({{"vendor", "NVIDIA"}, {"renderer", "llvmpipe"}, {"version", "Mesa 22.3"}}).name(), "");
-  EXPECT_EQ(find({{"vendor", "Mesa"}, {"renderer", "llvmpipe"}, {"version", "Mesa 23.0"}}).name(), "");
+  EXPECT_EQ(find(implementation("NVIDIA", "llvmpipe", "Mesa 22.3")).name(), "");
+  EXPECT_EQ(find(implementation("Mesa", "llvmpipe", "Mesa 23.0")).name(), "");
   EXPECT_TRUE(BaselineFiles::read_all(folder_ / "absent").empty());
   EXPECT_EQ(Baseline::best_fit({}, {}).name(), "");
 }
 
 TEST_F(Baselines, StaleEntriesAreNamed) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\nA.Gone,Fail\n");
-  const json tests = {{"tests", {{{"name", "A.B"}}}}};
+  const std::vector<ListedTest> tests = listed({"A.B"});
   EXPECT_EQ(read("m").stale_entries(tests), std::vector<std::string>{"A.Gone"});
 }
 
@@ -137,16 +157,17 @@ TEST_F(Baselines, SkipsAndFlakesAreRegularExpressionsWithReasons) {
   EXPECT_EQ(baseline.skip("A.B/x")->reason, "hangs the machine");
   EXPECT_NE(baseline.skip("C.D"), nullptr);
   EXPECT_EQ(baseline.skip("A.B/xy"), nullptr);
-  json result = record({test("A.B", "fail"), test("A.C", "crash"), test("A.D", "timeout"),
-                        test("A.E", "pass"), test("B.A", "fail")});
+  RunResult result =
+      record({test("A.B", Verdict::kFail), test("A.C", Verdict::kCrash), test("A.D", Verdict::kTimeout),
+              test("A.E", Verdict::kPass), test("B.A", Verdict::kFail)});
   baseline.apply(result);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(result["tests"][i]["expected_by_baseline"], true);
-    EXPECT_EQ(as_text(result["tests"][i]["baseline_reason"]), "flaky: now and then");
+    EXPECT_TRUE(result.tests[i].expected_by_baseline);
+    EXPECT_EQ(result.tests[i].baseline_reason, "flaky: now and then");
   }
-  EXPECT_EQ(result["tests"][3]["baseline_reason"].get<std::string>(), "");
-  EXPECT_EQ(result["tests"][4]["expected_by_baseline"], false);
-  const json tests = {{"tests", {{{"name", "A.B"}}, {{"name", "C.D"}}}}};
+  EXPECT_EQ(result.tests[3].baseline_reason, "");
+  EXPECT_FALSE(result.tests[4].expected_by_baseline);
+  const std::vector<ListedTest> tests = listed({"A.B", "C.D"});
   EXPECT_EQ(baseline.stale_entries(tests), std::vector<std::string>{"B/x$ (in the skips)"});
 
   // Renewing leaves both alone and gives flaky tests no entry.
@@ -184,12 +205,12 @@ TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
   write("a-fails.txt", start);
   write("b-fails.txt", start + "# implementation: osmesa\n");
   write("c-fails.txt", start + "# pass: reuse-context\n");
-  json implementation = record({})["implementation"];
+  ImplementationRecord implementation = record({}).implementation;
   EXPECT_EQ(find(implementation).name(), "a");
-  implementation["kind"] = "osmesa";
+  implementation.kind = "osmesa";
   EXPECT_EQ(find(implementation).name(), "b");
-  EXPECT_EQ(find(implementation, "reuse-context").name(), "c");
-  implementation["kind"] = "egl";
+  EXPECT_EQ(find(implementation, Pass::kReuseContext).name(), "c");
+  implementation.kind = "egl";
   EXPECT_EQ(find(implementation).name(), "a");
   write("d-fails.txt", "# vendor: Mesa\n# renderer: llvmpipe\n# version: Mesa 22.3.6\n");
   EXPECT_EQ(find(implementation).name(), "d");
@@ -200,8 +221,8 @@ TEST_F(Baselines, TheMoreSpecificHeaderIsMeant) {
 TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
   write("m-fails.txt", std::string(kHeader) + "# reason\nA.B,Fail\n");
   write("m-signatures.txt", "A.B,quick,1-1\n");
-  json result = record({test("A.B", "fail", {"x"})});
-  result["seed"] = 2;
+  RunResult result = record({test("A.B", Verdict::kFail, {"x"})});
+  result.seed = 2;
   read("m").renewed(result, "m", "").write(folder_);
   EXPECT_EQ(read("m").entries().at("A.B").signatures.at("quick"), "1-1");
   std::ifstream file(folder_ / "m-signatures.txt");
@@ -210,31 +231,32 @@ TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
 
 // What fails with fresh contexts belongs into the other baseline.
 TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
-  json result = record({test("A.B", "fail", {"x"}), test("A.C", "fail", {"y"})});
-  result["pass"] = "reuse-context";
-  result["tests"][0]["also_in_fresh_context"] = true;
-  result["tests"][0]["expected_by_baseline"] = true;
+  RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kFail, {"y"})});
+  result.pass = Pass::kReuseContext;
+  result.tests[0].also_in_fresh_context = true;
+  result.tests[0].expected_by_baseline = true;
   Baseline().renewed(result, "", "m.reuse-context").write(folder_);
-  const Baseline baseline = find(result["implementation"], "reuse-context");
+  const Baseline baseline = find(result.implementation, Pass::kReuseContext);
   EXPECT_EQ(baseline.name(), "m.reuse-context");
   EXPECT_EQ(baseline.entries().size(), 1u);
   EXPECT_EQ(baseline.entries().count("A.C"), 1u);
-  EXPECT_EQ(find(result["implementation"]).name(), "");
+  EXPECT_EQ(find(result.implementation).name(), "");
 }
 
 TEST_F(Baselines, RenewedOnesKeepReasonsAndReadBack) {
   write("m-fails.txt", std::string(kHeader) +
                            "# a reason that is long enough to be wrapped when it is written, because "
                            "it has many words in it\nA.B,Fail\n\n# fixed by now\nA.C,Fail\n");
-  const json result = record({test("A.B", "fail", {"x"}), test("A.C", "pass"), test("A.D", "timeout")});
+  const RunResult result = record(
+      {test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass), test("A.D", Verdict::kTimeout)});
   const Baseline before = read("m");
   before.renewed(result, "", "ignored").write(folder_);
   const Baseline after = read("m");
   ASSERT_EQ(after.entries().size(), 2u);
   EXPECT_EQ(after.entries().at("A.B").reason, before.entries().at("A.B").reason);
-  EXPECT_EQ(after.entries().at("A.B").signatures.at("quick"), signature_of(result["tests"][0]));
+  EXPECT_EQ(after.entries().at("A.B").signatures.at("quick"), result.tests[0].signature());
   EXPECT_EQ(after.entries().at("A.D").status, "Timeout");
-  EXPECT_EQ(find(result["implementation"]).name(), "m");
+  EXPECT_EQ(find(result.implementation).name(), "m");
 }
 
 // --- overlays
@@ -253,25 +275,25 @@ class Overlays : public Baselines {
     write("mesa.old-signatures.txt", "A.C,quick,1-old\n");
   }
 
-  static json implementation(const std::string& renderer, const std::string& version,
-                             const std::string& kind = "egl") {
-    return {{"vendor", "Mesa"}, {"renderer", renderer}, {"version", version}, {"kind", kind}};
+  static ImplementationRecord mesa(const std::string& renderer, const std::string& version,
+                                   const std::string& kind = "egl") {
+    return implementation("Mesa", renderer, version, kind);
   }
 };
 
 TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
-  const Baseline plain = find(implementation("llvmpipe", "4.5 Mesa 25.0.7-2"));
+  const Baseline plain = find(mesa("llvmpipe", "4.5 Mesa 25.0.7-2"));
   EXPECT_EQ(plain.name(), "mesa");
   EXPECT_EQ(plain.entries().size(), 2u);
   EXPECT_EQ(plain.entries().at("A.C").signatures.at("quick"), "1-c");
 
-  const Baseline old = find(implementation("llvmpipe", "3.1 Mesa 20.3.5", "glx"));
+  const Baseline old = find(mesa("llvmpipe", "3.1 Mesa 20.3.5", "glx"));
   EXPECT_EQ(old.name(), "mesa with mesa.old");
   EXPECT_EQ(old.entries().at("A.Old").reason, "EV-4");
   EXPECT_EQ(old.entries().at("A.C").reason, "EV-1");
   EXPECT_EQ(old.entries().at("A.C").signatures.at("quick"), "1-old");
 
-  const Baseline softpipe = find(implementation("softpipe", "4.5 Mesa 25.0.7"));
+  const Baseline softpipe = find(mesa("softpipe", "4.5 Mesa 25.0.7"));
   EXPECT_EQ(softpipe.name(), "mesa with mesa.softpipe");
   EXPECT_EQ(softpipe.entries().at("A.C").status, "Crash");
   EXPECT_TRUE(softpipe.entries().at("A.C").signatures.empty());  // the base's are those of a failure
@@ -280,19 +302,19 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
   EXPECT_NE(softpipe.flake("F.x"), nullptr);
 
   // In the order of their specificity: the longer header is the last.
-  EXPECT_EQ(find(implementation("softpipe", "3.1 Mesa 20.3.5")).name(), "mesa with mesa.softpipe, mesa.old");
+  EXPECT_EQ(find(mesa("softpipe", "3.1 Mesa 20.3.5")).name(), "mesa with mesa.softpipe, mesa.old");
 
-  EXPECT_EQ(find(implementation("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");
-  EXPECT_EQ(find(implementation("llvmpipe", "4.5 Mesa 20.2.6")).name(), "");
+  EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");
+  EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 20.2.6")).name(), "");
 }
 
 TEST_F(Overlays, AChosenOneIsUsedWhateverItsHeaderSays) {
-  const json other = implementation("Radeon", "1.4 somebody's GL 2.0");
+  const ImplementationRecord other = mesa("Radeon", "1.4 somebody's GL 2.0");
   EXPECT_EQ(find(other).name(), "");
-  EXPECT_EQ(find(other, "", "mesa").name(), "mesa");
-  EXPECT_EQ(find(other, "", "mesa.softpipe").name(), "mesa with mesa.softpipe");
-  EXPECT_EQ(find(other, "reuse-context", "mesa").name(), "");
-  EXPECT_THROW(find(other, "", "absent"), BadBaseline);
+  EXPECT_EQ(find(other, Pass::kFreshContexts, "mesa").name(), "mesa");
+  EXPECT_EQ(find(other, Pass::kFreshContexts, "mesa.softpipe").name(), "mesa with mesa.softpipe");
+  EXPECT_EQ(find(other, Pass::kReuseContext, "mesa").name(), "");
+  EXPECT_THROW(find(other, Pass::kFreshContexts, "absent"), BadBaseline);
 }
 
 TEST_F(Overlays, BadOverlaysAreRejected) {
@@ -310,26 +332,24 @@ TEST_F(Overlays, BadOverlaysAreRejected) {
 
 TEST_F(Overlays, EntriesThatWithdrawNothingAreStale) {
   write("mesa.softpipe-fails.txt", "# extends: mesa\n# renderer: softpipe\n\n# EV-3\nA.S,Pass\n");
-  const json tests = {
-      {"tests", {{{"name", "A.B"}}, {{"name", "A.C"}}, {{"name", "A.S"}}, {{"name", "F.x"}}}}};
-  EXPECT_EQ(find(implementation("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests),
+  const std::vector<ListedTest> tests = listed({"A.B", "A.C", "A.S", "F.x"});
+  EXPECT_EQ(find(mesa("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests),
             std::vector<std::string>{"A.S (Pass in mesa.softpipe, but mesa expects no failure)"});
 }
 
 // An entry that an overlay withdraws keeps its signature in the base.
 TEST_F(Overlays, SignaturesOfWithdrawnEntriesAreNotStale) {
-  const json tests = {
-      {"tests", {{{"name", "A.B"}}, {{"name", "A.C"}}, {{"name", "A.S"}}, {{"name", "F.x"}}}}};
-  EXPECT_EQ(find(implementation("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests),
-            std::vector<std::string>{});
+  const std::vector<ListedTest> tests = listed({"A.B", "A.C", "A.S", "F.x"});
+  EXPECT_EQ(find(mesa("softpipe", "4.5 Mesa 25.0.7")).stale_entries(tests), std::vector<std::string>{});
 }
 
 // Writing an overlay leaves in it exactly what its base does not say.
 TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
-  json result = record({test("A.B", "fail", {"x"}), test("A.C", "pass"), test("A.N", "fail", {"y"}),
-                        test("A.S", "pass"), test("A.U", "not-observable")});
-  result["implementation"] = implementation("softpipe", "4.5 Mesa 25.0.7");
-  const Baseline before = find(result["implementation"]);
+  RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kPass),
+                             test("A.N", Verdict::kFail, {"y"}), test("A.S", Verdict::kPass),
+                             test("A.U", Verdict::kNotObservable)});
+  result.implementation = mesa("softpipe", "4.5 Mesa 25.0.7");
+  const Baseline before = find(result.implementation);
   EXPECT_THROW(before.renewed(result, "", ""), BadBaseline);          // which of the two?
   EXPECT_THROW(before.renewed(result, "mesa.old", ""), BadBaseline);  // no part of this baseline
   before.renewed(result, "mesa.softpipe", "").write(folder_);
@@ -341,11 +361,11 @@ TEST_F(Overlays, RenewedOnesHoldTheDifferences) {
   EXPECT_EQ(files.header.renderer, "softpipe");
   EXPECT_EQ(files.header.extends, "mesa");
 
-  find(result["implementation"]).apply(result);
-  EXPECT_EQ(as_text(result["baseline"]), "mesa with mesa.softpipe");
-  EXPECT_EQ(result["tests"][0]["expected_by_baseline"], true);
-  EXPECT_EQ(result["tests"][2]["expected_by_baseline"], true);
-  for (const int passes : {1, 3}) EXPECT_EQ(as_text(result["tests"][passes]["baseline_reason"]), "");
+  find(result.implementation).apply(result);
+  EXPECT_EQ(result.baseline, "mesa with mesa.softpipe");
+  EXPECT_TRUE(result.tests[0].expected_by_baseline);
+  EXPECT_TRUE(result.tests[2].expected_by_baseline);
+  for (const int passes : {1, 3}) EXPECT_EQ(result.tests[passes].baseline_reason, "");
 }
 
 // --- versions

@@ -193,13 +193,13 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   Captures captures(bent, subject.info, &sink);
   subject.captures = &captures;
   subject.reproduction = &reproduction;
-  Record record;
+  TestRecord record;
   record.name = "A.Test";
   evalcts::Test test(subject, record);
   test.run([](evalcts::Test& t) { t.expect_emission(line(), kPosition); });
-  ASSERT_EQ(record.verdict, Verdict::fail);
-  ASSERT_TRUE(record.failures.front().check);
-  const gl::Check& check = *record.failures.front().check;
+  ASSERT_EQ(record.verdict, Verdict::kFail);
+  ASSERT_TRUE(reproduction.check());
+  const gl::Check& check = *reproduction.check();
   EXPECT_EQ(check.answer.of, gl::Answer::Of::emitted_value);
   EXPECT_EQ(check.answer.element, gl::kEmittedValues + 2);
   EXPECT_LT(check.accepted.front().first, 1.5);

@@ -1,7 +1,7 @@
 // Random programs: made, judged, made small, kept.
 #include <gtest/gtest.h>
 
-#include "harness/fuzz/campaign.h"
+#include "harness/fuzz/events.h"
 #include "harness/fuzz/legal.h"
 #include "harness/fuzz/random_program.h"
 #include "harness/fuzz/shrink.h"
@@ -321,7 +321,7 @@ class Altered final : public Implementation {
 };
 
 struct Played {
-  std::vector<json> findings;
+  std::vector<Finding> findings;
   std::uint64_t programs = 0, commands = 0;
 };
 
@@ -332,11 +332,11 @@ Played play_against(Implementation& implementation, std::uint32_t programs) {
   Captures captures(implementation, subject.info, nullptr);
   subject.captures = &captures;
   Played played;
-  play(subject, {.programs = programs, .length = 60}, [&](const json& event) {
-    if (as_text(event["event"]) == "finding") played.findings.push_back(event);
-    if (as_text(event["event"]) == "progress") {
-      played.programs = event["programs"];
-      played.commands = event["commands"];
+  fuzz::play(subject, {.programs = programs, .length = 60}, [&](const CampaignEvent& event) {
+    if (const auto* made = std::get_if<FindingMade>(&event)) played.findings.push_back(made->finding);
+    if (const auto* progress = std::get_if<CampaignProgress>(&event)) {
+      played.programs = progress->programs;
+      played.commands = progress->commands;
     }
   });
   return played;
@@ -347,7 +347,7 @@ TEST(Campaign, FindsNothingInASoundEvaluator) {
   const Played played = play_against(sound, 40);
   EXPECT_EQ(played.programs, 40u);
   EXPECT_GT(played.commands, 40u * 60);
-  for (const json& finding : played.findings) ADD_FAILURE() << finding.dump(1);
+  for (const Finding& finding : played.findings) ADD_FAILURE() << to_text(finding);
 }
 
 // EvalCoord2d mixes up its arguments: a defect of one form.
@@ -357,12 +357,12 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
   });
   const Played played = play_against(altered, 40);
   ASSERT_FALSE(played.findings.empty());
-  const json& finding = played.findings.front()["finding"];
-  const gl::Case program = gl::case_from_json(finding["program"]);
+  const Finding& finding = played.findings.front();
+  const gl::Case& program = finding.program;
   EXPECT_LE(program.commands().size(), 5u) << text_of(program);
   EXPECT_TRUE(has(program, gl::EntryPoint::EvalCoord2d)) << text_of(program);
-  EXPECT_EQ(as_text(finding["cause"]), "Begin, Enable, End, EvalCoord2, Map2: position");
-  EXPECT_EQ(finding["outside_evaluators"], false);
+  EXPECT_EQ(finding.cause, "Begin, Enable, End, EvalCoord2, Map2: position");
+  EXPECT_FALSE(finding.outside_evaluators);
 }
 
 // Color4f goes wrong with explicit vertices as well: that is said, and its cause cannot hide one of
@@ -373,9 +373,9 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   });
   const Played played = play_against(altered, 800);
   ASSERT_FALSE(played.findings.empty());
-  const json& finding = played.findings.front()["finding"];
-  EXPECT_EQ(finding["outside_evaluators"], true) << finding.dump(1);
-  EXPECT_EQ(finding["cause"].get<std::string>().find("Eval"), std::string::npos) << finding["cause"];
+  const Finding& finding = played.findings.front();
+  EXPECT_TRUE(finding.outside_evaluators) << to_text(finding);
+  EXPECT_EQ(finding.cause.find("Eval"), std::string::npos) << finding.cause;
 }
 
 // An answer, not a vertex.
@@ -387,7 +387,7 @@ TEST(Campaign, FindsAWrongAnswer) {
   });
   const Played played = play_against(altered, 400);
   ASSERT_FALSE(played.findings.empty());
-  EXPECT_EQ(as_text(played.findings.front()["finding"]["cause"]), "GetError, MapGrid1: glGetError");
+  EXPECT_EQ(played.findings.front().cause, "GetError, MapGrid1: glGetError");
 }
 
 // --- the command ------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "harness/runner/events.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 namespace {

@@ -19,8 +19,9 @@
 #include "harness/cli/command_line.h"
 #include "harness/cli/recorded.h"
 #include "harness/gl/case_json.h"
+#include "harness/results/baseline.h"
 #include "harness/results/json.h"
-#include "harness/runner/baseline.h"
+#include "harness/results/serialization.h"
 #include "vectors/lint/lint.h"
 #include "vectors/pipe/pipe.h"
 
@@ -79,7 +80,7 @@ void read_baseline(const std::string& text) {
   }
   try {
     const std::vector<BaselineFiles> all = BaselineFiles::read_all(folder);
-    const Baseline baseline = Baseline::best_fit(all, json::object(), "", "x");
+    const Baseline baseline = Baseline::best_fit(all, {}, Pass::kFreshContexts, "x");
     baseline.skip("Theme.Test/MAP1_VERTEX_3");
   } catch (const BadBaseline&) {
   }
@@ -88,30 +89,35 @@ void read_baseline(const std::string& text) {
 // A result file: as pages, on a terminal, as a shard beside another, compared with itself, and as what to
 // play again.
 void read_results(const std::string& text) {
-  json result;
   try {
-    result = reports::parse_result(text);
-    const std::string shown = reports::terminal_summary(result, result, false, true, 24);
+    const RunResult result = parse_run_result(text);
+    if (to_text(parse_run_result(to_text(result))) != to_text(result)) std::abort();
+    const std::string shown = reports::terminal_summary(result, {}, false, true, 24);
     for (const char c : shown)
       if (c != '\n' && static_cast<unsigned char>(c) < 0x20) std::abort();
     reports::junit(result);
-    const std::vector<json> results = reports::merge_shards({result, result});
     reports::PageOptions options;
     options.before = {result};
-    reports::html(results, nullptr, options);
-    reports::markdown_summary(results, options.before);
-    reports::changes(results, options.before);
-  } catch (const reports::FormatError&) {
-  }
-  try {
-    for (const cli::Candidate& test : cli::candidates_of(result)) {
-      const std::string file = cli::reproducer_name(test.full_name());
-      if (file.find('/') != std::string::npos || file.size() > 255) std::abort();
-      test.failed();
-      for (const std::string& option : cli::replay_options(test.run))
-        if (option.starts_with("--records") || option.starts_with("--gtest")) std::abort();
+    const auto test_commands = [&] {
+      for (const cli::Candidate& test : cli::candidates_of(result)) {
+        const std::string file = cli::reproducer_name(test.full_name());
+        if (file.find('/') != std::string::npos || file.size() > 255) std::abort();
+        for (const std::string& option : cli::replay_options(*test.run))
+          if (option.starts_with("--records") || option.starts_with("--gtest")) std::abort();
+      }
+    };
+    for (const std::function<void()>& use :
+         {std::function<void()>(test_commands), std::function<void()>([&] {
+            reports::html(reports::merge_shards({result, result}), {}, options);
+          }),
+          std::function<void()>([&] { reports::markdown_summary({result}, options.before); }),
+          std::function<void()>([&] { reports::changes({result}, options.before); })}) {
+      try {
+        use();
+      } catch (const FormatError&) {
+      }
     }
-  } catch (const cli::BadResults&) {
+  } catch (const FormatError&) {
   }
 }
 
@@ -130,7 +136,7 @@ void read_measurement(const std::string& text) {
     sweep["format"] = "evalcts-sweep-1";
     reports::accuracy_html(document, {sweep}, draw);
   } catch (const json::exception&) {
-  } catch (const reports::FormatError&) {
+  } catch (const FormatError&) {
   }
 }
 

@@ -8,26 +8,26 @@ namespace {
 
 std::string integer(std::optional<std::int64_t> n) { return n ? fmt::format("{}", *n) : std::string(); }
 
-std::string headline_of(const Record& record) {
-  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
-  if (record.status == "not-started") return "not started";
+std::string headline_of(const RunResult& record) {
+  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_failure_count();
+  if (!record.has_started()) return "not started";
   std::string headline = unexpected ? count(unexpected, "unexpected result") : "nothing unexpected";
   if (expected) headline += ", " + count(expected, "failing test") + " as the baseline expects";
-  if (record.status.empty()) headline = "status unknown: " + headline;
-  if (record.status == "interrupted") headline = "interrupted: " + headline;
+  if (!record.status) headline = "status unknown: " + headline;
+  if (record.status == RunStatus::kInterrupted) headline = "interrupted: " + headline;
   return headline;
 }
 
 }  // namespace
 
 data card(const Column& column) {
-  const Record& record = column.record;
-  const Implementation& implementation = record.implementation;
-  const bool bad = record.unexpected_count() || !record.complete();
+  const RunResult& record = column.record;
+  const ImplementationRecord& implementation = record.implementation;
+  const bool bad = record.unexpected_count() || !record.is_complete();
 
   data out;
   out.set("label", column.label);
-  out.set("state", record.status == "not-started" ? "none" : bad ? "bad" : "good");
+  out.set("state", !record.has_started() ? "none" : bad ? "bad" : "good");
   out.set("headline", headline_of(record));
   out.set("reason", optional_text(record.reason));
 
@@ -52,8 +52,8 @@ data card(const Column& column) {
   data circumstances = list();
   add_row(circumstances, "From", record.origin);
   add_row(circumstances, "Tests", fmt::format("{}", record.total()));
-  add_row(circumstances, "Shard", record.shard);
-  add_row(circumstances, "Depth", record.depth);
+  add_row(circumstances, "Shard", record.shard ? record.shard->text() : "");
+  add_row(circumstances, "Depth", record.depth ? name_of(*record.depth) : "");
   add_row(circumstances, "Seed", record.seed ? fmt::format("{}", *record.seed) : "");
   add_row(circumstances, "Baseline", record.baseline);
   add_row(circumstances, "Stale in the baseline", join(record.stale_baseline_entries, ", "));
@@ -66,7 +66,7 @@ data card(const Column& column) {
 
   data captures = list();
   std::size_t available = 0;
-  for (const Capture& capture : implementation.captures) {
+  for (const CaptureRecord& capture : implementation.captures) {
     available += capture.available;
     data item;
     item.set("capture", capture.name);
@@ -80,7 +80,7 @@ data card(const Column& column) {
   return out;
 }
 
-data readings(const std::vector<Column>& columns, const Ambiguities& ambiguities) {
+data readings(const std::vector<Column>& columns, const Catalogue& catalogue) {
   std::map<std::string, std::vector<std::vector<std::string>>> followed;  // by text, then by column
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (const auto& [text, names] : columns[i].record.readings) {
@@ -90,11 +90,11 @@ data readings(const std::vector<Column>& columns, const Ambiguities& ambiguities
     }
   data out = list();
   for (const auto& [text, by_column] : followed) {
-    const auto found = ambiguities.find(text);
-    const Ambiguity known = found == ambiguities.end() ? Ambiguity{} : found->second;
+    const Ambiguity* const found = catalogue.find_ambiguity(text);
+    const Ambiguity known = found ? *found : Ambiguity{};
     data row, cells = list();
     row.set("id", text);
-    row.set("text", optional_text(known.text));
+    row.set("text", optional_text(known.text()));
     row.set("where", optional_text(known.where));
     for (const std::vector<std::string>& names : by_column) {
       data cell, lines = list();

@@ -8,14 +8,15 @@ namespace {
 
 // What the earlier record was made of, where that is not what it is now.
 std::string earlier(const Comparison& pair) {
-  const Record &before = *pair.before, &now = *pair.now;
+  const RunResult &before = *pair.before, &now = *pair.now;
   std::vector<std::string> parts;
   const auto add = [&parts](const std::string& then, const std::string& today) {
     if (!then.empty() && then != today) parts.push_back(one_line(then));
   };
   add(before.implementation.name, now.implementation.name);
-  for (const auto member : {&Implementation::library, &Implementation::vendor, &Implementation::renderer,
-                            &Implementation::version, &Implementation::machine})
+  for (const auto member :
+       {&ImplementationRecord::library, &ImplementationRecord::vendor, &ImplementationRecord::renderer,
+        &ImplementationRecord::version, &ImplementationRecord::machine})
     add(before.implementation.*member, now.implementation.*member);
   if (before.evalcts_version != now.evalcts_version && !before.evalcts_version.empty())
     parts.push_back("evalcts " + one_line(before.evalcts_version));

@@ -19,35 +19,22 @@ data accuracy_view(const std::vector<Column>& columns) {
   data out = list();
   for (const Column& column : columns) {
     Accuracy all;
-    const TestResult *worst_ulp = nullptr, *worst_aware = nullptr;
-    const auto add = [](std::optional<std::uint64_t>& sum, const std::optional<std::uint64_t>& n) {
-      if (n) sum = sum.value_or(0) + *n;
-    };
-    const auto larger = [](const std::optional<double>& a, const std::optional<double>& b) {
-      return a && (!b || *a > *b);
-    };
+    const TestRecord *worst_ulp = nullptr, *worst_aware = nullptr;
     bool measured = false;
-    for (const TestResult& outcome : column.record.tests) {
+    for (const TestRecord& outcome : column.record.tests) {
       if (!outcome.accuracy) continue;
       measured = true;
-      add(all.values, outcome.accuracy->values);
-      add(all.incorrectly_rounded, outcome.accuracy->incorrectly_rounded);
-      if (larger(outcome.accuracy->max_ulp, all.max_ulp)) {
-        all.max_ulp = outcome.accuracy->max_ulp;
-        worst_ulp = &outcome;
-      }
-      if (larger(outcome.accuracy->max_condition_aware, all.max_condition_aware)) {
-        all.max_condition_aware = outcome.accuracy->max_condition_aware;
-        worst_aware = &outcome;
-      }
+      if (outcome.accuracy->ulp.error > all.ulp.error) worst_ulp = &outcome;
+      if (outcome.accuracy->condition_aware.error > all.condition_aware.error) worst_aware = &outcome;
+      all.add(*outcome.accuracy);
     }
     if (!measured) continue;
     data item;
     item.set("label", column.label);
-    item.set("values", all.values ? fmt::format("{}", *all.values) : "unknown");
+    item.set("values", fmt::format("{}", all.values));
     item.set("share", share(all));
-    item.set("max_ulp", number(all.max_ulp));
-    item.set("max_condition_aware", number(all.max_condition_aware));
+    item.set("max_ulp", number(all.ulp.error));
+    item.set("max_condition_aware", number(all.condition_aware.error));
     item.set("ulp_anchor", worst_ulp ? data(test_anchor(worst_ulp->name)) : data(false));
     item.set("aware_anchor", worst_aware ? data(test_anchor(worst_aware->name)) : data(false));
     out << item;
@@ -61,7 +48,7 @@ data undecided_view(const std::vector<Column>& columns) {
   std::map<std::pair<Verdict, std::string>, std::map<Names, std::vector<std::string>>> labels;
   for (const Column& column : columns) {
     std::map<std::pair<Verdict, std::string>, Names> reasons;
-    for (const TestResult& outcome : column.record.tests) {
+    for (const TestRecord& outcome : column.record.tests) {
       if (outcome.verdict > Verdict::kQualityWarning && outcome.verdict < Verdict::kPass)
         reasons[{outcome.verdict, outcome.message}].push_back(outcome.name);
     }
@@ -111,17 +98,18 @@ data themes_view(const std::vector<Row>& rows) {
 }
 
 // "372 of 395 requirements have a test here."
-std::string reach(const Matrix& matrix, const Requirements& catalogue) {
-  if (catalogue.empty()) return {};
+std::string reach(const Matrix& matrix, const Catalogue& catalogue) {
+  if (catalogue.requirements.empty()) return {};
   std::set<std::size_t> places;
   for (const auto& [id, number] : matrix.numbers)
-    if (const Requirement* known = find_requirement(catalogue, id)) places.insert(known->place);
-  return fmt::format("{} of {} have a test here.", places.size(), count(catalogue.size(), "requirement"));
+    if (const Requirement* known = catalogue.find(id)) places.insert(known->place);
+  return fmt::format("{} of {} have a test here.", places.size(),
+                     count(catalogue.requirements.size(), "requirement"));
 }
 
 std::string subtitle(const std::vector<Row>& rows, const std::vector<Column>& columns) {
-  const auto second_passes =
-      std::count_if(columns.begin(), columns.end(), [](const Column& c) { return !c.record.pass.empty(); });
+  const auto second_passes = std::count_if(
+      columns.begin(), columns.end(), [](const Column& c) { return c.record.pass != Pass::kFreshContexts; });
   const std::size_t implementations = columns.size() - static_cast<std::size_t>(second_passes);
   return fmt::format("{} on {}{}", count(rows.size(), "test"), count(implementations, "implementation"),
                      second_passes ? ", with fresh contexts and with one shared context" : "");
@@ -144,8 +132,8 @@ std::map<std::string, std::vector<const Change*>> changes_by_test(const std::vec
   return out;
 }
 
-data tests_view(const std::vector<Row>& rows, const std::vector<Column>& columns,
-                const Requirements& catalogue, const Matrix& requirements, const Comparisons& comparisons) {
+data tests_view(const std::vector<Row>& rows, const std::vector<Column>& columns, const Catalogue& catalogue,
+                const Matrix& requirements, const Comparisons& comparisons) {
   const auto changed = changes_by_test(columns, comparisons);
   const std::vector<const Change*> unchanged(columns.size());
   std::vector<const Row*> worst_first;
@@ -163,11 +151,9 @@ data tests_view(const std::vector<Row>& rows, const std::vector<Column>& columns
 
 }  // namespace
 
-std::string html(const std::vector<nlohmann::json>& results, const nlohmann::json& requirements,
+std::string html(const std::vector<RunResult>& results, const Catalogue& catalogue,
                  const PageOptions& options) {
-  const Requirements catalogue = read_requirements(requirements);
-  const Ambiguities ambiguities = read_ambiguities(requirements);
-  const std::vector<Column> columns = read_columns(results), earlier = read_columns(options.before);
+  const std::vector<Column> columns = label_columns(results), earlier = label_columns(options.before);
   const std::vector<Row> rows = read_rows(columns);
   const Comparisons compared = compare(columns, earlier);
 
@@ -202,14 +188,14 @@ std::string html(const std::vector<nlohmann::json>& results, const nlohmann::jso
   page.set("themes", themes_view(rows));
   page.set("flakes", std::any_of(columns.begin(), columns.end(), [](const Column& column) {
              return std::any_of(column.record.tests.begin(), column.record.tests.end(),
-                                [](const TestResult& outcome) { return outcome.flake; });
+                                [](const TestRecord& outcome) { return outcome.flake; });
            }));
   page.set("verdicts", verdict_list(columns, false));
   page.set("words", verdict_list(columns, true));
   page.set("tests", tests_view(rows, columns, catalogue, by_requirement, compared));
 
   const data accuracy = accuracy_view(columns), undecided = undecided_view(columns),
-             followed = readings(columns, ambiguities);
+             followed = readings(columns, catalogue);
   page.set("has_accuracy", accuracy.is_non_empty_list() || options.accuracy_page);
   page.set("has_accuracy_table", accuracy.is_non_empty_list());
   page.set("accuracy", accuracy);

@@ -14,33 +14,33 @@ namespace {
 struct Cell {
   std::size_t tests = 0;
   std::array<std::size_t, kVerdicts> counts{};
-  std::array<const TestResult*, kVerdicts> first{};
-  const TestResult* worst = nullptr;
+  std::array<const TestRecord*, kVerdicts> first{};
+  const TestRecord* worst = nullptr;
   bool all_expected = true;  // of those that are bad
 
-  void add(const TestResult& test) {
+  void add(const TestRecord& test) {
     const auto verdict = static_cast<std::size_t>(test.verdict);
     ++tests;
     if (counts[verdict]++ == 0) first[verdict] = &test;
-    if (test.bad() && !test.expected_bad()) all_expected = false;
+    if (test.is_bad() && !test.is_expected_failure()) all_expected = false;
     if (!worst || test.severity() < worst->severity()) worst = &test;
   }
   // The verdict on the requirement: what any test found bad, then a warning, then a pass; undecided only
   // where all tests are.
   Verdict verdict() const {
-    if (worst->bad()) return worst->verdict;
+    if (worst->is_bad()) return worst->verdict;
     if (counts[static_cast<std::size_t>(Verdict::kQualityWarning)]) return Verdict::kQualityWarning;
     return counts[static_cast<std::size_t>(Verdict::kPass)] ? Verdict::kPass : worst->verdict;
   }
-  const TestResult& example() const {
-    return worst->bad() ? *worst : *first[static_cast<std::size_t>(verdict())];
+  const TestRecord& example() const {
+    return worst->is_bad() ? *worst : *first[static_cast<std::size_t>(verdict())];
   }
   // Of how many tests this is, and what the rest is where that is not plain.
   std::string note() const {
     std::string out;
     const std::size_t n = counts[static_cast<std::size_t>(verdict())];
     if (n != tests) out = fmt::format("{} of {}", n, tests);
-    if (worst->bad() && all_expected) out += out.empty() ? "expected" : ", expected";
+    if (worst->is_bad() && all_expected) out += out.empty() ? "expected" : ", expected";
     return out;
   }
 };
@@ -69,8 +69,7 @@ data cell_view(const Cell& cell) {
 
 }  // namespace
 
-Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns,
-              const Requirements& catalogue) {
+Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns, const Catalogue& catalogue) {
   std::map<std::string, Line> lines;
   for (const Row& row : rows) {
     std::vector<std::string> seen;
@@ -90,7 +89,7 @@ Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns,
   using Place = std::pair<std::size_t, std::string>;
   std::map<Place, const Line*> ordered;
   for (const auto& [id, line] : lines) {
-    const Requirement* known = find_requirement(catalogue, id);
+    const Requirement* known = catalogue.find(id);
     ordered[{known ? known->place : std::numeric_limits<std::size_t>::max(), id}] = &line;
   }
 
@@ -108,7 +107,7 @@ Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns,
   };
   for (const auto& [place, line] : ordered) {
     const std::string& id = place.second;
-    const Requirement* known = find_requirement(catalogue, id);
+    const Requirement* known = catalogue.find(id);
     const Requirement requirement = known ? *known : Requirement{};
     const std::string its_section =
         requirement.section.empty() ? "Not in the catalogue" : requirement.section;

@@ -8,11 +8,11 @@
 namespace evalcts::reports::view {
 namespace {
 
-std::string baseline_sentence(const TestResult& test) {
+std::string baseline_sentence(const TestRecord& test) {
   const std::string reason = test.baseline_reason.empty() ? "no reason given" : test.baseline_reason;
-  if (test.expected_bad()) return "Expected by the baseline: " + reason;
+  if (test.is_expected_failure()) return "Expected by the baseline: " + reason;
   if (test.baseline_reason.empty()) return {};
-  return (test.unexpected() ? "Not what the baseline expects: " : "Baseline: ") + reason;
+  return (test.is_unexpected() ? "Not what the baseline expects: " : "Baseline: ") + reason;
 }
 
 void add_command(data& commands, const std::string& purpose, const std::string& command) {
@@ -27,7 +27,7 @@ void add_command(data& commands, const std::string& purpose, const std::string& 
 data failure_view(const Failure& failure, const Failure* above) {
   data out;
   out.set("open", above == nullptr);
-  out.set("case", failure.case_name.empty() ? "this test" : failure.case_name);
+  out.set("case", failure.case_identity.empty() ? "this test" : failure.case_identity);
   out.set("far", optional_text(distance(failure.ulp, failure.condition_aware)));
   data rows = list();
   add_row(rows, "Message", failure.message);
@@ -37,7 +37,7 @@ data failure_view(const Failure& failure, const Failure* above) {
   add_row(rows, "Exact", failure.exact, true);
   add_row(rows, "ULP", failure.ulp ? number(failure.ulp) : "");
   add_row(rows, "Condition-aware", failure.condition_aware ? number(failure.condition_aware) : "");
-  add_row(rows, "Capture", failure.capture);
+  add_row(rows, "CaptureRecord", failure.capture);
   out.set("rows", rows);
   const bool said = above && !failure.calls.empty() && failure.calls == above->calls;
   out.set("calls_above", said);
@@ -47,7 +47,7 @@ data failure_view(const Failure& failure, const Failure* above) {
 
 // "2 of 12 cases failed, 1 recorded, seed 1, 0.020 s". Times are never the same: without them, those that are
 // alike otherwise can share a line.
-std::string facts_of(const TestResult& test, bool with_time) {
+std::string facts_of(const TestRecord& test, bool with_time) {
   std::vector<std::string> facts;
   if (test.failed_cases.value_or(0) && test.cases) {
     facts.push_back(fmt::format("{} of {} failed", *test.failed_cases, count(*test.cases, "case")));
@@ -63,24 +63,24 @@ std::string facts_of(const TestResult& test, bool with_time) {
 }
 
 // "480 values, largest error 3.5 ULP, condition-aware 1.25; not correctly rounded: 20 % (96); ..."
-std::string accuracy_of(const TestResult& test) {
+std::string accuracy_of(const TestRecord& test) {
   if (!test.accuracy) return {};
   const Accuracy& accuracy = *test.accuracy;
-  std::string out = accuracy.values ? count(*accuracy.values, "value") : "an unknown number of values";
-  const std::string far = distance(accuracy.max_ulp, accuracy.max_condition_aware);
+  std::string out = count(accuracy.values, "value");
+  const std::string far = distance(accuracy.ulp.error, accuracy.condition_aware.error);
   if (!far.empty()) out += ", largest error " + far;
-  if (accuracy.incorrectly_rounded) out += "; not correctly rounded: " + share(accuracy);
-  if (!accuracy.worst.empty()) out += "; worst input: " + accuracy.worst;
+  out += "; not correctly rounded: " + share(accuracy);
+  if (!accuracy.ulp.where.empty()) out += "; worst input: " + accuracy.ulp.where;
   return out;
 }
 
 // Said in one line, together with others of which the same is to be said.
-bool is_quiet(const TestResult& test) {
-  return test.failures.empty() && !test.bad() && baseline_sentence(test).empty() && test.rerun.empty() &&
+bool is_quiet(const TestRecord& test) {
+  return test.failures.empty() && !test.is_bad() && baseline_sentence(test).empty() && test.rerun.empty() &&
          test.debug.empty() && test.reproducer.empty();
 }
 
-std::string quiet_words(const TestResult& test, bool with_time) {
+std::string quiet_words(const TestRecord& test, bool with_time) {
   std::string out(text_of(test.verdict).word);
   const std::string accuracy = accuracy_of(test), facts = facts_of(test, with_time);
   // Of what was not played there are none.
@@ -90,17 +90,18 @@ std::string quiet_words(const TestResult& test, bool with_time) {
 }
 
 // Whether one description does for both. (Commands name the implementation, and times are never the same.)
-bool tell_the_same(const TestResult& a, const TestResult& b) {
+bool tell_the_same(const TestRecord& a, const TestRecord& b) {
   return a.verdict == b.verdict && a.message == b.message && a.failures == b.failures && a.flake == b.flake &&
-         a.again == b.again && baseline_sentence(a) == baseline_sentence(b) && a.cases == b.cases &&
+         a.again.has_value() == b.again.has_value() && (!a.again || a.again->verdict == b.again->verdict) &&
+         baseline_sentence(a) == baseline_sentence(b) && a.cases == b.cases &&
          a.failed_cases == b.failed_cases && a.seed == b.seed && accuracy_of(a) == accuracy_of(b);
 }
 
 // Those that came out alike, each with its column.
-using Alike = std::vector<std::pair<const TestResult*, const Column*>>;
+using Alike = std::vector<std::pair<const TestRecord*, const Column*>>;
 
 data outcome_view(const Alike& alike, bool several) {
-  const TestResult& test = *alike.front().first;
+  const TestRecord& test = *alike.front().first;
   std::vector<std::string> labels;
   for (const auto& [outcome, column] : alike) labels.push_back(column->label);
   data out;
@@ -130,8 +131,8 @@ data outcome_view(const Alike& alike, bool several) {
   return out;
 }
 
-data requirement_view(const std::string& id, const Requirements& catalogue, bool in_full) {
-  const Requirement* found = in_full ? find_requirement(catalogue, id) : nullptr;
+data requirement_view(const std::string& id, const Catalogue& catalogue, bool in_full) {
+  const Requirement* found = in_full ? catalogue.find(id) : nullptr;
   const Requirement requirement = found ? *found : Requirement{};
   data out;
   out.set("id", id);
@@ -144,18 +145,18 @@ data requirement_view(const std::string& id, const Requirements& catalogue, bool
 }
 
 // What the edge of a test's box says at a glance.
-const char* state_of(const TestResult& test) {
-  if (test.bad()) return test.expected_bad() ? "warn" : "bad";
-  if (test.verdict == Verdict::kQualityWarning || test.unexpected_pass()) return "warn";
+const char* state_of(const TestRecord& test) {
+  if (test.is_bad()) return test.is_expected_failure() ? "warn" : "bad";
+  if (test.verdict == Verdict::kQualityWarning || test.is_unexpected_pass()) return "warn";
   return test.verdict == Verdict::kPass ? "good" : "undecided";
 }
 
 // One chip for each verdict that the implementations got, worst first.
 data chips_view(const Row& row, const std::vector<Column>& columns) {
   // By severity; flakes stand for themselves.
-  std::map<std::pair<int, bool>, std::pair<const TestResult*, std::vector<std::string>>> groups;
+  std::map<std::pair<int, bool>, std::pair<const TestRecord*, std::vector<std::string>>> groups;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const TestResult* outcome = row.outcomes[i];
+    const TestRecord* outcome = row.outcomes[i];
     if (!outcome) continue;
     auto& [example, labels] = groups[{outcome->severity(), outcome->flake}];
     example = outcome;
@@ -181,9 +182,9 @@ data chips_view(const Row& row, const std::vector<Column>& columns) {
 std::string words_for_filters(const Row& row, const std::vector<const Change*>& changes) {
   std::vector<std::string> columns;
   for (std::size_t i = 0; i < row.outcomes.size(); ++i) {
-    const TestResult* outcome = row.outcomes[i];
+    const TestRecord* outcome = row.outcomes[i];
     std::string words(outcome ? text_of(outcome->verdict).word : "absent");
-    if (outcome && outcome->unexpected()) words += ",unexpected";
+    if (outcome && outcome->is_unexpected()) words += ",unexpected";
     if (outcome && outcome->flake) words += ",flake";
     if (changes[i]) words += fmt::format(",{}", text_of(changes[i]->kind).filter);
     columns.push_back(words);
@@ -194,14 +195,14 @@ std::string words_for_filters(const Row& row, const std::vector<const Change*>& 
 }  // namespace
 
 data test(const Row& row, const std::vector<const Change*>& changes, const std::vector<Column>& columns,
-          const Requirements& catalogue, const Matrix& matrix) {
-  const TestResult& worst = row.worst();
+          const Catalogue& catalogue, const Matrix& matrix) {
+  const TestRecord& worst = row.worst();
   const bool several = columns.size() > 1;
   data out;
   out.set("anchor", test_anchor(row.name));
   set_name(out, row.name);
   out.set("theme", row.name.substr(0, row.name.find('.')));
-  out.set("level", optional_text(worst.level));
+  out.set("level", name_of(worst.level));
   out.set("headline", optional_text(one_line(worst.message)));
   out.set("differs", row.differs());
   out.set("state", state_of(worst));
@@ -214,7 +215,7 @@ data test(const Row& row, const std::vector<const Change*>& changes, const std::
   std::vector<Alike> loud;
   bool all_pass = true;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const TestResult* outcome = row.outcomes[i];
+    const TestRecord* outcome = row.outcomes[i];
     if (!outcome) continue;
     for (const std::string& id : outcome->requirements) {
       if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);

@@ -53,15 +53,15 @@ std::string test_anchor(const std::string& name) { return "test-" + plain(name);
 std::string requirement_anchor(const std::string& id) { return "requirement-" + plain(id); }
 
 std::string share(const Accuracy& accuracy) {
-  if (!accuracy.incorrectly_rounded || !accuracy.values || *accuracy.values == 0) return "unknown";
+  if (accuracy.values == 0) return "unknown";
   const double ratio =
-      static_cast<double>(*accuracy.incorrectly_rounded) / static_cast<double>(*accuracy.values);
-  return fmt::format("{:.3g} % ({})", 100 * ratio, *accuracy.incorrectly_rounded);
+      static_cast<double>(accuracy.not_correctly_rounded) / static_cast<double>(accuracy.values);
+  return fmt::format("{:.3g} % ({})", 100 * ratio, accuracy.not_correctly_rounded);
 }
 
-std::string baseline_note(const TestResult& test) {
-  if (test.expected_bad()) return "expected";
-  return test.unexpected_pass() ? "unexpected" : "";
+std::string baseline_note(const TestRecord& test) {
+  if (test.is_expected_failure()) return "expected";
+  return test.is_unexpected_pass() ? "unexpected" : "";
 }
 
 }  // namespace evalcts::reports::view

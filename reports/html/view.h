@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/results/requirements.h"
+#include "harness/results/run_result.h"
 #include "reports/comparison.h"
-#include "reports/record.h"
 #include "reports/side_by_side.h"
 
 namespace evalcts::reports::view {
@@ -38,7 +39,7 @@ std::string requirement_anchor(const std::string& id);
 std::string share(const Accuracy& accuracy);
 
 // "expected", "unexpected", or nothing.
-std::string baseline_note(const TestResult& test);
+std::string baseline_note(const TestRecord& test);
 
 // The summary of one record.
 data card(const Column& column);
@@ -50,18 +51,17 @@ struct Matrix {
   std::size_t rows = 0;
   std::map<std::string, std::size_t> numbers;  // of the rows, in order, by requirement
 };
-Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns,
-              const Requirements& catalogue);
+Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns, const Catalogue& catalogue);
 
 // A test with its evidence from each record. `changes`: what has happened to it since the earlier results, in
 // the order of the columns; null where nothing has.
 data test(const Row& row, const std::vector<const Change*>& changes, const std::vector<Column>& columns,
-          const Requirements& catalogue, const Matrix& matrix);
+          const Catalogue& catalogue, const Matrix& matrix);
 
 // One entry for each pair of records that was compared.
 data comparisons(const Comparisons& comparisons);
 
 // One row for each ambiguous text on which an implementation has shown its reading.
-data readings(const std::vector<Column>& columns, const Ambiguities& ambiguities);
+data readings(const std::vector<Column>& columns, const Catalogue& catalogue);
 
 }  // namespace evalcts::reports::view

@@ -7,7 +7,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "evalcts/reports.h"
-#include "reports/record.h"
+#include "harness/results/run_result.h"
 #include "reports/text.h"
 #include "reports_templates.h"
 
@@ -36,27 +36,28 @@ struct Totals {
 std::string seconds(double value) { return fmt::format("{:.6f}", std::max(value, 0.0)); }
 
 // Everything recorded about the failures, for reading where no other page is at hand.
-std::string details(const TestResult& test) {
+std::string details(const TestRecord& test) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
     if (!value.empty()) out += fmt::format("{}: {}\n", label, value);
   };
   line("message", test.message);
   line("requirements", join(test.requirements, ", "));
-  line("level", test.level);
+  line("level", name_of(test.level));
   line("baseline", test.baseline_reason);
   if (test.failed_cases && test.cases)
     line("failing cases", fmt::format("{} of {}", *test.failed_cases, *test.cases));
   if (test.seed) line("seed", fmt::format("{}", *test.seed));
-  line("history", join(test.history, ", "));
+  if (test.history) line("history", join(*test.history, ", "));
   if (test.flake)
-    line("flake", test.again.empty() ? "did not fail again" : test.again + " when played again");
+    line("flake", test.again ? fmt::format("{} when played again", text_of(test.again->verdict).word)
+                             : "did not fail again");
   line("run just this test", test.rerun);
   line("open it in a debugger", test.debug);
   line("make a C program of it", test.reproducer);
   for (const Failure& failure : test.failures) {
     out += "\n";
-    line("case", failure.case_name);
+    line("case", failure.case_identity);
     line("message", failure.message);
     line("what", failure.what);
     line("expected", failure.expected);
@@ -69,10 +70,10 @@ std::string details(const TestResult& test) {
   return out;
 }
 
-Outcome outcome_of(const TestResult& test) {
+Outcome outcome_of(const TestRecord& test) {
   const std::string word(text_of(test.verdict).word);
   const std::string message = one_line(test.message.empty() ? word : test.message);
-  if (test.expected_bad()) {
+  if (test.is_expected_failure()) {
     const std::string reason =
         test.baseline_reason.empty() ? "no reason given" : one_line(test.baseline_reason);
     return {"skipped", word, fmt::format("{} expected by the baseline: {}", word, reason), ""};
@@ -96,10 +97,10 @@ Outcome outcome_of(const TestResult& test) {
 }
 
 // What a reader should not miss although the testcase is not red.
-std::string output_of(const TestResult& test) {
-  if (test.expected_bad()) return details(test);
+std::string output_of(const TestRecord& test) {
+  if (test.is_expected_failure()) return details(test);
   if (test.verdict == Verdict::kQualityWarning) return "quality-warning\n" + details(test);
-  if (test.unexpected_pass()) return "unexpected pass; the baseline says: " + test.baseline_reason + "\n";
+  if (test.is_unexpected_pass()) return "unexpected pass; the baseline says: " + test.baseline_reason + "\n";
   return {};
 }
 
@@ -121,9 +122,8 @@ mustache::data testcase(const std::string& classname, const std::string& name, d
 
 }  // namespace
 
-std::string junit(const nlohmann::json& result) {
-  const Record record = read_record(result);
-  const Implementation& implementation = record.implementation;
+std::string junit(const RunResult& record) {
+  const ImplementationRecord& implementation = record.implementation;
   const std::string suite = record.heading("unnamed");
 
   mustache::data page, properties(mustache::data::type::list), testcases(mustache::data::type::list);
@@ -136,10 +136,10 @@ std::string junit(const nlohmann::json& result) {
   };
   property("evalcts.version", record.evalcts_version);
   property("evalcts.command", record.command);
-  property("evalcts.depth", record.depth);
-  property("evalcts.pass", record.pass);
+  property("evalcts.depth", record.depth ? name_of(*record.depth) : "");
+  property("evalcts.pass", name_of(record.pass));
   property("evalcts.baseline.stale", join(record.stale_baseline_entries, ", "));
-  property("evalcts.status", record.status);
+  property("evalcts.status", record.status ? name_of(*record.status) : "");
   property("evalcts.reason", record.reason);
   property("gl.library", implementation.library);
   property("gl.vendor", implementation.vendor);
@@ -149,15 +149,14 @@ std::string junit(const nlohmann::json& result) {
 
   Totals totals;
   double time = 0;
-  if (!record.complete()) {
-    const bool not_started = record.status == "not-started";
-    const std::string status = record.status.empty() ? "unknown" : record.status;
-    const Outcome outcome{not_started ? "skipped" : "error", status,
+  if (!record.is_complete()) {
+    const std::string status = record.status ? name_of(*record.status) : "unknown";
+    const Outcome outcome{record.has_started() ? "error" : "skipped", status,
                           one_line(record.reason.empty() ? "the run is not complete" : record.reason), ""};
     totals.add(outcome);
     testcases << testcase(suite + ".evalcts", "the run", 0, outcome, "");
   }
-  for (const TestResult& test : record.tests) {
+  for (const TestRecord& test : record.tests) {
     const Outcome outcome = outcome_of(test);
     totals.add(outcome);
     time += test.seconds.value_or(0);

@@ -17,10 +17,10 @@ constexpr std::size_t kMostOfText = 100;  // columns
 struct Tally {
   std::size_t bad = 0, decided = 0;
 
-  void add(const TestResult& test) {
+  void add(const TestRecord& test) {
     const bool passes = test.verdict == Verdict::kPass || test.verdict == Verdict::kQualityWarning;
-    bad += test.bad();
-    decided += test.bad() || passes;
+    bad += test.is_bad();
+    decided += test.is_bad() || passes;
   }
   std::string text() const {
     if (decided == 0) return "not observed";
@@ -39,20 +39,18 @@ std::string table_head(const std::string& first, const std::vector<Column>& colu
 
 }  // namespace
 
-std::string requirements_table(const std::vector<nlohmann::json>& results,
-                               const nlohmann::json& requirements) {
-  const std::vector<Column> columns = read_columns(results);
-  const Requirements catalogue = read_requirements(requirements);
+std::string requirements_table(const std::vector<RunResult>& results, const Catalogue& catalogue) {
+  const std::vector<Column> columns = label_columns(results);
   std::string out = "# Requirements by implementation\n\n";
   for (const Column& column : columns) {
-    const Implementation& implementation = column.record.implementation;
+    const ImplementationRecord& implementation = column.record.implementation;
     out += fmt::format("* {}: {}, {}\n", markdown_cell(column.label), markdown_cell(implementation.renderer),
                        markdown_cell(implementation.version));
   }
 
   std::map<std::string, std::vector<Tally>> tallies;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    for (const TestResult& test : columns[i].record.tests)
+    for (const TestRecord& test : columns[i].record.tests)
       for (const std::string& id : test.requirements) {
         std::vector<Tally>& row = tallies[id];
         row.resize(columns.size());
@@ -62,8 +60,8 @@ std::string requirements_table(const std::vector<nlohmann::json>& results,
   for (const auto& [id, row] : tallies)
     if (std::ranges::any_of(row, [](const Tally& tally) { return tally.bad > 0; })) violated.push_back(id);
   const auto place_of = [&](const std::string& id) {
-    const Requirement* const requirement = find_requirement(catalogue, id);
-    return requirement ? requirement->place : catalogue.size();
+    const Requirement* const requirement = catalogue.find(id);
+    return requirement ? requirement->place : catalogue.requirements.size();
   };
   std::ranges::stable_sort(violated, {}, place_of);
   out += fmt::format(
@@ -73,7 +71,7 @@ std::string requirements_table(const std::vector<nlohmann::json>& results,
       violated.size(), tallies.size());
   out += table_head("requirement", columns);
   for (const std::string& id : violated) {
-    const Requirement* const requirement = find_requirement(catalogue, id);
+    const Requirement* const requirement = catalogue.find(id);
     out += fmt::format("| {}{} |", markdown_cell(id),
                        requirement ? ": " + markdown_cell(cut(requirement->text, kMostOfText)) : "");
     for (const Tally& tally : tallies[id]) out += " " + tally.text() + " |";
@@ -87,9 +85,9 @@ std::string requirements_table(const std::vector<nlohmann::json>& results,
       "out.\n\n";
   out += table_head("test", columns);
   for (const Row& row : rows) {
-    if (!row.differs() || !row.worst().bad()) continue;
+    if (!row.differs() || !row.worst().is_bad()) continue;
     out += fmt::format("| {} |", markdown_cell(row.name));
-    for (const TestResult* outcome : row.outcomes)
+    for (const TestRecord* outcome : row.outcomes)
       out += fmt::format(" {} |", outcome ? text_of(outcome->verdict).word : std::string_view("no test"));
     out += "\n";
   }

@@ -27,7 +27,7 @@ std::string counts_table(const std::vector<Column>& columns) {
   }
   out += "\n" + rule + "\n";
   for (const Column& column : columns) {
-    const Record& record = column.record;
+    const RunResult& record = column.record;
     const std::uint64_t unexpected = record.unexpected_count();
     out += fmt::format("| {} | {} | {} |", markdown_cell(column.label),
                        unexpected ? fmt::format("**{}**", unexpected) : "0", record.total());
@@ -40,15 +40,15 @@ std::string counts_table(const std::vector<Column>& columns) {
 
 // What was judged, and why a run is not whole.
 std::string about(const Column& column) {
-  const Record& record = column.record;
-  const Implementation& implementation = record.implementation;
+  const RunResult& record = column.record;
+  const ImplementationRecord& implementation = record.implementation;
   std::vector<std::string> parts;
   for (const std::string* part : {&implementation.vendor, &implementation.renderer, &implementation.version})
     if (!part->empty()) parts.push_back(markdown_code(*part));
   if (!implementation.note.empty()) parts.push_back("**note**: " + markdown_code(implementation.note));
-  if (record.status.empty()) parts.emplace_back("**status unknown**");
-  if (!record.status.empty() && !record.complete())
-    parts.push_back("**" + record.status + "**" +
+  if (!record.status) parts.emplace_back("**status unknown**");
+  if (record.status && !record.is_complete())
+    parts.push_back(fmt::format("**{}**", name_of(*record.status)) +
                     (record.reason.empty() ? "" : ": " + markdown_code(record.reason)));
   return parts.empty() ? "" : fmt::format("* {}: {}\n", markdown_code(column.label), join(parts, ", "));
 }
@@ -70,18 +70,18 @@ std::string changes_of(const Comparison& pair) {
 }
 
 std::string failures_of(const Column& column) {
-  std::vector<const TestResult*> tests;
-  for (const TestResult& test : column.record.tests)
-    if (test.unexpected()) tests.push_back(&test);
+  std::vector<const TestRecord*> tests;
+  for (const TestRecord& test : column.record.tests)
+    if (test.is_unexpected()) tests.push_back(&test);
   std::stable_sort(tests.begin(), tests.end(),
-                   [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); });
+                   [](const TestRecord* a, const TestRecord* b) { return a->severity() < b->severity(); });
   std::string out;
   for (std::size_t i = 0; i < tests.size() && i < kMostTests; ++i) {
-    const TestResult& test = *tests[i];
-    out +=
-        fmt::format("* {}: {} {}", markdown_code(column.label),
-                    test.unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).word,
-                    markdown_code(test.name));
+    const TestRecord& test = *tests[i];
+    out += fmt::format(
+        "* {}: {} {}", markdown_code(column.label),
+        test.is_unexpected_pass() ? std::string_view("unexpected pass") : text_of(test.verdict).word,
+        markdown_code(test.name));
     if (!test.message.empty()) out += ": " + markdown_code(test.message);
     out += "\n";
     if (!test.rerun.empty())
@@ -94,9 +94,8 @@ std::string failures_of(const Column& column) {
 
 }  // namespace
 
-std::string markdown_summary(const std::vector<nlohmann::json>& results,
-                             const std::vector<nlohmann::json>& before) {
-  const std::vector<Column> columns = read_columns(results), earlier = read_columns(before);
+std::string markdown_summary(const std::vector<RunResult>& results, const std::vector<RunResult>& before) {
+  const std::vector<Column> columns = label_columns(results), earlier = label_columns(before);
   std::string out = "## OpenGL evaluators: conformance\n\n";
   if (columns.empty()) return out + "No results.\n";
   out += counts_table(columns);

@@ -12,8 +12,8 @@ constexpr std::uint64_t kMostOfAKind = 8;
 
 }  // namespace
 
-Changes changes(const std::vector<nlohmann::json>& results, const std::vector<nlohmann::json>& before) {
-  const std::vector<Column> now = read_columns(results), earlier = read_columns(before);
+Changes changes(const std::vector<RunResult>& results, const std::vector<RunResult>& before) {
+  const std::vector<Column> now = label_columns(results), earlier = label_columns(before);
   const Comparisons comparisons = compare(now, earlier);
   std::string out;
   const auto line = [&out](const std::string& text) { out += cut(one_line(text), kScreenColumns) + "\n"; };

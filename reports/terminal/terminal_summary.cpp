@@ -4,7 +4,7 @@
 #include <map>
 
 #include "evalcts/reports.h"
-#include "reports/record.h"
+#include "harness/results/run_result.h"
 #include "reports/text.h"
 
 namespace evalcts::reports {
@@ -69,29 +69,30 @@ class Screen {
 
 // One test of each requirement first, then the second of each, and so on: more tests of one requirement tell
 // little that is new.
-std::vector<const TestResult*> one_of_each(const std::vector<const TestResult*>& worst_first) {
+std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>& worst_first) {
   std::map<std::vector<std::string>, std::size_t> seen;
-  std::vector<std::pair<std::size_t, const TestResult*>> order;
-  for (const TestResult* test : worst_first) order.emplace_back(seen[test->requirements]++, test);
+  std::vector<std::pair<std::size_t, const TestRecord*>> order;
+  for (const TestRecord* test : worst_first) order.emplace_back(seen[test->requirements]++, test);
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<const TestResult*> tests;
+  std::vector<const TestRecord*> tests;
   for (const auto& [number, test] : order) tests.push_back(test);
   return tests;
 }
 
 // " (flake: pass when played again)", for one that did not come out the same.
-std::string flake_note(const TestResult& test) {
+std::string flake_note(const TestRecord& test) {
   if (!test.flake) return {};
-  return test.again.empty() ? " (flake)" : fmt::format(" (flake: {} when played again)", test.again);
+  if (!test.again) return " (flake)";
+  return fmt::format(" (flake: {} when played again)", text_of(test.again->verdict).word);
 }
 
 // A test in one line.
-std::string test_line(const TestResult& test) {
+std::string test_line(const TestRecord& test) {
   std::string out = fmt::format("{:<15} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
-  if (test.expected_bad())
+  if (test.is_expected_failure())
     out += " (expected" + (test.baseline_reason.empty() ? "" : ": " + test.baseline_reason) + ")";
-  if (test.unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
+  if (test.is_unexpected_pass()) out += " (the baseline expects otherwise: " + test.baseline_reason + ")";
   if (test.failed_cases.value_or(0) && test.cases)
     out += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
   if (!test.message.empty()) out += ": " + test.message;
@@ -99,7 +100,7 @@ std::string test_line(const TestResult& test) {
 }
 
 // "position.x of vertex 3: expected [0.25, 0.2501], got 0.3 (1.7e+06 ULP)"
-std::string comparison(const Failure& failure, const TestResult& test) {
+std::string comparison(const Failure& failure, const TestRecord& test) {
   if (failure.expected.empty() && failure.captured.empty())
     return failure.message.empty() ? test.message : failure.message;
   std::string out = failure.what.empty() ? "" : failure.what + ": ";
@@ -110,12 +111,12 @@ std::string comparison(const Failure& failure, const TestResult& test) {
 }
 
 // "EV-MAP1-COPY: the text of the requirement... [GL 2.1 5.1]" in one line.
-std::string demand(const TestResult& test, const Requirements& catalogue) {
+std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   if (test.requirements.empty()) return "no requirement recorded";
   const std::string& id = test.requirements.front();
   std::string others;
   if (test.requirements.size() > 1) others = fmt::format(" (and {} more)", test.requirements.size() - 1);
-  const Requirement* requirement = find_requirement(catalogue, id);
+  const Requirement* requirement = catalogue.find(id);
   if (!requirement) return join(test.requirements, ", ");
   const std::string source =
       requirement->source.empty() ? "" : " [" + cut(requirement->source, kMostOfSource) + "]";
@@ -125,13 +126,13 @@ std::string demand(const TestResult& test, const Requirements& catalogue) {
 }
 
 // An unexpected failure in five lines.
-void write_in_full(Screen& screen, const TestResult& test, const Requirements& catalogue, bool all_cases) {
+void write_in_full(Screen& screen, const TestRecord& test, const Catalogue& catalogue, bool all_cases) {
   const Failure none{};
   const Failure& failure = test.failures.empty() ? none : test.failures.front();
   std::string first = fmt::format("{:<8} {}{}", text_of(test.verdict).word, test.name, flake_note(test));
   if (test.failed_cases.value_or(0) && test.cases)
     first += fmt::format(": {} of {}", *test.failed_cases, count(*test.cases, "case"));
-  if (!failure.case_name.empty()) first += ", " + failure.case_name;
+  if (!failure.case_identity.empty()) first += ", " + failure.case_identity;
   screen.line(first, colour_of(test.verdict));
   screen.line("  " + comparison(failure, test));
   screen.line("  why: " + demand(test, catalogue));
@@ -142,11 +143,12 @@ void write_in_full(Screen& screen, const TestResult& test, const Requirements& c
   if (!last.empty()) screen.uncut(last);
   if (!all_cases) return;
   for (std::size_t i = 1; i < test.failures.size(); ++i)
-    screen.line(fmt::format("    {}: {}", test.failures[i].case_name, comparison(test.failures[i], test)));
+    screen.line(
+        fmt::format("    {}: {}", test.failures[i].case_identity, comparison(test.failures[i], test)));
 }
 
-void write_head(Screen& screen, const Record& record) {
-  const Implementation& implementation = record.implementation;
+void write_head(Screen& screen, const RunResult& record) {
+  const ImplementationRecord& implementation = record.implementation;
   std::string head = record.heading("(unnamed)");
   std::vector<std::string> parts;
   for (const std::string* part :
@@ -157,8 +159,8 @@ void write_head(Screen& screen, const Record& record) {
   screen.line(head, Colour::kBold);
   if (!implementation.note.empty()) screen.whole_line("note: " + implementation.note, Colour::kYellow);
 
-  if (!record.complete()) {
-    const std::string status = record.status.empty() ? "status unknown" : record.status;
+  if (!record.is_complete()) {
+    const std::string status = record.status ? name_of(*record.status) : "status unknown";
     screen.whole_line(status + (record.reason.empty() ? "" : ": " + record.reason), Colour::kRed);
   }
   std::vector<std::string> counts;
@@ -170,9 +172,9 @@ void write_head(Screen& screen, const Record& record) {
 }
 
 // What decided nothing, one line for each verdict and reason.
-void write_not_judged(Screen& screen, const Record& record) {
+void write_not_judged(Screen& screen, const RunResult& record) {
   std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
-  for (const TestResult& test : record.tests) {
+  for (const TestRecord& test : record.tests) {
     if (test.verdict > Verdict::kQualityWarning && test.verdict < Verdict::kPass) {
       reasons[{test.verdict, test.message}].push_back(test.name);
     }
@@ -188,18 +190,18 @@ void write_not_judged(Screen& screen, const Record& record) {
   }
 }
 
-void write_captures(Screen& screen, const Record& record) {
+void write_captures(Screen& screen, const RunResult& record) {
   if (record.implementation.captures.empty()) return;
   screen.line("");
   screen.line("Captures", Colour::kBold);
-  for (const Capture& capture : record.implementation.captures) {
+  for (const CaptureRecord& capture : record.implementation.captures) {
     screen.line(fmt::format("  {}: {}{}{}", capture.name, capture.available ? "available" : "not available",
                             capture.reason.empty() ? "" : ", ", capture.reason));
   }
 }
 
 // Names the baseline whose failures were expected, and the option that chooses another one.
-void write_baseline(Screen& screen, const Record& record) {
+void write_baseline(Screen& screen, const RunResult& record) {
   if (!record.baseline.empty())
     screen.whole_line(
         fmt::format("baseline: {} (--baseline NAME, DIR or none chooses another)", record.baseline),
@@ -209,43 +211,41 @@ void write_baseline(Screen& screen, const Record& record) {
                       Colour::kFaint);
 }
 
-void write_last_line(Screen& screen, const Record& record, const std::string& head = {}) {
-  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_bad_count();
+void write_last_line(Screen& screen, const RunResult& record, const std::string& head = {}) {
+  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_failure_count();
   std::vector<std::string> last;
   if (unexpected) last.push_back(count(unexpected, "unexpected result"));
   if (expected) last.push_back(count(expected, "failing test") + " as the baseline expects");
-  if (!record.complete()) last.push_back("the run is not complete");
-  if (last.empty() || (!unexpected && record.complete())) last.insert(last.begin(), "nothing unexpected");
-  screen.line(head + join(last, ", "), unexpected          ? Colour::kRed
-                                       : record.complete() ? Colour::kGreen
-                                                           : Colour::kYellow);
+  if (!record.is_complete()) last.push_back("the run is not complete");
+  if (last.empty() || (!unexpected && record.is_complete())) last.insert(last.begin(), "nothing unexpected");
+  screen.line(head + join(last, ", "), unexpected             ? Colour::kRed
+                                       : record.is_complete() ? Colour::kGreen
+                                                              : Colour::kYellow);
 }
 
 }  // namespace
 
-std::string terminal_line(const nlohmann::json& result, bool colour) {
-  const Record record = read_record(result);
+std::string terminal_line(const RunResult& record, bool colour) {
   Screen screen(colour, true);
   write_last_line(screen, record, record.heading("(unnamed)") + ": ");
   return screen.text();
 }
 
-std::string terminal_summary(const nlohmann::json& result, const nlohmann::json& requirements, bool colour,
-                             bool verbose, std::size_t lines) {
-  const Record record = read_record(result);
-  const Requirements catalogue = read_requirements(requirements);
+std::string terminal_summary(const RunResult& record, const Catalogue& catalogue, bool colour, bool verbose,
+                             std::size_t lines) {
   Screen screen(colour, !verbose);
   write_head(screen, record);
 
-  std::vector<const TestResult*> failing, others;  // in full; in one line
-  for (const TestResult& test : record.tests) {
-    if (test.bad() && test.unexpected()) {
+  std::vector<const TestRecord*> failing, others;  // in full; in one line
+  for (const TestRecord& test : record.tests) {
+    if (test.is_bad() && test.is_unexpected()) {
       failing.push_back(&test);
-    } else if (test.unexpected() || (verbose && (test.bad() || test.verdict == Verdict::kQualityWarning))) {
+    } else if (test.is_unexpected() ||
+               (verbose && (test.is_bad() || test.verdict == Verdict::kQualityWarning))) {
       others.push_back(&test);
     }
   }
-  const auto worse = [](const TestResult* a, const TestResult* b) { return a->severity() < b->severity(); };
+  const auto worse = [](const TestRecord* a, const TestRecord* b) { return a->severity() < b->severity(); };
   std::stable_sort(failing.begin(), failing.end(), worse);
   std::stable_sort(others.begin(), others.end(), worse);
   failing = one_of_each(failing);
@@ -264,12 +264,12 @@ std::string terminal_summary(const nlohmann::json& result, const nlohmann::json&
     left += others.size() - most;
     others.resize(most);
   }
-  for (const TestResult* test : failing) {
+  for (const TestRecord* test : failing) {
     screen.line("");
     write_in_full(screen, *test, catalogue, verbose);
   }
   if (!others.empty()) screen.line("");
-  for (const TestResult* test : others) screen.line(test_line(*test), colour_of(test->verdict));
+  for (const TestRecord* test : others) screen.line(test_line(*test), colour_of(test->verdict));
   if (verbose) {
     write_not_judged(screen, record);
     write_captures(screen, record);

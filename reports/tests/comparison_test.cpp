@@ -27,7 +27,8 @@ json result(const std::string& name, const std::vector<json>& tests) {
 std::string change(const json& before, const json& now, const json& other_depth = nullptr) {
   json earlier = result("x", {before});
   if (!other_depth.is_null()) earlier["depth"] = other_depth;
-  const std::vector<Column> a = read_columns({earlier}), b = read_columns({result("x", {now})});
+  const std::vector<RunResult> old = results_of({earlier}), current = results_of({result("x", {now})});
+  const std::vector<Column> a = label_columns(old), b = label_columns(current);
   const Comparisons all = compare(b, a);
   if (all.pairs.size() != 1 || all.pairs[0].changes.size() > 1) return "?";
   return all.pairs[0].changes.empty() ? "" : std::string(text_of(all.pairs[0].changes[0].kind).word);
@@ -65,12 +66,12 @@ TEST(Comparison, FurtherCasesAreARegression) {
   EXPECT_EQ(change(two, other, "quick"), "");
   EXPECT_EQ(change(outcome("A.b", "fail"), other), "");  // not recorded
   EXPECT_TRUE(
-      contains(changes({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, now also u=2: y)"));
+      contains(changes_of({result("x", {other})}, {result("x", {two})}).text, "A.b (fail, now also u=2: y)"));
 }
 
 TEST(Comparison, NewAndVanishedTests) {
-  const Changes told = changes({result("x", {outcome("A.new", "pass"), outcome("A.bad", "fail")})},
-                               {result("x", {outcome("A.gone", "fail")})});
+  const Changes told = changes_of({result("x", {outcome("A.new", "pass"), outcome("A.bad", "fail")})},
+                                  {result("x", {outcome("A.gone", "fail")})});
   EXPECT_EQ(told.regressions, 0u);
   EXPECT_EQ(told.text,
             "x since the earlier results: 1 new failing test, 1 new test, 1 vanished test\n"
@@ -82,13 +83,13 @@ TEST(Comparison, NewAndVanishedTests) {
 TEST(Comparison, ByName) {
   const json pass = json::array({outcome("A.b", "pass")}), fail = json::array({outcome("A.b", "fail")});
   // One on each side, whatever they are called.
-  EXPECT_EQ(changes({result("new", fail)}, {result("old", pass)}).regressions, 1u);
+  EXPECT_EQ(changes_of({result("new", fail)}, {result("old", pass)}).regressions, 1u);
   json again = result("x", fail);
   again["pass"] = "reuse-context";
   json again_before = again;
   again_before["tests"] = pass;
-  const Changes told = changes({result("x", pass), again, result("y", pass)},
-                               {again_before, result("x", pass), result("z", pass)});
+  const Changes told = changes_of({result("x", pass), again, result("y", pass)},
+                                  {again_before, result("x", pass), result("z", pass)});
   EXPECT_EQ(told.regressions, 1u);
   EXPECT_EQ(told.text,
             "x since the earlier results: nothing has changed\n"
@@ -102,11 +103,11 @@ TEST(Comparison, WhatNoLongerStartsIsARegression) {
   json now = result("x", json::array());
   now["status"] = "not-started";
   now["reason"] = "no such library";
-  const Changes told = changes({now}, {result("x", {outcome("A.b", "pass")})});
+  const Changes told = changes_of({now}, {result("x", {outcome("A.b", "pass")})});
   EXPECT_EQ(told.regressions, 1u);
   EXPECT_EQ(told.text,
             "x since the earlier results: no longer starts\n  It no longer starts: no such library\n");
-  EXPECT_EQ(changes({now}, {now}).regressions, 0u);
+  EXPECT_EQ(changes_of({now}, {now}).regressions, 0u);
 }
 
 TEST(Comparison, SaysWhatMakesItHard) {
@@ -115,10 +116,10 @@ TEST(Comparison, SaysWhatMakesItHard) {
   seed["seed"] = 2;
   stopped["status"] = "interrupted";
   const json whole = result("x", json::array());
-  EXPECT_TRUE(contains(changes({whole}, {quick}).text, "The depths differ: full, before quick."));
-  EXPECT_TRUE(contains(changes({whole}, {seed}).text, "The seeds differ: 1, before 2."));
-  EXPECT_TRUE(contains(changes({whole}, {stopped}).text, "The earlier run is not complete."));
-  EXPECT_TRUE(contains(changes({stopped}, {whole}).text, "The run is not complete."));
+  EXPECT_TRUE(contains(changes_of({whole}, {quick}).text, "The depths differ: full, before quick."));
+  EXPECT_TRUE(contains(changes_of({whole}, {seed}).text, "The seeds differ: 1, before 2."));
+  EXPECT_TRUE(contains(changes_of({whole}, {stopped}).text, "The earlier run is not complete."));
+  EXPECT_TRUE(contains(changes_of({stopped}, {whole}).text, "The run is not complete."));
 }
 
 TEST(Comparison, FitsAScreen) {
@@ -128,7 +129,7 @@ TEST(Comparison, FitsAScreen) {
     now.push_back(outcome("A." + std::to_string(i), "fail"));
     now.back()["message"] = std::string(300, 'x');
   }
-  const std::string text = changes({result("x", now)}, {result("x", before)}).text;
+  const std::string text = changes_of({result("x", now)}, {result("x", before)}).text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 8 + 1);
   EXPECT_TRUE(contains(text, "and 92 more; index.html shows all\n"));
 }
@@ -146,28 +147,27 @@ TEST(Shards, TogetherAreTheWholeRun) {
   const json first = shard(1, 2, {outcome("A.1", "pass"), outcome("A.3", "fail"), outcome("A.5", "pass")}),
              second = shard(2, 2, {outcome("A.2", "pass"), outcome("A.4", "crash")});
   for (const auto& given : {std::vector<json>{first, second}, {second, first}}) {
-    const std::vector<json> merged = merge_shards(given);
+    const std::vector<RunResult> merged = merge_of(given);
     ASSERT_EQ(merged.size(), 1u);
-    EXPECT_FALSE(merged[0].contains("shard"));
-    EXPECT_EQ(as_text(merged[0]["status"]), "complete");
+    EXPECT_FALSE(merged[0].shard);
+    EXPECT_EQ(merged[0].status, RunStatus::kComplete);
     std::string names;
-    for (const json& test : merged[0]["tests"]) names += test["name"].get<std::string>() + " ";
+    for (const TestRecord& test : merged[0].tests) names += test.name + " ";
     EXPECT_EQ(names, "A.1 A.2 A.3 A.4 A.5 ");
-    EXPECT_EQ(merged[0]["summary"], (json{{"pass", 3}, {"fail", 1}, {"crash", 1}}));
-    EXPECT_EQ(merged[0]["readings"]["C-TEXT"], (json{"shard 1", "shard 2"}));
+    EXPECT_EQ(merged[0].counts, (Counts{0, 1, 0, 1, 0, 0, 0, 0, 3}));
+    EXPECT_EQ(merged[0].readings.at("C-TEXT"), (std::vector<std::string>{"shard 1", "shard 2"}));
   }
 }
 
 TEST(Shards, WhatIsMissingIsSaid) {
-  const std::vector<json> merged = merge_shards({shard(2, 3, {outcome("A.2", "pass")})});
+  const std::vector<RunResult> merged = merge_of({shard(2, 3, {outcome("A.2", "pass")})});
   ASSERT_EQ(merged.size(), 1u);
-  EXPECT_EQ(as_text(merged[0]["status"]), "interrupted");
-  EXPECT_EQ(as_text(merged[0]["reason"]), "of 3 shards these are missing: 1, 3");
+  EXPECT_EQ(merged[0].status, RunStatus::kInterrupted);
+  EXPECT_EQ(merged[0].reason, "of 3 shards these are missing: 1, 3");
   json stopped = shard(1, 2, json::array());
   stopped["status"] = "interrupted";
   stopped["reason"] = "a full disk";
-  EXPECT_EQ(as_text(merge_shards({stopped, shard(2, 2, json::array())})[0]["reason"]),
-            "shard 1 of 2: a full disk");
+  EXPECT_EQ(merge_of({stopped, shard(2, 2, json::array())})[0].reason, "shard 1 of 2: a full disk");
 }
 
 TEST(Shards, OnlyOfOneRun) {
@@ -177,22 +177,22 @@ TEST(Shards, OnlyOfOneRun) {
   named["implementation"]["name"] = "y";
   pass["pass"] = "reuse-context";
   for (const json& other : {quick, named, pass, shard(2, 3, json::array()), one, result("x", json::array())})
-    EXPECT_EQ(merge_shards({one, other}).size(), 2u) << other;
+    EXPECT_EQ(merge_of({one, other}).size(), 2u) << other;
   // Two runs, one of which lacks a shard.
   json old_one = one, new_one = one, new_two = two;
   old_one["origin"] = "old";
   new_one["origin"] = new_two["origin"] = "new";
-  const std::vector<json> merged = merge_shards({old_one, new_one, new_two});
+  const std::vector<RunResult> merged = merge_of({old_one, new_one, new_two});
   ASSERT_EQ(merged.size(), 2u);
-  EXPECT_EQ(as_text(merged[0]["status"]), "interrupted");
-  EXPECT_EQ(as_text(merged[1]["status"]), "complete");
+  EXPECT_EQ(merged[0].status, RunStatus::kInterrupted);
+  EXPECT_EQ(merged[1].status, RunStatus::kComplete);
 }
 
 TEST(Shards, OfDifferentLibrariesAreRefused) {
   json one = shard(1, 2, json::array()), two = shard(2, 2, json::array());
   one["implementation"]["version"] = "22.3.6";
   two["implementation"]["version"] = "23.0.0";
-  EXPECT_THROW(merge_shards({one, two}), FormatError);
+  EXPECT_THROW(merge_of({one, two}), FormatError);
 }
 
 TEST(Shards, WrongNumbersAreRefused) {
@@ -200,7 +200,7 @@ TEST(Shards, WrongNumbersAreRefused) {
        {"1", "0-of-2", "3-of-2", "1-of-", "-of-2", "1-of-2x", "-1-of-2", "1-of-99999999999", " 1-of-2"}) {
     json wrong = result("x", json::array());
     wrong["shard"] = text;
-    EXPECT_THROW(merge_shards({wrong}), FormatError) << text;
+    EXPECT_THROW(merge_of({wrong}), FormatError) << text;
   }
 }
 
@@ -210,10 +210,9 @@ TEST(Markdown, CountsChangesAndFailures) {
   json fail = outcome("A.b", "fail");
   fail["message"] = "2 of 12 values";
   fail["rerun"] = "./evalcts run --filter A.b";
-  EXPECT_EQ(
-      markdown_summary({result("x", {fail, outcome("A.c", "pass")}), result("y", {outcome("A.b", "pass")})},
-                       {result("x", {outcome("A.b", "pass"), outcome("A.c", "fail")})}),
-      R"(## OpenGL evaluators: conformance
+  EXPECT_EQ(markdown_of({result("x", {fail, outcome("A.c", "pass")}), result("y", {outcome("A.b", "pass")})},
+                        {result("x", {outcome("A.b", "pass"), outcome("A.c", "fail")})}),
+            R"(## OpenGL evaluators: conformance
 
 | | unexpected | tests | fail | pass |
 | --- | --: | --: | --: | --: |
@@ -236,14 +235,12 @@ TEST(Markdown, CountsChangesAndFailures) {
 }
 
 TEST(Markdown, NothingUnexpected) {
-  EXPECT_TRUE(
-      contains(markdown_summary({read_sample("results-reference.json")}), "### Unexpected\n\nNothing.\n"));
-  EXPECT_TRUE(contains(markdown_summary({}), "No results."));
+  EXPECT_TRUE(contains(markdown_of({read_sample("results-reference.json")}), "### Unexpected\n\nNothing.\n"));
+  EXPECT_TRUE(contains(markdown_of({}), "No results."));
 }
 
 TEST(Markdown, SaysWhatIsNotWhole) {
-  const std::string text =
-      markdown_summary({read_sample("results-osmesa.json"), read_sample("results-glx.json")});
+  const std::string text = markdown_of({read_sample("results-osmesa.json"), read_sample("results-glx.json")});
   EXPECT_TRUE(contains(text, "**interrupted**: `interrupted by SIGINT`"));
   EXPECT_TRUE(contains(text, "**not-started**: `no X server: DISPLAY is not set`"));
 }
@@ -251,7 +248,7 @@ TEST(Markdown, SaysWhatIsNotWhole) {
 TEST(Markdown, IsShort) {
   json tests = json::array();
   for (int i = 0; i < 100; ++i) tests.push_back(outcome("A." + std::to_string(i), "fail"));
-  const std::string text = markdown_summary({result("x", tests)});
+  const std::string text = markdown_of({result("x", tests)});
   EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 30);
   EXPECT_TRUE(contains(text, "* `x`: and 90 more\n"));
 }
@@ -264,12 +261,11 @@ TEST(Markdown, RequirementsByResult) {
   };
   const json catalogue = {
       {"requirements", {{{"id", "EV-2"}, {"text", "the second"}}, {{"id", "EV-1"}, {"text", "one"}}}}};
-  EXPECT_EQ(requirements_table(
-                {result("old", {test("A.a", "fail", "EV-1"), test("A.b", "pass", "EV-1"),
-                                test("A.c", "not-observable", "EV-2"), test("A.d", "pass", "EV-3")}),
-                 result("new", {test("A.a", "pass", "EV-1"), test("A.b", "pass", "EV-1"),
-                                test("A.c", "crash", "EV-2"), test("A.d", "quality-warning", "EV-3")})},
-                catalogue),
+  EXPECT_EQ(table_of({result("old", {test("A.a", "fail", "EV-1"), test("A.b", "pass", "EV-1"),
+                                     test("A.c", "not-observable", "EV-2"), test("A.d", "pass", "EV-3")}),
+                      result("new", {test("A.a", "pass", "EV-1"), test("A.b", "pass", "EV-1"),
+                                     test("A.c", "crash", "EV-2"), test("A.d", "quality-warning", "EV-3")})},
+                     catalogue),
             R"(# Requirements by implementation
 
 * `old`: `  `, `  `
@@ -302,7 +298,7 @@ TEST(Markdown, HostileTextStaysInCode) {
   record["implementation"]["name"] = text;
   record["tests"][0]["name"] = text;
   record["tests"][0]["message"] = "`";
-  const std::string page = markdown_summary({record}, {record});
+  const std::string page = markdown_of({record}, {record});
   // What is between a run of backticks and the next run of the same length is code.
   const std::string outside =
       std::regex_replace(page, std::regex("(^|[^`])(`+)([^`]|[^`][^\\n]*?[^`])\\2(?!`)"), "$1CODE");

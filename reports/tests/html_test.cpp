@@ -23,11 +23,11 @@ json named(const std::string& name, const json& tests) {
 TEST(Html, SameInputSameBytes) {
   const std::vector<json> results{read_sample("results-osmesa.json"), read_sample("results-reference.json")};
   const json requirements = read_sample("requirements.json");
-  EXPECT_EQ(html(results, requirements), html(results, requirements));
+  EXPECT_EQ(html_of(results, requirements), html_of(results, requirements));
 }
 
 TEST(Html, HostileTextIsEscaped) {
-  const std::string page = html({hostile_record()}, hostile_requirements());
+  const std::string page = html_of({hostile_record()}, hostile_requirements());
   EXPECT_FALSE(contains(page, "<script>alert"));
   EXPECT_TRUE(contains(
       page, "&lt;script&gt;alert(1)&lt;/script&gt; &quot; &apos; &amp; ]]&gt; --&gt; {{name}} {{{name}}}"));
@@ -40,19 +40,19 @@ TEST(Html, HalfOfARequirementShowsItsText) {
   const json requirements = {
       {"requirements", {{{"id", "EV-X"}, {"text", "the rule itself"}, {"source", "GL 1.0"}}}}};
   const json record = named("x", {{{"name", "A.b"}, {"verdict", "pass"}, {"requirements", {"EV-X/1-D"}}}});
-  const std::string page = html({record}, requirements);
+  const std::string page = html_of({record}, requirements);
   EXPECT_TRUE(contains(page, "EV-X/1-D"));
   EXPECT_TRUE(contains(page, "the rule itself"));
 }
 
 TEST(Html, NoRecords) {
-  const std::string page = html({}, nullptr);
+  const std::string page = html_of({}, nullptr);
   EXPECT_TRUE(contains(page, "No result record was given."));
   EXPECT_TRUE(contains(page, "</html>"));
 }
 
 TEST(Html, NotStarted) {
-  const std::string page = html({read_sample("results-glx.json")}, nullptr);
+  const std::string page = html_of({read_sample("results-glx.json")}, nullptr);
   EXPECT_TRUE(contains(page, "not started"));
   EXPECT_TRUE(contains(page, "no X server: DISPLAY is not set"));
   EXPECT_FALSE(contains(page, "nothing unexpected"));
@@ -60,11 +60,11 @@ TEST(Html, NotStarted) {
 
 TEST(Html, WorstFirst) {
   const std::string page =
-      html({named("x", {{{"name", "A.pass"}, {"verdict", "pass"}},
-                        {{"name", "A.warn"}, {"verdict", "quality-warning"}},
-                        {{"name", "A.known"}, {"verdict", "crash"}, {"expected_by_baseline", true}},
-                        {{"name", "A.fail"}, {"verdict", "fail"}}})},
-           nullptr);
+      html_of({named("x", {{{"name", "A.pass"}, {"verdict", "pass"}},
+                           {{"name", "A.warn"}, {"verdict", "quality-warning"}},
+                           {{"name", "A.known"}, {"verdict", "crash"}, {"expected_by_baseline", true}},
+                           {{"name", "A.fail"}, {"verdict", "fail"}}})},
+              nullptr);
   const auto at = [&](const char* name) { return page.find("id=\"test-" + std::string(name) + "\""); };
   EXPECT_LT(at("A.fail"), at("A.known"));
   EXPECT_LT(at("A.known"), at("A.warn"));
@@ -78,12 +78,12 @@ TEST(Html, TestsKnowWhatTheFiltersAskFor) {
   json fail = pass;
   fail["verdict"] = "fail";
   const json same = {{"name", "B.c"}, {"verdict", "pass"}}, alone = {{"name", "B.d"}, {"verdict", "pass"}};
-  const std::string page = html({named("x", {pass, same}), named("y", {fail, same, alone})}, nullptr);
+  const std::string page = html_of({named("x", {pass, same}), named("y", {fail, same, alone})}, nullptr);
   EXPECT_TRUE(contains(page,
                        "id=\"test-A.b\" data-theme=\"A\" data-verdicts=\"pass fail,unexpected\" "
                        "data-level=\"must\" data-rows=\"1 0\" data-differs>"));
   EXPECT_TRUE(contains(page,
-                       "id=\"test-B.c\" data-theme=\"B\" data-verdicts=\"pass pass\" data-level=\"\" "
+                       "id=\"test-B.c\" data-theme=\"B\" data-verdicts=\"pass pass\" data-level=\"must\" "
                        "data-rows=\"\">"));
   EXPECT_TRUE(contains(page, "data-verdicts=\"absent pass\""));
 }
@@ -95,13 +95,13 @@ TEST(Html, RequirementByImplementation) {
   };
   json known = outcome("A.known", "fail", "EV-KNOWN");
   known["expected_by_baseline"] = true;
-  const std::string page =
-      html({named("x", {outcome("A.1", "pass", "EV-A"), outcome("A.2", "fail", "EV-A"),
-                        outcome("A.3", "pass", "EV-A"), outcome("B.1", "not-observable", "EV-B"),
-                        outcome("B.2", "pass", "EV-B"), outcome("C.1", "not-observable", "EV-C"), known}),
-            named("y", json::array({outcome("A.1", "pass", "EV-A")}))},
-           json{{"requirements",
-                 {{{"id", "EV-C"}, {"section", "1. First"}}, {{"id", "EV-A"}, {"section", "2. Second"}}}}});
+  const std::string page = html_of(
+      {named("x", {outcome("A.1", "pass", "EV-A"), outcome("A.2", "fail", "EV-A"),
+                   outcome("A.3", "pass", "EV-A"), outcome("B.1", "not-observable", "EV-B"),
+                   outcome("B.2", "pass", "EV-B"), outcome("C.1", "not-observable", "EV-C"), known}),
+       named("y", json::array({outcome("A.1", "pass", "EV-A")}))},
+      json{{"requirements",
+            {{{"id", "EV-C"}, {"section", "1. First"}}, {{"id", "EV-A"}, {"section", "2. Second"}}}}});
   EXPECT_TRUE(
       contains(page,
                "<td class=\"fail\"><a href=\"#test-A.2\"><span aria-hidden=\"true\">✗</span> fail</a> "
@@ -122,7 +122,7 @@ TEST(Html, RequirementByImplementation) {
 TEST(Html, ReadingsWithTheirMeaning) {
   json x = named("x", json::array());
   x["readings"] = {{"C-TEXT", {"literal"}}};
-  const std::string page = html(
+  const std::string page = html_of(
       {x, named("y", json::array())},
       json{{"contradictions",
             {{{"id", "C-TEXT"}, {"conflict", "two <pages>"}, {"readings", {{"literal", "as it stands"}}}}}}});
@@ -136,9 +136,9 @@ TEST(Html, WhoAgreesInWhatWasNotDecidedSharesIt) {
     return json{{"name", name}, {"verdict", "not-observable"}, {"message", "no way"}};
   };
   const std::string page =
-      html({named("x", {hidden("A.b"), hidden("A.c")}), named("y", {hidden("A.b"), hidden("A.c")}),
-            named("z", json::array({hidden("A.b")}))},
-           nullptr);
+      html_of({named("x", {hidden("A.b"), hidden("A.c")}), named("y", {hidden("A.b"), hidden("A.c")}),
+               named("z", json::array({hidden("A.b")}))},
+              nullptr);
   EXPECT_TRUE(contains(page, "x, y: no way <span class=\"faint\">(2 tests)</span>"));
   EXPECT_TRUE(contains(page, "z: no way <span class=\"faint\">(1 test)</span>"));
 }
@@ -147,26 +147,27 @@ TEST(Html, ChangesStandFirst) {
   const json before =
       named("x", {{{"name", "A.b"}, {"verdict", "pass"}}, {{"name", "A.gone"}, {"verdict", "pass"}}});
   const json now = named("x", {{{"name", "A.b"}, {"verdict", "fail"}, {"message", "<wrong>"}}});
-  PageOptions options;
+  JsonOptions options;
   options.before = {before};
-  const std::string page = html({now}, nullptr, options);
+  const std::string page = html_of({now}, nullptr, options);
   EXPECT_TRUE(contains(page, "<h3>x: 1 regression, 1 vanished test</h3>"));
   EXPECT_TRUE(contains(page, "<a href=\"#test-A.b\">A.<wbr>b</a>: pass, now fail: &lt;wrong&gt;"));
   EXPECT_TRUE(contains(page, "data-verdicts=\"fail,unexpected,regression\""));
   EXPECT_FALSE(contains(page, "#test-A.gone"));
   EXPECT_LT(page.find("id=\"changes\""), page.find("id=\"implementations\""));
-  EXPECT_FALSE(contains(html({now}, nullptr), "id=\"changes\""));
+  EXPECT_FALSE(contains(html_of({now}, nullptr), "id=\"changes\""));
 }
 
 TEST(Html, FlakesAreMarked) {
   json flake = {{"name", "A.b"}, {"verdict", "fail"}, {"flake", true}}, fail = flake;
   fail.erase("flake");
-  const std::string page = html({named("x", json::array({flake})), named("y", json::array({fail}))}, nullptr);
+  const std::string page =
+      html_of({named("x", json::array({flake})), named("y", json::array({fail}))}, nullptr);
   EXPECT_TRUE(contains(page, "</span> fail, flake: x</span>"));
   EXPECT_TRUE(contains(page, "</span> fail: y</span>"));
   EXPECT_TRUE(contains(page, "data-verdicts=\"fail,unexpected,flake fail,unexpected\""));
   EXPECT_TRUE(contains(page, "<option value=\"flake\">"));
-  EXPECT_FALSE(contains(html({named("y", json::array({fail}))}, nullptr), "<option value=\"flake\">"));
+  EXPECT_FALSE(contains(html_of({named("y", json::array({fail}))}, nullptr), "<option value=\"flake\">"));
 }
 
 // What came out alike is told once, with the commands for each.
@@ -179,7 +180,7 @@ TEST(Html, OneDescriptionForThoseThatAgree) {
                                      {"failures", {{{"case", "one"}, {"captured", got}}}}}}));
   };
   const std::string page =
-      html({failing("x", "1", 0.5), failing("y", "2", 0.5), failing("z", "1", 0.25)}, nullptr);
+      html_of({failing("x", "1", 0.5), failing("y", "2", 0.5), failing("z", "1", 0.25)}, nullptr);
   EXPECT_TRUE(contains(page, "fail</span> x, z</h3>"));
   EXPECT_TRUE(contains(page, "fail</span> y</h3>"));
   EXPECT_EQ(occurrences(page, "<section class=\"outcome\">"), 2u);
@@ -192,16 +193,16 @@ TEST(Html, OneDescriptionForThoseThatAgree) {
   EXPECT_FALSE(contains(page, "0.250 s"));
   json slow = {{"name", "A.b"}, {"verdict", "pass"}, {"cases", 2}, {"seconds", 0.5}}, quick = slow;
   quick["seconds"] = 0.25;
-  EXPECT_TRUE(contains(html({named("x", json::array({slow})), named("y", json::array({quick}))}, nullptr),
+  EXPECT_TRUE(contains(html_of({named("x", json::array({slow})), named("y", json::array({quick}))}, nullptr),
                        "<strong>x, y</strong> pass (2 cases)<br>"));
-  EXPECT_TRUE(contains(html({named("x", json::array({slow}))}, nullptr), "pass (2 cases, 0.500 s)<br>"));
+  EXPECT_TRUE(contains(html_of({named("x", json::array({slow}))}, nullptr), "pass (2 cases, 0.500 s)<br>"));
 }
 
 // The failures of one case have the same calls.
 TEST(Html, CallsOfTheFailureAboveAreNotRepeated) {
   const json of_one = {{"case", "one"}, {"message", "m"}, {"calls", {"glBegin(GL_POINTS);", "glEnd();"}}};
   const json of_another = {{"case", "two"}, {"message", "m"}, {"calls", {"glBegin(GL_LINES);"}}};
-  const std::string page = html(
+  const std::string page = html_of(
       {named("x",
              {{{"name", "A.b"}, {"verdict", "fail"}, {"failures", {of_one, of_one, of_another, of_one}}}})},
       nullptr);
@@ -211,49 +212,49 @@ TEST(Html, CallsOfTheFailureAboveAreNotRepeated) {
 }
 
 TEST(Html, LeadsToThePageOfAccuracyWhereThereIsOne) {
-  PageOptions options;
-  EXPECT_FALSE(contains(html({}, nullptr, options), "accuracy.html"));
+  JsonOptions options;
+  EXPECT_FALSE(contains(html_of({}, nullptr, options), "accuracy.html"));
   options.accuracy_page = true;
-  EXPECT_TRUE(contains(html({}, nullptr, options), "<a href=\"accuracy.html\">"));
+  EXPECT_TRUE(contains(html_of({}, nullptr, options), "<a href=\"accuracy.html\">"));
 }
 
 TEST(Html, RecordsOfOneNameStayApart) {
-  const std::string page = html({named("x", json::array()), named("x", json::array())}, nullptr);
+  const std::string page = html_of({named("x", json::array()), named("x", json::array())}, nullptr);
   EXPECT_TRUE(contains(page, "<h3>x</h3>"));
   EXPECT_TRUE(contains(page, "<h3>x (2)</h3>"));
   json first = named("x", json::array()), second = first, third = first;
   first["origin"] = "old";
   second["origin"] = third["origin"] = "new";
-  const std::string other = html({first, second, third}, nullptr);
+  const std::string other = html_of({first, second, third}, nullptr);
   for (const char* heading : {"<h3>x (old)</h3>", "<h3>x (new)</h3>", "<h3>x (new) (2)</h3>"})
     EXPECT_TRUE(contains(other, heading)) << heading;
 }
 
 TEST(Html, DifferentNamesGiveDifferentAnchors) {
-  const std::string page =
-      html({named("x", {{{"name", "A b"}, {"verdict", "pass"}}, {{"name", "A~20b"}, {"verdict", "pass"}}})},
-           nullptr);
+  const std::string page = html_of(
+      {named("x", {{{"name", "A b"}, {"verdict", "pass"}}, {{"name", "A~20b"}, {"verdict", "pass"}}})},
+      nullptr);
   EXPECT_TRUE(contains(page, "id=\"test-A~20b\""));
   EXPECT_TRUE(contains(page, "id=\"test-A~7E20b\""));
 }
 
 TEST(Html, CommandsStandAsRecorded) {
   const std::string page =
-      html({named("x", {{{"name", "A.b"}, {"verdict", "fail"}, {"rerun", "run --filter 'A.b; rm -r'"}}})},
-           nullptr);
+      html_of({named("x", {{{"name", "A.b"}, {"verdict", "fail"}, {"rerun", "run --filter 'A.b; rm -r'"}}})},
+              nullptr);
   EXPECT_TRUE(contains(page, "<code>run --filter &apos;A.b; rm -r&apos;</code>"));
 }
 
 TEST(Html, LoadsNothing) {
-  const std::string page = html({read_sample("results-osmesa.json")}, nullptr);
+  const std::string page = html_of({read_sample("results-osmesa.json")}, nullptr);
   for (const char* loader : {"src=", "url(", "@import", "http://", "https://", "fetch("}) {
     EXPECT_FALSE(contains(page, loader)) << loader;
   }
 }
 
 TEST(Html, RefusesWrongRecords) {
-  EXPECT_THROW(html({json{{"tests", 1}}}, nullptr), FormatError);
-  EXPECT_THROW(html({json::object()}, json{{"requirements", 1}}), FormatError);
+  EXPECT_THROW(html_of({json{{"tests", 1}}}, nullptr), FormatError);
+  EXPECT_THROW(html_of({json::object()}, json{{"requirements", 1}}), FormatError);
 }
 
 }  // namespace

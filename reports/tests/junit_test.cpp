@@ -14,11 +14,11 @@ json one_test(const json& test) {
 }
 
 TEST(Junit, SameInputSameBytes) {
-  EXPECT_EQ(junit(read_sample("results-osmesa.json")), junit(read_sample("results-osmesa.json")));
+  EXPECT_EQ(junit_of(read_sample("results-osmesa.json")), junit_of(read_sample("results-osmesa.json")));
 }
 
 TEST(Junit, HostileTextIsEscapedAndAllowed) {
-  const std::string xml = junit(hostile_record());
+  const std::string xml = junit_of(hostile_record());
   EXPECT_FALSE(contains(xml, "<script"));
   EXPECT_TRUE(contains(xml, "&lt;script&gt;"));
   for (const char c : xml) {
@@ -27,24 +27,24 @@ TEST(Junit, HostileTextIsEscapedAndAllowed) {
 }
 
 TEST(Junit, NoTests) {
-  const std::string xml = junit({{"status", "complete"}, {"tests", json::array()}});
+  const std::string xml = junit_of({{"status", "complete"}, {"tests", json::array()}});
   EXPECT_TRUE(contains(xml, "tests=\"0\" failures=\"0\" errors=\"0\""));
   EXPECT_FALSE(contains(xml, "<testcase"));
 }
 
 TEST(Junit, ANameWithoutATheme) {
-  const std::string xml = junit(one_test({{"name", "alone"}, {"verdict", "pass"}}));
+  const std::string xml = junit_of(one_test({{"name", "alone"}, {"verdict", "pass"}}));
   EXPECT_TRUE(contains(xml, "classname=\"x.alone\" name=\"alone\""));
 }
 
 TEST(Junit, NoBaselineExpectsAnInternalError) {
   const std::string xml =
-      junit(one_test({{"name", "A.b"}, {"verdict", "internal-error"}, {"expected_by_baseline", true}}));
+      junit_of(one_test({{"name", "A.b"}, {"verdict", "internal-error"}, {"expected_by_baseline", true}}));
   EXPECT_TRUE(contains(xml, "errors=\"1\""));
   EXPECT_TRUE(contains(xml, "skipped=\"0\""));
 }
 
-TEST(Junit, RefusesWrongRecords) { EXPECT_THROW(junit({{"tests", 1}}), FormatError); }
+TEST(Junit, RefusesWrongRecords) { EXPECT_THROW(junit_of({{"tests", 1}}), FormatError); }
 
 }  // namespace
 }  // namespace evalcts::reports

@@ -1,4 +1,4 @@
-#include "reports/record.h"
+#include "harness/results/run_result.h"
 
 #include <gtest/gtest.h>
 
@@ -15,21 +15,21 @@ json record_of(const json& test) { return {{"tests", {test}}}; }
 // The message of the FormatError, or "accepted".
 std::string refusal(const json& value) {
   try {
-    read_record(value);
+    read_run_result(value);
   } catch (const FormatError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(Record, ReadsEveryField) {
-  const Record record = read_record(read_sample("results-osmesa.json"));
+TEST(RunResult, ReadsEveryField) {
+  const RunResult record = read_run_result(read_sample("results-osmesa.json"));
   EXPECT_EQ(record.evalcts_version, "0.1.0");
-  EXPECT_EQ(record.status, "interrupted");
+  EXPECT_EQ(record.status, RunStatus::kInterrupted);
   EXPECT_EQ(record.reason, "interrupted by SIGINT");
   EXPECT_EQ(record.command, "evalcts run --implementation osmesa --depth quick");
-  EXPECT_EQ(record.depth, "quick");
-  const Implementation& implementation = record.implementation;
+  EXPECT_EQ(record.depth, Depth::quick);
+  const ImplementationRecord& implementation = record.implementation;
   EXPECT_EQ(implementation.name, "osmesa");
   EXPECT_EQ(implementation.library, "libOSMesa.so.8");
   EXPECT_EQ(implementation.vendor, "Mesa");
@@ -43,10 +43,10 @@ TEST(Record, ReadsEveryField) {
   EXPECT_EQ(implementation.captures[2].reason, "not in this process");
 
   ASSERT_EQ(record.tests.size(), 11u);
-  const TestResult& test = record.tests[1];
+  const TestRecord& test = record.tests[1];
   EXPECT_EQ(test.name, "Map1Values.Bezier/TEXTURE_COORD_1/d");
   EXPECT_EQ(test.requirements, (std::vector<std::string>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
-  EXPECT_EQ(test.level, "must");
+  EXPECT_EQ(test.level, Level::must);
   EXPECT_EQ(test.verdict, Verdict::kFail);
   EXPECT_EQ(test.cases, 12u);
   EXPECT_EQ(test.failed_cases, 2u);
@@ -54,7 +54,7 @@ TEST(Record, ReadsEveryField) {
   EXPECT_EQ(test.seconds, 0.02);
   ASSERT_EQ(test.failures.size(), 2u);
   const Failure& failure = test.failures[0];
-  EXPECT_EQ(failure.case_name, "order=4 u=0x1p-1");
+  EXPECT_EQ(failure.case_identity, "order=4 u=0x1p-1");
   EXPECT_EQ(failure.what, "texcoord[0].s of vertex 3");
   EXPECT_EQ(failure.expected, "[0.25, 0.2501] exact 0.25005 (0x1.000d1cp-2)");
   EXPECT_EQ(failure.captured, "0.3 (0x1.333334p-2)");
@@ -65,25 +65,25 @@ TEST(Record, ReadsEveryField) {
   EXPECT_EQ(failure.calls.size(), 6u);
   ASSERT_TRUE(test.accuracy);
   EXPECT_EQ(test.accuracy->values, 12u);
-  EXPECT_EQ(test.accuracy->incorrectly_rounded, 2u);
-  EXPECT_EQ(test.accuracy->max_ulp, 1676000.0);
-  EXPECT_EQ(test.accuracy->max_condition_aware, 838000.0);
-  EXPECT_EQ(test.accuracy->worst, "order=4 u=0x1p-1");
+  EXPECT_EQ(test.accuracy->not_correctly_rounded, 2u);
+  EXPECT_EQ(test.accuracy->ulp.error, 1676000.0);
+  EXPECT_EQ(test.accuracy->condition_aware.error, 838000.0);
+  EXPECT_EQ(test.accuracy->ulp.where, "order=4 u=0x1p-1");
 }
 
-TEST(Record, CountsEveryVerdict) {
-  const Record record = read_record(read_sample("results-osmesa.json"));
+TEST(RunResult, CountsEveryVerdict) {
+  const RunResult record = read_run_result(read_sample("results-osmesa.json"));
   EXPECT_EQ(record.counts, (Counts{1, 1, 1, 2, 1, 1, 1, 1, 2}));
   EXPECT_EQ(record.total(), 11u);
-  EXPECT_EQ(record.expected_bad_count(), 1u);
+  EXPECT_EQ(record.expected_failure_count(), 1u);
   // internal-error, crash, timeout, one fail, and a pass that contradicts its baseline entry
   EXPECT_EQ(record.unexpected_count(), 5u);
 }
 
-TEST(Record, UnexpectedIsWhatTheBaselineDoesNotExpect) {
+TEST(RunResult, UnexpectedIsWhatTheBaselineDoesNotExpect) {
   const auto unexpected = [](const char* verdict, bool expected, const char* reason) {
     const json test{{"verdict", verdict}, {"expected_by_baseline", expected}, {"baseline_reason", reason}};
-    return read_record(record_of(test)).tests[0].unexpected();
+    return read_run_result(record_of(test)).tests[0].is_unexpected();
   };
   EXPECT_FALSE(unexpected("pass", false, ""));
   EXPECT_FALSE(unexpected("pass", true, "fails now and then"));
@@ -95,41 +95,41 @@ TEST(Record, UnexpectedIsWhatTheBaselineDoesNotExpect) {
   EXPECT_FALSE(unexpected("not-observable", false, ""));
 }
 
-TEST(Record, EvidenceOfATestWithoutFailuresIsItsFailure) {
-  const Record record = read_record(read_sample("results-osmesa.json"));
-  const TestResult& test = record.tests[2];
+TEST(RunResult, EvidenceOfATestWithoutFailuresIsItsFailure) {
+  const RunResult record = read_run_result(read_sample("results-osmesa.json"));
+  const TestRecord& test = record.tests[2];
   ASSERT_EQ(test.failures.size(), 1u);
   EXPECT_EQ(test.failures[0].expected, "GL_INVALID_VALUE");
   EXPECT_EQ(test.failures[0].captured, "GL_NO_ERROR");
   EXPECT_TRUE(record.tests[0].failures.empty());
-  EXPECT_TRUE(read_record(record_of({{"name", "A.b"}, {"verdict", "pass"}, {"expected", "1"}}))
+  EXPECT_TRUE(read_run_result(record_of({{"name", "A.b"}, {"verdict", "pass"}, {"expected", "1"}}))
                   .tests[0]
                   .failures.empty());
 }
 
-TEST(Record, MissingAndNullFieldsAreTolerated) {
+TEST(RunResult, MissingAndNullFieldsAreTolerated) {
   for (const json& value :
        {json::object(), json{{"status", nullptr}, {"tests", nullptr}, {"implementation", nullptr}}}) {
-    const Record record = read_record(value);
+    const RunResult record = read_run_result(value);
     EXPECT_EQ(record.total(), 0u);
-    EXPECT_FALSE(record.complete());
+    EXPECT_FALSE(record.is_complete());
   }
-  const Record record = read_record(
+  const RunResult record = read_run_result(
       record_of({{"name", "A.b"}, {"verdict", "fail"}, {"ulp", nullptr}, {"failures", {json::object()}}}));
   EXPECT_EQ(record.tests[0].failures.size(), 1u);
   EXPECT_FALSE(record.tests[0].failures[0].ulp);
 }
 
-TEST(Record, ATestWithoutAVerdictIsNoPass) {
-  const Record record = read_record(record_of({{"message", "lost"}}));
+TEST(RunResult, ATestWithoutAVerdictIsNoPass) {
+  const RunResult record = read_run_result(record_of({{"message", "lost"}}));
   EXPECT_EQ(record.tests[0].verdict, Verdict::kInternalError);
   EXPECT_EQ(record.tests[0].name, "(unnamed tests[0])");
   EXPECT_EQ(record.tests[0].message, "the record holds no verdict for this test: lost");
 }
 
-TEST(Record, UnknownFieldsAreIgnored) { EXPECT_EQ(refusal({{"later", {{"x", 1}}}}), "accepted"); }
+TEST(RunResult, UnknownFieldsAreIgnored) { EXPECT_EQ(refusal({{"later", {{"x", 1}}}}), "accepted"); }
 
-TEST(Record, WrongTypesAreRefusedByName) {
+TEST(RunResult, WrongTypesAreRefusedByName) {
   EXPECT_EQ(refusal(json::array()), "the record: expected an object, found an array");
   EXPECT_EQ(refusal({{"status", 1}}), "status: expected a string, found a number");
   EXPECT_EQ(refusal({{"implementation", "osmesa"}}), "implementation: expected an object, found a string");
@@ -154,7 +154,7 @@ TEST(Record, WrongTypesAreRefusedByName) {
             "summary.pass: expected a non-negative integer, found a string");
 }
 
-TEST(Record, UnknownWordsAreRefused) {
+TEST(RunResult, UnknownWordsAreRefused) {
   EXPECT_EQ(refusal({{"format", "evalcts-results-2"}}), "format: unknown word \"evalcts-results-2\"");
   EXPECT_EQ(refusal({{"status", "done"}}), "status: unknown word \"done\"");
   EXPECT_EQ(refusal(record_of({{"level", "should"}})), "tests[0].level: unknown word \"should\"");
@@ -162,22 +162,22 @@ TEST(Record, UnknownWordsAreRefused) {
   EXPECT_EQ(refusal({{"summary", {{"passed", 1}}}}), "summary: unknown verdict \"passed\"");
 }
 
-TEST(Record, ATestStandsOnce) {
+TEST(RunResult, ATestStandsOnce) {
   EXPECT_EQ(refusal({{"tests", {{{"name", "A.b"}}, {{"name", "A.b"}}}}}),
             "tests[1].name: \"A.b\" stands in this record twice");
 }
 
-TEST(Record, SummaryCountsOnlyWithoutTests) {
-  const Record summary_only = read_record({{"summary", {{"pass", 3}, {"fail", 2}}}});
+TEST(RunResult, SummaryCountsOnlyWithoutTests) {
+  const RunResult summary_only = read_run_result({{"summary", {{"pass", 3}, {"fail", 2}}}});
   EXPECT_EQ(summary_only.total(), 5u);
   EXPECT_EQ(summary_only.unexpected_count(), 2u);
-  const Record both = read_record({{"summary", {{"pass", 3}}}, {"tests", json::array()}});
+  const RunResult both = read_run_result({{"summary", {{"pass", 3}}}, {"tests", json::array()}});
   EXPECT_EQ(both.total(), 0u);
 }
 
-TEST(Record, SeverityPutsTheUnexpectedFirst) {
+TEST(RunResult, SeverityPutsTheUnexpectedFirst) {
   const auto severity = [](const char* verdict, bool expected) {
-    return read_record(record_of({{"verdict", verdict}, {"expected_by_baseline", expected}}))
+    return read_run_result(record_of({{"verdict", verdict}, {"expected_by_baseline", expected}}))
         .tests[0]
         .severity();
   };
@@ -186,7 +186,7 @@ TEST(Record, SeverityPutsTheUnexpectedFirst) {
   EXPECT_LT(severity("timeout", false), severity("fail", false));
   EXPECT_LT(severity("fail", false), severity("crash", true));
   const int unexpected_pass =
-      read_record(record_of({{"verdict", "pass"}, {"baseline_reason", "known"}})).tests[0].severity();
+      read_run_result(record_of({{"verdict", "pass"}, {"baseline_reason", "known"}})).tests[0].severity();
   EXPECT_LT(severity("fail", true), unexpected_pass);
   EXPECT_LT(unexpected_pass, severity("quality-warning", false));
   EXPECT_LT(severity("quality-warning", false), severity("not-observable", false));
@@ -194,28 +194,28 @@ TEST(Record, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
-TEST(Record, TextOfAFile) {
+TEST(RunResult, TextOfAFile) {
   const std::string head = R"({"format": "evalcts-results-1", "reason": )";
-  EXPECT_EQ(as_text(parse_result(head + R"("fine"})")["reason"]), "fine");
+  EXPECT_EQ(parse_run_result(head + R"("fine"})").reason, "fine");
   // Brackets in strings nest nothing, whatever is escaped there.
   const std::string brackets(200, '['), closed = std::string(90, '[') + std::string(90, ']');
-  EXPECT_EQ(as_text(parse_result(head + "\"\\\\\\\"" + brackets + "\"}")["reason"]), "\\\"" + brackets);
-  EXPECT_NO_THROW(parse_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));
+  EXPECT_EQ(parse_run_result(head + "\"\\\\\\\"" + brackets + "\"}").reason, "\\\"" + brackets);
+  EXPECT_NO_THROW(parse_run_result(head + "\"\", \"unknown\": [" + closed + ", " + closed + "]}"));
   std::string nested = head + R"("\\", "unknown": )";
   nested += brackets + std::string(200, ']') + "}";
   for (const std::string& bad :
        {std::string(), head, std::string("[]"), std::string("{}"), std::string(R"({"format": 1})"),
         std::string(R"({"format": "evalcts-ulp-1"})"), head + "1}", nested})
-    EXPECT_THROW(parse_result(bad), FormatError) << bad;
+    EXPECT_THROW(parse_run_result(bad), FormatError) << bad;
 }
 
-TEST(Requirements, Read) {
-  EXPECT_TRUE(read_requirements(nullptr).empty());
-  const Requirements requirements = read_requirements(read_sample("requirements.json"));
-  EXPECT_EQ(requirements.size(), 3u);
-  EXPECT_EQ(requirements.at("EV-MAP1-DOMAIN").source, "GL 1.0 §5.1; P-glMap1");
-  EXPECT_THROW(read_requirements(json::array()), FormatError);
-  EXPECT_THROW(read_requirements({{"requirements", {{{"text", "no id"}}}}}), FormatError);
+TEST(Catalogue, Read) {
+  const Catalogue catalogue = catalogue_of(read_sample("requirements.json"));
+  EXPECT_EQ(catalogue.requirements.size(), 3u);
+  EXPECT_EQ(catalogue.find("EV-MAP1-DOMAIN/1-D")->source, "GL 1.0 §5.1; P-glMap1");
+  EXPECT_EQ(catalogue.find("EV-OTHER"), nullptr);
+  EXPECT_THROW(catalogue_of(json::array()), FormatError);
+  EXPECT_THROW(catalogue_of({{"requirements", {{{"text", "no id"}}}}}), FormatError);
 }
 
 }  // namespace

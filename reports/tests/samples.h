@@ -4,8 +4,11 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "evalcts/reports.h"
 #include "harness/results/json.h"
+#include "harness/results/serialization.h"
 
 namespace evalcts::reports {
 
@@ -65,7 +68,7 @@ inline nlohmann::json hostile_record() {
           {"status", "interrupted"},
           {"reason", text},
           {"command", text},
-          {"depth", text},
+          {"depth", "quick"},
           {"implementation",
            {{"name", text},
             {"library", text},
@@ -85,6 +88,49 @@ inline nlohmann::json hostile_requirements() {
   const std::string text = hostile_text();
   return {{"requirements",
            {{{"id", text}, {"section", text}, {"text", text}, {"source", text}, {"since", text}}}}};
+}
+
+// The reports of results that are written as JSON.
+struct JsonOptions {
+  std::vector<nlohmann::json> before;
+  bool accuracy_page = false;
+};
+
+inline std::vector<RunResult> results_of(const std::vector<nlohmann::json>& records) {
+  std::vector<RunResult> out;
+  for (const nlohmann::json& record : records) out.push_back(read_run_result(record));
+  return out;
+}
+inline Catalogue catalogue_of(const nlohmann::json& json) {
+  using Handling = nlohmann::json::error_handler_t;
+  return json.is_null() ? Catalogue() : Catalogue::parse(json.dump(-1, ' ', false, Handling::replace));
+}
+inline std::string html_of(const std::vector<nlohmann::json>& results, const nlohmann::json& catalogue,
+                           const JsonOptions& options = {}) {
+  return html(results_of(results), catalogue_of(catalogue),
+              {results_of(options.before), options.accuracy_page});
+}
+inline std::string junit_of(const nlohmann::json& result) { return junit(read_run_result(result)); }
+inline std::string terminal_of(const nlohmann::json& result, const nlohmann::json& catalogue, bool colour,
+                               bool verbose, std::size_t lines = 0) {
+  return terminal_summary(read_run_result(result), catalogue_of(catalogue), colour, verbose, lines);
+}
+inline std::string terminal_line_of(const nlohmann::json& result, bool colour) {
+  return terminal_line(read_run_result(result), colour);
+}
+inline std::string markdown_of(const std::vector<nlohmann::json>& results,
+                               const std::vector<nlohmann::json>& before = {}) {
+  return markdown_summary(results_of(results), results_of(before));
+}
+inline std::string table_of(const std::vector<nlohmann::json>& results, const nlohmann::json& catalogue) {
+  return requirements_table(results_of(results), catalogue_of(catalogue));
+}
+inline std::vector<RunResult> merge_of(const std::vector<nlohmann::json>& results) {
+  return merge_shards(results_of(results));
+}
+inline Changes changes_of(const std::vector<nlohmann::json>& results,
+                          const std::vector<nlohmann::json>& before) {
+  return changes(results_of(results), results_of(before));
 }
 
 }  // namespace evalcts::reports

@@ -1,4 +1,4 @@
-// The schema and the records agree: what the samples hold is valid, what read_record refuses is not.
+// The schema and the records agree: what the samples hold is valid, what read_run_result refuses is not.
 #include <gtest/gtest.h>
 
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -30,6 +30,15 @@ std::string verdict(const json& record) {
 TEST(Schema, SamplesAreValid) {
   for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
     EXPECT_EQ(verdict(read_sample(name)), "valid") << name;
+  }
+}
+
+// What was read is written again in full, and the same bytes come from it.
+TEST(Schema, WrittenResultsAreValid) {
+  for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
+    const std::string text = to_text(read_run_result(read_sample(name)));
+    EXPECT_EQ(verdict(json::parse(text)), "valid") << name;
+    EXPECT_EQ(to_text(parse_run_result(text)), text) << name;
   }
 }
 

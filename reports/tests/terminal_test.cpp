@@ -41,15 +41,15 @@ TEST(Terminal, NoteOnTheImplementation) {
       " end";
   record["implementation"]["note"] = note;
   record["implementation"]["files"] = {"/build/libEGL_mesa.so.0"};
-  EXPECT_EQ(lines_of(terminal_summary(record, nullptr, false, false))[1], "note: " + note);
-  EXPECT_NE(html({record}, nullptr).find(note), std::string::npos);
-  EXPECT_NE(html({record}, nullptr).find("/build/libEGL_mesa.so.0"), std::string::npos);
-  EXPECT_NE(markdown_summary({record}).find("**note**: `" + note), std::string::npos);
+  EXPECT_EQ(lines_of(terminal_of(record, nullptr, false, false))[1], "note: " + note);
+  EXPECT_NE(html_of({record}, nullptr).find(note), std::string::npos);
+  EXPECT_NE(html_of({record}, nullptr).find("/build/libEGL_mesa.so.0"), std::string::npos);
+  EXPECT_NE(markdown_of({record}).find("**note**: `" + note), std::string::npos);
 }
 
 TEST(Terminal, TellsTheWorstFirst) {
   const std::string text =
-      terminal_summary(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, false);
+      terminal_of(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, false);
   EXPECT_EQ(text,
             R"(osmesa: Mesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6
 interrupted: interrupted by SIGINT
@@ -86,11 +86,11 @@ baseline: none; --baseline DIR --write-baseline records these failures as known
 // Eight failures, one of each requirement, and no line but the commands is longer than a screen.
 TEST(Terminal, SaysEnough) {
   for (const bool colour : {false, true}) {
-    const std::vector<std::string> lines = lines_of(terminal_summary(large_record(), nullptr, colour, false));
+    const std::vector<std::string> lines = lines_of(terminal_of(large_record(), nullptr, colour, false));
     EXPECT_EQ(lines.size(), 2u + 8 * (1 + 3) + 4);
     for (const std::string& line : lines) EXPECT_LE(line.size(), colour ? 110u : 100u);
   }
-  const std::string text = terminal_summary(large_record(), nullptr, false, false);
+  const std::string text = terminal_of(large_record(), nullptr, false, false);
   for (int i = 0; i < 8; ++i) EXPECT_TRUE(contains(text, "  why: EV-" + std::to_string(i) + "\n")) << i;
   EXPECT_TRUE(contains(text, "and 192 unexpected results more; --verbose and index.html show all\n"));
 }
@@ -98,21 +98,22 @@ TEST(Terminal, SaysEnough) {
 // ... and fewer where the screen is small, but never none.
 TEST(Terminal, FitsTheScreen) {
   for (const std::size_t lines : {10u, 24u, 30u, 50u}) {
-    const std::string text = terminal_summary(large_record(), nullptr, false, false, lines);
+    const std::string text = terminal_of(large_record(), nullptr, false, false, lines);
     EXPECT_TRUE(contains(text, "  why: EV-0\n")) << lines;
     EXPECT_LE(lines_of(text).size(), std::max<std::size_t>(lines, 12)) << lines;
   }
-  EXPECT_EQ(terminal_summary(large_record(), nullptr, false, false, 200),
-            terminal_summary(large_record(), nullptr, false, false));
+  EXPECT_EQ(terminal_of(large_record(), nullptr, false, false, 200),
+            terminal_of(large_record(), nullptr, false, false));
 }
 
 TEST(Terminal, OneLineWhereThatIsWanted) {
-  EXPECT_EQ(terminal_line(read_sample("results-reference.json"), false), "reference: nothing unexpected\n");
+  EXPECT_EQ(terminal_line_of(read_sample("results-reference.json"), false),
+            "reference: nothing unexpected\n");
   EXPECT_EQ(
-      terminal_line(read_sample("results-osmesa.json"), false),
+      terminal_line_of(read_sample("results-osmesa.json"), false),
       "osmesa: 5 unexpected results, 1 failing test as the baseline expects, the run is not complete\n");
   EXPECT_TRUE(
-      contains(terminal_line(large_record(), true), "\x1b[31mlarge: 200 unexpected results\x1b[0m\n"));
+      contains(terminal_line_of(large_record(), true), "\x1b[31mlarge: 200 unexpected results\x1b[0m\n"));
 }
 
 TEST(Terminal, TellsFlakesApart) {
@@ -120,15 +121,15 @@ TEST(Terminal, TellsFlakesApart) {
   record["tests"][0]["flake"] = true;
   record["tests"][0]["again"] = {{"verdict", "pass"}, {"message", ""}};
   record["not_played_again"] = 100;
-  const std::string text = terminal_summary(record, nullptr, false, false);
+  const std::string text = terminal_of(record, nullptr, false, false);
   EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when played again), u=1\n")) << text;
   EXPECT_TRUE(contains(text, "100 unexpected failures had to stay without being played again\n")) << text;
-  EXPECT_TRUE(contains(junit(record), "flake: pass when played again"));
+  EXPECT_TRUE(contains(junit_of(record), "flake: pass when played again"));
 }
 
 TEST(Terminal, VerboseTellsAll) {
   const std::string text =
-      terminal_summary(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, true);
+      terminal_of(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, true);
   EXPECT_TRUE(contains(text,
                        "\nfail            Map1Errors.StrideBelowK/MAP1_VERTEX_3 (expected: Mesa checks the "
                        "stride after the pointer): stride 2 raised nothing\n"));
@@ -138,13 +139,13 @@ TEST(Terminal, VerboseTellsAll) {
       text,
       "  not-observable: the pipeline ignores edge flags of quad strips\n      AutoNormal.EdgeFlags\n"));
   EXPECT_TRUE(contains(text, "  Sink: not available, not in this process\n"));
-  EXPECT_EQ(lines_of(terminal_summary(large_record(), nullptr, false, true)).size(), 2u + 200 * (1 + 3) + 3);
+  EXPECT_EQ(lines_of(terminal_of(large_record(), nullptr, false, true)).size(), 2u + 200 * (1 + 3) + 3);
 }
 
 TEST(Terminal, ColourOnlyOnRequest) {
   const json record = read_sample("results-osmesa.json");
-  EXPECT_FALSE(contains(terminal_summary(record, nullptr, false, true), "\x1b"));
-  const std::string coloured = terminal_summary(record, nullptr, true, false);
+  EXPECT_FALSE(contains(terminal_of(record, nullptr, false, true), "\x1b"));
+  const std::string coloured = terminal_of(record, nullptr, true, false);
   EXPECT_TRUE(contains(coloured, "\x1b[31mcrash"));
   const auto starts = std::count(coloured.begin(), coloured.end(), '\x1b');
   EXPECT_EQ(starts % 2, 0) << "every colour ends";
@@ -152,7 +153,7 @@ TEST(Terminal, ColourOnlyOnRequest) {
 
 TEST(Terminal, HostileTextDoesNotReachTheTerminal) {
   for (const bool verbose : {false, true}) {
-    const std::string text = terminal_summary(hostile_record(), hostile_requirements(), false, verbose);
+    const std::string text = terminal_of(hostile_record(), hostile_requirements(), false, verbose);
     for (const char c : text)
       EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
     EXPECT_FALSE(contains(text, "\xC2\x9B"));
@@ -161,23 +162,23 @@ TEST(Terminal, HostileTextDoesNotReachTheTerminal) {
 }
 
 TEST(Terminal, NothingUnexpected) {
-  EXPECT_EQ(terminal_summary(read_sample("results-reference.json"), nullptr, false, false),
+  EXPECT_EQ(terminal_of(read_sample("results-reference.json"), nullptr, false, false),
             "reference: evalcts, exact arithmetic, 0.1.0\n3 tests: 3 pass\n\nnothing unexpected\n");
 }
 
 TEST(Terminal, NotStarted) {
-  EXPECT_EQ(terminal_summary(read_sample("results-glx.json"), nullptr, false, false),
+  EXPECT_EQ(terminal_of(read_sample("results-glx.json"), nullptr, false, false),
             "glx\nnot-started: no X server: DISPLAY is not set\n0 tests\n\nthe run is not complete\n");
 }
 
 TEST(Terminal, ReasonIsNeverCut) {
   json record = read_sample("results-glx.json");
   record["reason"] = std::string(300, 'x') + "; install it";
-  EXPECT_TRUE(contains(terminal_summary(record, nullptr, false, false), "x; install it\n"));
+  EXPECT_TRUE(contains(terminal_of(record, nullptr, false, false), "x; install it\n"));
 }
 
 TEST(Terminal, EmptyRecordIsNotGreen) {
-  EXPECT_EQ(terminal_summary(json::object(), nullptr, false, false),
+  EXPECT_EQ(terminal_of(json::object(), nullptr, false, false),
             "(unnamed)\nstatus unknown\n0 tests\n\nthe run is not complete\n");
 }
 

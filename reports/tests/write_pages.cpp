@@ -29,33 +29,33 @@ void write_samples(const std::filesystem::path& folder) {
   using namespace evalcts::reports;
   const json osmesa = read_sample("results-osmesa.json"), reference = read_sample("results-reference.json"),
              glx = read_sample("results-glx.json"), requirements = read_sample("requirements.json");
-  write(folder / "one.html", html({osmesa}, requirements));
-  write(folder / "three.html", html({osmesa, reference, glx}, requirements));
-  write(folder / "none.html", html({}, nullptr));
-  PageOptions options;
+  write(folder / "one.html", html_of({osmesa}, requirements));
+  write(folder / "three.html", html_of({osmesa, reference, glx}, requirements));
+  write(folder / "none.html", html_of({}, nullptr));
+  JsonOptions options;
   options.before = {earlier_sample()};
   options.accuracy_page = true;
-  write(folder / "compared.html", html({osmesa, reference}, requirements, options));
-  write(folder / "compared.md", markdown_summary({osmesa, reference}, options.before));
+  write(folder / "compared.html", html_of({osmesa, reference}, requirements, options));
+  write(folder / "compared.md", markdown_of({osmesa, reference}, options.before));
   options.before = {hostile_record()};
   write(folder / "hostile-compared.html",
-        html({hostile_record(), hostile_record()}, hostile_requirements(), options));
-  write(folder / "hostile.html", html({hostile_record(), hostile_record()}, hostile_requirements()));
-  write(folder / "osmesa.xml", junit(osmesa));
-  write(folder / "reference.xml", junit(reference));
-  write(folder / "glx.xml", junit(glx));
-  write(folder / "empty.xml", junit(json::object()));
-  write(folder / "hostile.xml", junit(hostile_record()));
+        html_of({hostile_record(), hostile_record()}, hostile_requirements(), options));
+  write(folder / "hostile.html", html_of({hostile_record(), hostile_record()}, hostile_requirements()));
+  write(folder / "osmesa.xml", junit_of(osmesa));
+  write(folder / "reference.xml", junit_of(reference));
+  write(folder / "glx.xml", junit_of(glx));
+  write(folder / "empty.xml", junit_of(json::object()));
+  write(folder / "hostile.xml", junit_of(hostile_record()));
 }
 
 void write_files(const std::filesystem::path& folder, const std::vector<std::string>& files) {
   std::vector<json> results;
   for (std::size_t i = 1; i < files.size(); ++i) {
     results.push_back(read(files[i]));
-    write(folder / ("junit-" + std::to_string(i) + ".xml"), evalcts::reports::junit(results.back()));
-    std::cout << evalcts::reports::terminal_summary(results.back(), nullptr, false, false) << '\n';
+    write(folder / ("junit-" + std::to_string(i) + ".xml"), evalcts::reports::junit_of(results.back()));
+    std::cout << evalcts::reports::terminal_of(results.back(), nullptr, false, false) << '\n';
   }
-  write(folder / "index.html", evalcts::reports::html(results, files[0] == "-" ? json() : read(files[0])));
+  write(folder / "index.html", evalcts::reports::html_of(results, files[0] == "-" ? json() : read(files[0])));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "harness/runner/baseline.h"
+#include "harness/results/baseline.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,27 +8,22 @@
 #include <set>
 #include <sstream>
 
-#include "harness/runner/runner.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kNotTraced = "not traced to a clause yet";
 constexpr std::uint32_t kSeedOfSignatures = 1;
 
-const char* status_of(const std::string& verdict) {
-  return verdict == "fail"      ? "Fail"
-         : verdict == "crash"   ? "Crash"
-         : verdict == "timeout" ? "Timeout"
-                                : nullptr;
-}
-
-std::string text_of(const json& object, const char* member) {
-  return object.contains(member) && object[member].is_string() ? object[member].get<std::string>()
-                                                               : std::string();
+// The word of a baseline for a verdict; null if a baseline cannot expect it.
+const char* status_of(Verdict verdict) {
+  return verdict == Verdict::kFail      ? "Fail"
+         : verdict == Verdict::kCrash   ? "Crash"
+         : verdict == Verdict::kTimeout ? "Timeout"
+                                        : nullptr;
 }
 
 // The lines of a file that are entries, each with the comment above it as its reason. Throws BadBaseline
@@ -103,9 +98,10 @@ void read_header_line(const Line& line, BaselineFiles::Header& header) {
   if (key == "implementation")
     for (const std::string& name : fields(value)) header.implementations.push_back(trimmed(name));
   if (key == "pass") {
-    header.pass = value;
-    if (value != kReuseContext)
-      throw line.bad(fmt::format("there is no pass '{}', only '{}'", value, kReuseContext));
+    const std::optional<Pass> pass = pass_named(value);
+    if (!pass)
+      throw line.bad(fmt::format("there is no pass '{}', only '{}'", value, name_of(Pass::kReuseContext)));
+    header.pass = *pass;
   }
   if (key == "version") try {
       header.version = VersionRange(value);
@@ -153,16 +149,6 @@ void append_comment(const std::string& text, std::string& out) {
 
 }  // namespace
 
-std::string signature_of(const json& test) {
-  std::vector<std::string> identities;
-  if (test.contains("mismatches")) identities = test["mismatches"].get<std::vector<std::string>>();
-  std::sort(identities.begin(), identities.end());
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-  for (const std::string& identity : identities)
-    for (const char c : identity + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return fmt::format("{}-{:016x}", identities.size(), hash);
-}
-
 // --- files
 
 std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields() const {
@@ -172,7 +158,7 @@ std::vector<std::pair<std::string, std::string>> BaselineFiles::Header::fields()
       {"renderer", renderer},
       {"version", version.text()},
       {"implementation", fmt::format("{}", fmt::join(implementations, ", "))},
-      {"pass", pass}};
+      {"pass", name_of(pass)}};
   std::erase_if(given, [](const auto& field) { return field.second.empty(); });
   return given;
 }
@@ -186,14 +172,11 @@ BaselineFiles::Header::Specificity BaselineFiles::Header::specificity() const {
   return sum;
 }
 
-bool BaselineFiles::Header::fits(const json& implementation, const std::string& for_pass) const {
-  const auto is_part_of = [&](const std::string& part, const char* member) {
-    return text_of(implementation, member).find(part) != std::string::npos;
-  };
-  return for_pass == pass && is_part_of(vendor, "vendor") && is_part_of(renderer, "renderer") &&
-         version.contains(text_of(implementation, "version")) &&
-         (implementations.empty() ||
-          std::ranges::count(implementations, text_of(implementation, "kind")) > 0);
+bool BaselineFiles::Header::fits(const ImplementationRecord& implementation, Pass for_pass) const {
+  return for_pass == pass && implementation.vendor.find(vendor) != std::string::npos &&
+         implementation.renderer.find(renderer) != std::string::npos &&
+         version.contains(implementation.version) &&
+         (implementations.empty() || std::ranges::count(implementations, implementation.kind) > 0);
 }
 
 BaselineFiles BaselineFiles::read(const fs::path& folder, const std::string& name) {
@@ -277,8 +260,8 @@ void BaselineFiles::write(const fs::path& folder) const {
 
 // --- one implementation
 
-Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const json& implementation,
-                            const std::string& pass, const std::string& chosen) {
+Baseline Baseline::best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
+                            Pass pass, const std::string& chosen) {
   const BaselineFiles* const wanted = chosen.empty() ? nullptr : find(all, chosen);
   if (!chosen.empty() && !wanted) throw BadBaseline(fmt::format("there is no baseline '{}'", chosen));
   const bool is_chosen = wanted && wanted->header.pass == pass;
@@ -354,49 +337,48 @@ const Baseline::Pattern* Baseline::matching(std::vector<Pattern> BaselineFiles::
   return nullptr;
 }
 
-bool Baseline::knows(const json& test, const std::string& depth, std::uint32_t seed) const {
-  const char* status = status_of(test["verdict"]);
+bool Baseline::knows(const TestRecord& test, Depth depth, std::uint64_t seed) const {
+  const char* status = status_of(test.verdict);
   if (!status) return false;
-  if (flake(test["name"])) return true;
-  const auto found = entries_.find(test["name"]);
+  if (flake(test.name)) return true;
+  const auto found = entries_.find(test.name);
   if (found == entries_.end() || found->second.status != status) return false;
-  const auto signature = found->second.signatures.find(depth);
+  const auto signature = found->second.signatures.find(name_of(depth));
   return signature == found->second.signatures.end() || seed != kSeedOfSignatures ||
-         signature->second == signature_of(test);
+         signature->second == test.signature();
 }
 
-void Baseline::apply(json& result) const {
-  if (!parts_.empty()) result["baseline"] = name();
-  for (json& test : result["tests"]) {
-    if (test.value("also_in_fresh_context", false)) continue;
-    const char* status = status_of(test["verdict"]);
-    if (const Pattern* flaky = flake(test["name"])) {
-      test["expected_by_baseline"] = status != nullptr;
-      test["baseline_reason"] = status ? "flaky: " + flaky->reason : "";
+void Baseline::apply(RunResult& result) const {
+  result.baseline = name();
+  for (TestRecord& test : result.tests) {
+    if (test.also_in_fresh_context) continue;
+    const char* status = status_of(test.verdict);
+    if (const Pattern* flaky = flake(test.name)) {
+      test.expected_by_baseline = status != nullptr;
+      test.baseline_reason = status ? "flaky: " + flaky->reason : "";
       continue;
     }
-    const auto found = entries_.find(test["name"]);
+    const auto found = entries_.find(test.name);
     if (found == entries_.end()) continue;
     const Entry& entry = found->second;
     if (!status) {
-      // Only a pass is news: what could not be judged says nothing about the entry.
-      if (as_text(test["verdict"]) == "pass") test["baseline_reason"] = entry.reason;
+      // Only a pass is news: a test that could not be judged says nothing about the entry.
+      if (test.verdict == Verdict::kPass) test.baseline_reason = entry.reason;
     } else if (entry.status != status) {
-      test["message"] =
-          fmt::format("the baseline expects {}, not {}: {}", entry.status, status, text_of(test, "message"));
-    } else if (!knows(test, text_of(result, "depth"), result.value("seed", kSeedOfSignatures))) {
-      test["message"] = fmt::format("a known failure, but other cases fail than the baseline knows: {}",
-                                    text_of(test, "message"));
+      test.message = fmt::format("the baseline expects {}, not {}: {}", entry.status, status, test.message);
+    } else if (!knows(test, result.depth.value_or(Depth::full), result.seed.value_or(kSeedOfSignatures))) {
+      test.message =
+          fmt::format("a known failure, but other cases fail than the baseline knows: {}", test.message);
     } else {
-      test["expected_by_baseline"] = true;
-      test["baseline_reason"] = entry.reason;
+      test.expected_by_baseline = true;
+      test.baseline_reason = entry.reason;
     }
   }
 }
 
-std::vector<std::string> Baseline::stale_entries(const json& tests) const {
+std::vector<std::string> Baseline::stale_entries(const std::vector<ListedTest>& tests) const {
   std::set<std::string> existing, stale;
-  for (const json& test : tests.at("tests")) existing.insert(test.at("name").get<std::string>());
+  for (const ListedTest& test : tests) existing.insert(test.name);
   for (const BaselineFiles& part : parts_) {
     for (const auto& [test, entry] : part.entries) {
       if (!existing.contains(test)) stale.insert(test);
@@ -420,18 +402,18 @@ std::vector<std::string> Baseline::stale_entries(const json& tests) const {
   return {stale.begin(), stale.end()};
 }
 
-BaselineFiles Baseline::renewed(const json& result, const std::string& target,
+BaselineFiles Baseline::renewed(const RunResult& result, const std::string& target,
                                 const std::string& new_name) const {
   BaselineFiles files;
   std::vector<BaselineFiles> others = parts_;
   if (parts_.empty()) {
-    const json& implementation = result["implementation"];
+    const ImplementationRecord& implementation = result.implementation;
     files.name = new_name;
-    files.header.vendor = text_of(implementation, "vendor");
-    files.header.renderer = text_of(implementation, "renderer");
-    files.header.version = VersionRange(text_of(implementation, "version"));
-    files.header.implementations = {text_of(implementation, "kind")};
-    files.header.pass = text_of(result, "pass");
+    files.header.vendor = implementation.vendor;
+    files.header.renderer = implementation.renderer;
+    files.header.version = VersionRange(implementation.version);
+    files.header.implementations = {implementation.kind};
+    files.header.pass = result.pass;
   } else {
     if (parts_.size() > 1 && target.empty())
       throw BadBaseline(fmt::format(
@@ -447,18 +429,18 @@ BaselineFiles Baseline::renewed(const json& result, const std::string& target,
   }
 
   const Baseline without = composed(std::move(others));
-  const std::string depth = text_of(result, "depth");
-  const bool with_signatures = result.value("seed", kSeedOfSignatures) == kSeedOfSignatures;
-  for (const json& test : result["tests"]) {
-    const std::string test_name = test["name"];
-    if (test.value("also_in_fresh_context", false) || flake(test_name)) continue;
-    const char* const status = status_of(test["verdict"]);
+  const std::string depth = name_of(result.depth.value_or(Depth::full));
+  const bool with_signatures = result.seed.value_or(kSeedOfSignatures) == kSeedOfSignatures;
+  for (const TestRecord& test : result.tests) {
+    const std::string& test_name = test.name;
+    if (test.also_in_fresh_context || flake(test_name)) continue;
+    const char* const status = status_of(test.verdict);
     const auto other = without.entries().find(test_name);
     const bool expected_anyway = other != without.entries().end();
     const auto own = files.entries.find(test_name);
     const std::string reason = own == files.entries.end() ? kNotTraced : own->second.reason;
     if (!status) {
-      if (text_of(test, "verdict") != "pass") continue;
+      if (test.verdict != Verdict::kPass) continue;
       files.signatures.erase(test_name);
       files.entries.erase(test_name);
       if (expected_anyway) files.entries[test_name] = {"Pass", reason};
@@ -470,7 +452,7 @@ BaselineFiles Baseline::renewed(const json& result, const std::string& target,
       files.entries[test_name] = {status, reason};
     }
     if (!with_signatures) continue;
-    const std::string signature = signature_of(test);
+    const std::string signature = test.signature();
     if (expected_anyway && other->second.signatures.contains(depth) &&
         other->second.signatures.at(depth) == signature) {
       files.signatures[test_name].erase(depth);

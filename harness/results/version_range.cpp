@@ -1,4 +1,4 @@
-#include "harness/runner/version_range.h"
+#include "harness/results/version_range.h"
 
 #include <fmt/format.h>
 

@@ -37,8 +37,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
-#include "harness/runner/version_range.h"
+#include "harness/results/run_result.h"
+#include "harness/results/version_range.h"
 
 namespace evalcts {
 
@@ -54,8 +54,8 @@ struct BaselineFiles {
     std::string vendor, renderer;
     VersionRange version;
     std::vector<std::string> implementations;  // empty: all
-    std::string pass;                          // empty: the pass with fresh contexts
-    std::string extends;                       // empty: not an overlay
+    Pass pass = Pass::kFreshContexts;
+    std::string extends;  // empty: not an overlay
 
     // Number of fields, then length of their texts: the larger of two is the more specific header.
     struct Specificity {
@@ -65,8 +65,7 @@ struct BaselineFiles {
     Specificity specificity() const;
     // The fields that are given, in the order of the file: {"version", "Mesa 20.3 or newer"}.
     std::vector<std::pair<std::string, std::string>> fields() const;
-    // `implementation`: the member of a result record.
-    bool fits(const nlohmann::json& implementation, const std::string& for_pass) const;
+    bool fits(const ImplementationRecord& implementation, Pass for_pass) const;
   };
 
   struct Entry {
@@ -107,11 +106,11 @@ class Baseline {
   };
   using Pattern = BaselineFiles::Pattern;
 
-  // The baseline of the implementation of a result record, in the given pass (empty: fresh contexts). If
+  // The baseline of the implementation in the given pass. If
   // `chosen` is not empty, that base or overlay is used whatever its header says, provided that it is meant
   // for the pass. Throws BadBaseline if no files have the name `chosen`.
-  static Baseline best_fit(const std::vector<BaselineFiles>& all, const nlohmann::json& implementation,
-                           const std::string& pass = {}, const std::string& chosen = {});
+  static Baseline best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
+                           Pass pass = Pass::kFreshContexts, const std::string& chosen = {});
 
   // This baseline with the given files in the place of those with the same name, or, if it is empty, made of
   // them.
@@ -129,23 +128,23 @@ class Baseline {
 
   // True if a test record is a fail, crash or timeout that is known, with the same failing cases if the
   // record was made at the depth and seed of a signature.
-  bool knows(const nlohmann::json& test, const std::string& depth, std::uint32_t seed) const;
+  bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
 
-  // Marks the tests of a result record: "expected_by_baseline" and "baseline_reason". A known failure whose
-  // signature changed stays unexpected, and its message says so. Sets "baseline" of the record. Does not
-  // change tests that are marked as "also_in_fresh_context".
-  void apply(nlohmann::json& result) const;
+  // Sets `baseline` of the result, and `expected_by_baseline` and `baseline_reason` of its tests. A known
+  // failure whose signature changed stays unexpected, and its message says so. Does not change tests that
+  // also fail in a fresh context.
+  void apply(RunResult& result) const;
 
   // Entries for tests that do not exist any more, patterns that match no test, and "Pass" entries of an
-  // overlay that withdraw nothing (`tests`: as the suite program lists them).
-  std::vector<std::string> stale_entries(const nlohmann::json& tests) const;
+  // overlay that withdraw nothing (`tests`: all tests of the suite).
+  std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
 
   // The files that make this baseline expect exactly what fails in the record: those called `target`, which
   // are a part of this baseline, with entries for what the other parts do not expect. If `target` is empty,
   // the only part, or new files called `new_name` if there is none. Existing reasons are kept; new entries
   // state that they have not been traced. Skips and flakes are kept, and flaky tests get no entry. Throws
   // BadBaseline if there are several parts and no target.
-  BaselineFiles renewed(const nlohmann::json& result, const std::string& target,
+  BaselineFiles renewed(const RunResult& result, const std::string& target,
                         const std::string& new_name) const;
 
  private:
@@ -155,8 +154,5 @@ class Baseline {
   std::vector<BaselineFiles> parts_;  // the base first
   std::map<std::string, Entry> entries_;
 };
-
-// A short text for the sorted identities of the failing cases of a test record.
-std::string signature_of(const nlohmann::json& test);
 
 }  // namespace evalcts

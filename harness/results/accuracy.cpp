@@ -1,18 +1,6 @@
-#include "harness/judge/accuracy.h"
+#include "harness/results/accuracy.h"
 
 namespace evalcts {
-
-const char* name_of(Level level) {
-  switch (level) {
-    case Level::must:
-      return "must";
-    case Level::interpretation:
-      return "interpretation";
-    case Level::quality:
-      return "quality";
-  }
-  return "";
-}
 
 void Accuracy::add(const Accuracy& other) {
   values += other.values;

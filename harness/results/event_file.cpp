@@ -1,4 +1,4 @@
-#include "harness/runner/events.h"
+#include "harness/results/event_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "harness/results/json.h"
+#include "harness/results/files.h"
 
 namespace evalcts {
 
@@ -31,21 +31,20 @@ void EventFile::open() {
   inode_ = file.st_ino;
 }
 
-// Whether the number still stands for this file: who closes it may have opened another in its place.
+// True if the descriptor still stands for this file: a library may have closed it and opened another one.
 bool EventFile::is_open() const {
   struct stat file {};
   return descriptor_ >= 0 && fstat(descriptor_, &file) == 0 && file.st_dev == device_ &&
          file.st_ino == inode_;
 }
 
-void EventFile::write(const nlohmann::json& event) {
+void EventFile::write(const std::string& line) {
   if (path_.empty()) return;
   if (getpid() != process_) _exit(0);
   if (!is_open()) {
     was_closed_ = true;
     open();
   }
-  const std::string line = event.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   const ssize_t written = ::write(descriptor_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
   const std::string words =

@@ -1,0 +1,105 @@
+#include "harness/fuzz/events.h"
+
+#include "harness/gl/case_json.h"
+#include "harness/results/json.h"
+#include "suites/generated/findings_data.h"  // kFindings
+
+namespace evalcts::fuzz {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Finding& finding) {
+  return {{"program", gl::to_json(finding.program)},
+          {"cause", finding.cause},
+          {"requirement", finding.requirement},
+          {"outside_evaluators", finding.outside_evaluators},
+          {"what", finding.failure.what},
+          {"message", finding.failure.message},
+          {"expected", finding.failure.expected},
+          {"captured", finding.failure.captured},
+          {"calls", finding.failure.calls}};
+}
+
+Finding finding_from(const json& data) {
+  Finding finding;
+  finding.program = gl::case_from_json(data.at("program"));
+  data.at("cause").get_to(finding.cause);
+  data.at("requirement").get_to(finding.requirement);
+  data.at("outside_evaluators").get_to(finding.outside_evaluators);
+  data.at("what").get_to(finding.failure.what);
+  data.at("message").get_to(finding.failure.message);
+  data.at("expected").get_to(finding.failure.expected);
+  data.at("captured").get_to(finding.failure.captured);
+  data.at("calls").get_to(finding.failure.calls);
+  return finding;
+}
+
+struct Writer {
+  json operator()(const CampaignStarted& start) const {
+    return {{"event", "campaign"}, {"max_eval_order", start.max_eval_order}};
+  }
+  json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
+  json operator()(const FindingShrank& smaller) const {
+    return {{"event", "smaller"}, {"finding", to_json(smaller.finding)}};
+  }
+  json operator()(const FindingMade& found) const {
+    return {{"event", "finding"}, {"number", found.number}, {"finding", to_json(found.finding)}};
+  }
+  json operator()(const CampaignProgress& progress) const {
+    return {{"event", "progress"},
+            {"programs", progress.programs},
+            {"judged", progress.judged},
+            {"commands", progress.commands},
+            {"not_repeated", progress.not_repeated}};
+  }
+};
+
+}  // namespace
+
+std::string to_line(const CampaignEvent& event) {
+  return std::visit(Writer(), event).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
+  try {
+    const json event = json::parse(line);
+    const std::string kind = event.at("event");
+    if (kind == "campaign") return CampaignStarted{event.at("max_eval_order")};
+    if (kind == "start") return TestStarted{event.at("name")};
+    if (kind == "smaller") return FindingShrank{finding_from(event.at("finding"))};
+    if (kind == "finding") return FindingMade{event.at("number"), finding_from(event.at("finding"))};
+    if (kind == "progress")
+      return CampaignProgress{event.at("programs"), event.at("judged"), event.at("commands"),
+                              event.at("not_repeated")};
+  } catch (const json::exception&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
+}
+
+std::string to_text(const Finding& finding) {
+  return to_json(finding).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string list_as_text(const std::vector<std::string>& list) { return json(list).dump(); }
+
+std::vector<std::string> parse_list(const std::string& text) {
+  const json list = json::parse(text, nullptr, false);
+  return list.is_array() ? list.get<std::vector<std::string>>() : std::vector<std::string>();
+}
+
+const std::vector<KnownFinding>& known_findings() {
+  static const std::vector<KnownFinding> all = [] {
+    std::vector<KnownFinding> findings;
+    for (const json& data : json::parse(kFindings)) {
+      findings.push_back(
+          {data.at("name"), data.at("requirement"), data.at("what"), gl::case_from_json(data.at("program"))});
+      findings.back().program.set_identity(findings.back().name);
+    }
+    return findings;
+  }();
+  return all;
+}
+
+}  // namespace evalcts::fuzz

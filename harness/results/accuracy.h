@@ -1,0 +1,31 @@
+// Errors that were measured on the way to a verdict.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace evalcts {
+
+// The largest error of some values, and its place.
+struct Worst {
+  double error = 0;   // infinite if a finite value came out as infinite
+  std::string where;  // case and value
+  float captured = 0;
+  std::string exact;
+};
+
+// Errors over all values that were evaluated. Values whose terms are all zero are counted separately: they
+// have no condition, and any evaluation gives them exactly.
+struct Accuracy {
+  std::uint64_t values = 0;
+  std::uint64_t not_correctly_rounded = 0;
+  std::uint64_t all_terms_zero = 0;
+  std::uint64_t all_terms_zero_wrong = 0;
+  std::uint64_t not_judged = 0;  // the accuracy rule makes no demand on them
+  Worst ulp;                     // error in ULP of binary32
+  Worst condition_aware;         // error divided by 2^-24 * sum |B_i| |R_i|
+
+  void add(const Accuracy& other);
+};
+
+}  // namespace evalcts

@@ -1,0 +1,42 @@
+#include "harness/results/files.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace evalcts {
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void write_atomically(const std::filesystem::path& path, const std::string& content) {
+  const std::filesystem::path temporary = path.string() + ".new";
+  const auto fail = [&](const char* what) {
+    const int error = errno;
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw CannotWrite(fmt::format("cannot {} '{}': {}", what, path.string(), std::strerror(error)));
+  };
+  const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) fail("create");
+  for (std::size_t done = 0; done < content.size();) {
+    const ssize_t written = write(descriptor, content.data() + done, content.size() - done);
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      close(descriptor);
+      fail("write");
+    }
+    done += static_cast<std::size_t>(written);
+  }
+  if (fsync(descriptor) != 0 || close(descriptor) != 0) fail("write");
+  if (rename(temporary.c_str(), path.c_str()) != 0) fail("replace");
+}
+
+}  // namespace evalcts

@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "harness/results/json_object.h"
+#include "harness/results/serialization.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kFormat = "evalcts-results-1";
+constexpr std::size_t kMostDepth = 100;  // of brackets; copies of a JSON value need stack for each
+
+// Returns how deep brackets are nested in a JSON text.
+std::size_t depth_of(const std::string& text) {
+  std::size_t depth = 0, deepest = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') {
+      ++i;  // an escaped character ends nothing
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '[' || c == '{')) {
+      deepest = std::max(deepest, ++depth);
+    } else if (!in_string && (c == ']' || c == '}') && depth > 0) {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+std::optional<Verdict> read_verdict(const JsonObject& in) {
+  const std::string word = in.text("verdict");
+  if (!in.has("verdict")) return std::nullopt;
+  const std::optional<Verdict> verdict = verdict_named(word);
+  if (!verdict) throw FormatError(fmt::format("{}: unknown verdict \"{}\"", in.path("verdict"), word));
+  return verdict;
+}
+
+Failure read_failure(const JsonObject& in) {
+  Failure out;
+  out.case_identity = in.text("case");
+  out.message = in.text("message");
+  out.what = in.text("what");
+  out.expected = in.text("expected");
+  out.captured = in.text("captured");
+  out.exact = in.text("exact");
+  out.capture = in.text("capture");
+  out.ulp = in.distance("ulp");
+  out.condition_aware = in.distance("condition_aware");
+  out.calls = in.texts("calls");
+  return out;
+}
+
+Accuracy read_accuracy(const JsonObject& in) {
+  Accuracy out;
+  out.values = in.natural("values").value_or(0);
+  out.not_correctly_rounded = in.natural("incorrectly_rounded").value_or(0);
+  out.all_terms_zero = in.natural("all_terms_zero").value_or(0);
+  out.all_terms_zero_wrong = in.natural("all_terms_zero_wrong").value_or(0);
+  out.not_judged = in.natural("not_judged").value_or(0);
+  out.ulp.error = in.distance("max_ulp").value_or(0);
+  out.ulp.where = in.text("worst");
+  out.ulp.exact = in.text("worst_exact");
+  out.condition_aware.error = in.distance("max_condition_aware").value_or(0);
+  out.condition_aware.where = in.text("worst_condition_aware");
+  return out;
+}
+
+TestRecord read_test(const JsonObject& in) {
+  TestRecord out;
+  out.name = in.text("name");
+  out.requirements = in.texts("requirements");
+  out.level = in.word("level", level_named).value_or(Level::must);
+  out.expected_by_baseline = in.boolean("expected_by_baseline");
+  out.baseline_reason = in.text("baseline_reason");
+  out.also_in_fresh_context = in.boolean("also_in_fresh_context");
+  out.message = in.text("message");
+  out.cases = in.natural("cases");
+  out.failed_cases = in.natural("failed_cases");
+  out.seed = in.natural("seed");
+  out.seconds = in.real("seconds");
+  out.rerun = in.text("rerun");
+  out.debug = in.text("debug");
+  out.reproducer = in.text("reproducer");
+  if (in.has("history")) out.history = in.texts("history");
+  out.history_case = in.text("history_case");
+  out.flake = in.boolean("flake");
+  if (const auto again = in.object("again"))
+    out.again = Repetition{read_verdict(*again).value_or(Verdict::kInternalError), again->text("message")};
+  out.mismatches = in.texts("mismatches");
+  std::ranges::sort(out.mismatches);
+  if (const auto readings = in.object("readings"))
+    readings->each_key(
+        [&](const std::string& key, const std::string& name) { out.readings[name] = readings->text(key); });
+  if (const std::optional<Verdict> verdict = read_verdict(in)) {
+    out.verdict = *verdict;
+  } else {
+    out.verdict = Verdict::kInternalError;  // never a silent pass
+    out.message =
+        "the record holds no verdict for this test" + (out.message.empty() ? "" : ": " + out.message);
+  }
+  in.each_object("failures", [&](const JsonObject& item) { out.failures.push_back(read_failure(item)); });
+  Failure of_test = read_failure(in);  // the same fields stand at the level of the test
+  out.capture = of_test.capture;
+  of_test.message.clear();
+  const bool says_something =
+      !of_test.expected.empty() || !of_test.captured.empty() || !of_test.calls.empty();
+  if (out.failures.empty() && out.verdict != Verdict::kPass && says_something)
+    out.failures.push_back(of_test);
+  if (const auto accuracy = in.object("accuracy")) out.accuracy = read_accuracy(*accuracy);
+  return out;
+}
+
+CaptureRecord read_capture(const JsonObject& in) {
+  return {in.text("name"), in.boolean("available"), in.text("reason"), in.text("shows")};
+}
+
+ImplementationRecord read_implementation(const JsonObject& in) {
+  ImplementationRecord out;
+  out.name = in.text("name");
+  out.kind = in.text("kind");
+  out.library = in.text("library");
+  out.vendor = in.text("vendor");
+  out.renderer = in.text("renderer");
+  out.version = in.text("version");
+  out.machine = in.text("machine");
+  out.note = in.text("note");
+  out.files = in.texts("files");
+  out.max_eval_order = in.integer("max_eval_order");
+  in.each_object("captures", [&](const JsonObject& item) { out.captures.push_back(read_capture(item)); });
+  return out;
+}
+
+void read_tests(const JsonObject& in, RunResult& out) {
+  std::set<std::string> names;
+  in.each_object("tests", [&](const JsonObject& item) {
+    TestRecord test = read_test(item);
+    if (test.name.empty()) test.name = "(unnamed " + item.place() + ")";
+    if (!names.insert(test.name).second)
+      throw FormatError(fmt::format("{}.name: \"{}\" stands in this record twice", item.place(), test.name));
+    ++out.counts[static_cast<std::size_t>(test.verdict)];
+    out.tests.push_back(std::move(test));
+  });
+  const auto summary = in.object("summary");
+  if (!summary) return;
+  summary->each_key([&](const std::string& key, const std::string& word) {
+    const std::optional<Verdict> verdict = verdict_named(word);
+    if (!verdict) throw FormatError(fmt::format("summary: unknown verdict \"{}\"", word));
+    const std::uint64_t count = summary->natural(key).value_or(0);
+    if (!in.has("tests")) out.counts[static_cast<std::size_t>(*verdict)] = count;
+  });
+}
+
+// Calls `read` on the object that the text holds; none if it holds none, or one that does not follow the
+// format.
+template <class Read>
+auto parse_object(const std::string& text, Read read) -> decltype(read(json())) {
+  const json value = json::parse(text, nullptr, false);
+  if (!value.is_object()) return std::nullopt;
+  try {
+    return read(value);
+  } catch (const FormatError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+RunResult read_run_result(const json& value) {
+  const JsonObject in(value, "");
+  in.word("format",
+          [](const std::string& word) { return word == kFormat ? std::optional(0) : std::nullopt; });
+  RunResult out;
+  out.evalcts_version = in.text("evalcts_version");
+  out.status = in.word("status", status_named);
+  out.reason = in.text("reason");
+  out.command = in.text("command");
+  out.suite_command = in.texts("suite_command");
+  out.timeout = in.real("timeout");
+  out.memory = in.natural("memory");
+  out.depth = in.word("depth", [](const std::string& word) { return depth_named(word); });
+  out.pass = in.word("pass", pass_named).value_or(Pass::kFreshContexts);
+  out.origin = in.text("origin");
+  out.seed = in.natural("seed");
+  out.baseline = in.text("baseline");
+  out.stale_baseline_entries = in.texts("stale_baseline_entries");
+  out.not_played_again = in.natural("not_played_again").value_or(0);
+  if (const std::string shard = in.text("shard"); !shard.empty()) {
+    out.shard = Shard::parse(shard);
+    if (!out.shard) throw FormatError(fmt::format("shard: \"{}\" is no K-of-N", shard));
+  }
+  if (const auto readings = in.object("readings"))
+    readings->each_key(
+        [&](const std::string& key, const std::string& name) { out.readings[name] = readings->texts(key); });
+  if (const auto implementation = in.object("implementation"))
+    out.implementation = read_implementation(*implementation);
+  read_tests(in, out);
+  return out;
+}
+
+RunResult parse_run_result(const std::string& text) {
+  if (depth_of(text) > kMostDepth) throw FormatError("this is no result: brackets are nested too deeply");
+  json result;
+  try {
+    result = json::parse(text);
+  } catch (const json::parse_error& error) {
+    throw FormatError(fmt::format("this is no JSON, or was cut off (byte {})", error.byte));
+  }
+  const std::string format = JsonObject(result, "").text("format");
+  if (format != kFormat)
+    throw FormatError(fmt::format("this is no result: its format is {}, not \"{}\"",
+                                  format.empty() ? "missing" : "\"" + cut(format, 60) + "\"", kFormat));
+  return read_run_result(result);
+}
+
+std::optional<Event> parse_event(const std::string& line) {
+  return parse_object(line, [&](const json& value) -> std::optional<Event> {
+    const JsonObject in(value, "event");
+    const std::string kind = in.text("event");
+    if (kind == "start") return TestStarted{in.text("name")};
+    if (kind == "case") return CaseStarted{in.text("case"), in.texts("calls")};
+    if (kind == "end") return RunEnded{};
+    const auto record = in.object("record");
+    if (kind == "result" && record && record->has("verdict")) return TestFinished{read_test(*record)};
+    return OtherEvent{line};
+  });
+}
+
+std::optional<Description> parse_description(const std::string& text) {
+  return parse_object(text, [](const json& value) -> std::optional<Description> {
+    const JsonObject in(value, "description");
+    const auto implementation = in.object("implementation");
+    if (!implementation) return std::nullopt;
+    return Description{read_implementation(*implementation), in.texts("all_captures")};
+  });
+}
+
+std::optional<CaptureRecord> parse_capture(const std::string& text) {
+  return parse_object(text, [](const json& value) -> std::optional<CaptureRecord> {
+    const JsonObject in(value, "capture");
+    if (in.text("name").empty()) return std::nullopt;
+    return read_capture(in);
+  });
+}
+
+std::optional<std::vector<ListedTest>> parse_tests(const std::string& text) {
+  return parse_object(text, [](const json& value) -> std::optional<std::vector<ListedTest>> {
+    const JsonObject in(value, "tests");
+    if (!in.has("tests")) return std::nullopt;
+    std::vector<ListedTest> tests;
+    in.each_object("tests", [&](const JsonObject& test) {
+      tests.push_back({test.text("name"), test.texts("requirements"),
+                       test.word("level", level_named).value_or(Level::must),
+                       test.word("from", [](const std::string& word) { return depth_named(word); })
+                           .value_or(Depth::quick)});
+    });
+    return tests;
+  });
+}
+
+std::optional<std::string> parse_cannot_start(const std::string& text) {
+  return parse_object(text, [](const json& value) -> std::optional<std::string> {
+    const JsonObject in(value, "answer");
+    if (!in.has("cannot_start")) return std::nullopt;
+    return in.text("cannot_start");
+  });
+}
+
+}  // namespace evalcts

@@ -1,0 +1,60 @@
+// The requirements and the ambiguous texts of the specification, as data (suites/requirements.json).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace evalcts {
+
+// A requirement or one half of it: "EV-MAP1-COPY", "EV-API-ENTRY/1-D".
+struct RequirementId {
+  std::string id;
+  std::string half;  // "1-D", "2-D", or empty for the whole requirement
+
+  static RequirementId parse(const std::string& text);
+};
+
+struct Requirement {
+  std::string id, section, text, source, since, observation, severity, level;
+  bool inferred = false;  // no single sentence states it
+  // Why the halves "1-D" and "2-D" cannot be decided by a test; a half that is missing can.
+  std::map<std::string, std::string> undecidable;
+  std::size_t place = 0;  // in the catalogue
+};
+
+// A text that has several readings, or leaves something undefined.
+struct Ambiguity {
+  enum class Kind { kContradiction, kUndefined };
+  Kind kind = Kind::kContradiction;
+  std::string id, section;
+  std::string where;                                   // the documents
+  std::string conflict, change, slip, take, why;       // contradictions: what differs, what is taken, why
+  std::string situation, may_assert, must_not_assert;  // undefined: when, and what a test may do
+  std::map<std::string, std::string> readings;         // accepted ones, with their meanings
+
+  // What is unclear, in words.
+  const std::string& text() const;
+};
+
+struct Catalogue {
+  std::vector<Requirement> requirements;
+  std::vector<Ambiguity> ambiguities;  // contradictions first
+
+  // The requirement, or the one that "ID/1-D" is a half of; null if there is none.
+  const Requirement* find(const std::string& id) const;
+  const Ambiguity* find_ambiguity(const std::string& id) const;
+  // The ambiguities with more than one accepted reading.
+  std::vector<const Ambiguity*> interpretations() const;
+
+  // Reads {"requirements": [...], "contradictions": [...], "undefined": [...]}. Throws FormatError.
+  static Catalogue parse(const std::string& text);
+};
+
+// The catalogue that this build was made with, as types and as JSON text.
+const Catalogue& catalogue();
+std::string catalogue_as_json();
+// {"interpretations": [...]}: the entries of the catalogue that have readings.
+std::string interpretations_as_json();
+
+}  // namespace evalcts

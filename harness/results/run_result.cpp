@@ -1,0 +1,101 @@
+#include "harness/results/run_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <set>
+
+#include "harness/results/text.h"
+
+namespace evalcts {
+
+int TestRecord::severity() const {
+  const int rank = static_cast<int>(verdict), shift = static_cast<int>(kBadVerdicts);
+  if (is_bad()) return is_expected_failure() ? rank + shift : rank;
+  return is_unexpected_pass() ? 2 * shift : rank + shift + 1;
+}
+
+std::string TestRecord::signature() const {
+  std::vector<std::string> identities = mismatches;
+  std::ranges::sort(identities);
+  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+  for (const std::string& identity : identities)
+    for (const char c : identity + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return fmt::format("{}-{:016x}", identities.size(), hash);
+}
+
+const char* name_of(RunStatus status) {
+  return status == RunStatus::kComplete      ? "complete"
+         : status == RunStatus::kInterrupted ? "interrupted"
+                                             : "not-started";
+}
+
+std::optional<RunStatus> status_named(const std::string& name) {
+  for (const RunStatus status : {RunStatus::kComplete, RunStatus::kInterrupted, RunStatus::kNotStarted})
+    if (name == name_of(status)) return status;
+  return std::nullopt;
+}
+
+const char* name_of(Pass pass) { return pass == Pass::kReuseContext ? "reuse-context" : ""; }
+
+std::optional<Pass> pass_named(const std::string& name) {
+  for (const Pass pass : {Pass::kFreshContexts, Pass::kReuseContext})
+    if (name == name_of(pass)) return pass;
+  return std::nullopt;
+}
+
+std::string Shard::text() const { return fmt::format("{}-of-{}", number, count); }
+
+std::optional<Shard> Shard::parse(const std::string& text, const std::string& separator) {
+  constexpr std::uint32_t kMostShards = 1'000'000;
+  const std::size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  Shard shard;
+  const char *const middle = text.data() + at, *const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), middle, shard.number);
+  const auto count = std::from_chars(middle + separator.size(), end, shard.count);
+  if (number.ec != std::errc() || number.ptr != middle || count.ec != std::errc() || count.ptr != end ||
+      shard.number < 1 || shard.number > shard.count || shard.count > kMostShards)
+    return std::nullopt;
+  return shard;
+}
+
+std::uint64_t RunResult::total() const {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+std::uint64_t RunResult::unexpected_count() const {
+  if (tests.empty()) return std::accumulate(counts.begin(), counts.begin() + kBadVerdicts, std::uint64_t{0});
+  return std::ranges::count_if(tests, &TestRecord::is_unexpected);
+}
+
+std::uint64_t RunResult::expected_failure_count() const {
+  return std::ranges::count_if(tests, &TestRecord::is_expected_failure);
+}
+
+void RunResult::summarize() {
+  counts = {};
+  std::map<std::string, std::set<std::string>> found;
+  for (const TestRecord& test : tests) {
+    ++counts[static_cast<std::size_t>(test.verdict)];
+    for (const auto& [text, reading] : test.readings) found[text].insert(reading);
+  }
+  readings.clear();
+  for (const auto& [text, all] : found) readings[text] = {all.begin(), all.end()};
+}
+
+std::string RunResult::heading(const std::string& unnamed) const {
+  const std::string name = implementation.name.empty() ? unnamed : one_line(implementation.name);
+  return pass == Pass::kFreshContexts ? name : name + ", one shared context";
+}
+
+std::string RunResult::file_label() const {
+  std::string label = implementation.name;
+  if (shard) label += "." + shard->text();
+  if (pass != Pass::kFreshContexts) label += std::string(".") + name_of(pass);
+  return label;
+}
+
+}  // namespace evalcts

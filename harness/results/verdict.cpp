@@ -1,0 +1,41 @@
+#include "harness/results/verdict.h"
+
+#include <algorithm>
+#include <array>
+
+namespace evalcts {
+namespace {
+
+constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
+    {"internal-error", "!", "evalcts itself went wrong; says nothing about the implementation"},
+    {"crash", "‼", "the process died while this test ran"},
+    {"timeout", "◷", "no end within the time limit"},
+    {"fail", "✗", "something observed contradicts the requirement"},
+    {"quality-warning", "△", "conforms, but falls short of what good implementations do"},
+    {"not-observable", "◌", "this implementation gives no trustworthy way to see the effect"},
+    {"not-supported", "∅", "the implementation does not offer what the test needs"},
+    {"skipped", "–", "not run, because something asked for that"},
+    {"pass", "✓", "everything observed agrees with the requirement"},
+}};
+
+constexpr std::array kLevelNames{"quality", "interpretation", "must"};
+
+}  // namespace
+
+const VerdictText& text_of(Verdict verdict) { return kVerdictTexts[static_cast<std::size_t>(verdict)]; }
+
+std::optional<Verdict> verdict_named(std::string_view word) {
+  const auto found = std::ranges::find(kVerdictTexts, word, &VerdictText::word);
+  if (found == kVerdictTexts.end()) return std::nullopt;
+  return static_cast<Verdict>(found - kVerdictTexts.begin());
+}
+
+const char* name_of(Level level) { return kLevelNames[static_cast<std::size_t>(level)]; }
+
+std::optional<Level> level_named(std::string_view word) {
+  const auto found = std::ranges::find(kLevelNames, word);
+  if (found == kLevelNames.end()) return std::nullopt;
+  return static_cast<Level>(found - kLevelNames.begin());
+}
+
+}  // namespace evalcts

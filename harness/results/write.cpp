@@ -1,0 +1,181 @@
+#include <cmath>
+
+#include "harness/results/json.h"
+#include "harness/results/serialization.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+
+// JSON has no infinity.
+json number(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+std::string dumped(const json& value, int indent) {
+  return value.dump(indent, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+// Sets a member unless the value is empty.
+template <class T>
+void set(json& object, const char* member, const std::optional<T>& value) {
+  if (value) object[member] = *value;
+}
+void set(json& object, const char* member, const std::string& value) {
+  if (!value.empty()) object[member] = value;
+}
+void set(json& object, const char* member, bool value) {
+  if (value) object[member] = true;
+}
+void set(json& object, const char* member, const char* value) = delete;
+
+void set_distances(json& object, const Failure& failure) {
+  if (failure.ulp) object["ulp"] = number(*failure.ulp);
+  if (failure.condition_aware) object["condition_aware"] = number(*failure.condition_aware);
+}
+
+json to_json(const Failure& failure) {
+  json out = {{"case", failure.case_identity}, {"message", failure.message},   {"what", failure.what},
+              {"expected", failure.expected},  {"captured", failure.captured}, {"calls", failure.calls}};
+  set(out, "exact", failure.exact);
+  set(out, "capture", failure.capture);
+  set_distances(out, failure);
+  return out;
+}
+
+json to_json(const Accuracy& accuracy) {
+  return {{"values", accuracy.values},
+          {"max_ulp", number(accuracy.ulp.error)},
+          {"max_condition_aware", number(accuracy.condition_aware.error)},
+          {"incorrectly_rounded", accuracy.not_correctly_rounded},
+          {"all_terms_zero", accuracy.all_terms_zero},
+          {"all_terms_zero_wrong", accuracy.all_terms_zero_wrong},
+          {"not_judged", accuracy.not_judged},
+          {"worst", accuracy.ulp.where},
+          {"worst_exact", accuracy.ulp.exact},
+          {"worst_condition_aware", accuracy.condition_aware.where}};
+}
+
+json to_json(const TestRecord& test) {
+  json out = {{"name", test.name},
+              {"requirements", test.requirements},
+              {"level", name_of(test.level)},
+              {"verdict", text_of(test.verdict).word},
+              {"message", test.message},
+              {"expected_by_baseline", test.expected_by_baseline},
+              {"baseline_reason", test.baseline_reason}};
+  set(out, "cases", test.cases);
+  set(out, "failed_cases", test.failed_cases);
+  set(out, "seed", test.seed);
+  set(out, "seconds", test.seconds);
+  if (!test.mismatches.empty()) out["mismatches"] = test.mismatches;
+  out["failures"] = json::array();
+  for (const Failure& failure : test.failures) out["failures"].push_back(to_json(failure));
+  set(out, "capture", test.capture);
+  if (!test.failures.empty()) {
+    // The first failing case stands for the test.
+    const Failure& first = test.failures.front();
+    out["calls"] = first.calls;
+    out["expected"] = first.expected;
+    out["captured"] = first.captured;
+    set(out, "capture", first.capture);
+    set_distances(out, first);
+  }
+  if (test.accuracy) out["accuracy"] = to_json(*test.accuracy);
+  if (!test.readings.empty()) out["readings"] = test.readings;
+  set(out, "also_in_fresh_context", test.also_in_fresh_context);
+  set(out, "history", test.history);
+  set(out, "history_case", test.history_case);
+  set(out, "flake", test.flake);
+  if (test.again)
+    out["again"] = {{"verdict", text_of(test.again->verdict).word}, {"message", test.again->message}};
+  set(out, "rerun", test.rerun);
+  set(out, "debug", test.debug);
+  set(out, "reproducer", test.reproducer);
+  return out;
+}
+
+json to_json(const CaptureRecord& capture) {
+  json out = {{"name", capture.name}, {"available", capture.available}, {"reason", capture.reason}};
+  set(out, "shows", capture.shows);
+  return out;
+}
+
+json to_json(const ImplementationRecord& implementation) {
+  json out = {{"name", implementation.name}};
+  set(out, "kind", implementation.kind);
+  set(out, "library", implementation.library);
+  set(out, "vendor", implementation.vendor);
+  set(out, "renderer", implementation.renderer);
+  set(out, "version", implementation.version);
+  set(out, "machine", implementation.machine);
+  set(out, "note", implementation.note);
+  set(out, "max_eval_order", implementation.max_eval_order);
+  if (!implementation.files.empty()) out["files"] = implementation.files;
+  if (!implementation.captures.empty()) out["captures"] = json::array();
+  for (const CaptureRecord& capture : implementation.captures) out["captures"].push_back(to_json(capture));
+  return out;
+}
+
+}  // namespace
+
+std::string to_text(const RunResult& result) {
+  json out = {{"format", "evalcts-results-1"},
+              {"evalcts_version", result.evalcts_version},
+              {"reason", result.reason},
+              {"command", result.command},
+              {"implementation", to_json(result.implementation)},
+              {"tests", json::array()}};
+  if (result.status) out["status"] = name_of(*result.status);
+  if (!result.suite_command.empty()) out["suite_command"] = result.suite_command;
+  set(out, "timeout", result.timeout);
+  set(out, "memory", result.memory);
+  if (result.depth) out["depth"] = name_of(*result.depth);
+  set(out, "seed", result.seed);
+  set(out, "pass", std::string(name_of(result.pass)));
+  if (result.shard) out["shard"] = result.shard->text();
+  set(out, "baseline", result.baseline);
+  if (!result.stale_baseline_entries.empty()) out["stale_baseline_entries"] = result.stale_baseline_entries;
+  if (result.not_played_again) out["not_played_again"] = result.not_played_again;
+  if (!result.readings.empty()) out["readings"] = result.readings;
+  json& summary = out["summary"] = json::object();
+  for (std::size_t i = 0; i < kVerdicts; ++i)
+    if (result.counts[i]) summary[std::string(text_of(static_cast<Verdict>(i)).word)] = result.counts[i];
+  for (const TestRecord& test : result.tests) out["tests"].push_back(to_json(test));
+  return dumped(out, 1);
+}
+
+std::string to_line(const Event& event) {
+  struct Writer {
+    json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
+    json operator()(const CaseStarted& start) const {
+      return {{"event", "case"}, {"case", start.identity}, {"calls", start.calls}};
+    }
+    json operator()(const TestFinished& result) const {
+      return {{"event", "result"}, {"record", to_json(result.record)}};
+    }
+    json operator()(const RunEnded&) const { return {{"event", "end"}}; }
+    json operator()(const OtherEvent& other) const { return json::parse(other.line, nullptr, false); }
+  };
+  return dumped(std::visit(Writer(), event), -1);
+}
+
+std::string to_text(const Description& description) {
+  return dumped(
+      {{"implementation", to_json(description.implementation)}, {"all_captures", description.captures}}, 1);
+}
+
+std::string to_text(const CaptureRecord& capture) { return dumped(to_json(capture), 1); }
+
+std::string to_text(const std::vector<ListedTest>& tests) {
+  json out = json::array();
+  for (const ListedTest& test : tests)
+    out.push_back({{"name", test.name},
+                   {"requirements", test.requirements},
+                   {"level", name_of(test.level)},
+                   {"from", name_of(test.from)}});
+  return dumped({{"tests", out}}, 1);
+}
+
+std::string cannot_start_text(const std::string& reason) { return dumped({{"cannot_start", reason}}, 1); }
+
+}  // namespace evalcts

@@ -1,0 +1,77 @@
+#include "harness/results/coverage.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/cli/wrap.h"
+
+namespace evalcts {
+namespace {
+
+using State = Coverage::State;
+
+Catalogue requirements(const std::map<std::string, std::string>& undecidable = {}) {
+  Catalogue catalogue;
+  catalogue.requirements.resize(2);
+  catalogue.requirements[0].id = "A";
+  catalogue.requirements[0].undecidable = undecidable;
+  catalogue.requirements[1].id = "B";
+  return catalogue;
+}
+
+const std::map<std::string, std::string> kInvisible = {{"1-D", "nobody can see it"},
+                                                       {"2-D", "nobody can see it"}};
+
+std::vector<ListedTest> tests(const std::vector<std::string>& decided) { return {{"T.t", decided}}; }
+
+TEST(Coverage, StatesOfARequirement) {
+  EXPECT_EQ(coverage_of(requirements(), tests({"A"}))[0].state, State::kDecided);
+  EXPECT_EQ(coverage_of(requirements(), tests({"A/1-D", "A/2-D"}))[0].state, State::kDecided);
+  const Coverage half = coverage_of(requirements(), tests({"A/2-D"}))[0];
+  EXPECT_EQ(half.state, State::kInPart);
+  EXPECT_EQ(half.lacks, "1-D");
+  EXPECT_EQ(half.tests, std::vector<std::string>{"T.t"});
+  EXPECT_EQ(coverage_of(requirements(), tests({"A"}))[1].state, State::kUndecided);
+}
+
+TEST(Coverage, UndecidableWithReason) {
+  const Coverage entry = coverage_of(requirements(kInvisible), tests({"B"}))[0];
+  EXPECT_EQ(entry.state, State::kUndecidable);
+  EXPECT_EQ(entry.reason, "nobody can see it");
+  const Catalogue half = requirements({{"2-D", "too dark"}});
+  EXPECT_EQ(coverage_of(half, tests({"A/1-D"}))[0].state, State::kInPart);
+  EXPECT_EQ(coverage_of(half, tests({"A/1-D"}))[0].reason, "too dark");
+  EXPECT_EQ(coverage_of(half, tests({"B"}))[0].state, State::kUndecided);
+}
+
+TEST(Coverage, LintOfUndecidable) {
+  const Catalogue whole = requirements(kInvisible);
+  EXPECT_TRUE(lint(whole, tests({"B"})).empty());
+  EXPECT_EQ(lint(whole, tests({"A"})).size(), 2u);
+  EXPECT_EQ(lint(whole, tests({"A/1-D"})),
+            std::vector<std::string>{"A/1-D is undecidable, but T.t decides it"});
+  const Catalogue half = requirements({{"2-D", "too dark"}});
+  EXPECT_TRUE(lint(half, tests({"A/1-D"})).empty());
+  EXPECT_EQ(lint(half, tests({"A/2-D"})).size(), 1u);
+  EXPECT_EQ(lint(requirements({{"3-D", "too dark"}}), tests({"B"})).size(), 1u);
+  EXPECT_EQ(lint(requirements({{"1-D", ""}}), tests({"B"})).size(), 1u);
+}
+
+TEST(Catalogue, ReadsBothFormsOfUndecidable) {
+  const Catalogue read = Catalogue::parse(
+      R"({"requirements": [{"id": "A", "undecidable": "why"}, {"id": "B", "undecidable": {"2-D": "how"}}]})");
+  EXPECT_EQ(read.requirements.at(0).undecidable.size(), 2u);
+  EXPECT_EQ(read.requirements.at(1).undecidable, (std::map<std::string, std::string>{{"2-D", "how"}}));
+  EXPECT_EQ(read.find("B/1-D"), &read.requirements[1]);
+  EXPECT_EQ(read.find("C"), nullptr);
+}
+
+TEST(Wrap, BreaksBetweenWords) {
+  EXPECT_EQ(cli::wrapped("one two three", 7, "  "), "one two\n  three");
+  EXPECT_EQ(cli::wrapped("one two three", 8, "  ", 4), "one\n  two\n  three");
+  EXPECT_EQ(cli::wrapped("abcdefghij klm", 5, "  "), "abcdefghij\n  klm");
+  EXPECT_EQ(cli::wrapped("§§§ §§§", 7, ""), "§§§ §§§");
+  EXPECT_EQ(cli::wrapped("", 10, "  "), "");
+}
+
+}  // namespace
+}  // namespace evalcts
