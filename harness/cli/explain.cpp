@@ -1,67 +1,20 @@
-// evalcts coverage and evalcts explain: the requirements in words, and what the tests decide of them.
+// evalcts explain: a requirement, an ambiguous text, a test or a verdict in words.
 #include <fmt/format.h>
-
 #include <fmt/ranges.h>
-#include <algorithm>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <map>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
 #include "harness/cli/wrap.h"
 #include "harness/results/coverage.h"
 #include "harness/runner/question.h"
 
 namespace evalcts::cli {
 namespace {
-
-// --- coverage ----------------------------------------------------------------------------------------------
-
-using State = Coverage::State;
-constexpr State kStates[] = {State::kDecided, State::kInPart, State::kUndecidable, State::kUndecided};
-
-// "7. Evaluation commands: 12 decided, 3 in part, 4 undecided"
-std::string counted(const std::map<State, int>& counts) {
-  std::vector<std::string> parts;
-  for (const State state : kStates)
-    if (counts.contains(state)) parts.push_back(fmt::format("{} {}", counts.at(state), name_of(state)));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string state_of(const Coverage& entry) {
-  return entry.lacks.empty() ? name_of(entry.state) : fmt::format("in part, not {}", entry.lacks);
-}
-
-std::string tests_of(const Coverage& entry) {
-  if (entry.tests.empty()) return {};
-  if (entry.tests.size() == 1) return entry.tests.front();
-  return fmt::format("{} and {} more", entry.tests.front(), entry.tests.size() - 1);
-}
-
-void show(const std::vector<Coverage>& all, std::size_t tests) {
-  std::map<std::string, std::map<State, int>> sections;
-  std::map<State, int> total;
-  for (const Coverage& entry : all) {
-    ++sections[entry.section][entry.state];
-    ++total[entry.state];
-  }
-  const std::size_t columns = terminal_columns();
-  std::string section;
-  for (const Coverage& entry : all) {
-    if (entry.section != section) {
-      std::cout << fmt::format("{}{}: {}\n", section.empty() ? "" : "\n", entry.section,
-                               counted(sections[entry.section]));
-      section = entry.section;
-    }
-    std::string line = fmt::format("  {:<28} {:<16} {}", entry.id, state_of(entry), tests_of(entry));
-    line.erase(line.find_last_not_of(' ') + 1);
-    std::cout << line << "\n";
-    if (!entry.reason.empty()) std::cout << "      " << wrapped(entry.reason, columns, "      ", 6) << "\n";
-  }
-  std::cout << fmt::format("\n{} requirements: {}; {} tests\n", all.size(), counted(total), tests);
-}
-
-// --- explain -----------------------------------------------------------------------------------------------
 
 void paragraph(const std::string& text, std::size_t indent = 2) {
   const std::string margin(indent, ' ');
@@ -127,24 +80,6 @@ void explain_test(const ListedTest& test) {
     }
 }
 
-}  // namespace
-
-int coverage(bool as_json, bool complete) {
-  const std::vector<ListedTest> tests = list_tests(places().suite_program);
-  const std::vector<Coverage> all = coverage_of(catalogue(), tests);
-  const std::vector<std::string> problems = lint(catalogue(), tests);
-  if (as_json)
-    std::cout << to_text(all, problems);
-  else
-    show(all, tests.size());
-  for (const std::string& problem : problems) std::cerr << "evalcts: " << problem << "\n";
-  if (!problems.empty()) return kOwnFault;
-  const auto is_open = [](const Coverage& entry) {
-    return entry.state == State::kUndecided || (entry.state == State::kInPart && entry.reason.empty());
-  };
-  return complete && std::ranges::any_of(all, is_open) ? kUnexpected : kNothingUnexpected;
-}
-
 int explain(const std::string& name) {
   // A half, "ID/1-D", is explained with its requirement.
   if (const Requirement* const requirement = catalogue().find(name)) {
@@ -168,5 +103,19 @@ int explain(const std::string& name) {
       "evalcts: '{}' is no requirement, interpretation, test or verdict; see 'evalcts list'\n", name);
   return kWrongUse;
 }
+
+std::function<int()> define_explain(CLI::App& app, const Call&) {
+  const auto name = std::make_shared<std::string>();
+  app.add_option("name", *name)->required();
+  return [name] { return explain(*name); };
+}
+
+}  // namespace
+
+const Command kExplainCommand = {"explain", "a requirement, interpretation, test or verdict in words",
+                                 R"(  $ evalcts explain EV-MAP1-COPY
+  $ evalcts explain Map1State.CopyOnCall/UNMAPPED
+  $ evalcts explain not-observable)",
+                                 define_explain};
 
 }  // namespace evalcts::cli

@@ -1,45 +1,38 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
-
+#include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/faults/fault_table.h"
 #include "harness/results/coverage.h"
 #include "harness/results/files.h"
-#include "harness/runner/child_process.h"
 #include "harness/runner/interruption.h"
 #include "harness/runner/question.h"
 
 namespace evalcts::cli {
+namespace {
+
+struct FaultsOptions {
+  std::string filter;  // empty: all
+  std::string shard;   // "K/N"; empty: all
+  bool complete = false;
+  double seconds_per_test = 20;
+  std::optional<int> jobs;
+  std::string output;  // empty: the usual folder
+};
 
 namespace fs = std::filesystem;
-
-std::vector<faults::ListedFault> list_faults() {
-  const fs::path program = places().faulty_suite_program;
-  if (!fs::exists(program))
-    throw CannotStart(fmt::format(
-        "'{}' is missing. In a checkout ./evalcts faults builds it; what is installed has no faults",
-        program.string()));
-  const fs::path file = fs::temp_directory_path() / fmt::format("evalcts-faults-{}.json", getpid());
-  ChildProcess child({program.string(), "--list-faults", file.string()}, "");
-  const std::optional<Ending> ending = child.wait(60);
-  std::optional<std::vector<faults::ListedFault>> faults = faults::parse_faults(read_file(file));
-  fs::remove(file);
-  if (!faults)
-    throw std::runtime_error(fmt::format("'{}' does not say which faults there are ({})", program.string(),
-                                         ending ? describe(*ending) : "it takes too long"));
-  return *std::move(faults);
-}
 
 int faults(const FaultsOptions& options) {
   using faults::FaultOutcome;
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts faults");
 
-  std::vector<faults::ListedFault> chosen = matching(list_faults(), options.filter);
+  std::vector<faults::ListedFault> chosen =
+      matching(faults::list_faults(places().faulty_suite_program), options.filter);
   if (chosen.empty()) {
     std::cerr << fmt::format("evalcts: no fault matches '{}'; see 'evalcts list faults'\n", options.filter);
     return kWrongUse;
@@ -103,5 +96,28 @@ int faults(const FaultsOptions& options) {
   return counts[FaultOutcome::kSurvives] > 0 || (options.complete && !without.empty()) ? kUnexpected
                                                                                        : kNothingUnexpected;
 }
+
+std::function<int()> define_faults(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<FaultsOptions>();
+  app.add_option("--filter", options->filter, "faults to try: patterns as for run");
+  add_shard(app, options->shard, "K/N: every N-th fault, from the K-th on");
+  app.add_flag("--complete", options->complete,
+               "exit code 1 where a requirement that tests decide has no fault that was tried, too")
+      ->excludes("--filter")
+      ->excludes("--shard");
+  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
+  app.add_option("--jobs", options->jobs, "faults side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--output", options->output, "folder for faults.json and faults.md");
+  return [options] { return faults(*options); };
+}
+
+}  // namespace
+
+const Command kFaultsCommand = {
+    "faults", "break one rule at a time on purpose: does the suite catch it? (the tests of the tests)",
+    R"(  $ evalcts faults
+  $ evalcts faults --filter 'Grid*' --jobs 2)",
+    define_faults};
 
 }  // namespace evalcts::cli

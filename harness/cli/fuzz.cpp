@@ -1,13 +1,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <set>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/fuzz/campaign.h"
 #include "harness/fuzz/events.h"
@@ -18,6 +20,17 @@
 namespace evalcts::cli {
 namespace {
 
+struct FuzzOptions {
+  std::string implementation, library, context;
+  std::uint32_t seed = 1;
+  std::optional<std::uint32_t> programs;
+  double seconds = 0;  // 0: no limit
+  int length = 120;    // commands of a program, about
+  bool fresh_contexts = false;
+  std::optional<int> jobs;
+  std::string output;  // empty: the usual folder
+};
+
 namespace fs = std::filesystem;
 
 // The causes of the findings that the suite replays in every run: those are known.
@@ -27,8 +40,6 @@ std::map<std::string, std::string> known_causes() {
     known[fuzz::cause_of(finding.program, finding.what)] = finding.name;
   return known;
 }
-
-}  // namespace
 
 int fuzz(const FuzzOptions& options) {
   if (options.implementation.empty() && options.library.empty() && options.context.empty()) {
@@ -83,5 +94,31 @@ int fuzz(const FuzzOptions& options) {
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   return unexpected > 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;
 }
+
+std::function<int()> define_fuzz(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<FuzzOptions>();
+  app.add_option("--implementation", options->implementation, "what to judge");
+  app.add_option("--library", options->library, "shared library instead of the usual one");
+  app.add_option("--context", options->context, "what makes the contexts, as for run");
+  app.add_option("--seed", options->seed, "the same seed gives the same programs on every machine");
+  app.add_option("--programs", options->programs, "how many");
+  app.add_option("--seconds", options->seconds, "for how long (default: 60, without --programs)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--length", options->length, "commands of a program, about")->check(CLI::Range(1, 100000));
+  app.add_flag("--fresh-contexts", options->fresh_contexts,
+               "a context for each program; without, most share one where that is faster");
+  app.add_option("--jobs", options->jobs, "processes side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--output", options->output, "folder for what is found");
+  return [options] { return fuzz(*options); };
+}
+
+}  // namespace
+
+const Command kFuzzCommand = {
+    "fuzz", "random programs side by side with the executable specification; differences are made small",
+    R"(  $ evalcts fuzz --implementation osmesa --seconds 60
+  $ evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)",
+    define_fuzz};
 
 }  // namespace evalcts::cli

@@ -9,39 +9,6 @@
 namespace evalcts::cli {
 namespace {
 
-const std::map<std::string, std::string>& examples() {
-  static const std::map<std::string, std::string> all = {
-      {"run",
-       R"(  $ evalcts run                                         # osmesa (or egl), production and reference
-  $ evalcts run --library ./libOSMesa.so.8              # a library of your own
-  $ evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
-  $ evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
-  $ evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
-  $ evalcts run --shard 2/4 --output part-2             # on the second of four machines)"},
-      {"list", R"(  $ evalcts list implementations
-  $ evalcts list tests --json)"},
-      {"coverage", R"(  $ evalcts coverage
-  $ evalcts coverage --complete --json)"},
-      {"explain", R"(  $ evalcts explain EV-MAP1-COPY
-  $ evalcts explain Map1State.CopyOnCall/UNMAPPED
-  $ evalcts explain not-observable)"},
-      {"reproduce", R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
-  $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)"},
-      {"faults", R"(  $ evalcts faults
-  $ evalcts faults --filter 'Grid*' --jobs 2)"},
-      {"fuzz", R"(  $ evalcts fuzz --implementation osmesa --seconds 60
-  $ evalcts fuzz --library ./libOSMesa.so.8 --programs 1000 --seed 7)"},
-      {"rounding", R"(  $ evalcts rounding
-  $ evalcts rounding --filter 'curve/4/*' --samples 1000000)"},
-      {"ulp", R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
-  $ evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
-  $ evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)"},
-      {"report", R"(  $ evalcts report results-osmesa.json)"},
-      {"vectors", R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
-  $ evalcts vectors lint mine.json)"}};
-  return all;
-}
-
 // Damerau's distance, with each place edited once.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> cost(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -121,12 +88,6 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
       best = candidate;
     }
   return best;
-}
-
-void add_examples(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands({}))
-    if (const auto found = examples().find(command->get_name()); found != examples().end())
-      command->footer("Examples:\n" + found->second);
 }
 
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& arguments) {

@@ -1,4 +1,4 @@
-// Helps users with the command line: the layout of --help, examples, and suggestions for mistyped words.
+// Helps users with the command line: the layout of --help, and suggestions for mistyped words.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,6 @@ namespace evalcts::cli {
 
 // Writes the text of --help.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
-
-// Puts examples under the help of each command that has some.
-void add_examples(CLI::App& app);
 
 // "did you mean --baseline?" for the first argument that is no command, or no option of its command, and is
 // near to one; else empty.

@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/default_implementations.h"
+#include "harness/cli/places.h"
+#include "harness/faults/fault_table.h"
 #include "harness/implementations/implementation.h"
 #include "harness/results/baseline.h"
 #include "harness/results/json.h"
@@ -49,30 +53,6 @@ void list_baselines(bool as_json) {
   if (as_json) std::cout << json{{"baselines", all}}.dump(1) << "\n";
 }
 
-}  // namespace
-
-std::string why_not(const std::string& implementation) {
-  std::string reason;
-  return describe_implementation({places().suite_program.string(), "--implementation", implementation},
-                                 reason)
-             ? std::string()
-             : reason;
-}
-
-std::vector<std::string> default_implementations() {
-  std::vector<std::string> names;
-  for (const ImplementationKind& kind : implementation_kinds()) {
-    if (!kind.by_default) continue;
-    names.push_back(kind.name);
-    if (kind.name != "osmesa") continue;
-    const std::string reason = why_not("osmesa");
-    if (reason.empty()) continue;
-    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
-    names.back() = "egl";
-  }
-  return names;
-}
-
 int list(const std::string& what, bool as_json) {
   const auto line = [](std::size_t width, const std::string& name, const std::string& text) {
     std::cout << fmt::format("{:<{}} {}\n", name, width, text);
@@ -88,7 +68,7 @@ int list(const std::string& what, bool as_json) {
       for (const Ambiguity* const entry : catalogue().interpretations())
         for (const auto& [reading, meaning] : entry->readings) line(36, entry->id + "=" + reading, meaning);
   } else if (what == "faults") {
-    const std::vector<faults::ListedFault> all = list_faults();
+    const std::vector<faults::ListedFault> all = faults::list_faults(places().faulty_suite_program);
     if (as_json)
       std::cout << faults::to_text(all);
     else
@@ -109,5 +89,27 @@ int list(const std::string& what, bool as_json) {
   }
   return kNothingUnexpected;
 }
+
+std::function<int()> define_list(CLI::App& app, const Call&) {
+  struct Options {
+    std::string what;
+    bool as_json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  app.add_option("what", options->what)
+      ->required()
+      ->check(CLI::IsMember(
+          {"implementations", "requirements", "interpretations", "tests", "faults", "baselines"}));
+  app.add_flag("--json", options->as_json, "as JSON");
+  return [options] { return list(options->what, options->as_json); };
+}
+
+}  // namespace
+
+const Command kListCommand = {"list",
+                              "implementations, requirements, interpretations, tests, faults or baselines",
+                              R"(  $ evalcts list implementations
+  $ evalcts list tests --json)",
+                              define_list};
 
 }  // namespace evalcts::cli

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/places.h"
 #include "harness/implementations/implementation.h"
 #include "harness/results/text.h"
 

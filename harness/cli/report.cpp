@@ -2,6 +2,7 @@
 #include <evalcts/reports.h>
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -9,7 +10,9 @@
 #include <iostream>
 #include <set>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/pages.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/results/files.h"
 #include "harness/results/serialization.h"
@@ -17,6 +20,12 @@
 
 namespace evalcts::cli {
 namespace {
+
+struct ReportOptions {
+  std::vector<std::string> results;  // files and folders; empty: the usual folder
+  std::vector<std::string> before;   // of the earlier results; empty: nothing is compared
+  std::string output;                // empty: the usual folder
+};
 
 namespace fs = std::filesystem;
 
@@ -82,17 +91,6 @@ std::vector<RunResult> read_results(const std::vector<std::string>& arguments, b
   return reports::merge_shards(results);
 }
 
-}  // namespace
-
-void write_pages(const fs::path& output, const std::vector<RunResult>& results,
-                 const std::vector<RunResult>& before) {
-  reports::PageOptions options;
-  options.before = before;
-  options.accuracy_page = fs::exists(output / "accuracy.html");
-  write_atomically(output / "index.html", reports::html(results, catalogue(), options));
-  write_atomically(output / "summary.md", reports::markdown_summary(results, before));
-}
-
 int report(const ReportOptions& options) {
   const fs::path usual = places().output;
   const fs::path output = options.output.empty() ? usual : fs::path(options.output);
@@ -124,5 +122,23 @@ int report(const ReportOptions& options) {
   std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
   return changes.regressions ? kUnexpected : kNothingUnexpected;
 }
+
+std::function<int()> define_report(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<ReportOptions>();
+  app.add_option(
+      "results", options->results,
+      "result files, and folders with results (default: those of the last run); shards are put together");
+  add_repeatable(app, "--before", options->before,
+                 "earlier results to compare with, a file or folder; may be repeated. Exit code 1 where "
+                 "something has become worse");
+  app.add_option("--output", options->output, "folder for index.html and summary.md");
+  return [options] { return report(*options); };
+}
+
+}  // namespace
+
+const Command kReportCommand = {
+    "report", "pages from one or more results, side by side, and compared with earlier ones",
+    R"(  $ evalcts report results-osmesa.json)", define_report};
 
 }  // namespace evalcts::cli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -9,7 +10,8 @@
 #include <list>
 #include <optional>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
 #include "harness/cli/recorded.h"
 #include "harness/cli/wrap.h"
 #include "harness/results/files.h"
@@ -20,6 +22,13 @@
 
 namespace evalcts::cli {
 namespace {
+
+struct ReproduceOptions {
+  std::string failure;  // a test's name, NAME:test, or a part that only one failing test has
+  std::string results;  // folder of the run; empty: the usual one
+  std::string output;   // the file to write; empty: in the folder of the run
+  std::string program;  // how evalcts was called
+};
 
 namespace fs = std::filesystem;
 
@@ -271,8 +280,6 @@ int reproduce_or_throw(const ReproduceOptions& options) {
   return kNothingUnexpected;
 }
 
-}  // namespace
-
 int reproduce(const ReproduceOptions& options) {
   try {
     return reproduce_or_throw(options);
@@ -284,5 +291,23 @@ int reproduce(const ReproduceOptions& options) {
     return kWrongUse;
   }
 }
+
+std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
+  const auto options = std::make_shared<ReproduceOptions>();
+  options->program = call.program;
+  app.add_option("failure", options->failure,
+                 "the test's name, NAME:test, or a part of it that no other failing test has")
+      ->required();
+  app.add_option("--output", options->output, "the C file to write");
+  app.add_option("--results", options->results, "folder with the results of the run");
+  return [options] { return reproduce(*options); };
+}
+
+}  // namespace
+
+const Command kReproduceCommand = {"reproduce", "a stand-alone C program for a failure of the last run",
+                                   R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
+  $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)",
+                                   define_reproduce};
 
 }  // namespace evalcts::cli

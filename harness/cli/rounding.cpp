@@ -1,14 +1,26 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <stdexcept>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/rounding/check.h"
 #include "harness/runner/interruption.h"
 
 namespace evalcts::cli {
+namespace {
+
+struct RoundingOptions {
+  std::uint64_t samples = 100'000, exact = 2'000;  // values of each class
+  bool sweep = false;
+  std::string filter;  // of the classes; empty: all
+  std::vector<std::string> targets;
+  std::uint32_t seed = 1;
+  std::optional<int> jobs;
+};
 
 int rounding(const RoundingOptions& options) {
   stop_when_asked();
@@ -60,5 +72,32 @@ int rounding(const RoundingOptions& options) {
                          interrupted ? " (interrupted)" : ""));
   return total.wrong != 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;
 }
+
+std::function<int()> define_rounding(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<RoundingOptions>();
+  const CLI::Range counts(0.0, 1e15);  // by itself the parser takes -1 for 2^64 - 1
+  app.add_option("--samples", options->samples,
+                 "values of each class of maps, against the filter and the exact route behind it")
+      ->check(counts);
+  app.add_option("--exact", options->exact, "values of each class, against the exact route alone")
+      ->check(counts);
+  app.add_flag("--sweep", options->sweep,
+               "every float from 0 to 1 instead, for one map of each class of curves");
+  app.add_option("--filter", options->filter, "classes: patterns as in GoogleTest, 'curve/4/*'");
+  add_repeatable(
+      app, "--target", options->targets,
+      "instruction set; may be repeated (default: all that this machine has; for --sweep the best)");
+  app.add_option("--seed", options->seed, "of maps and arguments");
+  app.add_option("--jobs", options->jobs, "threads (default: one for each core)")->check(CLI::Range(1, 256));
+  return [options] { return rounding(*options); };
+}
+
+}  // namespace
+
+const Command kRoundingCommand = {
+    "rounding", "is production correctly rounded? random maps and arguments beside the oracle, bit for bit",
+    R"(  $ evalcts rounding
+  $ evalcts rounding --filter 'curve/4/*' --samples 1000000)",
+    define_rounding};
 
 }  // namespace evalcts::cli

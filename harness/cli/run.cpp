@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -11,7 +12,11 @@
 #include <mutex>
 #include <random>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/default_implementations.h"
+#include "harness/cli/environment.h"
+#include "harness/cli/pages.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/results/baseline.h"
 #include "harness/results/requirements.h"
@@ -22,6 +27,35 @@
 
 namespace evalcts::cli {
 namespace {
+
+struct RunOptions {
+  std::vector<std::string> implementations;  // empty: the default ones
+  std::string library;
+  std::string context;
+  std::string label;
+  std::string filter;  // empty: all that the depth plays unasked
+  std::string depth = "full";
+  std::uint32_t seed = 1;
+  double seconds_per_test = 60;
+  std::uint64_t mebibytes = 4096;  // of memory, for each process
+  int retries = 1;
+  std::optional<int> jobs;  // processes for each implementation
+  std::string output;       // empty: the usual folder
+  std::string baseline;     // "DIR", "DIR/NAME", "NAME", "none", or empty for the shipped ones
+  bool write_baseline = false;
+  bool strict = false;
+  bool reuse_context = false;
+  std::vector<std::string> interpretations;  // NAME=READING
+  std::string shard;                         // "K/N"; empty: all
+  std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
+  bool quiet = false, verbose = false;
+  std::string command;  // as typed
+  std::string program;  // how it was called
+
+  bool names_implementations() const {
+    return !implementations.empty() || !library.empty() || !context.empty();
+  }
+};
 
 namespace fs = std::filesystem;
 
@@ -79,154 +113,157 @@ std::string wrong_reading(const std::vector<std::string>& choices) {
   return {};
 }
 
-}  // namespace
+// What is wrong with the options, whatever the machine; empty if nothing is.
+std::string wrong_options(const RunOptions& options) {
+  const std::size_t named = std::max<std::size_t>(options.implementations.size(), 1);
+  const bool is_one = named == 1 && options.names_implementations();
+  if (!options.library.empty() && named != 1)
+    return "--library replaces the library of one implementation; name only that one";
+  if (!options.context.empty() && !options.implementations.empty())
+    return "--context takes the place of --implementation; give one of them";
+  if (!options.label.empty() && !is_one) return "--name labels one implementation; name only that one";
+  if (!options.label.empty() && !is_file_name(options.label))
+    return fmt::format(
+        "--name becomes part of file names: letters, digits, '-', '_' and '.' only, at most {}",
+        kLongestLabel);
+  for (const std::string& name : options.implementations)
+    if (!std::ranges::any_of(implementation_kinds(),
+                             [&](const ImplementationKind& kind) { return kind.name == name; }))
+      return fmt::format("there is no implementation '{}'; see 'evalcts list implementations'", name);
+  if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty())
+    return wrong + "; see 'evalcts list interpretations'";
+  return {};
+}
 
-int run(const RunOptions& options) {
-  const Places where = places();
-  const fs::path output = options.output.empty() ? where.output : fs::path(options.output);
+std::vector<ImplementationOptions> chosen_implementations(const RunOptions& options) {
+  std::vector<ImplementationOptions> chosen;
+  if (!options.names_implementations()) {
+    for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
+    return chosen;
+  }
+  // The commands that a failure is shown with work from everywhere.
+  const std::string library = options.library.find('/') == std::string::npos
+                                  ? options.library
+                                  : fs::absolute(options.library).lexically_normal().string();
+  for (const std::string& name : options.implementations) chosen.push_back({name, library, options.context});
+  if (chosen.empty()) chosen.push_back({"", library, options.context});
+  return chosen;
+}
 
+// The tests of the run, in the order in which they are played.
+std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vector<ListedTest>& all,
+                                     const RunRequest& request) {
+  std::vector<ListedTest> tests = matching(all, options.filter);
+  if (options.filter.empty())
+    std::erase_if(tests, [&](const ListedTest& test) { return test.from > request.depth; });
+  if (request.shard) tests = request.shard->part_of(tests);
+  if (options.shuffle) std::shuffle(tests.begin(), tests.end(), std::mt19937(*options.shuffle));
+  return tests;
+}
+
+RunRequest request_of(const RunOptions& options, const std::string& shard) {
   RunRequest request;
-  request.suite_program = where.suite_program;
+  request.suite_program = places().suite_program;
   request.depth = depth_named(options.depth).value_or(Depth::full);
   request.seed = options.seed;
   request.limits = {options.seconds_per_test, options.mebibytes << 20};
   request.retries = options.retries;
   // Which tests a process has behind it when it comes to the next depends on chance, but for a single one.
   request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
-  request.output = output;
+  request.output = options.output.empty() ? places().output : fs::path(options.output);
   request.command = options.command;
   request.program = options.program;
   request.own_output = !options.output.empty();
-  // The commands that a failure is shown with work from everywhere.
-  const std::string library = options.library.find('/') == std::string::npos
-                                  ? options.library
-                                  : fs::absolute(options.library).lexically_normal().string();
-
-  std::vector<ImplementationOptions> chosen;
-  const bool named = !options.implementations.empty() || !options.library.empty() || !options.context.empty();
-  if (named) {
-    for (const std::string& name : options.implementations)
-      chosen.push_back({name, library, options.context});
-    if (options.implementations.empty()) chosen.push_back({"", library, options.context});
-    if (!options.library.empty() && chosen.size() != 1) {
-      std::cerr << "evalcts: --library replaces the library of one implementation; name only that one\n";
-      return kWrongUse;
-    }
-    if (!options.context.empty() && !options.implementations.empty()) {
-      std::cerr << "evalcts: --context takes the place of --implementation; give one of them\n";
-      return kWrongUse;
-    }
-  } else {
-    for (const std::string& name : default_implementations()) chosen.push_back({name, "", ""});
-  }
-  if (!options.label.empty() && chosen.size() != 1) {
-    std::cerr << "evalcts: --name labels one implementation; name only that one\n";
-    return kWrongUse;
-  }
-  if (!options.label.empty() && !is_file_name(options.label)) {
-    std::cerr
-        << "evalcts: --name becomes part of file names: letters, digits, '-', '_' and '.' only, at most "
-        << kLongestLabel << "\n";
-    return kWrongUse;
-  }
-  for (const ImplementationOptions& implementation : chosen) {
-    bool known = implementation.name.empty();
-    for (const ImplementationKind& kind : implementation_kinds())
-      known = known || kind.name == implementation.name;
-    if (known) continue;
-    std::cerr << fmt::format("evalcts: there is no implementation '{}'; see 'evalcts list implementations'\n",
-                             implementation.name);
-    return kWrongUse;
-  }
-
-  if (const std::string wrong = wrong_reading(options.interpretations); !wrong.empty()) {
-    std::cerr << "evalcts: " << wrong << "; see 'evalcts list interpretations'\n";
-    return kWrongUse;
-  }
   request.readings = options.interpretations;
+  if (!shard.empty()) request.shard = Shard::parse(shard, "/");
+  return request;
+}
 
+// The passes over one implementation; the second, over one shared context, follows the first.
+std::vector<RunResult> passes_over(RunRequest request, bool reuse_context, ProgressLine& line) {
+  Pace pace;
+  const auto show = [&](const Progress& progress) {
+    line.show(request.name,
+              progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
+  };
+  std::vector<RunResult> passes = {run_implementation(request, show)};
+  if (reuse_context && passes[0].is_complete()) {
+    const RunResult first = passes[0];
+    pace = {};
+    request.first_pass = &first;
+    passes.push_back(run_implementation(request, show));
+  }
+  return passes;
+}
+
+// Compares the result with its baseline, which is written anew first if the user wants that.
+void apply_baseline(RunResult& result, const RunOptions& options, const RunRequest& request,
+                    const std::vector<ListedTest>& all_tests) {
+  Baseline baseline =
+      Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
+  // A baseline that was chosen for one pass leaves the other pass alone.
+  if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
+    const BaselineFiles renewed = baseline.renewed(result, request.baseline, result.file_label());
+    if (!baseline.name().empty() || !renewed.entries.empty())
+      renewed.write(baseline_of(options.baseline, places().baselines).folder);
+    baseline = baseline.with(renewed);
+  }
+  baseline.apply(result);
+  result.stale_baseline_entries = baseline.stale_entries(all_tests);
+}
+
+int run(const RunOptions& options, const std::string& shard) {
+  const auto wrong_use = [](const std::string& words) {
+    std::cerr << "evalcts: " << words << "\n";
+    return kWrongUse;
+  };
+  if (const std::string wrong = wrong_options(options); !wrong.empty()) return wrong_use(wrong);
+  RunRequest request = request_of(options, shard);
+  const std::vector<ImplementationOptions> chosen = chosen_implementations(options);
+  const fs::path output = request.output;
   const FolderLock lock = claim(output, options.command);
-
   if (options.baseline != "none") {
-    const ChosenBaseline wanted = baseline_of(options.baseline, where.baselines);
-    if (!options.write_baseline && !fs::is_directory(wanted.folder)) {
-      std::cerr << fmt::format(
-          "evalcts: --baseline '{}': not a directory, a baseline in a directory "
-          "(DIR/NAME, for DIR/NAME-fails.txt), the name of a shipped baseline, or 'none'\n",
-          options.baseline);
-      return kWrongUse;
-    }
+    const ChosenBaseline wanted = baseline_of(options.baseline, places().baselines);
+    if (!options.write_baseline && !fs::is_directory(wanted.folder))
+      return wrong_use(
+          fmt::format("--baseline '{}': not a directory, a baseline in a directory "
+                      "(DIR/NAME, for DIR/NAME-fails.txt), the name of a shipped baseline, or 'none'",
+                      options.baseline));
     request.baselines = BaselineFiles::read_all(wanted.folder);
     request.baseline = wanted.name;
   }
-
-  const std::vector<ListedTest> all_tests = list_tests(where.suite_program);
-  request.tests = matching(all_tests, options.filter);
-  if (options.filter.empty())
-    std::erase_if(request.tests, [&](const ListedTest& test) { return test.from > request.depth; });
-  if (request.tests.empty()) {
-    std::cerr << fmt::format("evalcts: no test matches '{}'; see 'evalcts list tests'\n", options.filter);
-    return kWrongUse;
-  }
-  if (!options.shard.empty()) {
-    request.shard = Shard::parse(options.shard, "/");
-    request.tests = request.shard->part_of(request.tests);
-  }
-  if (options.shuffle)
-    std::shuffle(request.tests.begin(), request.tests.end(), std::mt19937(*options.shuffle));
+  const std::vector<ListedTest> all_tests = list_tests(request.suite_program);
+  request.tests = chosen_tests(options, all_tests, request);
+  if (matching(all_tests, options.filter).empty())
+    return wrong_use(fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter));
 
   stop_when_asked();
   adopt_what_children_leave();
   ProgressLine line(options.quiet);
-  std::vector<RunResult> results;
-  int code = kNothingUnexpected;
   // Side by side: each implementation has processes of its own. Their summaries come in the order asked for.
-  // A second pass follows the first of the same implementation.
   std::vector<std::future<std::vector<RunResult>>> running;
   for (const ImplementationOptions& implementation : chosen) {
     request.implementation = implementation;
     request.name = !options.label.empty()        ? options.label
                    : implementation.name.empty() ? "library"
                                                  : implementation.name;
-    running.push_back(std::async(std::launch::async, [request, &line, &options]() mutable {
-      Pace pace;
-      const auto show = [&](const Progress& progress) {
-        line.show(request.name,
-                  progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
-      };
-      std::vector<RunResult> passes = {run_implementation(request, show)};
-      if (options.reuse_context && passes[0].is_complete()) {
-        const RunResult first = passes[0];
-        pace = {};
-        request.first_pass = &first;
-        passes.push_back(run_implementation(request, show));
-      }
-      return passes;
-    }));
+    running.push_back(
+        std::async(std::launch::async, passes_over, request, options.reuse_context, std::ref(line)));
   }
+  std::vector<RunResult> results;
+  int code = kNothingUnexpected;
   for (auto& future : running) {
     std::vector<RunResult> passes;
     try {
       passes = future.get();
     } catch (const CannotWrite& problem) {
       line.print("");
-      std::cerr << fmt::format("evalcts: {}\n", problem.what());
-      code = std::max(code, kWrongUse);
+      code = std::max(code, wrong_use(problem.what()));
     }
     for (RunResult& result : passes) {
       const std::string label = result.file_label();
       if (options.baseline != "none" && result.has_started()) {
-        Baseline baseline =
-            Baseline::best_fit(request.baselines, result.implementation, result.pass, request.baseline);
-        // A baseline that was chosen for one pass leaves the other pass alone.
-        if (options.write_baseline && (request.baseline.empty() || baseline.has_part(request.baseline))) {
-          const BaselineFiles renewed = baseline.renewed(result, request.baseline, label);
-          if (!baseline.name().empty() || !renewed.entries.empty())
-            renewed.write(baseline_of(options.baseline, where.baselines).folder);
-          baseline = baseline.with(renewed);
-        }
-        baseline.apply(result);
-        result.stale_baseline_entries = baseline.stale_entries(all_tests);
+        apply_baseline(result, options, request, all_tests);
         write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       }
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
@@ -234,18 +271,73 @@ int run(const RunOptions& options) {
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
-      code = std::max(code, exit_code_of(result, named, options.strict));
+      code = std::max(code, exit_code_of(result, options.names_implementations(), options.strict));
       if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
   }
   write_pages(output, results, {});
   if (!options.quiet) std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
-  if (interrupted) {
-    std::cerr << "evalcts: interrupted; what was obtained is in the output folder\n";
-    code = std::max(code, kWrongUse);
-  }
+  if (interrupted) code = std::max(code, wrong_use("interrupted; what was obtained is in the output folder"));
   return code;
 }
+
+std::function<int()> define_run(CLI::App& app, const Call& call) {
+  const auto options = std::make_shared<RunOptions>();
+  options->program = call.program;
+  options->command = call.command;
+  add_repeatable(app, "--implementation", options->implementations, "what to judge; may be repeated");
+  app.add_option("--library", options->library, "shared library instead of the usual one");
+  app.add_option("--context", options->context,
+                 fmt::format("what makes the contexts, instead of an implementation: {}, or the path "
+                             "of a provider",
+                             fmt::join(evalcts::context_names(), ", ")));
+  app.add_option("--name", options->label, "label of the output, instead of the implementation's name");
+  app.add_option("--filter", options->filter, "tests to run: patterns as in GoogleTest, 'Map1*:-*Copy*'");
+  app.add_option("--depth", options->depth, "how many values")
+      ->check(CLI::IsMember({"quick", "full", "thorough"}));
+  app.add_option("--seed", options->seed, "seed of the random tests");
+  app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
+  app.add_option("--memory", options->mebibytes, "MiB of memory for a process that plays tests")
+      ->check(CLI::Range(64.0, 1e9));
+  app.add_option("--retry", options->retries, "how often an unexpected fail is played again")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--jobs", options->jobs,
+                 "processes that share the tests of an implementation (default: one for each core, at most "
+                 "8; one with --shuffle)")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--output", options->output, "folder for results and report");
+  app.add_option("--baseline", options->baseline,
+                 "known failures: DIR with baselines, DIR/NAME or NAME for a certain one, or 'none' "
+                 "(default: the shipped one "
+                 "that fits the implementation)");
+  app.add_flag("--write-baseline", options->write_baseline, "write what fails as the baseline");
+  app.add_flag("--strict", options->strict, "an unexpected pass and a stale baseline entry count, too");
+  add_repeatable(app, "--interpretation", options->interpretations,
+                 "NAME=READING: the reading of an ambiguous text that is wanted, see 'evalcts list "
+                 "interpretations'; may be repeated");
+  app.add_flag("--reuse-context", options->reuse_context,
+               "a second pass over one shared context, for defects that depend on history");
+  add_shard(app, options->shard, "K/N: every N-th of the tests, from the K-th on; N machines play them all");
+  app.add_option("--shuffle", options->shuffle,
+                 "run the tests in a random order (GoogleTest keeps those of a suite together): its "
+                 "seed");
+  CLI::Option* verbose =
+      app.add_flag("--verbose", options->verbose, "all failing tests and what was not judged");
+  app.add_flag("--quiet", options->quiet, "one line for each implementation")->excludes(verbose);
+  return [options, &call] { return run(*options, options->shard.empty() ? call.shard : options->shard); };
+}
+
+}  // namespace
+
+const Command kRunCommand = {
+    "run", "judge implementations (default: osmesa, or egl without it, production and reference)",
+    R"(  $ evalcts run                                         # osmesa (or egl), production and reference
+  $ evalcts run --library ./libOSMesa.so.8              # a library of your own
+  $ evalcts run --filter 'Map1Errors.*:-*ActiveTexture*' --depth quick
+  $ evalcts run --library ./libEGL.so.1 --baseline mine --write-baseline    # once
+  $ evalcts run --library ./libEGL.so.1 --baseline mine --strict --quiet    # in CI
+  $ evalcts run --shard 2/4 --output part-2             # on the second of four machines)",
+    define_run};
 
 }  // namespace evalcts::cli

@@ -17,6 +17,7 @@
 
 #include "harness/accuracy/checkpoint.h"
 #include "harness/accuracy/table.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
 #include "harness/cli/world.h"

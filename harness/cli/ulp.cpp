@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <csignal>
@@ -22,6 +23,8 @@
 #include "harness/accuracy/profile.h"
 #include "harness/accuracy/search.h"
 #include "harness/accuracy/table.h"
+#include "harness/cli/default_implementations.h"
+#include "harness/cli/places.h"
 #include "harness/cli/terminal.h"
 #include "harness/cli/ulp.h"
 #include "harness/results/files.h"
@@ -450,13 +453,13 @@ std::string wrong_points(const UlpOptions& options) {
   return {};
 }
 
+namespace {
+
 std::vector<std::string> own_subject_names() {
   std::vector<std::string> names;
   for (const accuracy::SubjectKind& kind : accuracy::own_subjects()) names.push_back(kind.name);
   return names;
 }
-
-std::vector<std::string> ulp_targets() { return accuracy::target_names(); }
 
 int ulp(const UlpOptions& options) {
   if (!options.rows.empty()) return measure_rows(options);
@@ -543,5 +546,64 @@ int ulp(const UlpOptions& options) {
   if (interrupted) std::cerr << "evalcts: interrupted; what was measured is in the output folder\n";
   return code;
 }
+
+std::function<int()> define_ulp(CLI::App& app, const Call& call) {
+  const auto options = std::make_shared<UlpOptions>();
+  options->program = call.program;
+  options->command = call.command;
+  add_repeatable(app, "--implementation", options->implementations,
+                 fmt::format("what to measure, also {}; may be repeated (default: osmesa, or egl without it, "
+                             "and all that need no library)",
+                             fmt::join(own_subject_names(), ", ")));
+  app.add_option("--library", options->library, "shared library instead of the usual one");
+  app.add_option("--context", options->context, "what makes the contexts, as for run");
+  app.add_option("--name", options->label, "label in the output, instead of the implementation's name");
+  add_repeatable(app, "--target", options->targets, "kind of map; may be repeated (default: vertex_3)")
+      ->check(CLI::IsMember(accuracy::target_names()));
+  app.add_option("--filter", options->filter, "classes of maps: patterns as in GoogleTest, 'curve/4/*'");
+  app.add_option("--values", options->values,
+                 "of each row of the table (default: 20000), or of the digest (default: 10000000)")
+      ->check(CLI::Range(1.0, 1e15));
+  app.add_option("--climb", options->climb,
+                 "results of each row that the search for worse inputs takes, from the worst of these on "
+                 "(default: as many)")
+      ->check(CLI::Range(0.0, 1e15));  // by itself the parser takes -1 for 2^64 - 1
+  app.add_option("--seed", options->seed, "of maps and arguments");
+  app.add_option("--jobs", options->jobs, "implementations side by side (default: one for each core)")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--output", options->output, "folder for ulp.json and ulp.csv");
+  app.add_flag("--verbose", options->verbose, "the worst inputs of every row");
+  app.add_option("--orders", options->orders, "one input instead: its order, or its two orders")
+      ->delimiter(',')
+      ->expected(1, 2);
+  app.add_option("--points", options->points, "its control points, v fastest")->delimiter(',');
+  app.add_option("--at", options->at, "its argument, or its two arguments")->delimiter(',')->expected(1, 2);
+  app.add_flag("--sweep", options->sweep,
+               "every float of an interval as argument of one map: --orders and --points");
+  app.add_option("--u", options->fixed_u, "of a surface that is swept along v: its u");
+  app.add_option("--v", options->fixed_v, "of a surface that is swept along u: its v");
+  app.add_flag("--digest", options->digest,
+               "one line for many results of production, or of another implementation, on random maps");
+  app.add_option("--merge", options->merge,
+                 "files of all shards of a sweep: makes one of them, as of a sweep without shards");
+  app.add_option("--page", options->page,
+                 "an earlier ulp.json: writes its page again, with the sweeps in the output folder");
+  app.add_option("--from", options->from, "where the interval begins (default: 0)");
+  app.add_option("--to", options->to, "where it ends (default: 1)");
+  add_shard(app, options->shard, "K/N: every N-th block of the sweep, from the K-th on");
+  app.add_option("--checkpoint", options->checkpoint,
+                 "the file from which a sweep goes on, and its result (default: in the output folder)");
+  app.add_option("--rows", options->rows)->group("");
+  return [options] { return ulp(*options); };
+}
+
+}  // namespace
+
+const Command kUlpCommand = {
+    "ulp", "how far from the exact values? errors of implementations in ULP and beside their condition",
+    R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
+  $ evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
+  $ evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)",
+    define_ulp};
 
 }  // namespace evalcts::cli

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
+#include "harness/cli/vectors.h"
 #include "harness/results/requirements.h"
 #include "vectors/lint/lint.h"
 #include "vectors/write/write.h"
@@ -98,5 +101,38 @@ int lint_vectors(const VectorsOptions& options) {
   }
   return code;
 }
+
+namespace {
+
+std::function<int()> define_vectors(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<VectorsOptions>();
+  app.require_subcommand(1);
+  CLI::App* const write =
+      app.add_subcommand("write", "make them all anew, byte for byte as they are shipped");
+  write->add_option("--output", options->output, "folder to write into (default: the shipped one)");
+  CLI::App* const lint =
+      app.add_subcommand("lint", "look over files of vectors: structure, ids, requirements, flags");
+  lint->add_option("file", options->files, "the files (default: those that are shipped)");
+  CLI::App* const emit =
+      app.add_subcommand("emit", "as lines of text, to be answered: emit | PROGRAM | evalcts vectors check");
+  CLI::App* const check = app.add_subcommand("check", "judge the answers on standard input");
+  for (CLI::App* command : {emit, check})
+    command->add_option("--kind", options->kinds, "only these (the same for emit and check)")
+        ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
+  return [=] {
+    return *write  ? write_vectors(*options)
+           : *lint ? lint_vectors(*options)
+           : *emit ? emit_vectors(*options)
+                   : check_vectors(*options);
+  };
+}
+
+}  // namespace
+
+const Command kVectorsCommand = {
+    "vectors", "golden vectors: right answers as data",
+    R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
+  $ evalcts vectors lint mine.json)",
+    define_vectors};
 
 }  // namespace evalcts::cli

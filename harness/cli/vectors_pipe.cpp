@@ -4,7 +4,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/command.h"
+#include "harness/cli/places.h"
+#include "harness/cli/vectors.h"
 #include "vectors/lint/lint.h"
 #include "vectors/pipe/pipe.h"
 #include "vectors/write/write.h"

@@ -1,6 +1,7 @@
 #include "harness/faults/fault_table.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -8,6 +9,9 @@
 #include <mutex>
 #include <thread>
 
+#include "harness/implementations/implementation.h"
+#include "harness/results/files.h"
+#include "harness/runner/child_process.h"
 #include "harness/runner/interruption.h"
 #include "harness/runner/suite_child.h"
 
@@ -174,6 +178,22 @@ std::vector<TriedFault> try_faults(
   for (std::optional<TriedFault>& result : results)
     if (result) all.push_back(*std::move(result));
   return all;
+}
+
+std::vector<ListedFault> list_faults(const fs::path& program) {
+  if (!fs::exists(program))
+    throw CannotStart(fmt::format(
+        "'{}' is missing. In a checkout ./evalcts faults builds it; what is installed has no faults",
+        program.string()));
+  const fs::path file = fs::temp_directory_path() / fmt::format("evalcts-faults-{}.json", getpid());
+  ChildProcess child({program.string(), "--list-faults", file.string()}, "");
+  const std::optional<Ending> ending = child.wait(60);
+  std::optional<std::vector<ListedFault>> faults = parse_faults(read_file(file));
+  fs::remove(file);
+  if (!faults)
+    throw std::runtime_error(fmt::format("'{}' does not say which faults there are ({})", program.string(),
+                                         ending ? describe(*ending) : "it takes too long"));
+  return *std::move(faults);
 }
 
 }  // namespace evalcts::faults

@@ -84,4 +84,8 @@ std::string to_text(const FaultTable& table);
 std::string to_text(const std::vector<ListedFault>& faults);
 std::optional<std::vector<ListedFault>> parse_faults(const std::string& text);
 
+// The answer of the suite program with faults. Throws CannotStart if there is no such program, else
+// std::runtime_error.
+std::vector<ListedFault> list_faults(const std::filesystem::path& suite_program);
+
 }  // namespace evalcts::faults

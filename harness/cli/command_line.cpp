@@ -1,0 +1,96 @@
+// The command line of evalcts.
+#include "harness/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "harness/cli/command.h"
+#include "harness/cli/environment.h"
+#include "harness/cli/help.h"
+#include "harness/implementations/implementation.h"
+#include "harness/results/baseline.h"
+#include "harness/results/files.h"
+
+namespace evalcts::cli {
+
+namespace {
+
+// In the order of the help.
+constexpr const Command* kCommands[] = {
+    &kRunCommand,    &kListCommand, &kCoverageCommand, &kExplainCommand, &kReproduceCommand, &kReportCommand,
+    &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};
+
+Call call_of(int argc, char** argv) {
+  // The launcher says how it was called itself.
+  const char* const launcher = std::getenv("EVALCTS_LAUNCHER");
+  Call call = {launcher && *launcher ? launcher : argc > 0 ? argv[0] : "evalcts", "evalcts", ""};
+  for (int i = 1; i < argc; ++i) call.command += std::string(" ") + argv[i];
+  return call;
+}
+
+// Carries out the command. What is thrown becomes a message and an exit code.
+int carry_out(const std::function<int()>& command, Call& call) {
+  const auto complain = [](const std::exception& error, int code, const char* advice = "") {
+    std::cerr << "evalcts: " << error.what() << advice << "\n";
+    return code;
+  };
+  try {
+    call.shard = shard_of_environment();
+    forget_googletest();
+    return command();
+  } catch (const CannotStart& error) {
+    return complain(error, kWrongUse);
+  } catch (const BadEnvironment& error) {
+    return complain(error, kWrongUse);
+  } catch (const BadBaseline& error) {
+    return complain(error, kWrongUse);
+  } catch (const CannotWrite& error) {
+    return complain(error, kWrongUse, "; free some space, or choose another folder with --output");
+  } catch (const std::exception& error) {
+    return complain(error, kOwnFault);
+  }
+}
+
+}  // namespace
+
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                            const std::string& description) {
+  return app.add_option(name, values, description)->expected(1)->take_all();
+}
+
+CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description) {
+  return app.add_option("--shard", shard, description)->check([](const std::string& text) {
+    return Shard::parse(text, "/") ? std::string() : "'" + text + "' is no K/N with 1 <= K <= N";
+  });
+}
+
+int command_line(int argc, char** argv, bool only_parse) {
+  CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators", "evalcts"};
+  app.formatter(help_formatter());
+  app.footer(
+      "'evalcts COMMAND --help' shows the options of a command with examples.\n"
+      "Exit codes: 0 nothing unexpected; 1 an unexpected fail, crash or timeout; 2 wrong use, or something\n"
+      "could not be started, read or written; 3 a fault of evalcts.");
+  app.set_version_flag("--version", "evalcts " EVALCTS_VERSION);
+  app.require_subcommand(1);
+  Call call = call_of(argc, argv);
+  std::function<int()> chosen;
+  for (const Command* command : kCommands) {
+    CLI::App* const part = app.add_subcommand(command->name, command->description);
+    part->footer(std::string("Examples:\n") + command->examples);
+    part->parse_complete_callback([&chosen, action = command->define(*part, call)] { chosen = action; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (app.exit(error) == 0) return kNothingUnexpected;
+    const std::string words = suggestion(app, {argv + std::min(argc, 1), argv + argc});
+    if (!words.empty()) std::cerr << words << "\n";
+    return kWrongUse;
+  }
+  return only_parse ? kNothingUnexpected : carry_out(chosen, call);
+}
+
+}  // namespace evalcts::cli

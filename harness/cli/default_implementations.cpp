@@ -1,0 +1,35 @@
+#include "harness/cli/default_implementations.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "harness/cli/places.h"
+#include "harness/implementations/implementation.h"
+#include "harness/runner/question.h"
+
+namespace evalcts::cli {
+
+std::string why_not(const std::string& implementation) {
+  std::string reason;
+  return describe_implementation({places().suite_program.string(), "--implementation", implementation},
+                                 reason)
+             ? std::string()
+             : reason;
+}
+
+std::vector<std::string> default_implementations() {
+  std::vector<std::string> names;
+  for (const ImplementationKind& kind : implementation_kinds()) {
+    if (!kind.by_default) continue;
+    names.push_back(kind.name);
+    if (kind.name != "osmesa") continue;
+    const std::string reason = why_not("osmesa");
+    if (reason.empty()) continue;
+    std::cout << fmt::format("osmesa does not start ({}): egl takes its place\n", reason);
+    names.back() = "egl";
+  }
+  return names;
+}
+
+}  // namespace evalcts::cli

@@ -1,0 +1,20 @@
+// The commands behind `evalcts vectors`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace evalcts::cli {
+
+struct VectorsOptions {
+  std::string output;              // folder to write into; empty: the usual one
+  std::vector<std::string> files;  // to look at; empty: those that are shipped
+  std::vector<std::string> kinds;  // that are asked in a pipe; empty: all of them
+};
+
+int write_vectors(const VectorsOptions& options);
+int lint_vectors(const VectorsOptions& options);
+int emit_vectors(const VectorsOptions& options);
+int check_vectors(const VectorsOptions& options);
+
+}  // namespace evalcts::cli
