@@ -24,13 +24,12 @@ trap 'rm -rf "$top"' EXIT
 tree="$top/a tree"          # the checkout; the space is on purpose
 bin=$top/bin                # all that is on the PATH
 machine=$top/machine        # what the scripts below know and note
-required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libhwy-dev
-  libkainjow-mustache-dev libgl-dev libegl-dev'
+required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libvalijson-dev
+  libhwy-dev libkainjow-mustache-dev libgl-dev libegl-dev'
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran pkg-config libpng-dev clang clang-tidy-14
   clang-format-14 gcovr chromium chromium-driver python3-selenium help2man gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
-  libvalijson-dev
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -256,7 +255,7 @@ scenario "the first call installs, builds, hands over; the second only builds"
 evalcts run --filter 'a  b' -- --no-install
 exits 7
 says "installing $required libosmesa6 xvfb"
-says "14 packages, 7.0 MB to download, 29 MB on disk"
+says "15 packages, 7.5 MB to download, 31 MB on disk"
 says "<program><run><--filter><a  b><--><--no-install>"
 says "$top/elsewhere"
 says "lock is free"
@@ -331,7 +330,7 @@ evalcts run
 exits 2
 says "Fedora's packages, as far as their names are known (untested):"
 check "the line" grep -qxF "  sudo dnf install gcc-c++ cmake ninja-build boost-devel gtest-devel cli11-devel json-devel \
-fmt-devel highway-devel libglvnd-devel mesa-libEGL-devel xorg-x11-server-Xvfb" <<<"$output"
+fmt-devel valijson-devel highway-devel libglvnd-devel mesa-libEGL-devel xorg-x11-server-Xvfb" <<<"$output"
 check "what has no name there" grep -qxF "  libkainjow-mustache-dev" <<<"$output"
 says_not nlohmann-json3-dev
 rm "$bin/dnf"

@@ -14,8 +14,8 @@
 #include "harness/accuracy/exact_line.h"
 #include "harness/accuracy/table.h"
 #include "harness/gl/tokens.h"
+#include "harness/results/json_schema.h"
 #include "harness/tests/program.h"
-#include "vectors/lint/lint.h"
 
 namespace evalcts::accuracy {
 namespace {
@@ -410,9 +410,8 @@ class SweepCommand : public ProgramTest {
     return json::parse(stream, nullptr, false);
   }
   static std::string complaints(const json& file) {
-    if (!vectors::has_schema_validator()) return {};
     std::ifstream schema(SWEEP_SCHEMA);
-    return vectors::complaints_by_schema(file, json::parse(schema));
+    return JsonSchema(json::parse(schema)).complaint(file);
   }
 };
 

@@ -6,8 +6,8 @@
 #include <regex>
 #include <thread>
 
+#include "harness/results/json_schema.h"
 #include "harness/tests/program.h"
-#include "vectors/lint/lint.h"
 
 namespace evalcts {
 namespace {
@@ -31,9 +31,8 @@ class UlpCommand : public ProgramTest {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
   static std::string complaints(const json& file) {
-    if (!vectors::has_schema_validator()) return {};
     std::ifstream schema(ULP_SCHEMA);
-    return vectors::complaints_by_schema(file, json::parse(schema));
+    return JsonSchema(json::parse(schema)).complaint(file);
   }
 };
 

@@ -15,13 +15,8 @@ struct Malformed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The members, their types and the forms of numbers, the counts that follow from targets and orders, the
-// order of steps: what schema/vectors-1.schema.json says and some that a schema cannot say. Throws Malformed.
+// Checks schema/vectors-1.schema.json and the counts that follow from the targets of maps. Throws Malformed.
 void check_structure(const nlohmann::json& file);
-
-// The same by the schema alone, if the build has valijson: the complaints, or nothing.
-bool has_schema_validator();
-std::string complaints_by_schema(const nlohmann::json& file, const nlohmann::json& schema);
 
 struct Report {
   std::string kind;

@@ -1,0 +1,45 @@
+#include "harness/results/json_schema.h"
+
+#include <fmt/format.h>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "harness/results/json.h"
+
+namespace evalcts {
+
+using nlohmann::json;
+using valijson::adapters::NlohmannJsonAdapter;
+
+struct JsonSchema::Parsed {
+  valijson::Schema schema;
+};
+
+JsonSchema::JsonSchema(const json& text) : parsed_(std::make_unique<Parsed>()) {
+  valijson::SchemaParser().populateSchema(NlohmannJsonAdapter(text), parsed_->schema);
+}
+JsonSchema::~JsonSchema() = default;
+
+std::string JsonSchema::complaint(const json& value) const {
+  valijson::ValidationResults results;
+  // Without results the validator stops at the first violation and describes none.
+  if (valijson::Validator().validate(parsed_->schema, NlohmannJsonAdapter(value), nullptr)) return {};
+  valijson::Validator().validate(parsed_->schema, NlohmannJsonAdapter(value), &results);
+  valijson::ValidationResults::Error error;
+  if (!results.popError(error)) return ": not valid";
+  // The innermost violation comes first. Its context is "<root>", "[map]", "[points]", "[0]".
+  std::string place;
+  for (std::size_t i = 1; i < error.context.size(); ++i) {
+    const std::string& step = error.context[i];
+    place += '/' + step.substr(1, step.size() - 2);
+  }
+  std::string given = value.at(json::json_pointer(place)).dump();
+  if (given.size() > 60) given = given.substr(0, 57) + "...";
+  return fmt::format("{}: {}: {}", place, error.description, given);
+}
+
+}  // namespace evalcts
