@@ -1,4 +1,4 @@
-#include "reports/comparison.h"
+#include "comparison.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "evalcts/reports.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/side_by_side.h"
+#include "side_by_side.h"
 
 namespace evalcts::reports {
 

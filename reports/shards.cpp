@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "evalcts/reports.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/side_by_side.h"
+#include "side_by_side.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/run_result.h"
+#include <evalcts/results/run_result.h>
 
 namespace evalcts::reports {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/results/text.h"
+#include <evalcts/results/text.h>
 
 namespace evalcts::reports {
 

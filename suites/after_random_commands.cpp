@@ -2,9 +2,9 @@
 // forgets to renew shows. A failure depends on the past; its case has all of it.
 #include <fmt/format.h>
 
-#include "harness/fuzz/random_program.h"
-#include "harness/judge/prediction.h"
-#include "suites/refusal.h"
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/judge/prediction.h>
+#include "refusal.h"
 
 namespace evalcts::suite_after_random_commands {
 namespace {

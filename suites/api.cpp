@@ -4,8 +4,8 @@
 #include <cstring>
 #include <functional>
 
-#include "harness/gl/lift.h"
-#include "suites/maps2.h"
+#include <evalcts/gl/lift.h>
+#include "maps2.h"
 
 namespace evalcts::suite_api {
 namespace {

@@ -2,7 +2,7 @@
 // not.
 #include <fmt/format.h>
 
-#include "suites/maps2.h"
+#include "maps2.h"
 
 namespace evalcts::suite_attribute_stack {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "suites/grid_cases.h"
+#include "grid_cases.h"
 
 namespace evalcts::suite_automatic_normals {
 namespace {

@@ -1,9 +1,9 @@
 // Section 12 of the requirements: evaluated colours in the lighting equation.
 #include <fmt/format.h>
 
-#include "harness/judge/prediction.h"
-#include "suites/maps.h"
-#include "suites/pictures.h"
+#include <evalcts/judge/prediction.h>
+#include "maps.h"
+#include "pictures.h"
 
 namespace evalcts::suite_color_material {
 namespace {

@@ -1,7 +1,7 @@
 // Section 21 of the requirements, contexts: each has evaluators of its own.
 #include <fmt/format.h>
 
-#include "suites/maps2.h"
+#include "maps2.h"
 
 namespace evalcts::suite_contexts {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "harness/gl/lift.h"
-#include "suites/maps.h"
+#include <evalcts/gl/lift.h>
+#include "maps.h"
 
 namespace evalcts::suite_current_values {
 namespace {

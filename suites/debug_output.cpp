@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "harness/gl/contexts.h"
-#include "suites/maps2.h"
-#include "suites/refusal.h"
+#include <evalcts/gl/contexts.h>
+#include "maps2.h"
+#include "refusal.h"
 
 namespace evalcts::suite_debug_output {
 namespace {

@@ -3,8 +3,8 @@
 // (gl/display_lists.h).
 #include <fmt/format.h>
 
-#include "suites/grid_cases.h"
-#include "suites/refusal.h"
+#include "grid_cases.h"
+#include "refusal.h"
 
 namespace evalcts::suite_display_lists {
 namespace {

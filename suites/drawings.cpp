@@ -1,4 +1,4 @@
-#include "suites/drawings.h"
+#include "drawings.h"
 
 #include <fmt/format.h>
 

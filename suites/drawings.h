@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/judge/prediction.h"
-#include "suites/grid_cases.h"
-#include "suites/pictures.h"
+#include <evalcts/judge/prediction.h>
+#include "grid_cases.h"
+#include "pictures.h"
 
 namespace evalcts {
 

@@ -1,8 +1,8 @@
 // Section 6 of the requirements: the 18 map enables and AUTO_NORMAL.
 #include <fmt/format.h>
 
-#include "harness/gl/lift.h"
-#include "suites/maps2.h"
+#include <evalcts/gl/lift.h>
+#include "maps2.h"
 
 namespace evalcts::suite_enables {
 namespace {

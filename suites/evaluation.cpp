@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "harness/gl/lift.h"
-#include "suites/maps2.h"
+#include <evalcts/gl/lift.h>
+#include "maps2.h"
 
 namespace evalcts::suite_evaluation {
 namespace {

@@ -2,9 +2,9 @@
 // tokens where they are not.
 #include <fmt/format.h>
 
-#include "harness/judge/prediction.h"
-#include "suites/pictures.h"
-#include "suites/refusal.h"
+#include <evalcts/judge/prediction.h>
+#include "pictures.h"
+#include "refusal.h"
 
 namespace evalcts::suite_extensions {
 namespace {

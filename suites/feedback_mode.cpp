@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "suites/drawings.h"
+#include "drawings.h"
 
 namespace evalcts::suite_feedback_mode {
 namespace {

@@ -1,7 +1,7 @@
 // Programs that random search found on some implementation, see findings/README.md: each has to do what the
 // executable specification says.
-#include "harness/fuzz/as_specified.h"
-#include "harness/fuzz/events.h"
+#include <evalcts/fuzz/as_specified.h>
+#include <evalcts/fuzz/events.h>
 
 namespace evalcts::suite_findings {
 namespace {

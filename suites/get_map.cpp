@@ -1,7 +1,7 @@
 // Section 18 of the requirements as far as one-dimensional maps go: GetMap in its three forms, and Get.
 #include <fmt/format.h>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts::suite_get_map {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suites/maps2.h"
+#include "maps2.h"
 
 namespace evalcts::suite_get_map2 {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "suites/glx_requests.h"
-#include "suites/maps2.h"
-#include "suites/refusal.h"
+#include "glx_requests.h"
+#include "maps2.h"
+#include "refusal.h"
 
 namespace evalcts::suite_glx_protocol {
 namespace {

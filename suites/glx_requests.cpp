@@ -1,4 +1,4 @@
-#include "suites/glx_requests.h"
+#include "glx_requests.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "suites/grid_cases.h"
+#include "grid_cases.h"
 
 #include <fmt/format.h>
 

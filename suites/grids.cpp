@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "suites/refusal.h"
+#include "refusal.h"
 
 namespace evalcts::suite_grids {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "suites/maps2.h"
+#include "maps2.h"
 
 namespace evalcts::suite_interpretations {
 namespace {

@@ -1,3 +1,3 @@
-#include "harness/runner/suite_main.h"
+#include <evalcts/suite/suite_main.h>
 
 int main(int argc, char** argv) { return evalcts::suite_main(argc, argv); }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts::suite_map1_errors {
 namespace {

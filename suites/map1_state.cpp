@@ -1,7 +1,7 @@
 // Section 3 of the requirements, the state: what Map1 keeps, and what it leaves alone.
 #include <fmt/format.h>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts::suite_map1_state {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts::suite_map1_values {
 namespace {

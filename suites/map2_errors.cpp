@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/refusal.h"
+#include "refusal.h"
 
 namespace evalcts::suite_map2_errors {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "suites/maps2.h"
+#include "maps2.h"
 
 namespace evalcts::suite_map2_state {
 namespace {

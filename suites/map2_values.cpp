@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "suites/grid_cases.h"
+#include "grid_cases.h"
 
 namespace evalcts::suite_map2_values {
 namespace {

@@ -1,4 +1,4 @@
-#include "suites/maps.h"
+#include "maps.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/runner/test.h"
+#include <evalcts/testkit/test.h>
 
 namespace evalcts {
 

@@ -1,4 +1,4 @@
-#include "suites/maps2.h"
+#include "maps2.h"
 
 #include <algorithm>
 

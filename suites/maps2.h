@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts {
 

@@ -2,7 +2,7 @@
 // and that no index of EvalPoint is wrong.
 #include <fmt/format.h>
 
-#include "suites/refusal.h"
+#include "refusal.h"
 
 namespace evalcts::suite_mesh_errors {
 namespace {

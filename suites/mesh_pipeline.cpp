@@ -8,10 +8,10 @@
 #include <set>
 #include <span>
 
-#include "harness/judge/prediction.h"
-#include "suites/drawings.h"
-#include "suites/grid_cases.h"
-#include "suites/pictures.h"
+#include <evalcts/judge/prediction.h>
+#include "drawings.h"
+#include "grid_cases.h"
+#include "pictures.h"
 
 namespace evalcts::suite_mesh_pipeline {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <map>
 
-#include "harness/judge/prediction.h"
-#include "suites/grid_cases.h"
+#include <evalcts/judge/prediction.h>
+#include "grid_cases.h"
 
 namespace evalcts::suite_meshes {
 namespace {

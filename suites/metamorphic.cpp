@@ -11,8 +11,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "harness/gl/call_log.h"
-#include "suites/maps2.h"
+#include <evalcts/gl/call_log.h>
+#include "maps2.h"
 
 namespace evalcts::suite_metamorphic {
 namespace {

@@ -2,9 +2,9 @@
 // lit like those of Normal3, and reach a vertex program as they are.
 #include <fmt/format.h>
 
-#include "harness/judge/prediction.h"
-#include "suites/maps2.h"
-#include "suites/pictures.h"
+#include <evalcts/judge/prediction.h>
+#include "maps2.h"
+#include "pictures.h"
 
 namespace evalcts::suite_normals_pipeline {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <limits>
 
-#include "harness/gl/call_log.h"
-#include "suites/grid_cases.h"
+#include <evalcts/gl/call_log.h>
+#include "grid_cases.h"
 
 namespace evalcts::suite_numeric {
 namespace {

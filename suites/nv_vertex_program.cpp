@@ -1,8 +1,8 @@
 // Section 24 of the requirements: NV_vertex_program, maps of its 16 vertex attributes.
 #include <fmt/format.h>
 
-#include "suites/pictures.h"
-#include "suites/refusal.h"
+#include "pictures.h"
+#include "refusal.h"
 
 namespace evalcts::suite_nv_vertex_program {
 namespace {

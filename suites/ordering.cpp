@@ -2,10 +2,10 @@
 // command sees all earlier ones and no later one.
 #include <fmt/format.h>
 
-#include "harness/judge/prediction.h"
-#include "suites/maps2.h"
-#include "suites/pictures.h"
-#include "suites/refusal.h"
+#include <evalcts/judge/prediction.h>
+#include "maps2.h"
+#include "pictures.h"
+#include "refusal.h"
 
 namespace evalcts::suite_ordering {
 namespace {

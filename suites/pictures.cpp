@@ -1,4 +1,4 @@
-#include "suites/pictures.h"
+#include "pictures.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "harness/capture/capture.h"
+#include <evalcts/capture/capture.h>
 
 namespace evalcts {
 namespace {

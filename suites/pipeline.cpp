@@ -3,9 +3,9 @@
 // implementation under the same state; only the evaluation itself may differ, by the accuracy rule.
 #include <functional>
 
-#include "harness/judge/prediction.h"
-#include "suites/maps.h"
-#include "suites/pictures.h"
+#include <evalcts/judge/prediction.h>
+#include "maps.h"
+#include "pictures.h"
 
 namespace evalcts::suite_pipeline {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suites/grid_cases.h"
+#include "grid_cases.h"
 
 namespace evalcts::suite_points {
 namespace {

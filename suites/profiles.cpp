@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "harness/gl/contexts.h"
-#include "suites/refusal.h"
+#include <evalcts/gl/contexts.h>
+#include "refusal.h"
 
 namespace evalcts::suite_profiles {
 namespace {

@@ -1,4 +1,4 @@
-#include "suites/programs.h"
+#include "programs.h"
 
 namespace evalcts {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/drawings.h"
-#include "suites/programs.h"
+#include "drawings.h"
+#include "programs.h"
 
 namespace evalcts::suite_recorded_primitives {
 namespace {

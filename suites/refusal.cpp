@@ -1,4 +1,4 @@
-#include "suites/refusal.h"
+#include "refusal.h"
 
 #include <fmt/format.h>
 

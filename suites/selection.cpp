@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "suites/drawings.h"
+#include "drawings.h"
 
 namespace evalcts::suite_selection {
 namespace {

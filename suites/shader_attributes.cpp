@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "suites/maps.h"
+#include "maps.h"
 
 namespace evalcts::suite_shader_attributes {
 namespace {

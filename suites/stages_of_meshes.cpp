@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "suites/drawings.h"
+#include "drawings.h"
 
 namespace evalcts::suite_stages_of_meshes {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "suites/drawings.h"
-#include "suites/programs.h"
+#include "drawings.h"
+#include "programs.h"
 
 namespace evalcts::suite_vertex_programs {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "harness/accuracy/subject.h"
-#include "harness/capture/capture.h"
-#include "harness/gl/case.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/accuracy/subject.h>
+#include <evalcts/capture/capture.h>
+#include <evalcts/gl/case.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/checkpoint.h"
+#include <evalcts/accuracy/checkpoint.h>
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 
 #include <reference/rounding.h>
 
-#include "harness/accuracy/table.h"
-#include "harness/results/files.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/accuracy/table.h>
+#include <evalcts/results/files.h>
+#include <evalcts/runner/interruption.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/digest.h"
+#include <evalcts/accuracy/digest.h>
 
 #include <algorithm>
 #include <bit>
@@ -7,8 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "harness/accuracy/subject.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/accuracy/subject.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/errors.h"
+#include <evalcts/accuracy/errors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "harness/accuracy/exact_line.h"
+#include <evalcts/accuracy/exact_line.h>
 
 #include <algorithm>
 #include <bit>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "harness/accuracy/subject.h"
+#include <evalcts/accuracy/subject.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/profile.h"
+#include <evalcts/accuracy/profile.h>
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <reference/bernstein_form.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/table.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/accuracy/table.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/samples.h"
+#include <evalcts/accuracy/samples.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/accuracy/search.h"
+#include <evalcts/accuracy/search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <reference/bernstein_form.h>
 #include <reference/rounding.h>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

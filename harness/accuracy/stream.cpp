@@ -1,13 +1,13 @@
-#include "harness/accuracy/stream.h"
+#include <evalcts/accuracy/stream.h>
 
 #include <fmt/format.h>
 #include <glevaluator.h>
 
 #include <functional>
 
-#include "harness/accuracy/subject.h"
-#include "harness/capture/varyings.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/accuracy/subject.h>
+#include <evalcts/capture/varyings.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/subject.h"
+#include <evalcts/accuracy/subject.h>
 
 #include <fmt/format.h>
 

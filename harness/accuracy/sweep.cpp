@@ -1,4 +1,4 @@
-#include "harness/accuracy/sweep.h"
+#include <evalcts/accuracy/sweep.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,8 +13,8 @@
 #include <reference/filter.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/blocks.h"
-#include "harness/accuracy/digest.h"
+#include <evalcts/accuracy/blocks.h>
+#include <evalcts/accuracy/digest.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/accuracy/swept_map.h"
+#include <evalcts/accuracy/swept_map.h>
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "harness/accuracy/table.h"
+#include <evalcts/accuracy/table.h>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include <reference/bernstein_form.h>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "harness/accuracy/subject.h"
+#include <evalcts/accuracy/subject.h>
 
 namespace evalcts::accuracy {
 namespace {

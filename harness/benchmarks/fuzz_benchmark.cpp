@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "harness/fuzz/campaign.h"
-#include "harness/fuzz/random_program.h"
-#include "harness/implementations/reused_context.h"
+#include <evalcts/backends/reused_context.h>
+#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/random_program.h>
 
 namespace evalcts::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/capture/capture.h"
+#include <evalcts/capture/capture.h>
 
 #include <algorithm>
 #include <iostream>

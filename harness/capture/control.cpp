@@ -1,10 +1,10 @@
-#include "harness/capture/control.h"
+#include "control.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts {
 

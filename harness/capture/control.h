@@ -1,8 +1,8 @@
 // The control that each capture has to reproduce before it is trusted: explicit vertices with known values.
 #pragma once
 
-#include "harness/capture/capture.h"
-#include "harness/gl/case.h"
+#include <evalcts/capture/capture.h>
+#include <evalcts/gl/case.h>
 
 namespace evalcts {
 

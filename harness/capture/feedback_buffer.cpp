@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "harness/capture/control.h"
+#include "control.h"
 
 namespace evalcts {
 namespace {

@@ -1,5 +1,5 @@
 // Vertices straight out of an evaluator in this process.
-#include "harness/capture/control.h"
+#include "control.h"
 
 namespace evalcts {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "harness/capture/control.h"
-#include "harness/capture/varyings.h"
+#include <evalcts/capture/varyings.h>
+#include "control.h"
 
 namespace evalcts {
 namespace {

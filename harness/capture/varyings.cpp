@@ -1,4 +1,4 @@
-#include "harness/capture/varyings.h"
+#include <evalcts/capture/varyings.h>
 
 #include <algorithm>
 #include <map>

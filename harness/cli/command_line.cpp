@@ -1,17 +1,17 @@
 // The command line of evalcts.
-#include "harness/cli/command_line.h"
+#include <evalcts/cli/command_line.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
 
-#include "harness/cli/command.h"
-#include "harness/cli/environment.h"
-#include "harness/cli/help.h"
-#include "harness/implementations/implementation.h"
-#include "harness/results/baseline.h"
-#include "harness/results/files.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/results/baseline.h>
+#include <evalcts/results/files.h>
+#include "command.h"
+#include "environment.h"
+#include "help.h"
 
 namespace evalcts::cli {
 

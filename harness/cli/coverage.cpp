@@ -7,11 +7,11 @@
 #include <iostream>
 #include <map>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/wrap.h"
-#include "harness/results/coverage.h"
-#include "harness/runner/question.h"
+#include <evalcts/results/coverage.h>
+#include <evalcts/runner/question.h>
+#include "command.h"
+#include "places.h"
+#include "wrap.h"
 
 namespace evalcts::cli {
 namespace {

@@ -1,12 +1,12 @@
-#include "harness/cli/default_implementations.h"
+#include "default_implementations.h"
 
 #include <fmt/format.h>
 
 #include <iostream>
 
-#include "harness/cli/places.h"
-#include "harness/implementations/implementation.h"
-#include "harness/runner/question.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/runner/question.h>
+#include "places.h"
 
 namespace evalcts::cli {
 

@@ -3,12 +3,12 @@
 
 #include <iostream>
 
-#include "harness/accuracy/digest.h"
-#include "harness/cli/terminal.h"
-#include "harness/cli/ulp.h"
-#include "harness/results/files.h"
-#include "harness/results/text.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/accuracy/digest.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/interruption.h>
+#include "terminal.h"
+#include "ulp.h"
 
 namespace evalcts::cli {
 

@@ -1,4 +1,4 @@
-#include "harness/cli/environment.h"
+#include "environment.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <vector>
 
-#include "harness/results/run_result.h"
+#include <evalcts/results/run_result.h>
 
 extern char** environ;
 

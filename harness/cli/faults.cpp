@@ -3,14 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/faults/fault_table.h"
-#include "harness/results/coverage.h"
-#include "harness/results/files.h"
-#include "harness/runner/interruption.h"
-#include "harness/runner/question.h"
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/results/coverage.h>
+#include <evalcts/results/files.h>
+#include <evalcts/runner/interruption.h>
+#include <evalcts/runner/question.h>
+#include "command.h"
+#include "places.h"
+#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

@@ -8,14 +8,14 @@
 #include <memory>
 #include <set>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/fuzz/campaign.h"
-#include "harness/fuzz/events.h"
-#include "harness/fuzz/hunt.h"
-#include "harness/results/text.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/hunt.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/interruption.h>
+#include "command.h"
+#include "places.h"
+#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

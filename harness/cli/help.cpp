@@ -1,10 +1,10 @@
-#include "harness/cli/help.h"
+#include "help.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 
-#include "harness/cli/wrap.h"
+#include "wrap.h"
 
 namespace evalcts::cli {
 namespace {

@@ -4,16 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/cli/command.h"
-#include "harness/cli/default_implementations.h"
-#include "harness/cli/places.h"
-#include "harness/faults/fault_table.h"
-#include "harness/implementations/implementation.h"
-#include "harness/results/baseline.h"
-#include "harness/results/json.h"
-#include "harness/results/requirements.h"
-#include "harness/results/serialization.h"
-#include "harness/runner/question.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/results/baseline.h>
+#include <evalcts/results/json.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/runner/question.h>
+#include "command.h"
+#include "default_implementations.h"
+#include "places.h"
 
 namespace evalcts::cli {
 namespace {

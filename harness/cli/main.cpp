@@ -1,3 +1,3 @@
-#include "harness/cli/command_line.h"
+#include <evalcts/cli/command_line.h>
 
 int main(int argc, char** argv) { return evalcts::cli::command_line(argc, argv); }

@@ -12,8 +12,8 @@
 #include <thread>
 #include <type_traits>
 
-#include "harness/accuracy/blocks.h"
-#include "harness/cli/world.h"
+#include <evalcts/accuracy/blocks.h>
+#include "world.h"
 
 namespace evalcts::cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "harness/cli/pages.h"
+#include "pages.h"
 
 #include <evalcts/reports.h>
 
-#include "harness/results/files.h"
-#include "harness/results/requirements.h"
+#include <evalcts/results/files.h>
+#include <evalcts/results/requirements.h>
 
 namespace evalcts::cli {
 

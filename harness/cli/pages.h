@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "harness/results/run_result.h"
+#include <evalcts/results/run_result.h>
 
 namespace evalcts::cli {
 

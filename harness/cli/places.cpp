@@ -4,9 +4,9 @@
 
 #include <sstream>
 
-#include "harness/cli/places.h"
-#include "harness/implementations/implementation.h"
-#include "harness/results/text.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/results/text.h>
+#include "places.h"
 
 namespace evalcts::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/runner/folder_lock.h"
+#include <evalcts/runner/folder_lock.h>
 
 namespace evalcts::cli {
 

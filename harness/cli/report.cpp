@@ -10,13 +10,13 @@
 #include <iostream>
 #include <set>
 
-#include "harness/cli/command.h"
-#include "harness/cli/pages.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/results/files.h"
-#include "harness/results/serialization.h"
-#include "harness/results/text.h"
+#include <evalcts/results/files.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/results/text.h>
+#include "command.h"
+#include "pages.h"
+#include "places.h"
+#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

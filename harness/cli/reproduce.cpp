@@ -10,15 +10,15 @@
 #include <list>
 #include <optional>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/recorded.h"
-#include "harness/cli/wrap.h"
-#include "harness/results/files.h"
-#include "harness/results/requirements.h"
-#include "harness/results/serialization.h"
-#include "harness/results/text.h"
-#include "harness/runner/child_process.h"
+#include <evalcts/results/files.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/child_process.h>
+#include "command.h"
+#include "places.h"
+#include "recorded.h"
+#include "wrap.h"
 
 namespace evalcts::cli {
 namespace {

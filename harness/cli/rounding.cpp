@@ -4,11 +4,11 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/rounding/check.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/rounding/check.h>
+#include <evalcts/runner/interruption.h>
+#include "command.h"
+#include "places.h"
+#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

@@ -12,18 +12,18 @@
 #include <mutex>
 #include <random>
 
-#include "harness/cli/command.h"
-#include "harness/cli/default_implementations.h"
-#include "harness/cli/environment.h"
-#include "harness/cli/pages.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/results/baseline.h"
-#include "harness/results/requirements.h"
-#include "harness/results/serialization.h"
-#include "harness/runner/child_process.h"
-#include "harness/runner/question.h"
-#include "harness/runner/runner.h"
+#include <evalcts/results/baseline.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/question.h>
+#include <evalcts/runner/runner.h>
+#include "command.h"
+#include "default_implementations.h"
+#include "environment.h"
+#include "pages.h"
+#include "places.h"
+#include "terminal.h"
 
 namespace evalcts::cli {
 namespace {

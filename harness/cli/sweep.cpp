@@ -15,17 +15,18 @@
 
 #include <reference/bernstein.h>
 
-#include "harness/accuracy/checkpoint.h"
-#include "harness/accuracy/table.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/cli/ulp.h"
-#include "harness/cli/world.h"
-#include "harness/gl/tokens.h"
-#include "harness/results/files.h"
-#include "harness/results/text.h"
-#include "harness/runner/child_process.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/accuracy/checkpoint.h>
+#include <evalcts/accuracy/table.h>
+#include <evalcts/gl/tokens.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/run_result.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/interruption.h>
+#include "places.h"
+#include "terminal.h"
+#include "ulp.h"
+#include "world.h"
 
 namespace evalcts::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/cli/terminal.h"
+#include "terminal.h"
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "harness/runner/interruption.h"
+#include <evalcts/runner/interruption.h>
 
 namespace evalcts::cli {
 

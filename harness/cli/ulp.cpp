@@ -20,17 +20,17 @@
 #include <reference/bernstein.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/profile.h"
-#include "harness/accuracy/search.h"
-#include "harness/accuracy/table.h"
-#include "harness/cli/default_implementations.h"
-#include "harness/cli/places.h"
-#include "harness/cli/terminal.h"
-#include "harness/cli/ulp.h"
-#include "harness/results/files.h"
-#include "harness/results/text.h"
-#include "harness/runner/child_process.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/accuracy/profile.h>
+#include <evalcts/accuracy/search.h>
+#include <evalcts/accuracy/table.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/interruption.h>
+#include "default_implementations.h"
+#include "places.h"
+#include "terminal.h"
+#include "ulp.h"
 
 namespace evalcts::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/cli/command.h"
-#include "harness/implementations/implementation.h"
+#include <evalcts/backends/implementation.h>
+#include "command.h"
 
 namespace evalcts::cli {
 

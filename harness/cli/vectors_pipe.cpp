@@ -4,12 +4,12 @@
 #include <iostream>
 #include <sstream>
 
-#include "harness/cli/command.h"
-#include "harness/cli/places.h"
-#include "harness/cli/vectors.h"
-#include "vectors/lint/lint.h"
-#include "vectors/pipe/pipe.h"
-#include "vectors/write/write.h"
+#include <evalcts/vectors/lint.h>
+#include <evalcts/vectors/pipe.h>
+#include <evalcts/vectors/write.h>
+#include "command.h"
+#include "places.h"
+#include "vectors.h"
 
 namespace evalcts::cli {
 namespace {

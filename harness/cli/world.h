@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "harness/accuracy/checkpoint.h"
+#include <evalcts/accuracy/checkpoint.h>
 
 namespace evalcts::cli {
 

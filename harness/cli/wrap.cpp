@@ -1,4 +1,4 @@
-#include "harness/cli/wrap.h"
+#include "wrap.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 /* An evaluator that is no GL, plugged into evalcts: de Casteljau's algorithm for curves of floats.
  *
- *   cc -shared -fPIC -I harness/implementations/include -o bezier.so harness/examples/bezier_sink.c
+ *   cc -shared -fPIC -I harness/backends/plugin -o bezier.so harness/examples/bezier_sink.c
  *   evalcts run --library ./bezier.so
  *
  * It knows two targets, VERTEX_3 and VERTEX_4, and hands over positions only. It has no queries, no errors,

@@ -1,6 +1,6 @@
 /* A provider of contexts for evalcts, over Mesa's off-screen library: a template for your own.
  *
- *   cc -shared -fPIC -I harness/implementations/include -o provider.so harness/examples/osmesa_provider.c
+ *   cc -shared -fPIC -I harness/backends/plugin -o provider.so harness/examples/osmesa_provider.c
  * -ldl evalcts run --context ./provider.so */
 #include <dlfcn.h>
 #include <evalcts_provider.h>

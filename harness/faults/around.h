@@ -2,7 +2,7 @@
 // the meshes in one form.
 #pragma once
 
-#include "harness/faults/fault.h"
+#include "fault.h"
 
 namespace evalcts::faults {
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "harness/faults/forms.h"
+#include "forms.h"
 
 namespace evalcts::faults {
 

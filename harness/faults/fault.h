@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/gl/table.h"
-#include "harness/implementations/implementation.h"
-#include "harness/results/test_record.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/gl/table.h>
+#include <evalcts/results/test_record.h>
 
 namespace evalcts::faults {
 

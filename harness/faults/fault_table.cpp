@@ -1,4 +1,4 @@
-#include "harness/faults/fault_table.h"
+#include <evalcts/faults/fault_table.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,11 +9,11 @@
 #include <mutex>
 #include <thread>
 
-#include "harness/implementations/implementation.h"
-#include "harness/results/files.h"
-#include "harness/runner/child_process.h"
-#include "harness/runner/interruption.h"
-#include "harness/runner/suite_child.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/results/files.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/interruption.h>
+#include <evalcts/runner/suite_child.h>
 
 namespace evalcts::faults {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "harness/faults/fault_table.h"
-#include "harness/results/json_object.h"
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/results/json_object.h>
 
 namespace evalcts::faults {
 namespace {

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "harness/faults/fault.h"
-#include "harness/faults/fault_table.h"
-#include "harness/faults/repaired_osmesa.h"
-#include "harness/runner/suite_main.h"
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/suite/suite_main.h>
+#include "fault.h"
+#include "repaired_osmesa.h"
 
 namespace {
 

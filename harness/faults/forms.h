@@ -7,7 +7,7 @@
 //   });
 #pragma once
 
-#include "harness/faults/fault.h"
+#include "fault.h"
 
 namespace evalcts::faults {
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "harness/faults/fault.h"
-#include "production/mutations/mutation.h"
+#include <mutations/mutation.h>
+#include "fault.h"
 
 namespace evalcts::faults {
 namespace {
@@ -49,7 +49,7 @@ class FaultyContext final : public Context {
     // A command that is missing stays so.
 #define GL_ENTRY(name, kinds) \
   if (!sound.name) table_.name = nullptr;
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   }
 

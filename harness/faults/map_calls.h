@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "harness/faults/forms.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "forms.h"
 
 namespace evalcts::faults {
 

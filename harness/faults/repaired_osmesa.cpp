@@ -1,10 +1,10 @@
-#include "harness/faults/repaired_osmesa.h"
+#include "repaired_osmesa.h"
 
 #include <array>
 #include <utility>
 #include <vector>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::faults {
 namespace repairs {

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "harness/gl/table.h"
-#include "harness/implementations/implementation.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/gl/table.h>
 
 namespace evalcts::faults {
 

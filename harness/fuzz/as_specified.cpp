@@ -1,4 +1,4 @@
-#include "harness/fuzz/as_specified.h"
+#include <evalcts/fuzz/as_specified.h>
 
 namespace evalcts::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/fuzz/campaign.h"
+#include <evalcts/fuzz/campaign.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,14 +10,14 @@
 #include <set>
 #include <stdexcept>
 
-#include "harness/fuzz/events.h"
-#include "harness/fuzz/legal.h"
-#include "harness/fuzz/random_program.h"
-#include "harness/fuzz/shrink.h"
-#include "harness/gl/case_json.h"
-#include "harness/gl/explicit_vertices.h"
-#include "harness/gl/tokens.h"
-#include "harness/implementations/reused_context.h"
+#include <evalcts/backends/reused_context.h>
+#include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/gl/explicit_vertices.h>
+#include <evalcts/gl/tokens.h>
+#include "legal.h"
+#include "shrink.h"
 
 namespace evalcts::fuzz {
 namespace {

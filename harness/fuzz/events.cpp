@@ -1,8 +1,8 @@
-#include "harness/fuzz/events.h"
+#include <evalcts/fuzz/events.h>
 
-#include "harness/gl/case_json.h"
-#include "harness/results/json.h"
-#include "suites/generated/findings_data.h"  // kFindings
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/json.h>
+#include "findings_data.h"  // kFindings
 
 namespace evalcts::fuzz {
 namespace {
@@ -35,7 +35,7 @@ Finding finding_from(const json& data) {
   return finding;
 }
 
-struct Writer {
+struct EventWriter {
   json operator()(const CampaignStarted& start) const {
     return {{"event", "campaign"}, {"max_eval_order", start.max_eval_order}};
   }
@@ -58,7 +58,7 @@ struct Writer {
 }  // namespace
 
 std::string to_line(const CampaignEvent& event) {
-  return std::visit(Writer(), event).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  return std::visit(EventWriter(), event).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {

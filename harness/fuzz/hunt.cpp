@@ -1,4 +1,4 @@
-#include "harness/fuzz/hunt.h"
+#include <evalcts/fuzz/hunt.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,16 +8,16 @@
 #include <fstream>
 #include <memory>
 
-#include "harness/fuzz/campaign.h"
-#include "harness/fuzz/events.h"
-#include "harness/fuzz/legal.h"
-#include "harness/fuzz/random_program.h"
-#include "harness/fuzz/shrink.h"
-#include "harness/gl/call_log.h"
-#include "harness/gl/case_json.h"
-#include "harness/results/files.h"
-#include "harness/runner/interruption.h"
-#include "harness/runner/suite_child.h"
+#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/files.h>
+#include <evalcts/runner/interruption.h>
+#include <evalcts/runner/suite_child.h>
+#include "legal.h"
+#include "shrink.h"
 
 namespace evalcts::fuzz {
 namespace {

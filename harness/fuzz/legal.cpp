@@ -1,11 +1,11 @@
-#include "harness/fuzz/legal.h"
+#include "legal.h"
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
 
-#include "harness/judge/prediction.h"
+#include <evalcts/judge/prediction.h>
 
 namespace evalcts::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "harness/judge/prediction.h"
+#include <evalcts/judge/prediction.h>
 
 namespace evalcts::fuzz {
 

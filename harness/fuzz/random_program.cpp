@@ -1,4 +1,4 @@
-#include "harness/fuzz/random_program.h"
+#include <evalcts/fuzz/random_program.h>
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <tuple>
 
-#include "harness/fuzz/legal.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "legal.h"
 
 namespace evalcts::fuzz {
 namespace {
@@ -53,9 +53,9 @@ class Dice {
   std::mt19937_64 random_;
 };
 
-class Writer {
+class ProgramWriter {
  public:
-  Writer(gl::Case& c, Dice& dice, int max_eval_order, bool past)
+  ProgramWriter(gl::Case& c, Dice& dice, int max_eval_order, bool past)
       : c_(c), dice_(dice), max_order_(max_eval_order) {
     const int kind = dice_.below(8);
     kind_ = past || kind > 1 ? Kind::points : kind == 0 ? Kind::lines : Kind::polygons;
@@ -624,7 +624,7 @@ SpecifiedProgram write_program(std::uint32_t seed, std::uint32_t number, int len
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));
-    Writer(program, dice, max_eval_order, past).write(length);
+    ProgramWriter(program, dice, max_eval_order, past).write(length);
     if (std::optional<Specified> specified = specify_if_defined(program, max_eval_order))
       return {std::move(program), *std::move(specified)};
   }

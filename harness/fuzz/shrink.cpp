@@ -1,4 +1,4 @@
-#include "harness/fuzz/shrink.h"
+#include "shrink.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/gl/call_log.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::fuzz {
 namespace {

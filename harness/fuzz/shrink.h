@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "harness/gl/case.h"
+#include <evalcts/gl/case.h>
 
 namespace evalcts::fuzz {
 

@@ -1,4 +1,4 @@
-#include "harness/gl/c_program.h"
+#include <evalcts/gl/c_program.h>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <type_traits>
 
-#include "harness/gl/call_log.h"
+#include <evalcts/gl/call_log.h>
 
 namespace evalcts::gl {
 namespace {
@@ -237,7 +237,7 @@ bool returns_value(EntryPoint entry) {
     return !std::is_void_v<decltype([]<class R, class... P>(R (*)(P...)) -> std::type_identity<R> { \
       return {};                                                                                    \
     }(decltype(Table::name){}))::type>;
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   }
   return false;

@@ -1,4 +1,4 @@
-#include "harness/gl/call_log.h"
+#include <evalcts/gl/call_log.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts::gl {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/gl/case.h"
+#include <evalcts/gl/case.h>
 
 namespace evalcts::gl {
 

@@ -1,4 +1,4 @@
-#include "harness/gl/case_json.h"
+#include <evalcts/gl/case_json.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "harness/gl/tokens.h"
-#include "harness/results/json.h"
+#include <evalcts/gl/tokens.h>
+#include <evalcts/results/json.h>
 
 namespace evalcts::gl {
 namespace {
@@ -163,7 +163,7 @@ Command command_from(const json& data) {
   const std::string name = data[0];
 #define GL_ENTRY(entry, kinds) \
   if (name == #entry) return {EntryPoint::entry, arguments_from(decltype(Table::entry)(nullptr), data)};
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   throw std::invalid_argument(fmt::format("there is no command '{}'", name));
 }

@@ -1,4 +1,4 @@
-#include "harness/gl/delivery.h"
+#include <evalcts/gl/delivery.h>
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "harness/gl/grid.h"
-#include "harness/gl/lift.h"
-#include "harness/gl/numbers.h"
+#include <evalcts/gl/lift.h>
+#include <evalcts/gl/numbers.h>
+#include "grid.h"
 
 namespace evalcts::gl {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/gl/display_lists.h"
+#include <evalcts/gl/display_lists.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "harness/gl/explicit_vertices.h"
+#include <evalcts/gl/explicit_vertices.h>
 
 #include <algorithm>
 

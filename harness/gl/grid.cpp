@@ -1,4 +1,4 @@
-#include "harness/gl/grid.h"
+#include "grid.h"
 
 #include <algorithm>
 #include <cmath>

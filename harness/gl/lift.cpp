@@ -1,10 +1,10 @@
-#include "harness/gl/lift.h"
+#include <evalcts/gl/lift.h>
 
 #include <array>
 #include <tuple>
 #include <utility>
 
-#include "harness/gl/numbers.h"
+#include <evalcts/gl/numbers.h>
 
 namespace evalcts::gl {
 namespace {

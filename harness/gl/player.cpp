@@ -1,4 +1,4 @@
-#include "harness/gl/player.h"
+#include <evalcts/gl/player.h>
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -150,7 +150,7 @@ class Player {
   case EntryPoint::name:          \
     invoke(table_.name, command); \
     break;
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
     }
     for (std::size_t i = 0; i < command.arguments.size(); ++i)

@@ -1,4 +1,4 @@
-#include "harness/gl/table.h"
+#include <evalcts/gl/table.h>
 
 #include <array>
 
@@ -12,7 +12,7 @@ struct Description {
 
 constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
 #define GL_ENTRY(name, kinds) {"gl" #name, kinds},
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
 }};
 
@@ -36,7 +36,7 @@ bool has(const Table& table, EntryPoint entry) {
 #define GL_ENTRY(name, kinds) \
   case EntryPoint::name:      \
     return table.name != nullptr;
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   }
   return false;
@@ -57,7 +57,7 @@ Table load_table(std::initializer_list<AddressOf> sources) {
 #define GL_ENTRY(name, kinds) \
   if (!is_ours(#name))        \
     table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name, other_name("gl" #name)));
-#include "harness/gl/entry_points.def"
+#include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   return table;
 }

@@ -1,4 +1,4 @@
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/judge/judge.h"
+#include <evalcts/judge/judge.h>
 
 #include <fmt/format.h>
 #include <reference/rounding.h>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <map>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/judge/prediction.h"
+#include <evalcts/judge/prediction.h>
 
 #include <algorithm>
 #include <iterator>
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/gl/player.h"
-#include "harness/implementations/in_process.h"
+#include <evalcts/gl/bind_methods.h>
+#include <evalcts/gl/player.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/judge/topology.h"
+#include <evalcts/judge/topology.h>
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <set>
 #include <span>
 
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/results/accuracy.h"
+#include <evalcts/results/accuracy.h>
 
 namespace evalcts {
 

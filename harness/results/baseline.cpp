@@ -1,4 +1,4 @@
-#include "harness/results/baseline.h"
+#include <evalcts/results/baseline.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/results/coverage.h"
+#include <evalcts/results/coverage.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "harness/results/json.h"
+#include <evalcts/results/json.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/results/event_file.h"
+#include <evalcts/results/event_file.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 

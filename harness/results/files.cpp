@@ -1,4 +1,4 @@
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>

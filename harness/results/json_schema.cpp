@@ -1,4 +1,4 @@
-#include "harness/results/json_schema.h"
+#include <evalcts/results/json_schema.h>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "harness/results/json.h"
+#include <evalcts/results/json.h>
 
 namespace evalcts {
 

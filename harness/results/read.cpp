@@ -2,8 +2,8 @@
 #include <array>
 #include <set>
 
-#include "harness/results/json_object.h"
-#include "harness/results/serialization.h"
+#include <evalcts/results/json_object.h>
+#include <evalcts/results/serialization.h>
 
 namespace evalcts {
 namespace {

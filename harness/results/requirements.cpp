@@ -1,8 +1,8 @@
-#include "harness/results/requirements.h"
+#include <evalcts/results/requirements.h>
 
 #include <algorithm>
 
-#include "harness/results/json_object.h"
+#include <evalcts/results/json_object.h>
 #include "requirements_data.h"  // generated: kRequirements
 
 namespace evalcts {

@@ -1,4 +1,4 @@
-#include "harness/results/run_result.h"
+#include <evalcts/results/run_result.h>
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "harness/results/text.h"
+#include <evalcts/results/text.h>
 
 namespace evalcts {
 

@@ -1,9 +1,9 @@
-#include "harness/results/text.h"
+#include <evalcts/results/text.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include "harness/results/json.h"
+#include <evalcts/results/json.h>
 
 namespace evalcts {
 namespace {

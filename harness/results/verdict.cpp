@@ -1,4 +1,4 @@
-#include "harness/results/verdict.h"
+#include <evalcts/results/verdict.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "harness/results/version_range.h"
+#include <evalcts/results/version_range.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "harness/results/json.h"
-#include "harness/results/serialization.h"
+#include <evalcts/results/json.h>
+#include <evalcts/results/serialization.h>
 
 namespace evalcts {
 namespace {

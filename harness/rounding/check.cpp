@@ -1,4 +1,4 @@
-#include "harness/rounding/check.h"
+#include <evalcts/rounding/check.h>
 
 #include <fmt/format.h>
 #include <glevaluator.h>

@@ -1,4 +1,4 @@
-#include "harness/runner/child_process.h"
+#include <evalcts/runner/child_process.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -28,11 +28,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLook = 0.02;  // seconds between two looks, on a kernel before 5.3
+constexpr double kPollSeconds = 0.02;  // seconds between two looks, on a kernel before 5.3
 
 // The children that are in somebody's care.
 std::mutex children_mutex;
-std::set<pid_t> children;
+std::set<pid_t> children_in_care;
 bool adopting = false;
 
 // Kills what a child left behind, and what that leaves behind. `children_mutex` is held.
@@ -43,7 +43,7 @@ void kill_orphans() {
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", error)) {
       std::ifstream file(task.path() / "children");
       for (pid_t child = 0; file >> child;) {
-        if (children.contains(child)) continue;
+        if (children_in_care.contains(child)) continue;
         ::kill(child, SIGKILL);
         found = waitpid(child, nullptr, 0) == child || found;
       }
@@ -115,7 +115,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   {
     const std::lock_guard lock(children_mutex);
     error = posix_spawn(&id_, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
-    if (error == 0) children.insert(id_);
+    if (error == 0) children_in_care.insert(id_);
   }
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
@@ -150,7 +150,7 @@ std::optional<Ending> ChildProcess::wait(double seconds) {
 // Until it has printed something or ended, or the time is over.
 void ChildProcess::wait_for_news(double seconds) const {
   pollfd events[] = {{descriptor_, POLLIN, 0}, {output_ ? output_->reader() : -1, POLLIN, 0}};
-  poll(events, 2, static_cast<int>((descriptor_ < 0 ? std::min(seconds, kLook) : seconds) * 1000));
+  poll(events, 2, static_cast<int>((descriptor_ < 0 ? std::min(seconds, kPollSeconds) : seconds) * 1000));
 }
 
 bool ChildProcess::has_ended() const {
@@ -164,7 +164,7 @@ void ChildProcess::reap() {
   ::kill(-id_, SIGKILL);
   int status = 0;
   waitpid(id_, &status, 0);
-  children.erase(id_);
+  children_in_care.erase(id_);
   ending_ = WIFSIGNALED(status) ? Ending{true, WTERMSIG(status)} : Ending{false, WEXITSTATUS(status)};
   if (adopting) kill_orphans();
 }

@@ -1,4 +1,4 @@
-#include "harness/runner/claims.h"
+#include <evalcts/runner/claims.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 

@@ -1,4 +1,4 @@
-#include "harness/runner/folder_lock.h"
+#include <evalcts/runner/folder_lock.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/runner/history.h"
+#include "history.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "harness/runner/output_log.h"
+#include <evalcts/runner/output_log.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/runner/question.h"
+#include <evalcts/runner/question.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <sstream>
 
-#include "harness/implementations/gl_environment.h"
-#include "harness/results/files.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/results/files.h>
+#include <evalcts/runner/interruption.h>
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/runner/runner.h"
+#include <evalcts/runner/runner.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,12 +14,12 @@
 #include <set>
 #include <thread>
 
-#include "harness/runner/child_process.h"
-#include "harness/runner/claims.h"
-#include "harness/runner/control_case.h"
-#include "harness/runner/history.h"
-#include "harness/runner/question.h"
-#include "harness/runner/suite_child.h"
+#include <evalcts/results/control_case.h>
+#include <evalcts/runner/child_process.h>
+#include <evalcts/runner/claims.h>
+#include <evalcts/runner/question.h>
+#include <evalcts/runner/suite_child.h>
+#include "history.h"
 
 namespace evalcts {
 
@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLook = 0.02;           // seconds between two looks at a child
+constexpr double kLookSeconds = 0.02;    // seconds between two looks at a child
 constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
 constexpr double kSearchesBudget = 120;  // ... and all of them
 constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
@@ -231,7 +231,7 @@ class Run {
     std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
     if (trace_cases) command.push_back("--trace-cases");
     SuiteChild child(command, events, file("log", "txt"), request_.limits);
-    while (!child.look(kLook, deadline_)) continue;
+    while (!child.look(kLookSeconds, deadline_)) continue;
     throw_if_it_cannot_write(child.run());
     return child.run();
   }
@@ -252,7 +252,7 @@ class Run {
     while (std::ranges::count(has_ended, false) > 0)
       for (std::size_t i = 0; i < children.size(); ++i)
         has_ended[i] =
-            has_ended[i] || children[i]->look(kLook / static_cast<double>(children.size()), deadline_);
+            has_ended[i] || children[i]->look(kLookSeconds / static_cast<double>(children.size()), deadline_);
     std::vector<ChildRun> runs;
     for (std::size_t i = 0; i < children.size(); ++i) {
       runs.push_back(children[i]->run());
@@ -312,7 +312,7 @@ class Run {
     for (std::size_t running = jobs.size(); running > 0;) {
       for (std::size_t job = 0; job < jobs.size(); ++job) {
         if (!jobs[job]) continue;
-        if (!jobs[job]->look(kLook / static_cast<double>(running), {},
+        if (!jobs[job]->look(kLookSeconds / static_cast<double>(running), {},
                              [this](const Event& event) { note(event); }))
           continue;
         ChildRun run = jobs[job]->run();

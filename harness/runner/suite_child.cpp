@@ -1,4 +1,4 @@
-#include "harness/runner/suite_child.h"
+#include <evalcts/runner/suite_child.h>
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "harness/results/event_file.h"
-#include "harness/runner/interruption.h"
+#include <evalcts/results/event_file.h>
+#include <evalcts/runner/interruption.h>
 
 namespace evalcts {
 

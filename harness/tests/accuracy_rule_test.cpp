@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/judge/judge.h"
+#include <evalcts/judge/judge.h>
 
 namespace evalcts {
 namespace {

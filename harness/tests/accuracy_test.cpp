@@ -10,8 +10,8 @@
 #include <reference/filter.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/digest.h"
-#include "harness/accuracy/table.h"
+#include <evalcts/accuracy/digest.h>
+#include <evalcts/accuracy/table.h>
 
 namespace evalcts::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/results/baseline.h"
+#include <evalcts/results/baseline.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

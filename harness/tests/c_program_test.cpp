@@ -1,5 +1,5 @@
 // Stand-alone C programs: they build with one line, and their exit code is the verdict.
-#include "harness/gl/c_program.h"
+#include <evalcts/gl/c_program.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,10 +9,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "harness/implementations/implementation.h"
-#include "harness/runner/reproduction.h"
-#include "harness/runner/test.h"
-#include "harness/tests/program.h"
+#include <evalcts/backends/implementation.h>
+#include <evalcts/testkit/reproduction.h>
+#include <evalcts/testkit/test.h>
+#include "program.h"
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/gl/call_log.h"
+#include <evalcts/gl/call_log.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cfenv>
 
-#include "harness/gl/player.h"
+#include <evalcts/gl/player.h>
 
 namespace evalcts::gl {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/runner/child_process.h"
+#include <evalcts/runner/child_process.h>
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <sstream>
 #include <thread>
 
-#include "harness/results/json.h"
-#include "harness/tests/drill.h"
+#include <evalcts/results/json.h>
+#include "drill.h"
 
 namespace evalcts {
 namespace {

@@ -1,8 +1,8 @@
-#include "harness/results/coverage.h"
+#include <evalcts/results/coverage.h>
 
 #include <gtest/gtest.h>
 
-#include "harness/cli/wrap.h"
+#include "cli/wrap.h"
 
 namespace evalcts {
 namespace {

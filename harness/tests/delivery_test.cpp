@@ -4,10 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "harness/gl/call_log.h"
-#include "harness/gl/delivery.h"
-#include "harness/gl/grid.h"
-#include "harness/gl/lift.h"
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/delivery.h>
+#include <evalcts/gl/lift.h>
+#include "gl/grid.h"
 
 namespace evalcts::gl {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "harness/gl/call_log.h"
-#include "harness/gl/delivery.h"
-#include "harness/judge/prediction.h"
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/delivery.h>
+#include <evalcts/judge/prediction.h>
 
 namespace evalcts::gl {
 namespace {

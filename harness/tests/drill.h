@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "harness/tests/program.h"
+#include "program.h"
 
 namespace evalcts {
 

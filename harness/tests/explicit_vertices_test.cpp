@@ -1,12 +1,12 @@
 // The control of a case through display lists: vertices in the place of evaluation, everything else as it
 // was.
-#include "harness/gl/explicit_vertices.h"
+#include <evalcts/gl/explicit_vertices.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "harness/gl/call_log.h"
+#include <evalcts/gl/call_log.h>
 
 namespace evalcts::gl {
 namespace {

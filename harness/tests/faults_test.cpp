@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "harness/faults/fault_table.h"
-#include "harness/runner/question.h"
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/runner/question.h>
 
 namespace evalcts::faults {
 namespace {

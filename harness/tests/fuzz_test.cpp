@@ -1,14 +1,14 @@
 // Random programs: made, judged, made small, kept.
 #include <gtest/gtest.h>
 
-#include "harness/fuzz/events.h"
-#include "harness/fuzz/legal.h"
-#include "harness/fuzz/random_program.h"
-#include "harness/fuzz/shrink.h"
-#include "harness/gl/call_log.h"
-#include "harness/gl/case_json.h"
-#include "harness/results/json.h"
-#include "harness/tests/program.h"
+#include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/json.h>
+#include "fuzz/legal.h"
+#include "fuzz/shrink.h"
+#include "program.h"
 
 namespace evalcts::fuzz {
 namespace {

@@ -8,10 +8,10 @@
 #include <sstream>
 #include <tuple>
 
-#include "harness/implementations/gl_environment.h"
-#include "harness/implementations/implementation.h"
-#include "harness/implementations/shared_library.h"
-#include "harness/tests/program.h"
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/implementation.h>
+#include "backends/shared_library.h"
+#include "program.h"
 
 namespace evalcts {
 namespace {

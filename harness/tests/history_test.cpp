@@ -1,4 +1,4 @@
-#include "harness/runner/history.h"
+#include "runner/history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/results/json.h"
+#include <evalcts/results/json.h>
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@
 #include <set>
 #include <sstream>
 
-#include "harness/runner/folder_lock.h"
-#include "harness/tests/drill.h"
+#include <evalcts/runner/folder_lock.h>
+#include "drill.h"
 
 namespace evalcts {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/runner/output_log.h"
+#include <evalcts/runner/output_log.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "harness/results/files.h"
+#include <evalcts/results/files.h>
 
 namespace evalcts {
 namespace {

@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/accuracy/checkpoint.h"
-#include "harness/cli/command_line.h"
-#include "harness/cli/recorded.h"
-#include "harness/gl/case_json.h"
-#include "harness/results/baseline.h"
-#include "harness/results/json.h"
-#include "harness/results/serialization.h"
-#include "vectors/lint/lint.h"
-#include "vectors/pipe/pipe.h"
+#include <evalcts/accuracy/checkpoint.h>
+#include <evalcts/cli/command_line.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/baseline.h>
+#include <evalcts/results/json.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/vectors/lint.h>
+#include <evalcts/vectors/pipe.h>
+#include "cli/recorded.h"
 
 namespace evalcts {
 namespace {

@@ -1,7 +1,7 @@
 // Prediction: what a case must emit, state that it saves and lists that it calls included.
 #include <gtest/gtest.h>
 
-#include "harness/judge/prediction.h"
+#include <evalcts/judge/prediction.h>
 
 namespace evalcts {
 namespace {

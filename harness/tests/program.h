@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
-#include "harness/runner/child_process.h"
+#include <evalcts/results/json.h>
+#include <evalcts/runner/child_process.h>
 
 namespace evalcts {
 

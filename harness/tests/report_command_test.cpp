@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/tests/program.h"
+#include "program.h"
 
 namespace evalcts {
 namespace {

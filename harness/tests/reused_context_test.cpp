@@ -1,10 +1,10 @@
 // After whatever a case did, the one shared context answers as a fresh one.
-#include "harness/implementations/reused_context.h"
+#include <evalcts/backends/reused_context.h>
 
 #include <gtest/gtest.h>
 
-#include "harness/gl/call_log.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/tokens.h>
 
 namespace evalcts {
 namespace {

@@ -6,7 +6,7 @@
 #include <regex>
 #include <thread>
 
-#include "harness/tests/program.h"
+#include "program.h"
 
 namespace evalcts {
 namespace {

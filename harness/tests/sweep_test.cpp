@@ -10,12 +10,12 @@
 #include <reference/bernstein_form.h>
 #include <reference/rounding.h>
 
-#include "harness/accuracy/checkpoint.h"
-#include "harness/accuracy/exact_line.h"
-#include "harness/accuracy/table.h"
-#include "harness/gl/tokens.h"
-#include "harness/results/json_schema.h"
-#include "harness/tests/program.h"
+#include <evalcts/accuracy/checkpoint.h>
+#include <evalcts/accuracy/exact_line.h>
+#include <evalcts/accuracy/table.h>
+#include <evalcts/gl/tokens.h>
+#include <evalcts/results/json_schema.h>
+#include "program.h"
 
 namespace evalcts::accuracy {
 namespace {

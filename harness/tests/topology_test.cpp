@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "harness/judge/judge.h"
+#include <evalcts/judge/judge.h>
 
 namespace evalcts {
 namespace {

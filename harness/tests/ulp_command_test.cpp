@@ -6,8 +6,8 @@
 #include <regex>
 #include <thread>
 
-#include "harness/results/json_schema.h"
-#include "harness/tests/program.h"
+#include <evalcts/results/json_schema.h>
+#include "program.h"
 
 namespace evalcts {
 namespace {

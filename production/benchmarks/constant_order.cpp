@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "production/benchmarks/side.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

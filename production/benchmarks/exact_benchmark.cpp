@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "production/src/exact.h"
-#include "production/src/reduction.h"
+#include "src/exact.h"
+#include "src/reduction.h"
 
 namespace {
 

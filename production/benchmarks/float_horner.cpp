@@ -1,4 +1,4 @@
-#include "production/benchmarks/float_horner.h"
+#include "float_horner.h"
 
 namespace evalcts::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <glevaluator.h>
 
-#include "production/benchmarks/workload.h"
+#include "workload.h"
 
 namespace evalcts::bench {
 

@@ -1,8 +1,8 @@
 // The loops of "float Horner" apart from the functions that they call, so that nothing is inlined.
 #include <cmath>
 
-#include "production/benchmarks/float_horner.h"
-#include "production/benchmarks/side.h"
+#include "float_horner.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

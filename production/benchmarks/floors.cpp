@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <string>
 
-#include "production/benchmarks/side.h"
+#include "side.h"
 
 #include <hwy/cache_control.h>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "production/benchmarks/floors.cpp"
+#define HWY_TARGET_INCLUDE "floors.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "production/benchmarks/float_horner.h"
-#include "production/benchmarks/shared_object.h"
-#include "production/benchmarks/side.h"
+#include "float_horner.h"
+#include "shared_object.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

@@ -1,10 +1,10 @@
-#include "production/benchmarks/immediate.h"
+#include "immediate.h"
 
 #include <cstring>
 #include <utility>
 
-#include "production/benchmarks/float_horner.h"
-#include "production/benchmarks/side.h"
+#include "float_horner.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

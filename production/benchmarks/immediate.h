@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "production/benchmarks/workload.h"
+#include "workload.h"
 
 namespace evalcts::bench {
 

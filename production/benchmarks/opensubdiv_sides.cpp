@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-#include "production/benchmarks/side.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "production/benchmarks/shared_object.h"
-#include "production/benchmarks/side.h"
+#include "shared_object.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

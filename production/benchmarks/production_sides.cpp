@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "production/benchmarks/immediate.h"
-#include "production/benchmarks/side.h"
+#include "immediate.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "production/benchmarks/side.h"
+#include "side.h"
 
 #include <benchmark/benchmark.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "production/benchmarks/float_horner.h"
+#include "float_horner.h"
 
 namespace evalcts::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "production/benchmarks/workload.h"
+#include "workload.h"
 
 namespace evalcts::bench {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "production/benchmarks/side.h"
+#include "side.h"
 
 namespace evalcts::bench {
 namespace {

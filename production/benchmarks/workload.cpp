@@ -1,4 +1,4 @@
-#include "production/benchmarks/workload.h"
+#include "workload.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The commands of the GL that this library takes the place of, but for those that set current values.
-#include "production/dropin/context.h"
-#include "production/src/target.h"
+#include "context.h"
+#include "src/target.h"
 
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 

@@ -8,8 +8,8 @@
 
 #include <glevaluator.h>
 
-#include "production/dropin/gl_below.h"
-#include "production/dropin/lists.h"
+#include "gl_below.h"
+#include "lists.h"
 
 // In front of what programs call.
 #define DROPIN_EXPORT extern "C" __attribute__((visibility("default")))

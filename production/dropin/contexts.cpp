@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "production/dropin/context.h"
-#include "production/dropin/window_systems.h"
+#include "context.h"
+#include "window_systems.h"
 
 namespace glev::dropin {
 

@@ -2,7 +2,7 @@
 // back.
 #include <limits>
 
-#include "production/dropin/context.h"
+#include "context.h"
 
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "production/dropin/gl_below.h"
+#include "gl_below.h"
 
 namespace glev::dropin {
 

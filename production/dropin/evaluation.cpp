@@ -1,7 +1,7 @@
 // What is evaluated goes to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, with the current
 // values brought back behind them.
-#include "production/dropin/context.h"
-#include "production/dropin/enables.h"
+#include "context.h"
+#include "enables.h"
 
 namespace glev::dropin {
 namespace {

@@ -1,4 +1,4 @@
-#include "production/dropin/gl_below.h"
+#include "gl_below.h"
 
 #include <dlfcn.h>
 #include <pthread.h>

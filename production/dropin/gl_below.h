@@ -4,7 +4,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "production/dropin/setters.h"
+#include "setters.h"
 
 namespace glev::dropin {
 

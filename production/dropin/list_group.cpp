@@ -1,7 +1,7 @@
 // The lists of contexts that share them, by name.
 #include <pthread.h>
 
-#include "production/dropin/lists.h"
+#include "lists.h"
 
 namespace glev::dropin {
 namespace {

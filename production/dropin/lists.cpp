@@ -1,7 +1,7 @@
 // Display lists. The driver cannot compile commands of evaluators, so that each of them closes the driver's
 // list that is open, is kept here, and opens another one: a list of the program is a sequence of both.
-#include "production/dropin/context.h"
-#include "production/src/list_offsets.h"
+#include "context.h"
+#include "src/list_offsets.h"
 
 namespace glev::dropin {
 namespace {

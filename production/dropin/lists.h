@@ -6,8 +6,8 @@
 #include <new>
 #include <type_traits>
 
-#include "production/dropin/array.h"
-#include "production/dropin/gl_below.h"
+#include "array.h"
+#include "gl_below.h"
 
 namespace glev::dropin {
 

@@ -1,7 +1,7 @@
 // Automatic normals with a vertex shader: m = q_u x q_v as it is (GL 2.0 5.1, ARB_vertex_program issue 92).
 #include <cmath>
 
-#include "production/dropin/context.h"
+#include "context.h"
 
 namespace glev::dropin {
 

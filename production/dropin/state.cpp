@@ -1,6 +1,6 @@
 // The evaluators' state: enables, maps, grids, and their part of the attribute stack.
-#include "production/dropin/context.h"
-#include "production/dropin/enables.h"
+#include "context.h"
+#include "enables.h"
 
 namespace glev::dropin {
 

@@ -1,12 +1,12 @@
 // The functions of GLX, EGL and OSMesa that make, destroy and choose contexts, and those that look up
 // commands.
-#include "production/dropin/window_systems.h"
+#include "window_systems.h"
 
 #include <dlfcn.h>
 
 #include <cstring>
 
-#include "production/dropin/context.h"
+#include "context.h"
 
 namespace glev::dropin {
 namespace {

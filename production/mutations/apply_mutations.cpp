@@ -22,8 +22,8 @@
 #include <string_view>
 #include <vector>
 
-// Included directly and not through harness/results/json.h, because production uses no other folder of the
-// project.
+// Included directly and not through harness/results/include/evalcts/results/json.h, because production uses
+// no other folder of the project.
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -126,7 +126,7 @@ class Source {
 
   std::string text() {
     std::ranges::sort(places_, {}, &Place::begin);
-    std::string result = "#include \"production/mutations/mutation.h\"\n";
+    std::string result = "#include <mutations/mutation.h>\n";
     std::size_t begin = 0;
     for (const Place& place : places_) {
       result += text_.substr(begin, place.begin - begin);
@@ -180,7 +180,7 @@ void apply(const fs::path& mutations, const fs::path& from, const fs::path& to) 
   }
   if (!errors.empty()) throw std::runtime_error(errors);
   write(to / "mutation_list.h", definitions);
-  for (auto& [name, source] : sources) write(to / "production/src" / name, source.text());
+  for (auto& [name, source] : sources) write(to / "src" / name, source.text());
 }
 
 }  // namespace

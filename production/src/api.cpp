@@ -7,9 +7,9 @@
 #include <new>
 #include <utility>
 
-#include "production/src/command.h"
-#include "production/src/context.h"
-#include "production/src/environment.h"
+#include "command.h"
+#include "context.h"
+#include "environment.h"
 
 using glev::Widen;
 

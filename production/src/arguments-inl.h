@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "production/src/kernels.h"
-#include "production/src/vectors-inl.h"
+#include "kernels.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -5,8 +5,8 @@
 
 #include <glevaluator.h>
 
-#include "production/src/parameter.h"
-#include "production/src/target.h"
+#include "parameter.h"
+#include "target.h"
 
 namespace glev {
 

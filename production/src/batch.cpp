@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/environment.h"
-#include "production/src/kernels.h"
-#include "production/src/normal.h"
-#include "production/src/plan.h"
-#include "production/src/resolve.h"
+#include "environment.h"
+#include "kernels.h"
+#include "normal.h"
+#include "plan.h"
+#include "resolve.h"
 
 namespace {
 

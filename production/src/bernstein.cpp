@@ -1,4 +1,4 @@
-#include "production/src/bernstein.h"
+#include "bernstein.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "production/src/binomials.h"
+#include "binomials.h"
 
 namespace glev {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "production/src/parameter.h"
+#include "parameter.h"
 
 namespace glev {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "production/src/target.h"
+#include "target.h"
 
 namespace glev {
 

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/mesh-inl.h"
-#include "production/src/sequence-inl.h"
+#include "mesh-inl.h"
+#include "sequence-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -6,8 +6,8 @@
 
 #include <glevaluator.h>
 
-#include "production/src/context.h"
-#include "production/src/display_list.h"
+#include "context.h"
+#include "display_list.h"
 
 namespace glev {
 

@@ -1,12 +1,12 @@
-#include "production/src/context.h"
+#include "context.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
-#include "production/src/command.h"
-#include "production/src/convert.h"
-#include "production/src/environment.h"
+#include "command.h"
+#include "convert.h"
+#include "environment.h"
 
 using glev::Attribute;
 using glev::FindTarget;

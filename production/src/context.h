@@ -9,16 +9,16 @@
 
 #include <glevaluator.h>
 
-#include "production/src/allocator.h"
-#include "production/src/attributes.h"
-#include "production/src/current_vertex.h"
-#include "production/src/display_list.h"
-#include "production/src/list_table.h"
-#include "production/src/map.h"
-#include "production/src/normal.h"
-#include "production/src/parameter.h"
-#include "production/src/plan.h"
-#include "production/src/target.h"
+#include "allocator.h"
+#include "attributes.h"
+#include "current_vertex.h"
+#include "display_list.h"
+#include "list_table.h"
+#include "map.h"
+#include "normal.h"
+#include "parameter.h"
+#include "plan.h"
+#include "target.h"
 
 namespace glev {
 

@@ -11,9 +11,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "production/src/arguments-inl.h"
-#include "production/src/resolve.h"
-#include "production/src/writer-inl.h"
+#include "arguments-inl.h"
+#include "resolve.h"
+#include "writer-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

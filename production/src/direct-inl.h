@@ -9,8 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "production/src/plan.h"
-#include "production/src/point-inl.h"
+#include "plan.h"
+#include "point-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-#include "production/src/display_list.h"
+#include "display_list.h"
 
 #include <algorithm>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "production/src/allocator.h"
+#include "allocator.h"
 
 namespace glev {
 

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/binomials.h"
-#include "production/src/enclosure.h"
-#include "production/src/point-inl.h"
+#include "binomials.h"
+#include "enclosure.h"
+#include "point-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-#include "production/src/enclosure.h"
+#include "enclosure.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "production/src/binomials.h"
+#include "binomials.h"
 
 namespace glev {
 namespace {

@@ -1,8 +1,8 @@
 // The second of the three routes to a correctly rounded result: double-double arithmetic.
 #pragma once
 
-#include "production/src/double_double.h"
-#include "production/src/exact.h"
+#include "double_double.h"
+#include "exact.h"
 
 namespace glev {
 

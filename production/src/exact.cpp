@@ -5,14 +5,14 @@
 //   sum = sum * a + C R_i * b^(n - i),
 // with a running power of b, modulo a power of two that holds the result: so intermediate values need no
 // bounds, nor subtraction a sign.
-#include "production/src/exact.h"
+#include "exact.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "production/src/binomials.h"
-#include "production/src/quotient.h"
-#include "production/src/ratio.h"
+#include "binomials.h"
+#include "quotient.h"
+#include "ratio.h"
 
 namespace glev {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "production/src/parameter.h"
+#include "parameter.h"
 
 namespace glev {
 

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/binomials.h"
-#include "production/src/mesh-inl.h"
-#include "production/src/sequence-inl.h"
+#include "binomials.h"
+#include "mesh-inl.h"
+#include "sequence-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/allocator.h"
+#include "allocator.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The kernels, compiled once for each instruction set, and the table of them. prepared_map.h derives the
 // bounds of what is computed in double; everything else follows from results being correctly rounded.
-#include "production/src/kernels.h"
+#include "kernels.h"
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <cpuid.h>
@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "production/src/plan.h"
+#include "plan.h"
 
 // Assertions of Highway need its library, of which only the headers are used.
 #define HWY_IS_DEBUG_BUILD 0
@@ -18,18 +18,18 @@
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "production/src/kernels.cpp"
+#define HWY_TARGET_INCLUDE "src/kernels.cpp"
 #include <hwy/foreach_target.h>
 
-#include "production/src/centred_mesh-inl.h"
-#include "production/src/curves-inl.h"
-#include "production/src/direct-inl.h"
-#include "production/src/enclosure-inl.h"
-#include "production/src/fast_mesh-inl.h"
-#include "production/src/mesh-inl.h"
-#include "production/src/normals-inl.h"
-#include "production/src/point-inl.h"
-#include "production/src/surfaces-inl.h"
+#include "centred_mesh-inl.h"
+#include "curves-inl.h"
+#include "direct-inl.h"
+#include "enclosure-inl.h"
+#include "fast_mesh-inl.h"
+#include "mesh-inl.h"
+#include "normals-inl.h"
+#include "point-inl.h"
+#include "surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

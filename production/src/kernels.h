@@ -5,8 +5,8 @@
 
 #include <glevaluator.h>
 
-#include "production/src/parameter.h"
-#include "production/src/prepared_map.h"
+#include "parameter.h"
+#include "prepared_map.h"
 
 namespace glev {
 

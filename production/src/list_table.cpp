@@ -1,4 +1,4 @@
-#include "production/src/list_table.h"
+#include "list_table.h"
 
 #include <algorithm>
 #include <cstring>

@@ -6,8 +6,8 @@
 
 #include <glevaluator.h>
 
-#include "production/src/allocator.h"
-#include "production/src/display_list.h"
+#include "allocator.h"
+#include "display_list.h"
 
 namespace glev {
 

@@ -4,9 +4,9 @@
 #include <limits>
 #include <new>
 
-#include "production/src/command.h"
-#include "production/src/context.h"
-#include "production/src/list_offsets.h"
+#include "command.h"
+#include "context.h"
+#include "list_offsets.h"
 
 using glev::DisplayList;
 using glev::Opcode;

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 
-#include "production/src/allocator.h"
-#include "production/src/parameter.h"
-#include "production/src/target.h"
+#include "allocator.h"
+#include "parameter.h"
+#include "target.h"
 
 namespace glev {
 

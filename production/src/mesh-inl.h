@@ -12,10 +12,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "production/src/point-inl.h"
-#include "production/src/resolve.h"
-#include "production/src/weights-inl.h"
-#include "production/src/writer-inl.h"
+#include "point-inl.h"
+#include "resolve.h"
+#include "weights-inl.h"
+#include "writer-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -1,11 +1,11 @@
-#include "production/src/normal.h"
+#include "normal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-#include "production/src/enclosure.h"
-#include "production/src/plan.h"
+#include "enclosure.h"
+#include "plan.h"
 
 namespace glev {
 namespace {

@@ -34,9 +34,9 @@
 #include <cmath>
 #include <limits>
 
-#include "production/src/bernstein.h"
-#include "production/src/parameter.h"
-#include "production/src/target.h"
+#include "bernstein.h"
+#include "parameter.h"
+#include "target.h"
 
 namespace glev {
 

@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/mesh-inl.h"
-#include "production/src/plan.h"
-#include "production/src/triples.h"
+#include "mesh-inl.h"
+#include "plan.h"
+#include "triples.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

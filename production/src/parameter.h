@@ -6,7 +6,7 @@
 
 #include <glevaluator.h>
 
-#include "production/src/double_double.h"
+#include "double_double.h"
 
 namespace glev {
 

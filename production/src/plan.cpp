@@ -1,4 +1,4 @@
-#include "production/src/plan.h"
+#include "plan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <span>
 
-#include "production/src/allocator.h"
-#include "production/src/bernstein.h"
-#include "production/src/kernels.h"
-#include "production/src/map.h"
-#include "production/src/normal.h"
-#include "production/src/parameter.h"
-#include "production/src/prepared_map.h"
-#include "production/src/target.h"
+#include "allocator.h"
+#include "bernstein.h"
+#include "kernels.h"
+#include "map.h"
+#include "normal.h"
+#include "parameter.h"
+#include "prepared_map.h"
+#include "target.h"
 
 // One for each dimension: a one-dimensional map is a surface of degree 0 in v.
 struct glev_plan {

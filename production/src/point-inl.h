@@ -10,10 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "production/src/bernstein.h"
-#include "production/src/kernels.h"
-#include "production/src/resolve.h"
-#include "production/src/vectors-inl.h"
+#include "bernstein.h"
+#include "kernels.h"
+#include "resolve.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -1,14 +1,14 @@
-#include "production/src/prepared_map.h"
+#include "prepared_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
-#include "production/src/binomials.h"
-#include "production/src/double_double.h"
-#include "production/src/environment.h"
-#include "production/src/reduction.h"
+#include "binomials.h"
+#include "double_double.h"
+#include "environment.h"
+#include "reduction.h"
 
 namespace glev {
 namespace {

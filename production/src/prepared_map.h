@@ -3,10 +3,10 @@
 
 #include <array>
 
-#include "production/src/bernstein.h"
-#include "production/src/enclosure.h"
-#include "production/src/exact.h"
-#include "production/src/parameter.h"
+#include "bernstein.h"
+#include "enclosure.h"
+#include "exact.h"
+#include "parameter.h"
 
 namespace glev {
 

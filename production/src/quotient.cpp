@@ -1,4 +1,4 @@
-#include "production/src/quotient.h"
+#include "quotient.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "production/src/wide_integer.h"
+#include "wide_integer.h"
 
 namespace glev {
 

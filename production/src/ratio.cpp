@@ -1,4 +1,4 @@
-#include "production/src/ratio.h"
+#include "ratio.h"
 
 #include <algorithm>
 #include <bit>

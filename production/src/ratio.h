@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "production/src/parameter.h"
-#include "production/src/wide_integer.h"
+#include "parameter.h"
+#include "wide_integer.h"
 
 namespace glev {
 

@@ -2,15 +2,15 @@
 //   P(x) = sum of C(n, i) R_i x^i,
 // and to elevate the degree by one is to multiply P by 1 + x. So the degree is n - k where (1 + x)^k divides
 // P, and all of it happens in integers: only at the end the binomials must divide.
-#include "production/src/reduction.h"
+#include "reduction.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
-#include "production/src/binomials.h"
-#include "production/src/wide_integer.h"
+#include "binomials.h"
+#include "wide_integer.h"
 
 namespace glev {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "production/src/exact.h"
+#include "exact.h"
 
 namespace glev {
 

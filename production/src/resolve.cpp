@@ -1,14 +1,14 @@
-#include "production/src/resolve.h"
+#include "resolve.h"
 
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-#include "production/src/double_double.h"
-#include "production/src/enclosure.h"
-#include "production/src/exact.h"
-#include "production/src/target.h"
+#include "double_double.h"
+#include "enclosure.h"
+#include "exact.h"
+#include "target.h"
 
 namespace glev {
 namespace {

@@ -1,8 +1,8 @@
 // Correct rounding where double cannot tell.
 #pragma once
 
-#include "production/src/parameter.h"
-#include "production/src/prepared_map.h"
+#include "parameter.h"
+#include "prepared_map.h"
 
 namespace glev {
 

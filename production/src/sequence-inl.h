@@ -10,7 +10,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "production/src/vectors-inl.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

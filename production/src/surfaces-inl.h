@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "production/src/arguments-inl.h"
-#include "production/src/resolve.h"
-#include "production/src/weights-inl.h"
-#include "production/src/writer-inl.h"
+#include "arguments-inl.h"
+#include "resolve.h"
+#include "weights-inl.h"
+#include "writer-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

@@ -8,8 +8,8 @@
 
 #include <cstddef>
 
-#include "production/src/target.h"
-#include "production/src/vectors-inl.h"
+#include "target.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

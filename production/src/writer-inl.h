@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <cstring>
 
-#include "production/src/kernels.h"
-#include "production/src/triples.h"
-#include "production/src/vectors-inl.h"
+#include "kernels.h"
+#include "triples.h"
+#include "vectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {

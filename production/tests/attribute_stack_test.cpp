@@ -1,7 +1,7 @@
 // PushAttrib and PopAttrib.
 #include <bit>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

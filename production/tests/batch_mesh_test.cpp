@@ -2,8 +2,8 @@
 // of EvalPoint, and all other bytes stay as they are.
 #include <climits>
 
-#include "production/tests/batches.h"
-#include "production/tests/ledger.h"
+#include "batches.h"
+#include "ledger.h"
 
 namespace glev_tests {
 namespace {

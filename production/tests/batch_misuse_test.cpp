@@ -3,7 +3,7 @@
 #include <climits>
 #include <functional>
 
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

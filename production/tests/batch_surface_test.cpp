@@ -2,7 +2,7 @@
 // EvalCoord, and all other bytes stay as they are.
 #include <limits>
 
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

@@ -1,7 +1,7 @@
 // One plan, many threads, different batches at the same time.
 #include <thread>
 
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 

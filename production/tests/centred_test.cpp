@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "production/src/prepared_map.h"
-#include "production/tests/exact.h"
-#include "production/tests/fixture.h"
+#include "exact.h"
+#include "fixture.h"
+#include "src/prepared_map.h"
 
 namespace glev_tests {
 namespace {

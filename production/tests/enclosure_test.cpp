@@ -3,10 +3,10 @@
 #include <random>
 #include <vector>
 
-#include "production/src/enclosure.h"
-#include "production/src/kernels.h"
-#include "production/tests/fixture.h"
-#include "production/tests/nearest.h"
+#include "fixture.h"
+#include "nearest.h"
+#include "src/enclosure.h"
+#include "src/kernels.h"
 
 namespace glev_tests {
 namespace {

@@ -7,7 +7,7 @@
 #include <immintrin.h>
 #endif
 
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

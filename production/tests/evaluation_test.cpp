@@ -3,7 +3,7 @@
 #include <cstring>
 #include <limits>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

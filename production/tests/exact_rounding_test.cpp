@@ -9,9 +9,9 @@
 #include <immintrin.h>
 #endif
 
-#include "production/src/exact.h"
-#include "production/tests/fixture.h"
-#include "production/tests/nearest.h"
+#include "fixture.h"
+#include "nearest.h"
+#include "src/exact.h"
 
 namespace glev_tests {
 namespace {

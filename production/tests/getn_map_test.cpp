@@ -1,7 +1,7 @@
 // GetnMap, which knows the size of the array.
 #include <algorithm>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

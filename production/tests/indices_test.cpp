@@ -2,7 +2,7 @@
 #include <climits>
 #include <set>
 
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

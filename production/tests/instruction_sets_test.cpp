@@ -1,5 +1,5 @@
 // Every instruction set of this machine gives the same bits, one point or many.
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "production/tests/lists_fixture.h"
+#include "lists_fixture.h"
 
 namespace glev_tests {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "production/tests/lists_fixture.h"
+#include "lists_fixture.h"
 
 namespace glev_tests {
 namespace {

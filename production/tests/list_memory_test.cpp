@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "production/tests/ledger.h"
-#include "production/tests/lists_fixture.h"
+#include "ledger.h"
+#include "lists_fixture.h"
 
 namespace glev_tests {
 namespace {

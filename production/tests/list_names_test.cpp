@@ -2,7 +2,7 @@
 #include <map>
 #include <random>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

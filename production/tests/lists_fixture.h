@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 

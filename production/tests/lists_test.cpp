@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "production/tests/lists_fixture.h"
+#include "lists_fixture.h"
 
 namespace glev_tests {
 namespace {

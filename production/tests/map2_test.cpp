@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "production/src/parameter.h"
-#include "production/tests/exact.h"
+#include "exact.h"
+#include "src/parameter.h"
 
 namespace glev_tests {
 

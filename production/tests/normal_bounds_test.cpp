@@ -13,7 +13,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace normal_bounds {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 
-#include "production/src/normal.h"
-#include "production/tests/exact.h"
-#include "production/tests/fixture.h"
+#include "exact.h"
+#include "fixture.h"
+#include "src/normal.h"
 
 namespace glev_tests {
 namespace {

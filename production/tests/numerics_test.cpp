@@ -4,9 +4,9 @@
 #include <limits>
 #include <random>
 
-#include "production/src/bernstein.h"
-#include "production/tests/exact.h"
-#include "production/tests/fixture.h"
+#include "exact.h"
+#include "fixture.h"
+#include "src/bernstein.h"
 
 namespace glev_tests {
 namespace {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <thread>
 
-#include "production/tests/fixture.h"
-#include "production/tests/ledger.h"
+#include "fixture.h"
+#include "ledger.h"
 
 namespace glev_tests {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "production/tests/batches.h"
-#include "production/tests/nearest.h"
+#include "batches.h"
+#include "nearest.h"
 
 namespace glev_tests {
 namespace {

@@ -1,7 +1,7 @@
 // Begin, Vertex, End, and the sink.
 #include <cstring>
 
-#include "production/tests/fixture.h"
+#include "fixture.h"
 
 namespace glev_tests {
 namespace {

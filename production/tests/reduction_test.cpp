@@ -1,5 +1,5 @@
 // Degree reduction against differences in rational arithmetic.
-#include "production/src/reduction.h"
+#include "src/reduction.h"
 
 #include <cfenv>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "production/tests/fixture.h"
-#include "production/tests/nearest.h"
+#include "fixture.h"
+#include "nearest.h"
 
 namespace glev_tests {
 namespace {

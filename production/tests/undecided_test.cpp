@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "production/tests/batches.h"
-#include "production/tests/nearest.h"
+#include "batches.h"
+#include "nearest.h"
 
 namespace glev_tests {
 namespace {

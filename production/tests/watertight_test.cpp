@@ -1,6 +1,6 @@
 // Patches that share the control points of an edge have the same bits along it: whichever edge of each it is,
 // and in whichever direction it runs.
-#include "production/tests/batches.h"
+#include "batches.h"
 
 namespace glev_tests {
 namespace {

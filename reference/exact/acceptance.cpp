@@ -4,8 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "reference/exact/direction.h"
-#include "reference/exact/homogeneous.h"
+#include "direction.h"
+#include "homogeneous.h"
 
 namespace evalcts::reference {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/exact/homogeneous.h"
+#include "homogeneous.h"
 
 namespace evalcts::reference {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/exact/homogeneous.h"
-#include "reference/exact/leading_bits.h"
-#include "reference/exact/short_sum.h"
+#include "homogeneous.h"
+#include "leading_bits.h"
+#include "short_sum.h"
 
 namespace evalcts::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/exact/binary.h"
+#include "binary.h"
 
 #include <algorithm>
 #include <bit>

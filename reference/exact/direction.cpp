@@ -1,4 +1,4 @@
-#include "reference/exact/direction.h"
+#include "direction.h"
 
 #include <reference/rounding.h>
 

@@ -1,11 +1,11 @@
-#include "reference/exact/homogeneous.h"
+#include "homogeneous.h"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
 
-#include "reference/exact/binary.h"
+#include "binary.h"
 
 namespace evalcts::reference {
 namespace {

@@ -1,8 +1,8 @@
-#include "reference/exact/jet.h"
+#include "jet.h"
 
 #include <stdexcept>
 
-#include "reference/exact/homogeneous.h"
+#include "homogeneous.h"
 
 namespace evalcts::reference {
 namespace {

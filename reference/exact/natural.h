@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "reference/exact/leading_bits.h"
+#include "leading_bits.h"
 
 namespace evalcts::reference {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/exact/jet.h"
+#include "jet.h"
 
 namespace evalcts::reference {
 namespace {

@@ -17,9 +17,9 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/exact/direction.h"
-#include "reference/exact/homogeneous.h"
-#include "reference/exact/jet.h"
+#include "direction.h"
+#include "homogeneous.h"
+#include "jet.h"
 
 namespace evalcts::reference {
 namespace {

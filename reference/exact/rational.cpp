@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/exact/binary.h"
+#include "binary.h"
 
 namespace evalcts::reference {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/exact/binary.h"
-#include "reference/exact/leading_bits.h"
+#include "binary.h"
+#include "leading_bits.h"
 
 namespace evalcts::reference {
 namespace {

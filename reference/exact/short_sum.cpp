@@ -1,11 +1,11 @@
-#include "reference/exact/short_sum.h"
+#include "short_sum.h"
 
 #include <array>
 #include <bit>
 #include <cstdlib>
 
-#include "reference/exact/binary.h"
-#include "reference/exact/homogeneous.h"
+#include "binary.h"
+#include "homogeneous.h"
 
 namespace evalcts::reference {
 namespace {

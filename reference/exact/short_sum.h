@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/exact/natural.h"
+#include "natural.h"
 
 namespace evalcts::reference {
 

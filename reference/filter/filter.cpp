@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/filter/plan.h"
+#include "plan.h"
 
 namespace evalcts::reference {
 namespace {

@@ -1,15 +1,15 @@
 // Compiled once for each instruction set. What every number means, and why the bounds hold: PROOF.md.
-#include "reference/filter/kernels.h"
+#include "kernels.h"
 
 #include <reference/filter.h>
 
 #include <limits>
 #include <stdexcept>
 
-#include "reference/filter/bound.h"
+#include "bound.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "reference/filter/kernels.cpp"
+#define HWY_TARGET_INCLUDE "filter/kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -1,4 +1,4 @@
-#include "reference/filter/plan.h"
+#include "plan.h"
 
 #include <reference/rounding.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/exact/homogeneous.h"
-#include "reference/filter/bound.h"
+#include "bound.h"
+#include "exact/homogeneous.h"
 
 namespace evalcts::reference {
 namespace {

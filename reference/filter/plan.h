@@ -3,7 +3,7 @@
 
 #include <reference/filter.h>
 
-#include "reference/filter/kernels.h"
+#include "kernels.h"
 
 namespace evalcts::reference {
 

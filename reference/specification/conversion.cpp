@@ -1,4 +1,4 @@
-#include "reference/specification/conversion.h"
+#include "conversion.h"
 
 #include <reference/rational.h>
 #include <reference/rounding.h>

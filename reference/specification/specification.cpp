@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "reference/specification/conversion.h"
+#include "conversion.h"
 
 namespace evalcts::reference {
 namespace {

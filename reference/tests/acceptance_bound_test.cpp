@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/tests/random_data.h"
-#include "reference/tests/second_bound.h"
+#include "random_data.h"
+#include "second_bound.h"
 
 namespace evalcts::reference {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "reference/tests/perturbed.h"
-#include "reference/tests/random_data.h"
+#include "perturbed.h"
+#include "random_data.h"
 
 namespace evalcts::reference {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/tests/random_data.h"
-#include "reference/tests/second_route.h"
+#include "random_data.h"
+#include "second_route.h"
 
 namespace evalcts::reference {
 namespace {

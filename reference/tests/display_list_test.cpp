@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "reference/tests/context.h"
+#include "context.h"
 
 namespace evalcts::reference {
 namespace {

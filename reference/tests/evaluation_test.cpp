@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "reference/tests/context.h"
+#include "context.h"
 
 namespace evalcts::reference {
 namespace {

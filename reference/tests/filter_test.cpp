@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/filter/bound.h"
-#include "reference/tests/random_data.h"
+#include "filter/bound.h"
+#include "random_data.h"
 
 namespace evalcts::reference {
 namespace {

@@ -9,7 +9,7 @@
 #include <boost/multiprecision/mpfi.hpp>
 #include <cmath>
 
-#include "reference/tests/random_data.h"
+#include "random_data.h"
 
 namespace evalcts::reference {
 namespace {

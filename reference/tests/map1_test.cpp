@@ -5,7 +5,7 @@
 #include <limits>
 #include <memory>
 
-#include "reference/tests/context.h"
+#include "context.h"
 
 namespace evalcts::reference {
 namespace {

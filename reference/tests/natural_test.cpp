@@ -1,10 +1,10 @@
-#include "reference/exact/natural.h"
+#include "exact/natural.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "reference/tests/random_data.h"
+#include "random_data.h"
 
 namespace evalcts::reference {
 namespace {

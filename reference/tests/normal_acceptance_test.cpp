@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/tests/patch.h"
-#include "reference/tests/second_bound.h"
+#include "patch.h"
+#include "second_bound.h"
 
 namespace evalcts::reference {
 namespace {

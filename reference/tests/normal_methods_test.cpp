@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "reference/tests/perturbed_normal.h"
+#include "perturbed_normal.h"
 
 namespace evalcts::reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/tests/patch.h"
+#include "patch.h"
 
 namespace evalcts::reference {
 namespace {

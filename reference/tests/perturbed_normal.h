@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/tests/patch.h"
-#include "reference/tests/perturbed.h"
+#include "patch.h"
+#include "perturbed.h"
 
 namespace evalcts::reference {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/tests/random_data.h"
-#include "reference/tests/second_route.h"
+#include "random_data.h"
+#include "second_route.h"
 
 namespace evalcts::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/tests/second_route.h"
+#include "second_route.h"
 
 namespace evalcts::reference {
 

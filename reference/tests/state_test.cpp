@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "reference/tests/context.h"
+#include "context.h"
 
 namespace evalcts::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "reference/tests/context.h"
+#include "context.h"
 
 namespace evalcts::reference {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "reports/html/view.h"
-#include "reports/text.h"
+#include "text.h"
+#include "view.h"
 
 namespace evalcts::reports::view {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "evalcts/reports.h"
-#include "reports/html/view.h"
-#include "reports/text.h"
 #include "reports_templates.h"
+#include "text.h"
+#include "view.h"
 
 namespace evalcts::reports {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "reports/html/view.h"
-#include "reports/text.h"
+#include "text.h"
+#include "view.h"
 
 namespace evalcts::reports::view {
 namespace {

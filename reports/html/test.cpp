@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "reports/html/view.h"
-#include "reports/text.h"
+#include "text.h"
+#include "view.h"
 
 namespace evalcts::reports::view {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/html/view.h"
+#include "view.h"
 
 #include <fmt/format.h>
 

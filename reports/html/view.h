@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/requirements.h"
-#include "harness/results/run_result.h"
-#include "reports/comparison.h"
-#include "reports/side_by_side.h"
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/run_result.h>
+#include "comparison.h"
+#include "side_by_side.h"
 
 namespace evalcts::reports::view {
 

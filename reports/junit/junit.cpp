@@ -6,10 +6,10 @@
 
 #include <kainjow/mustache.hpp>
 
+#include <evalcts/results/run_result.h>
 #include "evalcts/reports.h"
-#include "harness/results/run_result.h"
-#include "reports/text.h"
 #include "reports_templates.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

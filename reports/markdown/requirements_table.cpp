@@ -6,8 +6,8 @@
 #include <set>
 
 #include "evalcts/reports.h"
-#include "reports/side_by_side.h"
-#include "reports/text.h"
+#include "side_by_side.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

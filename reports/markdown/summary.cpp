@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "comparison.h"
 #include "evalcts/reports.h"
-#include "reports/comparison.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "evalcts/reports.h"
-#include "reports/plots/figures.h"
-#include "reports/text.h"
+#include "figures.h"
 #include "reports_templates.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "evalcts/accuracy_page.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

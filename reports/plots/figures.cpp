@@ -1,4 +1,4 @@
-#include "reports/plots/figures.h"
+#include "figures.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "evalcts/reports.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
+#include <evalcts/results/json.h>
 
 namespace evalcts::reports {
 

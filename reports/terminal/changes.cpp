@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "comparison.h"
 #include "evalcts/reports.h"
-#include "reports/comparison.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

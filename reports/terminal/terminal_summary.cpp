@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include <evalcts/results/run_result.h>
 #include "evalcts/reports.h"
-#include "harness/results/run_result.h"
-#include "reports/text.h"
+#include "text.h"
 
 namespace evalcts::reports {
 namespace {

@@ -5,9 +5,9 @@
 #include <regex>
 #include <sstream>
 
+#include "comparison.h"
 #include "evalcts/reports.h"
-#include "reports/comparison.h"
-#include "reports/tests/samples.h"
+#include "samples.h"
 
 namespace evalcts::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"
-#include "reports/tests/samples.h"
+#include "samples.h"
 
 namespace evalcts::reports {
 namespace {

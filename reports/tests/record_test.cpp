@@ -1,9 +1,9 @@
-#include "harness/results/run_result.h"
+#include <evalcts/results/run_result.h>
 
 #include <gtest/gtest.h>
 
 #include "evalcts/reports.h"
-#include "reports/tests/samples.h"
+#include "samples.h"
 
 namespace evalcts::reports {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/json.h>
+#include <evalcts/results/serialization.h>
 #include "evalcts/reports.h"
-#include "harness/results/json.h"
-#include "harness/results/serialization.h"
 
 namespace evalcts::reports {
 

@@ -1,8 +1,8 @@
 // The schema and the records agree: what the samples hold is valid, what read_run_result refuses is not.
 #include <gtest/gtest.h>
 
-#include "harness/results/json_schema.h"
-#include "reports/tests/samples.h"
+#include <evalcts/results/json_schema.h>
+#include "samples.h"
 
 namespace evalcts::reports {
 namespace {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "evalcts/reports.h"
-#include "reports/tests/samples.h"
+#include "samples.h"
 
 namespace evalcts::reports {
 namespace {

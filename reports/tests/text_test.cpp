@@ -1,4 +1,4 @@
-#include "reports/text.h"
+#include "text.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "evalcts/reports.h"
-#include "reports/tests/samples.h"
+#include "samples.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "suites/glx_requests.h"
+#include "glx_requests.h"
 
 #include <gtest/gtest.h>
 

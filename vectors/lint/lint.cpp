@@ -1,4 +1,4 @@
-#include "vectors/lint/lint.h"
+#include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 
 #include <map>
 
-#include "harness/results/json_schema.h"
+#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/lint.h>
 #include "schema_text.h"
-#include "vectors/lint/lint.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "vectors/pipe/pipe.h"
+#include <evalcts/vectors/pipe.h>
 
 namespace evalcts::vectors {
 namespace {

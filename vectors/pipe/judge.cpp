@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "vectors/pipe/pipe.h"
+#include <evalcts/vectors/pipe.h>
 
 namespace evalcts::vectors {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "vectors/write/dice.h"
-#include "vectors/write/text.h"
+#include "write/dice.h"
+#include "write/text.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,12 +1,12 @@
 // Files while they are made.
-#include "vectors/write/document.h"
+#include "write/document.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "vectors/write/text.h"
+#include "write/text.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,5 +1,5 @@
 // What is wrong with a file is found, and said with the case it is in.
-#include "vectors/lint/lint.h"
+#include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <map>
 
-#include "vectors/write/write.h"
+#include <evalcts/vectors/write.h>
 
 namespace evalcts::vectors {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "vectors/write/sequences.h"
+#include "write/sequences.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -9,10 +9,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "harness/results/json.h"
-#include "harness/results/json_schema.h"
-#include "vectors/lint/lint.h"
-#include "vectors/write/write.h"
+#include <evalcts/results/json.h>
+#include <evalcts/results/json_schema.h>
+#include <evalcts/vectors/lint.h>
+#include <evalcts/vectors/write.h>
 
 namespace evalcts::vectors {
 namespace {

@@ -1,9 +1,9 @@
 // Automatic normals.
 #include <cmath>
 
-#include "vectors/write/kinds.h"
-#include "vectors/write/normals.h"
-#include "vectors/write/values.h"
+#include "kinds.h"
+#include "normals.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,4 +1,4 @@
-#include "vectors/write/document.h"
+#include "document.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/json.h"
-#include "vectors/write/dice.h"
+#include <evalcts/results/json.h>
+#include "dice.h"
 
 namespace evalcts::vectors {
 

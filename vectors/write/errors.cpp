@@ -1,9 +1,9 @@
 // Errors, and that what fails changes nothing.
 #include <limits>
 
-#include "harness/gl/tokens.h"
-#include "vectors/write/kinds.h"
-#include "vectors/write/sequences.h"
+#include <evalcts/gl/tokens.h>
+#include "kinds.h"
+#include "sequences.h"
 
 namespace evalcts::vectors {
 namespace {

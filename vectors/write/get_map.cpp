@@ -1,9 +1,9 @@
 // What queries of maps answer.
 #include <algorithm>
 
-#include "harness/gl/tokens.h"
-#include "vectors/write/kinds.h"
-#include "vectors/write/sequences.h"
+#include <evalcts/gl/tokens.h>
+#include "kinds.h"
+#include "sequences.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/gl/tokens.h"
-#include "vectors/write/kinds.h"
-#include "vectors/write/values.h"
+#include <evalcts/gl/tokens.h>
+#include "kinds.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 namespace {

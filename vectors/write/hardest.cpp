@@ -1,4 +1,4 @@
-#include "vectors/write/hardest.h"
+#include "hardest.h"
 
 #include <reference/filter.h>
 #include <reference/rounding.h>

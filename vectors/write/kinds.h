@@ -1,7 +1,7 @@
 // The seven files.
 #pragma once
 
-#include "vectors/write/document.h"
+#include "document.h"
 
 namespace evalcts::vectors {
 

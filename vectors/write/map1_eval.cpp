@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/gl/tokens.h"
-#include "vectors/write/hardest.h"
-#include "vectors/write/kinds.h"
-#include "vectors/write/values.h"
+#include <evalcts/gl/tokens.h>
+#include "hardest.h"
+#include "kinds.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,4 +1,4 @@
-#include "vectors/write/maps.h"
+#include "maps.h"
 
 #include <reference/rounding.h>
 

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "vectors/write/dice.h"
+#include "dice.h"
 
 namespace evalcts::vectors {
 

@@ -1,9 +1,9 @@
-#include "vectors/write/normals.h"
+#include "normals.h"
 
 #include <reference/normal.h>
 
-#include "vectors/write/text.h"
-#include "vectors/write/values.h"
+#include "text.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <reference/component.h>
 
-#include "vectors/write/document.h"
+#include "document.h"
 
 namespace evalcts::vectors {
 

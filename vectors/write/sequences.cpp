@@ -1,4 +1,4 @@
-#include "vectors/write/sequences.h"
+#include "sequences.h"
 
 #include <fmt/format.h>
 #include <reference/map.h>
@@ -9,12 +9,12 @@
 #include <limits>
 #include <stdexcept>
 
-#include "harness/gl/numbers.h"
-#include "harness/gl/tokens.h"
-#include "harness/judge/prediction.h"
-#include "vectors/write/normals.h"
-#include "vectors/write/text.h"
-#include "vectors/write/values.h"
+#include <evalcts/gl/numbers.h>
+#include <evalcts/gl/tokens.h>
+#include <evalcts/judge/prediction.h>
+#include "normals.h"
+#include "text.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 namespace {

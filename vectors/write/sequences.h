@@ -1,9 +1,9 @@
 // What the vectors say of sequences of commands (INTERPRETING.md, "Sequences").
 #pragma once
 
-#include "harness/gl/case.h"
-#include "vectors/write/document.h"
-#include "vectors/write/maps.h"
+#include <evalcts/gl/case.h>
+#include "document.h"
+#include "maps.h"
 
 namespace evalcts::vectors {
 

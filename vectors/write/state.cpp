@@ -1,10 +1,10 @@
 // Longer sequences: what is enabled, what wins, what is emitted, what stays as it was.
 #include <algorithm>
 
-#include "harness/fuzz/random_program.h"
-#include "harness/gl/tokens.h"
-#include "vectors/write/kinds.h"
-#include "vectors/write/sequences.h"
+#include <evalcts/fuzz/random_program.h>
+#include <evalcts/gl/tokens.h>
+#include "kinds.h"
+#include "sequences.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,4 +1,4 @@
-#include "vectors/write/text.h"
+#include "text.h"
 
 #include <fmt/format.h>
 #include <reference/rounding.h>

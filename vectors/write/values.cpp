@@ -1,4 +1,4 @@
-#include "vectors/write/values.h"
+#include "values.h"
 
 #include <fmt/format.h>
 #include <reference/rounding.h>
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "harness/gl/tokens.h"
-#include "vectors/write/text.h"
+#include <evalcts/gl/tokens.h>
+#include "text.h"
 
 namespace evalcts::vectors {
 

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "vectors/write/document.h"
-#include "vectors/write/maps.h"
+#include "document.h"
+#include "maps.h"
 
 namespace evalcts::vectors {
 

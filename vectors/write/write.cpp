@@ -1,12 +1,12 @@
-#include "vectors/write/write.h"
+#include <evalcts/vectors/write.h>
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 #include <utility>
 
-#include "harness/runner/runner.h"
-#include "vectors/write/kinds.h"
+#include <evalcts/results/files.h>
+#include "kinds.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -1,8 +1,8 @@
 // Section 21: the attribute stack and several contexts.
 #include <array>
 
-#include "harness/faults/around.h"
-#include "harness/faults/forms.h"
+#include "around.h"
+#include "forms.h"
 
 namespace evalcts::faults::attribute_stack {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,7 +1,7 @@
 // Section 10: normals that AUTO_NORMAL generates.
 #include <cmath>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,5 +1,5 @@
 // Section 11: what evaluation has to leave alone.
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

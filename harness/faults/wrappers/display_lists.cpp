@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/faults/around.h"
-#include "harness/faults/evaluating.h"
-#include "harness/faults/forms.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "around.h"
+#include "evaluating.h"
+#include "forms.h"
 
 namespace evalcts::faults::display_lists {
 namespace {

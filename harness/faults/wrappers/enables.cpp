@@ -1,5 +1,5 @@
 // Section 6: the 18 map enables and AUTO_NORMAL.
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,7 +1,7 @@
 // Section 1: entry points, tokens and forms.
 #include <cmath>
 
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,7 +1,7 @@
 // Section 7: what evaluation does and leaves undone.
 #include <cmath>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

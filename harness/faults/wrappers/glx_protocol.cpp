@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/faults/around.h"
-#include "harness/faults/forms.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "around.h"
+#include "forms.h"
 
 #define GLX_FAULT(name, requirements, what) EVALCTS_FAULT_IN("glx-indirect", name, must, requirements, what)
 

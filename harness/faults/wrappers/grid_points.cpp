@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,7 +1,7 @@
 // Section 13: grids.
 #include <cmath>
 
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

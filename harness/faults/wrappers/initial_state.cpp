@@ -1,5 +1,5 @@
 // Section 2: what a fresh context holds. A wrapper is put around a context that was just created.
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,6 +1,6 @@
 // Section 12: evaluated colours in the lighting equation.
-#include "harness/faults/around.h"
-#include "harness/faults/forms.h"
+#include "around.h"
+#include "forms.h"
 
 namespace evalcts::faults::lighting {
 namespace {

@@ -1,5 +1,5 @@
 // Sections 15 and 16, further down the pipeline: stippling, faces, polygon modes.
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

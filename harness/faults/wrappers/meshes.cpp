@@ -1,7 +1,7 @@
 // Sections 15 and 16: what meshes draw, and their errors.
 #include <algorithm>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

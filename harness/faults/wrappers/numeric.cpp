@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/faults/evaluating.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

@@ -2,7 +2,7 @@
 // wrong ways, too: harness/tests/drills/nv_vertex_program.cpp.)
 #include <algorithm>
 
-#include "harness/faults/around.h"
+#include "around.h"
 
 #define NV_FAULT(name, requirements, what) EVALCTS_FAULT_IN(kNvVertexProgram, name, must, requirements, what)
 

@@ -1,5 +1,5 @@
 // Section 19: what may stand between Begin and End, and that commands act in order.
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

@@ -1,5 +1,5 @@
 // Section 9: which of several enabled maps counts.
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 namespace evalcts::faults {
 namespace {

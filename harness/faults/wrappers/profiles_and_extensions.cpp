@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/faults/around.h"
-#include "harness/faults/forms.h"
-#include "harness/gl/tokens.h"
+#include <evalcts/gl/tokens.h>
+#include "around.h"
+#include "forms.h"
 
 namespace evalcts::faults::profiles_and_extensions {
 namespace {

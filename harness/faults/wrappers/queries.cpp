@@ -2,7 +2,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "harness/faults/map_calls.h"
+#include "map_calls.h"
 
 namespace evalcts::faults {
 namespace {

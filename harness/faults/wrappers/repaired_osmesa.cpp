@@ -1,11 +1,11 @@
 // Rules of several sections that no implementation at hand follows: faults in OSMesa as repaired_osmesa.h
 // makes it, or as the version that has the rule.
-#include "harness/faults/repaired_osmesa.h"
+#include "repaired_osmesa.h"
 
 #include <array>
 #include <vector>
 
-#include "harness/faults/evaluating.h"
+#include "evaluating.h"
 
 #define REPAIRED_FAULT(name, requirements, what) \
   EVALCTS_FAULT_IN(kRepairedOSMesa, name, must, requirements, what)

@@ -1,8 +1,8 @@
 // Section 22: evaluated primitives in feedback and selection mode, and in the other stages of the pipeline.
 #include <algorithm>
 
-#include "harness/faults/around.h"
-#include "harness/faults/forms.h"
+#include "around.h"
+#include "forms.h"
 
 namespace evalcts::faults::rest_of_pipeline {
 namespace {

@@ -28,8 +28,8 @@
 #include <cstring>
 #include <map>
 
-#include "harness/gl/table.h"
-#include "harness/tests/drills/misdeeds.h"
+#include <evalcts/gl/table.h>
+#include "misdeeds.h"
 
 #define EXPORT extern "C" __attribute__((visibility("default")))
 

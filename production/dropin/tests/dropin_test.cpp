@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "production/dropin/tests/client.h"
+#include "client.h"
 
 namespace {
 

@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/requirements.h"
-#include "harness/results/run_result.h"
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/run_result.h>
 
 namespace evalcts::reports {
 

@@ -1,0 +1,427 @@
+// EGL without a window system.
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/gl/contexts.h>
+#include "context_maker.h"
+#include "shared_library.h"
+
+namespace evalcts {
+namespace {
+
+// All of EGL 1.4 that is needed. Only the types of the header's declarations are used.
+// (clang-format 14 never comes to an end with such lists.)
+// clang-format off
+#define EGL_FUNCTIONS(X)                                                           \
+  X(GetError) X(QueryString) X(GetDisplay) X(Initialize) X(Terminate) X(BindAPI)   \
+  X(ChooseConfig) X(CreateContext) X(DestroyContext) X(MakeCurrent)                \
+  X(CreatePbufferSurface) X(DestroySurface) X(GetProcAddress)
+// clang-format on
+
+struct Functions {
+#define X(name) decltype(&::egl##name) name = nullptr;
+  EGL_FUNCTIONS(X)
+#undef X
+};
+
+Functions functions_of(const SharedLibrary& library) {
+  Functions functions;
+  const auto find = [&](const char* symbol) {
+    void* address = library.find(symbol);
+    if (!address) throw CannotStart(fmt::format("{} has no {}: it is not EGL", library.path(), symbol));
+    return address;
+  };
+#define X(name) functions.name = reinterpret_cast<decltype(functions.name)>(find("egl" #name));
+  EGL_FUNCTIONS(X)
+#undef X
+  return functions;
+}
+
+std::string error_name(EGLint error) {
+  switch (error) {
+#define NAME(token) \
+  case token:       \
+    return #token;
+    NAME(EGL_SUCCESS)
+    NAME(EGL_NOT_INITIALIZED)
+    NAME(EGL_BAD_ACCESS)
+    NAME(EGL_BAD_ALLOC)
+    NAME(EGL_BAD_ATTRIBUTE)
+    NAME(EGL_BAD_CONFIG)
+    NAME(EGL_BAD_CONTEXT)
+    NAME(EGL_BAD_CURRENT_SURFACE)
+    NAME(EGL_BAD_DISPLAY)
+    NAME(EGL_BAD_MATCH)
+    NAME(EGL_BAD_NATIVE_PIXMAP)
+    NAME(EGL_BAD_NATIVE_WINDOW)
+    NAME(EGL_BAD_PARAMETER)
+    NAME(EGL_BAD_SURFACE)
+    NAME(EGL_CONTEXT_LOST)
+    NAME(EGL_BAD_DEVICE_EXT)
+#undef NAME
+    default:
+      return fmt::format("error 0x{:04X}", error);
+  }
+}
+
+bool has_word(const char* words, const std::string& wanted) {
+  std::istringstream stream(words ? words : "");
+  for (std::string word; stream >> word;)
+    if (word == wanted) return true;
+  return false;
+}
+
+// A display that might do.
+struct Candidate {
+  std::string name;
+  EGLenum platform;  // EGL_NONE: eglGetDisplay
+  void* native;
+};
+
+// The commands with which a context gets something to draw to.
+// clang-format off
+#define FRAMEBUFFER_COMMANDS(X)                                                    \
+  X(GenFramebuffers) X(BindFramebuffer) X(GenRenderbuffers) X(BindRenderbuffer)    \
+  X(RenderbufferStorage) X(FramebufferRenderbuffer) X(CheckFramebufferStatus)      \
+  X(DrawBuffer) X(ReadBuffer) X(Viewport) X(Scissor) X(GetError)
+// clang-format on
+
+struct FramebufferCommands {
+#define X(name) decltype(&::gl##name) name = nullptr;
+  FRAMEBUFFER_COMMANDS(X)
+#undef X
+};
+
+enum class Api { opengl, gles2 };
+
+class EglContexts final : public ContextMaker {
+ public:
+  EglContexts(const std::string& library, EglPlatform platform, Api api, const std::string& in_front = "")
+      : library_(library, in_front), egl_(functions_of(library_)), api_(api) {
+    const char* extensions = egl_.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    client_extensions_ = extensions ? extensions : "";
+    if (!extensions) egl_.GetError();
+    std::vector<std::string> reasons;
+    for (const Candidate& candidate : candidates(platform, reasons)) {
+      try {
+        open(candidate);
+        return;
+      } catch (const CannotStart& error) {
+        reasons.push_back(candidate.name + ": " + error.what());
+        if (display_ != EGL_NO_DISPLAY) egl_.Terminate(display_);
+        display_ = EGL_NO_DISPLAY;
+      }
+    }
+    throw CannotStart(
+        fmt::format("no display of {} gives an {} context ({}); a driver for it may be missing (Mesa's are "
+                    "in the packages libegl-mesa0 and libgl1-mesa-dri){}{}",
+                    library_.path(), opengl() ? "OpenGL" : "OpenGL ES 2", fmt::join(reasons, "; "),
+                    opengl() ? ", or name another EGL with --library" : "",
+                    describe_egl_vendors() + describe_gl_environment()));
+  }
+
+  void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
+  bool makes_several() const override { return true; }
+  void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context, attributes_); }
+  void* create_of_kind(GLuint kind) override { return make(EGL_NO_CONTEXT, attributes_of(kind)); }
+
+  void make_current(void* context) override {
+    const Made& made = *static_cast<Made*>(context);
+    if (!egl_.MakeCurrent(display_, made.surface, made.surface, made.context))
+      throw failure("eglMakeCurrent");
+  }
+
+  void destroy(void* context) override {
+    const std::unique_ptr<Made> made(static_cast<Made*>(context));
+    egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    egl_.DestroyContext(display_, made->context);
+    if (made->surface != EGL_NO_SURFACE) egl_.DestroySurface(display_, made->surface);
+  }
+
+  void* exported(const char* command) override { return library_.exported(command); }
+
+  // Another library's commands may belong to other contexts than this EGL's: they are the last resort, for an
+  // EGL whose eglGetProcAddress need not know the commands of GL 1.x.
+  void* address_of(const char* command) override {
+    if (!knows_all_commands_)
+      for (const char* name : {"libOpenGL.so.0", "libGL.so.1"}) {
+        try {
+          if (void* address = SharedLibrary(name).find(command)) return address;
+        } catch (const CannotStart&) {
+          continue;
+        }
+      }
+    return reinterpret_cast<void*>(egl_.GetProcAddress(command));
+  }
+
+  std::string library() const override { return library_.path(); }
+
+ private:
+  struct Made {
+    EGLContext context = EGL_NO_CONTEXT;
+    EGLSurface surface = EGL_NO_SURFACE;
+  };
+
+  // EGL 1.5, or EGL_KHR_create_context and EGL_KHR_create_context_no_error with the same values.
+  std::vector<EGLint> attributes_of(GLuint kind) const {
+    if (!opengl()) throw CannotStart("OpenGL ES has no such kinds of contexts");
+    std::vector<EGLint> attributes = {
+        EGL_CONTEXT_MAJOR_VERSION,       3,
+        EGL_CONTEXT_MINOR_VERSION,       2,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT};
+    switch (kind) {
+      case EVALCTS_CORE_PROFILE:
+        attributes = {EGL_CONTEXT_MAJOR_VERSION,       3,
+                      EGL_CONTEXT_MINOR_VERSION,       2,
+                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+        break;
+      case EVALCTS_FORWARD_COMPATIBLE:
+        attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                      3,
+                      EGL_CONTEXT_MINOR_VERSION,
+                      1,
+                      EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE,
+                      EGL_TRUE};
+        break;
+      case EVALCTS_DEBUG:
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+        break;
+      case EVALCTS_NO_ERROR:
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
+        break;
+      default:
+        throw CannotStart(fmt::format("there is no kind {} of contexts", kind));
+    }
+    attributes.push_back(EGL_NONE);
+    return attributes;
+  }
+
+  Made* make(EGLContext share, const std::vector<EGLint>& attributes) {
+    auto made = std::make_unique<Made>();
+    made->context = egl_.CreateContext(display_, config_, share, attributes.data());
+    if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
+    try {
+      if (!surfaceless_) {
+        const EGLint size[] = {EGL_WIDTH, kFramebufferSide, EGL_HEIGHT, kFramebufferSide, EGL_NONE};
+        made->surface = egl_.CreatePbufferSurface(display_, config_, size);
+        if (made->surface == EGL_NO_SURFACE) throw failure("eglCreatePbufferSurface");
+      }
+      make_current(made.get());
+      if (surfaceless_) bind_framebuffer();
+    } catch (const CannotStart&) {
+      destroy(made.release());
+      throw;
+    }
+    return made.release();
+  }
+
+  CannotStart failure(const std::string& step) const {
+    return CannotStart(fmt::format("{} gives {}", step, error_name(egl_.GetError())));
+  }
+
+  bool client_has(const std::string& extension) const {
+    return has_word(client_extensions_.c_str(), extension);
+  }
+
+  template <class Function>
+  Function extension(const char* name) const {
+    void* exported = library_.find(name);
+    return exported ? reinterpret_cast<Function>(exported)
+                    : reinterpret_cast<Function>(egl_.GetProcAddress(name));
+  }
+
+  std::vector<Candidate> candidates(EglPlatform platform, std::vector<std::string>& reasons) const {
+    std::vector<Candidate> found;
+    if (platform != EglPlatform::device) {
+      if (client_has("EGL_MESA_platform_surfaceless")) {
+        found.push_back({"surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY});
+      } else {
+        reasons.push_back("surfaceless: there is no EGL_MESA_platform_surfaceless");
+      }
+    }
+    if (platform != EglPlatform::surfaceless) {
+      std::vector<EGLDeviceEXT> devices;
+      if (client_has("EGL_EXT_platform_device") || client_has("EGL_EXT_platform_base"))
+        devices = all_devices();
+      for (std::size_t i = 0; i < devices.size(); ++i)
+        found.push_back({fmt::format("device {}", i), EGL_PLATFORM_DEVICE_EXT, devices[i]});
+      if (devices.empty()) reasons.push_back("device: EGL_EXT_platform_device offers none");
+    }
+    if (platform == EglPlatform::any) {
+      const Candidate usual{"default display", EGL_NONE, nullptr};
+      // Whoever sets EGL_PLATFORM means the default display.
+      found.insert(std::getenv("EGL_PLATFORM") ? found.begin() : found.end(), usual);
+    }
+    return found;
+  }
+
+  std::vector<EGLDeviceEXT> all_devices() const {
+    const auto query = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    EGLint count = 0;
+    if (!query || !query(0, nullptr, &count) || count <= 0) return {};
+    std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+    if (!query(count, devices.data(), &count)) return {};
+    devices.resize(static_cast<std::size_t>(count));
+    return devices;
+  }
+
+  EGLDisplay display_of(const Candidate& candidate) const {
+    if (candidate.platform == EGL_NONE) return egl_.GetDisplay(EGL_DEFAULT_DISPLAY);
+    if (const auto get = extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT"))
+      return get(candidate.platform, candidate.native, nullptr);
+    const auto get = extension<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
+    return get ? get(candidate.platform, candidate.native, nullptr) : EGL_NO_DISPLAY;
+  }
+
+  // False where there is none.
+  bool choose_config() {
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
+                             opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
+                             EGL_SURFACE_TYPE,
+                             surfaceless_ ? 0 : EGL_PBUFFER_BIT,
+                             EGL_RED_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_ALPHA_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_DEPTH_SIZE,
+                             surfaceless_ ? 0 : 24,
+                             EGL_STENCIL_SIZE,
+                             surfaceless_ ? 0 : 8,
+                             EGL_NONE};
+    EGLint count = 0;
+    if (!egl_.ChooseConfig(display_, wanted, &config_, 1, &count)) throw failure("eglChooseConfig");
+    if (count == 0) config_ = nullptr;
+    return count > 0;
+  }
+
+  // Everything up to one context that is made and destroyed again.
+  void open(const Candidate& candidate) {
+    display_ = display_of(candidate);
+    if (display_ == EGL_NO_DISPLAY) throw failure("the display");
+    EGLint major = 0, minor = 0;
+    if (!egl_.Initialize(display_, &major, &minor)) throw failure("eglInitialize");
+    const char* apis = egl_.QueryString(display_, EGL_CLIENT_APIS);
+    if (!has_word(apis, opengl() ? "OpenGL" : "OpenGL_ES") ||
+        !egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API))
+      throw CannotStart(fmt::format("it has no {}, only {}", opengl() ? "desktop OpenGL" : "OpenGL ES",
+                                    apis ? apis : "nothing"));
+
+    const bool is_1_5 = major > 1 || (major == 1 && minor >= 5);
+    const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
+    knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
+                          client_has("EGL_KHR_client_get_all_proc_addresses");
+    // A framebuffer object only where there are no surfaces: NVIDIA's driver (580) loses that of a context
+    // without a surface when other contexts have been current. What makes contexts of OpenGL ES for another
+    // library need not know such objects at all.
+    surfaceless_ = false;
+    if (!choose_config() && opengl() && has_word(extensions, "EGL_KHR_surfaceless_context")) {
+      surfaceless_ = true;
+      choose_config();
+    }
+    if (!config_) throw CannotStart("no configuration is made for OpenGL");
+
+    // Without attributes comes the highest version with everything of 1.0 in it, and so with evaluators.
+    attributes_ = {EGL_NONE};
+    if (!opengl()) attributes_ = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
+    try {
+      destroy(create());
+    } catch (const CannotStart&) {
+      if (!opengl() || (!is_1_5 && !has_word(extensions, "EGL_KHR_create_context"))) throw;
+      attributes_ = {EGL_CONTEXT_MAJOR_VERSION,
+                     3,
+                     EGL_CONTEXT_MINOR_VERSION,
+                     2,
+                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                     EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                     EGL_NONE};
+      destroy(create());
+    }
+  }
+
+  void load_framebuffer_commands() {
+    const auto find = [&](const char* name) {
+      void* own = exported(name);
+      void* address = own ? own : address_of(name);
+      if (!address)
+        throw CannotStart(
+            fmt::format("{} is missing: a context without a surface needs a framebuffer object", name));
+      return address;
+    };
+#define X(name) gl_.name = reinterpret_cast<decltype(gl_.name)>(find("gl" #name));
+    FRAMEBUFFER_COMMANDS(X)
+#undef X
+  }
+
+  // Without a complete framebuffer every Begin raises INVALID_FRAMEBUFFER_OPERATION. The objects die with the
+  // context. Viewport and scissor box of a context without a surface start empty.
+  void bind_framebuffer() {
+    if (!gl_.GetError) load_framebuffer_commands();
+    GLuint framebuffer = 0;
+    GLuint renderbuffers[2] = {};
+    gl_.GenFramebuffers(1, &framebuffer);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    gl_.GenRenderbuffers(2, renderbuffers);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[0]);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, kFramebufferSide, kFramebufferSide);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, renderbuffers[1]);
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, kFramebufferSide, kFramebufferSide);
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, 0);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, renderbuffers[0]);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, renderbuffers[1]);
+    gl_.DrawBuffer(GL_COLOR_ATTACHMENT0);
+    gl_.ReadBuffer(GL_COLOR_ATTACHMENT0);
+    gl_.Viewport(0, 0, kFramebufferSide, kFramebufferSide);
+    gl_.Scissor(0, 0, kFramebufferSide, kFramebufferSide);
+    const GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    const GLenum error = gl_.GetError();
+    if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR)
+      throw CannotStart(fmt::format(
+          "the framebuffer object is not complete (status 0x{:04X}, error 0x{:04X})", status, error));
+  }
+
+  bool opengl() const { return api_ == Api::opengl; }
+
+  SharedLibrary library_;
+  Functions egl_;
+  Api api_;
+  FramebufferCommands gl_;
+  std::string client_extensions_;
+  // Stays initialized until the process ends: drivers have exit handlers of their own.
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLConfig config_ = nullptr;
+  std::vector<EGLint> attributes_;
+  bool surfaceless_ = false;
+  bool knows_all_commands_ = false;
+};
+
+std::string usual_library() {
+  try {
+    return SharedLibrary("libEGL.so.1").path();
+  } catch (const CannotStart& error) {
+    throw CannotStart(
+        fmt::format("{}; Debian's package is libegl1; another EGL is chosen with --library", error.what()));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> make_egl_contexts(const std::string& library, EglPlatform platform,
+                                                const std::string& in_front) {
+  return std::make_unique<EglContexts>(library.empty() ? usual_library() : library, platform, Api::opengl,
+                                       in_front);
+}
+
+std::unique_ptr<ContextMaker> make_gles2_contexts() {
+  return std::make_unique<EglContexts>(usual_library(), EglPlatform::any, Api::gles2);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,183 @@
+#include <evalcts/backends/gl_environment.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <link.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include <evalcts/backends/implementation.h>
+#include <evalcts/results/json.h>
+#include "shared_library.h"
+
+namespace evalcts {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Holds { name, files, directories, driver_directories };
+
+struct Variable {
+  const char* name;
+  Holds holds;
+};
+
+constexpr std::array kVariables = {
+    Variable{"GALLIUM_DRIVER", Holds::name},
+    Variable{"MESA_LOADER_DRIVER_OVERRIDE", Holds::name},
+    Variable{"LIBGL_ALWAYS_SOFTWARE", Holds::name},
+    Variable{"EGL_PLATFORM", Holds::name},
+    Variable{"__GLX_VENDOR_LIBRARY_NAME", Holds::name},
+    Variable{"LIBGL_DRIVERS_PATH", Holds::driver_directories},
+    Variable{"LD_LIBRARY_PATH", Holds::directories},
+    Variable{"__EGL_VENDOR_LIBRARY_DIRS", Holds::directories},
+    Variable{"__EGL_VENDOR_LIBRARY_FILENAMES", Holds::files},
+    Variable{"VK_DRIVER_FILES", Holds::files},
+    Variable{"VK_ICD_FILENAMES", Holds::files},
+};
+
+bool has_driver(const fs::path& directory) {
+  std::error_code unreadable;
+  for (const auto& entry : fs::directory_iterator(directory, unreadable))
+    if (entry.path().filename().string().ends_with("_dri.so")) return true;
+  return false;
+}
+
+// Returns what is wrong with one entry of a path list; empty if nothing is.
+std::string problem_of(const std::string& entry, Holds holds) {
+  std::error_code error;
+  if (holds == Holds::name) return {};
+  if (holds == Holds::files)
+    return fs::is_regular_file(entry, error) ? "" : fmt::format("there is no file '{}'", entry);
+  if (!fs::is_directory(entry, error)) return fmt::format("there is no directory '{}'", entry);
+  if (holds == Holds::driver_directories && !has_driver(entry))
+    return fmt::format("there is no *_dri.so in '{}'", entry);
+  return {};
+}
+
+std::string value_of(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value ? value : "";
+}
+
+// Drivers that put their name into GL_RENDERER, those that run on the processor first.
+constexpr std::array<std::string_view, 7> kNamed = {"llvmpipe", "softpipe", "swr",   "zink",
+                                                    "d3d12",    "virgl",    "svga3d"};
+constexpr std::size_t kSoftware = 3;
+
+bool is_named(std::string_view driver) { return std::ranges::find(kNamed, driver) != kNamed.end(); }
+
+// "zink Vulkan 1.3(llvmpipe (LLVM 15.0.6, 256 bits))" is zink: the first name counts.
+std::string_view driver_in(const std::string& renderer) {
+  std::string lower = renderer;
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string_view first;
+  std::size_t place = std::string::npos;
+  for (const std::string_view name : kNamed)
+    if (const std::size_t found = lower.find(name); found < place) {
+      place = found;
+      first = name;
+    }
+  return first;
+}
+
+}  // namespace
+
+std::string describe_gl_environment() {
+  std::vector<std::string> set;
+  for (const Variable& variable : kVariables) {
+    const std::string value = value_of(variable.name);
+    if (value.empty()) continue;
+    std::vector<std::string> problems;
+    std::istringstream entries(value);
+    for (std::string entry; std::getline(entries, entry, ':');)
+      if (const std::string problem = problem_of(entry, variable.holds); !entry.empty() && !problem.empty())
+        problems.push_back(problem);
+    set.push_back(fmt::format("{}='{}'{}", variable.name, value,
+                              problems.empty() ? "" : fmt::format(" ({})", fmt::join(problems, ", "))));
+  }
+  if (set.empty()) return {};
+  return fmt::format("; the environment sets {}: {}", fmt::join(set, ", "),
+                     set.size() == 1 ? "check this value, or unset the variable"
+                                     : "check these values, or unset the variables");
+}
+
+std::string describe_egl_vendors() {
+  const auto value_or = [](const char* variable, const char* otherwise) {
+    const std::string value = value_of(variable);
+    return value.empty() ? otherwise : value;
+  };
+  std::vector<fs::path> files;
+  if (const std::string names = value_of("__EGL_VENDOR_LIBRARY_FILENAMES"); !names.empty()) {
+    std::istringstream entries(names);
+    for (std::string entry; std::getline(entries, entry, ':');) files.emplace_back(entry);
+  } else {
+    std::istringstream entries(
+        value_or("__EGL_VENDOR_LIBRARY_DIRS", "/etc/glvnd/egl_vendor.d:/usr/share/glvnd/egl_vendor.d"));
+    for (std::string entry; std::getline(entries, entry, ':');) {
+      std::error_code unreadable;
+      for (const auto& file : fs::directory_iterator(entry, unreadable))
+        if (file.path().extension() == ".json") files.push_back(file.path());
+    }
+  }
+  std::string problems;
+  for (const fs::path& file : files) {
+    std::ifstream stream(file);
+    const nlohmann::json vendor = nlohmann::json::parse(stream, nullptr, false);
+    if (!stream.is_open()) continue;  // describe_gl_environment() names it
+    const nlohmann::json::json_pointer place("/ICD/library_path");
+    if (!vendor.is_object() || !vendor.contains(place)) {
+      problems += fmt::format("; '{}' has no ICD.library_path", file.string());
+      continue;
+    }
+    try {
+      const SharedLibrary library{std::string(as_text(vendor[place]))};
+    } catch (const CannotStart& error) {
+      problems += fmt::format("; the EGL of '{}' is not used: {}", file.string(), error.what());
+    }
+  }
+  return problems;
+}
+
+std::vector<std::string> loaded_gl_files() {
+  std::vector<std::string> files;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* all) {
+        const std::string name = fs::path(info->dlpi_name).filename().string();
+        bool is_of_gl = name.find("_dri.so") != std::string::npos;
+        for (const char* const beginning :
+             {"libEGL", "libGL", "libOSMesa", "libgallium", "libvulkan", "libnvidia"})
+          is_of_gl = is_of_gl || name.starts_with(beginning);
+        if (is_of_gl) static_cast<std::vector<std::string>*>(all)->emplace_back(info->dlpi_name);
+        return 0;
+      },
+      &files);
+  return files;
+}
+
+std::string describe_other_driver(const std::string& renderer) {
+  for (const char* const variable : {"MESA_LOADER_DRIVER_OVERRIDE", "GALLIUM_DRIVER"}) {
+    const std::string wanted = value_of(variable);
+    const std::string_view found = driver_in(renderer);
+    if (wanted.empty() || wanted == found) continue;
+    const bool is_software =
+        std::ranges::find(kNamed.begin(), kNamed.begin() + kSoftware, found) != kNamed.begin() + kSoftware;
+    if (!is_named(wanted) && (!is_software || wanted.ends_with("swrast"))) continue;
+    return fmt::format(
+        "{}={} asks for another driver than the one that was judged: GL_RENDERER is '{}'. This GL does not "
+        "have "
+        "the driver, or does not read the variable.",
+        variable, wanted, renderer);
+  }
+  return {};
+}
+
+}  // namespace evalcts

@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "context_maker.h"
+#include "shared_library.h"
+
+namespace evalcts {
+namespace {
+
+class NoContexts final : public ContextMaker {
+ public:
+  void* create() override { return nullptr; }
+  void destroy(void*) override {}
+  void* address_of(const char*) override { return nullptr; }
+  std::string library() const override { return {}; }
+};
+
+// A context, and those that a case has made beside it.
+class MadeContext final : public Context {
+ public:
+  MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)
+      : maker_(maker), handle_(handle), table_(table) {
+    of_the_case_ = this;
+  }
+  ~MadeContext() override {
+    of_the_case_ = nullptr;
+    for (const auto& [number, handle] : others_) {
+      maker_.make_current(handle);
+      maker_.destroy(handle);
+    }
+    if (!others_.empty()) maker_.make_current(handle_);
+    maker_.destroy(handle_);
+  }
+  MadeContext(const MadeContext&) = delete;
+  MadeContext& operator=(const MadeContext&) = delete;
+
+  const gl::Table& table() const override { return table_; }
+  void make_current() override {
+    of_the_case_ = this;
+    maker_.make_current(handle_);
+  }
+
+  // The commands of gl/contexts.h.
+  static void other(GLuint number) {
+    of_the_case_->make_current(number, gl::EntryPoint::OtherContextEVALCTS,
+                               [](ContextMaker& maker) { return maker.create(); });
+  }
+  static void sharing(GLuint number) {
+    of_the_case_->make_current(number, gl::EntryPoint::SharingContextEVALCTS, [](ContextMaker& maker) {
+      return maker.create_sharing(of_the_case_->handle_);
+    });
+  }
+  static void of_kind(GLuint number, GLuint kind) {
+    of_the_case_->make_current(number, gl::EntryPoint::ContextOfKindEVALCTS,
+                               [kind](ContextMaker& maker) { return maker.create_of_kind(kind); });
+  }
+
+  static void copy(GLuint from, GLuint to, GLbitfield mask) {
+    MadeContext& all = *of_the_case_;
+    const auto handle = [&](GLuint number) {
+      const auto made = all.others_.find(number);
+      if (number != 0 && made == all.others_.end())
+        throw gl::MissingEntryPoint(gl::EntryPoint::CopyContextEVALCTS);
+      return number == 0 ? all.handle_ : made->second;
+    };
+    try {
+      all.maker_.make_current(handle(from));
+      all.maker_.copy(handle(from), handle(to), mask);
+    } catch (const CannotStart& error) {
+      throw NotObservable(std::string("pipeline: ") + error.what());
+    }
+  }
+
+  // Those of gl/requests.h.
+  static void record_requests() { of_the_case_->maker_.record_requests(); }
+  static GLsizei recorded_requests(GLsizei size, GLubyte* requests) {
+    const std::vector<unsigned char> all = of_the_case_->maker_.recorded_requests();
+    std::copy_n(all.begin(), std::min(all.size(), static_cast<std::size_t>(std::max(size, 0))), requests);
+    return static_cast<GLsizei>(all.size());
+  }
+
+ private:
+  template <class Create>
+  void make_current(GLuint number, gl::EntryPoint command, const Create& create) {
+    if (number == 0) return maker_.make_current(handle_);
+    if (const auto made = others_.find(number); made != others_.end())
+      return maker_.make_current(made->second);
+    try {
+      others_[number] = create(maker_);
+    } catch (const CannotStart&) {  // one context at a time, or none like that
+      others_.erase(number);
+      throw gl::MissingEntryPoint(command);
+    }
+  }
+
+  static inline thread_local MadeContext* of_the_case_ = nullptr;
+
+  ContextMaker& maker_;
+  void* handle_;
+  std::map<GLuint, void*> others_;
+  const gl::Table& table_;
+};
+
+class GlLibrary final : public Implementation {
+ public:
+  GlLibrary(std::string name, std::unique_ptr<ContextMaker> contexts, std::string library)
+      : name_(std::move(name)), contexts_(std::move(contexts)), library_(std::move(library)) {}
+
+  std::string name() const override { return name_; }
+  std::string library() const override { return library_.empty() ? contexts_->library() : library_; }
+
+  std::unique_ptr<Context> create_context() override {
+    auto context = std::make_unique<MadeContext>(*contexts_, contexts_->create(), table_);
+    if (!loaded_) load();
+    return context;
+  }
+
+  std::unique_ptr<Context> create_beside() override {
+    if (!contexts_->makes_several()) return nullptr;
+    try {
+      return create_context();
+    } catch (const CannotStart&) {
+      return nullptr;
+    }
+  }
+
+ private:
+  // A layer may look for the context below it when it is loaded.
+  void load() {
+    if (library_.empty()) {
+      table_ = gl::load_table({[this](const char* command) { return contexts_->exported(command); },
+                               [this, robust = has_robustness()](const char* command) -> void* {
+                                 // libglvnd makes up glGetnMapfv where the driver has glGetnMapfvARB only.
+                                 const std::string_view name(command);
+                                 const bool made_up =
+                                     robust && name.starts_with("glGetnMap") && !name.ends_with("ARB");
+                                 return made_up ? nullptr : contexts_->address_of(command);
+                               }});
+    } else {
+      const SharedLibrary library(library_);
+      // What it merely depends on is not under test.
+      table_ = gl::load_table({[&](const char* command) { return library.exported(command); }});
+      library_ = library.path();
+    }
+    if (contexts_->makes_several()) {
+      table_.OtherContextEVALCTS = &MadeContext::other;
+      table_.SharingContextEVALCTS = &MadeContext::sharing;
+      table_.ContextOfKindEVALCTS = &MadeContext::of_kind;
+    }
+    if (contexts_->copies()) table_.CopyContextEVALCTS = &MadeContext::copy;
+    if (contexts_->records_requests()) {
+      table_.RecordRequestsEVALCTS = &MadeContext::record_requests;
+      table_.RecordedRequestsEVALCTS = &MadeContext::recorded_requests;
+    }
+    loaded_ = true;
+  }
+
+  bool has_robustness() const {
+    void* address = contexts_->exported("glGetString");
+    if (!address) address = contexts_->address_of("glGetString");
+    if (!address) return false;
+    const GLubyte* extensions = reinterpret_cast<decltype(&::glGetString)>(address)(GL_EXTENSIONS);
+    std::istringstream words(extensions ? reinterpret_cast<const char*>(extensions) : "");
+    for (std::string word; words >> word;)
+      if (word == "GL_ARB_robustness") return true;
+    return false;
+  }
+
+  std::string name_;
+  std::unique_ptr<ContextMaker> contexts_;
+  std::string library_;
+  gl::Table table_;
+  bool loaded_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> make_no_contexts() { return std::make_unique<NoContexts>(); }
+
+std::unique_ptr<Implementation> make_gl_library(const std::string& name,
+                                                std::unique_ptr<ContextMaker> contexts,
+                                                const std::string& library) {
+  return std::make_unique<GlLibrary>(name, std::move(contexts), library);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,203 @@
+#include <evalcts/backends/implementation.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+#include <evalcts/gl/player.h>
+#include <evalcts/gl/tokens.h>
+#include "context_maker.h"
+#include "kinds.h"
+#include "shared_library.h"
+
+namespace evalcts {
+
+namespace {
+
+struct NamedContexts {
+  std::string name;
+  std::function<std::unique_ptr<ContextMaker>()> make;
+};
+
+const std::vector<NamedContexts>& named_contexts() {
+  static const std::vector<NamedContexts> all = {
+      {"osmesa", [] { return make_osmesa_contexts(""); }},
+      {"egl-surfaceless", [] { return make_egl_contexts("", EglPlatform::surfaceless); }},
+      {"egl-device", [] { return make_egl_contexts("", EglPlatform::device); }},
+      {"egl-gles2", [] { return make_gles2_contexts(); }},
+      {"glx", [] { return make_glx_contexts("", GlxRendering::direct); }},
+      {"glx-indirect", [] { return make_glx_contexts("", GlxRendering::indirect); }},
+      {"none", [] { return make_no_contexts(); }},
+  };
+  return all;
+}
+
+std::string guessed_kind(const std::string& path) {
+  const SharedLibrary library(path);
+  if (library.exported("evalcts_sink_open")) return "sink";
+  if (library.exported("OSMesaCreateContextExt") || library.exported("OSMesaCreateContext")) return "osmesa";
+  if (library.exported("eglGetDisplay")) return "egl";
+  if (library.exported("glXCreateNewContext")) return "glx";
+  if (library.exported("evalcts_provider_open"))
+    throw CannotStart(fmt::format("{0} is a provider of contexts: name it with --context", path));
+  throw CannotStart(fmt::format(
+      "{}: name what makes its contexts with --context ({}, or the path of a provider, see "
+      "evalcts_provider.h)",
+      fmt::format("{} exports none of OSMesaCreateContext, eglGetDisplay, glXCreateNewContext and "
+                  "evalcts_sink_open",
+                  path),
+      fmt::join(context_names(), ", ")));
+}
+
+std::unique_ptr<Implementation> open_with_context(const ImplementationOptions& options) {
+  if (!options.name.empty())
+    throw CannotStart("--context takes the place of --implementation: give one of them");
+  if ((options.context == "none" || options.context == "egl-gles2") && options.library.empty())
+    throw CannotStart(
+        fmt::format("with --context {} the commands come from --library: name one", options.context));
+  const auto found = std::find_if(named_contexts().begin(), named_contexts().end(),
+                                  [&](const NamedContexts& named) { return named.name == options.context; });
+  if (found != named_contexts().end()) return make_gl_library("library", found->make(), options.library);
+  try {
+    return make_gl_library("library", load_provider(options.context), options.library);
+  } catch (const CannotStart& error) {
+    if (options.context.find('/') != std::string::npos) throw;
+    throw CannotStart(fmt::format("--context '{}' is none of {}, nor a provider: {}", options.context,
+                                  fmt::join(context_names(), ", "), error.what()));
+  }
+}
+
+}  // namespace
+
+const std::vector<ImplementationKind>& implementation_kinds() {
+  static const std::vector<ImplementationKind> kinds = {
+      {"osmesa", "Mesa's off-screen library, libOSMesa", "libosmesa6", true},
+      {"production", "libglevaluator, the evaluator of this project", "", true},
+      {"reference", "the executable specification, in exact arithmetic", "", true},
+      {"egl", "the GL of libEGL, without a window system", "libegl1", false},
+      {"glx", "the GL of libGL, rendering directly, under an X server (without one: Xvfb)", "xvfb", false},
+      {"glx-indirect", "the same, rendering indirectly: the GL of the X server", "xvfb", false},
+      {"dropin", "libglevaluator_dropin, the drop-in library of this project, in front of libOSMesa",
+       "libosmesa6", false},
+      {"dropin-egl", "the same in front of libEGL, without a window system", "libegl1", false},
+      {"dropin-glx", "the same in front of libGL, rendering directly, under an X server", "xvfb", false},
+      {"sink", "an evaluator of your own that is no GL, with --library", "", false},
+  };
+  return kinds;
+}
+
+const std::vector<std::string>& context_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const NamedContexts& named : named_contexts()) all.push_back(named.name);
+    return all;
+  }();
+  return names;
+}
+
+std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options) {
+  if (!options.context.empty()) return open_with_context(options);
+  const std::string name = options.name.empty() ? guessed_kind(options.library) : options.name;
+  if (name == "osmesa") return make_gl_library(name, make_osmesa_contexts(options.library), "");
+  if (name == "egl") return make_gl_library(name, make_egl_contexts(options.library, EglPlatform::any), "");
+  if (name == "glx" || name == "glx-indirect") {
+    const GlxRendering rendering = name == "glx" ? GlxRendering::direct : GlxRendering::indirect;
+    return make_gl_library(name, make_glx_contexts(options.library, rendering), "");
+  }
+  if (name == "dropin" || name == "dropin-egl" || name == "dropin-glx")
+    return open_dropin(name, options.library);
+  if (name == "sink") return open_sink(options.library);
+  if (name == "reference" || name == "production") {
+    if (!options.library.empty())
+      throw CannotStart(fmt::format("{} is built in; --library does not go with it", name));
+    return name == "reference" ? open_reference() : open_production();
+  }
+  std::vector<std::string> known;
+  for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
+  throw CannotStart(
+      fmt::format("there is no implementation '{}'; known are: {}", name, fmt::join(known, ", ")));
+}
+
+namespace {
+
+void require_an_effect(const gl::Table& table, const std::string& library, const std::string& version) {
+  int missing = 0;
+  const gl::EntryPoint essential[] = {gl::EntryPoint::Map1f, gl::EntryPoint::Map1d,
+                                      gl::EntryPoint::EvalCoord1f, gl::EntryPoint::GetMapfv};
+  for (const gl::EntryPoint entry : essential) missing += !gl::has(table, entry);
+  if (missing == static_cast<int>(std::size(essential)))
+    throw CannotStart(fmt::format(
+        "{} has no evaluators: glMap1f, glMap1d, glEvalCoord1f and glGetMapfv are missing (GL_VERSION is "
+        "'{}'). "
+        "OpenGL ES has none; choose a desktop GL, or the library of a layer that adds them, with --library",
+        library, version));
+  if (missing > 0 || !table.GetError) return;  // half of an implementation is judged to the end
+
+  // Any answer will do here: what is wrong with it is for the tests to say. The memory is roomier than the
+  // map, so that a library which reads too much is judged, too.
+  gl::Case probe;
+  probe.Map1f(GL_MAP1_VERTEX_4, 0.0f, 1.0f, 4, 2, std::vector<float>(256, 0.75f));
+  const gl::Ref error = probe.GetError();
+  const gl::Ref coefficients = probe.GetMapfv(GL_MAP1_VERTEX_4, GL_COEFF, gl::out<GLfloat>(8));
+  const gl::Trace trace = gl::play(probe, table);
+  if (trace.written(coefficients) == 0)
+    throw CannotStart(
+        fmt::format("evaluators have no effect in this context ({}): glMap1f gave {} and glGetMapfv "
+                    "writes nothing. A core profile has no evaluators; a compatibility context is "
+                    "needed.",
+                    version, gl::error_name(trace.error(error))));
+}
+
+void read_version(const std::string& version, ImplementationInfo& info) {
+  // "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11)
+  std::istringstream text(version);
+  char dot = 0;
+  text >> info.major >> dot >> info.minor;
+  if (!text || dot != '.') info.major = info.minor = 0;
+}
+
+}  // namespace
+
+ImplementationInfo inquire(Implementation& implementation) {
+  ImplementationInfo info;
+  info.name = implementation.name();
+  info.library = implementation.library();
+  const std::unique_ptr<Context> context = implementation.create_context();
+  const gl::Table& table = context->table();
+
+  const auto string_of = [&](GLenum name) -> std::string {
+    if (!table.GetString) return {};
+    const GLubyte* text = table.GetString(name);
+    return text ? reinterpret_cast<const char*>(text) : "";
+  };
+  info.vendor = string_of(GL_VENDOR);
+  info.renderer = string_of(GL_RENDERER);
+  info.version = string_of(GL_VERSION);
+  if (info.version.empty())
+    throw CannotStart(
+        "glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
+  read_version(info.version, info);
+
+  const auto integer_of = [&](GLenum name, GLint otherwise) {
+    GLint value = otherwise;
+    if (table.GetIntegerv) table.GetIntegerv(name, &value);
+    return value;
+  };
+  info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, 0);
+  info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
+
+  std::istringstream extensions(string_of(GL_EXTENSIONS));
+  for (std::string extension; extensions >> extension;) info.extensions.insert(extension);
+  info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&
+                  (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
+  if (table.GetError)
+    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
+
+  require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
+  return info;
+}
+
+}  // namespace evalcts

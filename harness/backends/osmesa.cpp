@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <vector>
+
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/gl/contexts.h>
+#include "context_maker.h"
+#include "shared_library.h"
+
+namespace evalcts {
+namespace {
+
+// From Mesa's osmesa.h, which the suite does not need to build.
+using OSMesaContext = void*;
+using CreateContext = OSMesaContext (*)(GLenum format, OSMesaContext share);
+using CreateContextExt = OSMesaContext (*)(GLenum format, GLint depth, GLint stencil, GLint accumulation,
+                                           OSMesaContext share);
+using CreateContextAttribs = OSMesaContext (*)(const int* attributes, OSMesaContext share);
+using MakeCurrent = GLboolean (*)(OSMesaContext, void* buffer, GLenum type, GLsizei width, GLsizei height);
+using DestroyContext = void (*)(OSMesaContext);
+using GetProcAddress = void* (*)(const char* name);
+
+class OSMesaContexts final : public ContextMaker {
+ public:
+  OSMesaContexts(const std::string& library, const std::string& in_front)
+      : library_(library, in_front),
+        create_(library_.find_as<CreateContext>("OSMesaCreateContext")),
+        create_ext_(library_.find_as<CreateContextExt>("OSMesaCreateContextExt")),
+        get_proc_address_(library_.find_as<GetProcAddress>("OSMesaGetProcAddress")) {
+    const auto required = [&](const char* symbol) {
+      void* address = library_.find(symbol);
+      if (!address) throw CannotStart(fmt::format("{} has no {}: it is not OSMesa", library_.path(), symbol));
+      return address;
+    };
+    if (!create_) create_ext_ = reinterpret_cast<CreateContextExt>(required("OSMesaCreateContextExt"));
+    make_current_ = reinterpret_cast<MakeCurrent>(required("OSMesaMakeCurrent"));
+    destroy_ = reinterpret_cast<DestroyContext>(required("OSMesaDestroyContext"));
+    exports_commands_ = library_.find("glMap1f") != nullptr;
+  }
+
+  void* create() override { return create_sharing(nullptr); }
+  bool makes_several() const override { return true; }
+
+  void* create_sharing(void* with) override {
+    return current(create_ext_ ? create_ext_(GL_RGBA, 24, 8, 0, with) : create_(GL_RGBA, with));
+  }
+
+  void* create_of_kind(GLuint kind) override {
+    const auto create = library_.find_as<CreateContextAttribs>("OSMesaCreateContextAttribs");
+    if (!create || kind != EVALCTS_CORE_PROFILE) return ContextMaker::create_of_kind(kind);
+    // Names and values of GL/osmesa.h, which is not everywhere.
+    const int attributes[] = {0x22 /* FORMAT */,
+                              GL_RGBA,
+                              0x30 /* DEPTH_BITS */,
+                              24,
+                              0x31 /* STENCIL_BITS */,
+                              8,
+                              0x33 /* PROFILE */,
+                              0x34 /* CORE_PROFILE */,
+                              0x36 /* CONTEXT_MAJOR_VERSION */,
+                              3,
+                              0x37 /* CONTEXT_MINOR_VERSION */,
+                              2,
+                              0};
+    return current(create(attributes, nullptr));
+  }
+  void make_current(void* context) override {
+    if (!make_current_(context, pixels_.data(), GL_UNSIGNED_BYTE, kFramebufferSide, kFramebufferSide))
+      throw CannotStart("OSMesaMakeCurrent refuses the context");
+  }
+
+  void destroy(void* context) override {
+    make_current_(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    destroy_(context);
+  }
+
+  void* exported(const char* command) override { return library_.find(command); }
+  void* address_of(const char* command) override {
+    return get_proc_address_ && exports_commands_ ? get_proc_address_(command) : nullptr;
+  }
+  std::string library() const override { return library_.path(); }
+
+ private:
+  void* current(void* context) {
+    if (!context) throw CannotStart("OSMesaCreateContext returns no context" + describe_gl_environment());
+    try {
+      make_current(context);
+    } catch (const CannotStart&) {
+      destroy_(context);
+      throw;
+    }
+    return context;
+  }
+
+  SharedLibrary library_;
+  CreateContext create_;
+  CreateContextExt create_ext_;
+  GetProcAddress get_proc_address_;
+  MakeCurrent make_current_ = nullptr;
+  DestroyContext destroy_ = nullptr;
+  bool exports_commands_ = false;
+  std::vector<unsigned char> pixels_ = std::vector<unsigned char>(kFramebufferSide * kFramebufferSide * 4);
+};
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> make_osmesa_contexts(const std::string& library, const std::string& in_front) {
+  if (!library.empty()) return std::make_unique<OSMesaContexts>(library, in_front);
+  try {
+    return std::make_unique<OSMesaContexts>("libOSMesa.so.8", in_front);
+  } catch (const CannotStart& error) {
+    try {
+      return std::make_unique<OSMesaContexts>("libOSMesa.so", in_front);
+    } catch (const CannotStart&) {
+      throw CannotStart(fmt::format(
+          "{}; OSMesa is part of Mesa up to 25.0 (Debian's package is libosmesa6); another library is "
+          "chosen with --library",
+          error.what()));
+    }
+  }
+}
+
+}  // namespace evalcts

@@ -1,0 +1,54 @@
+// Contexts from a shared library of the user's.
+#include <evalcts_provider.h>
+#include <fmt/format.h>
+
+#include "context_maker.h"
+#include "shared_library.h"
+
+namespace evalcts {
+namespace {
+
+class Provider final : public ContextMaker {
+ public:
+  explicit Provider(const std::string& path) : library_(path) {
+    const auto open = library_.find_as<decltype(&evalcts_provider_open)>("evalcts_provider_open");
+    if (!open)
+      throw CannotStart(
+          fmt::format("{} exports no evalcts_provider_open: it is no provider of contexts, see "
+                      "evalcts_provider.h",
+                      library_.path()));
+    provider_ = open();
+    if (!provider_)
+      throw CannotStart(fmt::format("evalcts_provider_open of {} returns null", library_.path()));
+    if (provider_->version != EVALCTS_PROVIDER_VERSION)
+      throw CannotStart(fmt::format(
+          "{} was built for version {} of evalcts_provider.h, this evalcts knows version {}: build it anew",
+          library_.path(), provider_->version, EVALCTS_PROVIDER_VERSION));
+    if (!provider_->create || !provider_->destroy)
+      throw CannotStart(fmt::format("{} lacks create or destroy", library_.path()));
+  }
+
+  void* create() override {
+    if (void* context = provider_->create()) return context;
+    const char* why = provider_->error ? provider_->error() : nullptr;
+    throw CannotStart(
+        fmt::format("{} makes no context: {}", library_.path(), why ? why : "it does not say why"));
+  }
+  void destroy(void* context) override { provider_->destroy(context); }
+  void* address_of(const char* command) override {
+    return provider_->get_address ? provider_->get_address(command) : nullptr;
+  }
+  std::string library() const override { return library_.path(); }
+
+ private:
+  SharedLibrary library_;
+  const evalcts_provider* provider_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<ContextMaker> load_provider(const std::string& path) {
+  return std::make_unique<Provider>(path);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,434 @@
+#include <evalcts/backends/reused_context.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <evalcts/gl/tokens.h>
+
+namespace evalcts {
+namespace {
+
+using gl::Case;
+using gl::EntryPoint;
+
+// --- restoring commands, by theme --------------------------------------------------------------------------
+//
+// State is set by the plain commands and not saved by PushAttrib: a case that fills the attribute stack would
+// find a level less, a capture that relies on saved state would see another history, and PopAttrib is itself
+// something to judge, with the evaluators in its EVAL_BIT. So whoever lets a case set something new adds the
+// command that takes it back to the theme here; entry points that an implementation lacks are left out.
+
+constexpr GLenum unit_token(int unit) { return GL_TEXTURE0 + static_cast<GLenum>(unit); }
+
+// For each texture unit, unit 0 last: Map1 and Map2 accept no other (GL 2.1 §5.1).
+template <class Commands>
+void for_each_unit(Case& c, const ImplementationInfo& info, Commands commands) {
+  for (int unit = std::max(info.texture_units, 1) - 1; unit >= 0; --unit) {
+    c.ActiveTexture(unit_token(unit));
+    commands(unit);
+  }
+}
+
+// GL 2.1 §5.1: order 1, domain [0,1] and the attribute's constant (table 5.1 and the text below it).
+std::vector<GLfloat> initial_control_point(GLenum target) {
+  switch (target) {
+    case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
+      return {1, 1, 1, 1};
+    case GL_MAP1_INDEX:
+    case GL_MAP2_INDEX:
+      return {1};
+    case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
+      return {0, 0, 1};
+    default: {
+      std::vector<GLfloat> point{0, 0, 0, 1};
+      point.resize(static_cast<std::size_t>(gl::components_of(target)));
+      return point;
+    }
+  }
+}
+
+void evaluators(Case& c, const ImplementationInfo&) {
+  for (const GLenum target : gl::kMap1Targets) {
+    c.Disable(target);
+    c.Map1f(target, 0, 1, gl::components_of(target), 1, initial_control_point(target));
+  }
+  for (const GLenum target : gl::kMap2Targets) {
+    const int k = gl::components_of(target);
+    c.Disable(target);
+    c.Map2f(target, 0, 1, k, 1, 0, 1, k, 1, initial_control_point(target));
+  }
+  c.Disable(GL_AUTO_NORMAL);
+  c.MapGrid1f(1, 0, 1);
+  c.MapGrid2f(1, 0, 1, 1, 0, 1);
+}
+
+void current_values(Case& c, const ImplementationInfo& info) {
+  c.Color4f(1, 1, 1, 1);
+  c.Normal3f(0, 0, 1);
+  for (int unit = 1; unit < info.texture_units; ++unit) c.MultiTexCoord4f(unit_token(unit), 0, 0, 0, 1);
+  c.TexCoord4f(0, 0, 0, 1);
+  c.Indexf(1);
+  c.EdgeFlag(GL_TRUE);
+  c.SecondaryColor3f(0, 0, 0);
+  c.FogCoordf(0);
+  for (GLuint i = 1; i < 16; ++i) c.VertexAttrib4f(i, 0, 0, 0, 1);  // 0 is a vertex
+  // Through identity matrices this corner is the window position (0,0,0,1), with the current values above.
+  // (Its eye distance is 1 and not 0; nothing asks for it.)
+  c.RasterPos3f(-1, -1, -1);
+}
+
+void client_arrays(Case& c, const ImplementationInfo&) {
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    c.DisableClientState(array);
+  c.VertexPointer(4, GL_FLOAT, 0, nullptr);
+  c.ColorPointer(4, GL_FLOAT, 0, nullptr);
+  c.NormalPointer(GL_FLOAT, 0, nullptr);
+  c.TexCoordPointer(4, GL_FLOAT, 0, nullptr);
+}
+
+// After `transformation`: positions, directions and planes are multiplied by the modelview matrix.
+void lighting_and_fog(Case& c, const ImplementationInfo&) {
+  using Values = std::vector<GLfloat>;
+  c.Disable(GL_LIGHTING);
+  c.Disable(GL_COLOR_MATERIAL);  // before the materials: while on, the current colour is their value
+  for (GLenum i = 0; i < 8; ++i) {
+    const GLenum light = GL_LIGHT0 + i;
+    const GLfloat on = i == 0 ? 1 : 0;
+    c.Disable(light);
+    c.Lightfv(light, GL_AMBIENT, Values{0, 0, 0, 1});
+    c.Lightfv(light, GL_DIFFUSE, Values{on, on, on, 1});
+    c.Lightfv(light, GL_SPECULAR, Values{on, on, on, 1});
+    c.Lightfv(light, GL_POSITION, Values{0, 0, 1, 0});
+    c.Lightfv(light, GL_SPOT_DIRECTION, Values{0, 0, -1});
+    c.Lightfv(light, GL_SPOT_EXPONENT, Values{0});
+    c.Lightfv(light, GL_SPOT_CUTOFF, Values{180});
+    c.Lightfv(light, GL_CONSTANT_ATTENUATION, Values{1});
+    c.Lightfv(light, GL_LINEAR_ATTENUATION, Values{0});
+    c.Lightfv(light, GL_QUADRATIC_ATTENUATION, Values{0});
+  }
+  c.LightModelfv(GL_LIGHT_MODEL_AMBIENT, Values{0.2f, 0.2f, 0.2f, 1});
+  c.LightModelfv(GL_LIGHT_MODEL_LOCAL_VIEWER, Values{0});
+  c.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, Values{0});
+  c.LightModelfv(GL_LIGHT_MODEL_COLOR_CONTROL, Values{GL_SINGLE_COLOR});
+  c.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
+  c.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT, Values{0.2f, 0.2f, 0.2f, 1});
+  c.Materialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, Values{0.8f, 0.8f, 0.8f, 1});
+  c.Materialfv(GL_FRONT_AND_BACK, GL_SPECULAR, Values{0, 0, 0, 1});
+  c.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, Values{0, 0, 0, 1});
+  c.Materialfv(GL_FRONT_AND_BACK, GL_SHININESS, Values{0});
+  c.Materialfv(GL_FRONT_AND_BACK, GL_COLOR_INDEXES, Values{0, 1, 1});
+  c.Disable(GL_FOG);
+  c.Fogi(GL_FOG_MODE, GL_EXP);
+  c.Fogf(GL_FOG_DENSITY, 1);
+  c.Fogf(GL_FOG_START, 0);
+  c.Fogf(GL_FOG_END, 1);
+  c.Fogf(GL_FOG_INDEX, 0);
+  c.Fogfv(GL_FOG_COLOR, Values{0, 0, 0, 0});
+  c.Fogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);
+}
+
+void programs_and_buffers(Case& c, const ImplementationInfo&) {
+  c.UseProgram(0);
+  c.Disable(GL_VERTEX_PROGRAM_ARB);
+  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 0);
+  c.Disable(GL_FRAGMENT_PROGRAM_ARB);
+  for (const GLenum target :
+       {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER})
+    c.BindBuffer(target, 0);
+  c.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  c.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+  c.Disable(GL_RASTERIZER_DISCARD);
+  c.Disable(GL_PRIMITIVE_RESTART);
+  c.Disable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+  c.PrimitiveRestartIndex(0);
+  c.PatchParameteri(GL_PATCH_VERTICES, 3);
+}
+
+void feedback(Case& c, const ImplementationInfo&) {
+  c.RenderMode(GL_RENDER);
+  c.FeedbackBuffer(0, GL_2D, nullptr);
+  c.SelectBuffer(0, nullptr);
+}
+
+void transformation(Case& c, const ImplementationInfo& info) {
+  c.MatrixMode(GL_PROJECTION);
+  c.LoadIdentity();
+  c.MatrixMode(GL_TEXTURE);
+  for_each_unit(c, info, [&](int) { c.LoadIdentity(); });
+  c.MatrixMode(GL_MODELVIEW);
+  c.LoadIdentity();
+}
+
+// After `transformation`: a plane is multiplied by the modelview matrix on its way in.
+void textures(Case& c, const ImplementationInfo& info) {
+  constexpr std::array<std::pair<GLenum, GLenum>, 4> kCoordinates = {{{GL_S, GL_TEXTURE_GEN_S},
+                                                                      {GL_T, GL_TEXTURE_GEN_T},
+                                                                      {GL_R, GL_TEXTURE_GEN_R},
+                                                                      {GL_Q, GL_TEXTURE_GEN_Q}}};
+  for_each_unit(c, info, [&](int) {
+    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
+      c.Disable(target);
+      c.BindTexture(target, 0);
+    }
+    for (std::size_t i = 0; i < kCoordinates.size(); ++i) {
+      const auto& [coordinate, enable] = kCoordinates[i];
+      std::vector<GLfloat> plane(4, 0.0f);
+      if (i < 2) plane[i] = 1;
+      c.Disable(enable);
+      c.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);
+      c.TexGenfv(coordinate, GL_OBJECT_PLANE, plane);
+      c.TexGenfv(coordinate, GL_EYE_PLANE, plane);
+    }
+  });
+}
+
+// The rest of the fixed-function pipeline that evaluated vertices run through.
+void pipeline(Case& c, const ImplementationInfo&) {
+  for (GLenum i = 0; i < 6; ++i) {
+    c.Disable(GL_CLIP_PLANE0 + i);
+    c.ClipPlane(GL_CLIP_PLANE0 + i, std::vector<GLdouble>(4, 0.0));
+  }
+  c.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  c.PolygonOffset(0, 0);
+  c.CullFace(GL_BACK);
+  c.FrontFace(GL_CCW);
+  c.ShadeModel(GL_SMOOTH);
+  c.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+  c.LineStipple(1, 0xFFFF);
+  c.PointSize(1);
+  c.ClearColor(0, 0, 0, 0);
+  c.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  c.DepthMask(GL_TRUE);
+  c.StencilMask(~0u);
+  c.Enable(GL_DITHER);
+  for (const GLenum capability :
+       {GL_NORMALIZE, GL_RESCALE_NORMAL, GL_COLOR_SUM, GL_CULL_FACE, GL_POLYGON_STIPPLE, GL_LINE_STIPPLE,
+        GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_VERTEX_PROGRAM_TWO_SIDE,
+        GL_POLYGON_OFFSET_POINT, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_FILL})
+    c.Disable(capability);
+  c.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
+  c.ClampColor(GL_CLAMP_FRAGMENT_COLOR, GL_FIXED_ONLY);
+  c.ClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+}
+
+void pixel_store(Case& c, const ImplementationInfo&) {
+  for (const GLenum name :
+       {GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+        GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES, GL_PACK_SWAP_BYTES,
+        GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS, GL_PACK_IMAGE_HEIGHT,
+        GL_PACK_SKIP_IMAGES})
+    c.PixelStorei(name, 0);
+  c.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  c.PixelStorei(GL_PACK_ALIGNMENT, 4);
+}
+
+// Programs and modes first, evaluators last: nothing of what comes before may be seen by them.
+constexpr void (*kThemes[])(Case&, const ImplementationInfo&) = {
+    feedback, programs_and_buffers, client_arrays,  transformation, textures, lighting_and_fog,
+    pipeline, pixel_store,          current_values, evaluators,
+};
+
+// --- what a case leaves behind -----------------------------------------------------------------------------
+
+// What is left open is closed by its counterpart, as often as it was opened.
+struct Pair {
+  EntryPoint open, close;
+};
+constexpr Pair kPairs[] = {{EntryPoint::Begin, EntryPoint::End},
+                           {EntryPoint::BeginTransformFeedback, EntryPoint::EndTransformFeedback},
+                           {EntryPoint::BeginQuery, EntryPoint::EndQuery},
+                           {EntryPoint::BeginConditionalRender, EntryPoint::EndConditionalRender},
+                           {EntryPoint::NewList, EntryPoint::EndList},
+                           {EntryPoint::PushAttrib, EntryPoint::PopAttrib}};
+
+// What the played cases have left behind that no constant command takes back.
+class Remains {
+ public:
+  void add(const Case& script, const gl::Trace& trace) {
+    for (std::size_t i = 0; i < script.commands().size(); ++i) {
+      const gl::Command& command = script.commands()[i];
+      const gl::Ref ref{static_cast<int>(i)};
+      for (const Pair& pair : kPairs) {
+        if (command.entry == pair.open) open_.emplace_back(pair.close, closing_arguments(command, pair));
+        if (command.entry == pair.close) forget_latest(pair.close);
+      }
+      const auto returned = [&] { return static_cast<GLuint>(trace.result(ref)); };
+      const auto written = [&](std::set<GLuint>& names) {
+        if (!trace.has_output(ref)) return;
+        for (const GLuint name : trace.values<GLuint>(ref)) names.insert(name);
+      };
+      if (command.entry == EntryPoint::CreateShader) shaders_.insert(returned());
+      if (command.entry == EntryPoint::CreateProgram) programs_.insert(returned());
+      if (command.entry == EntryPoint::GenBuffers) written(buffers_);
+      if (command.entry == EntryPoint::GenQueries) written(queries_);
+      if (command.entry == EntryPoint::GenFramebuffers) written(framebuffers_);
+      // Textures, assembly programs and lists are made by names of one's own choice.
+      const auto given = [&](std::size_t argument, std::set<GLuint>& names) {
+        if (const auto* name = std::get_if<std::int64_t>(&command.arguments[argument]))
+          names.insert(static_cast<GLuint>(*name));
+      };
+      if (command.entry == EntryPoint::BindTexture) given(1, textures_);
+      if (command.entry == EntryPoint::BindProgramARB) given(1, assembly_programs_);
+      if (command.entry == EntryPoint::NewList) given(0, lists_);
+    }
+  }
+
+  Case closing() const {
+    Case c;
+    for (auto entry = open_.rbegin(); entry != open_.rend(); ++entry) c.add({entry->first, entry->second});
+    return c;
+  }
+
+  // To be played when nothing is bound any more.
+  Case deleting(const std::map<std::string, GLuint>& kept) const {
+    Case c;
+    for (const GLuint program : programs_)
+      if (std::ranges::none_of(kept, [&](const auto& one) { return one.second == program; }))
+        c.DeleteProgram(program);
+    for (const GLuint shader : shaders_) c.DeleteShader(shader);
+    if (!queries_.empty()) c.DeleteQueries(queries_.size(), array_of(queries_));
+    if (!framebuffers_.empty()) c.DeleteFramebuffers(framebuffers_.size(), array_of(framebuffers_));
+    if (!buffers_.empty()) c.DeleteBuffers(buffers_.size(), array_of(buffers_));
+    if (!assembly_programs_.empty())
+      c.DeleteProgramsARB(assembly_programs_.size(), array_of(assembly_programs_));
+    for (const GLuint list : lists_) c.DeleteLists(list, 1);
+    if (!textures_.empty()) c.DeleteTextures(textures_.size(), array_of(textures_));
+    return c;
+  }
+
+ private:
+  static std::vector<GLuint> array_of(const std::set<GLuint>& names) { return {names.begin(), names.end()}; }
+
+  static std::vector<gl::Value> closing_arguments(const gl::Command& command, const Pair& pair) {
+    if (pair.close == EntryPoint::EndQuery) return {command.arguments[0]};  // the target
+    return {};
+  }
+  void forget_latest(EntryPoint close) {
+    for (auto entry = open_.rbegin(); entry != open_.rend(); ++entry)
+      if (entry->first == close) {
+        open_.erase(std::next(entry).base());
+        return;
+      }
+  }
+
+  std::vector<std::pair<EntryPoint, std::vector<gl::Value>>> open_;  // commands that close, latest last
+  std::set<GLuint> shaders_, programs_, buffers_, queries_, framebuffers_, textures_, assembly_programs_,
+      lists_;
+};
+
+// Nothing here uses the result of another command, so that commands can be left out.
+Case available(const Case& commands, const gl::Table& table) {
+  Case c;
+  for (const gl::Command& command : commands.commands())
+    if (gl::has(table, command.entry)) c.add(command);
+  return c;
+}
+
+// The context that all handles share.
+class Shared {
+ public:
+  Shared(std::unique_ptr<Context> context, const ImplementationInfo& info, Programs programs)
+      : context_(std::move(context)), table_(context_->table()), programs_(programs) {
+    table_.OtherContextEVALCTS = table_.SharingContextEVALCTS = nullptr;  // one context is the point
+    table_.ContextOfKindEVALCTS = nullptr;
+    table_.CopyContextEVALCTS = nullptr;
+    table_.RecordRequestsEVALCTS = nullptr;
+    table_.RecordedRequestsEVALCTS = nullptr;
+    // Its initial value is the size of a window that only the implementation knows.
+    if (gl::has(context_->table(), EntryPoint::Viewport)) {
+      Case question;
+      const gl::Ref viewport = question.GetIntegerv(GL_VIEWPORT, gl::out<GLint>(4));
+      const std::vector<GLint> v = context_->play(question).values<GLint>(viewport);
+      restoring_.Viewport(v[0], v[1], v[2], v[3]);
+      restoring_.Scissor(v[0], v[1], v[2], v[3]);
+    }
+    restoring_.append(available(restoring_commands(info), context_->table()));
+  }
+
+  const gl::Table& table() const { return table_; }
+  bool has_sink() const { return context_->has_sink(); }
+  Attributes emitted_attributes() const { return context_->emitted_attributes(); }
+  std::vector<ObservedPrimitive> take_emitted() { return context_->take_emitted(); }
+
+  std::map<std::string, GLuint>* kept_programs() { return programs_ == Programs::kept ? &kept_ : nullptr; }
+
+  gl::Trace play(const Case& script) {
+    gl::Trace trace = gl::play(script, table_);
+    remains_.add(script, trace);
+    return trace;
+  }
+
+  void restore() {
+    const Remains remains = std::exchange(remains_, {});
+    Case commands = available(remains.closing(), table());
+    commands.append(restoring_);
+    commands.append(available(remains.deleting(kept_), table()));
+    context_->play(commands);  // which drains the errors, too
+    context_->take_emitted();
+  }
+
+ private:
+  std::unique_ptr<Context> context_;
+  gl::Table table_;
+  Programs programs_;
+  std::map<std::string, GLuint> kept_;
+  Case restoring_;
+  Remains remains_;
+};
+
+class Handle final : public Context {
+ public:
+  explicit Handle(Shared& shared) : shared_(shared) {}
+  const gl::Table& table() const override { return shared_.table(); }
+  gl::Trace play(const Case& script) override { return shared_.play(script); }
+  std::map<std::string, GLuint>* kept_programs() override { return shared_.kept_programs(); }
+  bool has_sink() const override { return shared_.has_sink(); }
+  Attributes emitted_attributes() const override { return shared_.emitted_attributes(); }
+  std::vector<ObservedPrimitive> take_emitted() override { return shared_.take_emitted(); }
+
+ private:
+  Shared& shared_;
+};
+
+class ReusedContext final : public Implementation {
+ public:
+  ReusedContext(Implementation& inner, const ImplementationInfo& info, Programs programs)
+      : inner_(inner), info_(info), programs_(programs) {}
+
+  std::string name() const override { return inner_.name(); }
+  std::string library() const override { return inner_.library(); }
+  std::unique_ptr<Context> create_context() override {
+    if (shared_) {
+      shared_->restore();
+    } else {
+      shared_.emplace(inner_.create_context(), info_, programs_);
+    }
+    return std::make_unique<Handle>(*shared_);
+  }
+
+ private:
+  Implementation& inner_;
+  ImplementationInfo info_;
+  Programs programs_;
+  std::optional<Shared> shared_;
+};
+
+}  // namespace
+
+Case restoring_commands(const ImplementationInfo& info) {
+  Case c("restoring");
+  for (const auto theme : kThemes) theme(c, info);
+  return c;
+}
+
+std::unique_ptr<Implementation> reuse_context(Implementation& inner, const ImplementationInfo& info,
+                                              Programs programs) {
+  return std::make_unique<ReusedContext>(inner, info, programs);
+}
+
+}  // namespace evalcts

@@ -1,0 +1,92 @@
+// Captures: ways to see what an evaluator emitted. A capture wraps a case in commands of its own, plays it in
+// a fresh context (once for each pass that it needs) and decodes what came back.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <evalcts/backends/implementation.h>
+#include <evalcts/gl/observation.h>
+#include <evalcts/gl/player.h>
+
+namespace evalcts {
+
+// What is asked of a capture.
+struct Wanted {
+  Attributes attributes = 0;       // to be observed at least
+  std::size_t most_vertices = 0;   // as they come out; where more come, Observation::overflow is set
+  PrimitiveKinds kinds = kPoints;  // that the case draws
+};
+
+class Capture {
+ public:
+  virtual ~Capture() = default;
+  virtual std::string name() const = 0;
+
+  // Proves itself on a control of explicit Vertex, Color, Normal and TexCoord commands, and learns what it
+  // can see of this implementation. Throws NotObservable if it cannot be used. To be called once, before
+  // observe().
+  virtual void prove(Implementation& implementation, const ImplementationInfo& info) = 0;
+
+  // What it can observe; valid after prove().
+  virtual Attributes attributes() const = 0;
+
+  // Whether vertices with w <= 0 are lost on the way; valid after prove().
+  virtual bool loses_nonpositive_w() const { return false; }
+
+  // Whether vertices whose position is no number, or beyond float, may be lost on the way.
+  virtual bool loses_vertices_beyond_float() const { return false; }
+
+  // Whether it can see a case that draws these kinds of primitives.
+  virtual bool takes(PrimitiveKinds) const { return true; }
+
+  // Plays the case and returns what came out, with at least the wanted attributes. Throws NotObservable, and
+  // whatever gl::play throws.
+  virtual Observation observe(Implementation& implementation, const gl::Case& script,
+                              const Wanted& wanted) const = 0;
+};
+
+// Sink, TransformFeedback, FeedbackBuffer, in order of preference.
+std::vector<std::unique_ptr<Capture>> all_captures();
+
+// The captures of an implementation in order of preference, each proved when it is first asked for: a proof
+// plays many cases, and most tests need one capture only.
+class Captures {
+ public:
+  // `names`: those that may be used; all where it is null. Both references must outlive the object.
+  Captures(Implementation& implementation, const ImplementationInfo& info,
+           const std::vector<std::string>* names = nullptr);
+
+  std::size_t size() const { return captures_.size(); }
+  // Null where it cannot be used, which standard output is told once.
+  const Capture* at(std::size_t index);
+  // For an implementation that will soon have no room for a proof.
+  void prove_all();
+
+ private:
+  struct Entry {
+    std::unique_ptr<Capture> capture;
+    bool proved = false;
+  };
+
+  Implementation& implementation_;
+  const ImplementationInfo& info_;
+  std::vector<Entry> captures_;
+};
+
+std::unique_ptr<Capture> make_sink();
+std::unique_ptr<Capture> make_transform_feedback();
+std::unique_ptr<Capture> make_feedback_buffer();
+
+// A script behind a capture's prologue, with GetError between them and after it: what the capture itself
+// raises is not the script's. Epilogues are added to `commands`.
+struct WrappedCase {
+  gl::Case commands;
+  gl::Ref error_before;  // GetError after the prologue
+  gl::Ref error_after;   // GetError after the script
+};
+WrappedCase begin_wrapping(gl::Case prologue, const gl::Case& script);
+
+}  // namespace evalcts

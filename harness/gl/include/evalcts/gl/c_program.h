@@ -1,0 +1,35 @@
+// A case as a stand-alone C program: it needs the Khronos headers (or glevaluator.h) and the library under
+// test, nothing of this project.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <evalcts/gl/case.h>
+#include <evalcts/gl/check.h>
+#include <evalcts/gl/player.h>
+
+namespace evalcts::gl {
+
+// There is no C program for this kind of context; the message says why.
+struct NoCProgram : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct CProgram {
+  std::string context;  // what makes the context: "osmesa", "egl", "production"
+  std::string library;  // the file that was judged; empty for "production"
+  const Case* script = nullptr;
+  const Check* check = nullptr;      // null: the commands alone show it, by a crash or a hang
+  const Trace* trace = nullptr;      // what was answered, for Check::Rule::unlike
+  std::size_t emitted_vertices = 0;  // when the failure was recorded, for "production"
+};
+
+// The program: exit code 1 where the check does not hold (or the library crashes), 0 where it holds, 2 where
+// it cannot start. A macro SECONDS, where one is defined in front of it, is its time limit. Throws
+// NoCProgram.
+std::string to_c(const CProgram& program);
+
+}  // namespace evalcts::gl

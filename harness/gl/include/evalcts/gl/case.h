@@ -1,0 +1,194 @@
+// A case: a recorded list of GL commands with copies of what their pointers point to. Captures, controls,
+// the call log, reproducers, faults and random programs all replay cases; nothing else drives a GL.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <evalcts/gl/table.h>
+
+namespace evalcts::gl {
+
+// Element type of a client array.
+enum class Scalar { u8, i8, i32, u32, i64, f32, f64 };
+
+template <class T>
+constexpr Scalar scalar_of() {
+  using U = std::remove_const_t<T>;
+  if constexpr (std::is_same_v<U, float>) return Scalar::f32;
+  if constexpr (std::is_same_v<U, double>) return Scalar::f64;
+  if constexpr (std::is_same_v<U, std::int32_t>) return Scalar::i32;
+  if constexpr (std::is_same_v<U, std::uint32_t>) return Scalar::u32;
+  if constexpr (std::is_same_v<U, std::int64_t>) return Scalar::i64;
+  if constexpr (std::is_same_v<U, char> || std::is_same_v<U, std::int8_t>) return Scalar::i8;
+  return Scalar::u8;
+}
+std::size_t size_of(Scalar type);
+
+// What happens to a client array right after the command has returned.
+enum class AfterCall {
+  keep,       // stays as it is until the case is over
+  overwrite,  // filled with other values
+  unmap,      // its pages are gone: touching them crashes
+  protect,    // its pages are neither readable nor writable
+};
+
+// A client array that a command reads. The last byte lies directly before an unmapped page.
+struct Input {
+  Scalar type = Scalar::u8;
+  std::vector<std::byte> bytes;
+  AfterCall after = AfterCall::keep;
+  // Arrays of one case with the same slot (>= 0) and size are the same memory, filled anew before each call.
+  int slot = -1;
+};
+
+// An array that a command writes: room for `count` elements, guard elements behind them.
+struct Output {
+  Scalar type = Scalar::u8;
+  std::size_t count = 0;
+};
+
+// An array of strings (shader source, names of varyings).
+struct Strings {
+  std::vector<std::string> values;
+};
+
+// A value that an earlier command of the same case gave: what it returned (element < 0), or an element of
+// the array that it wrote.
+struct ResultOf {
+  int command = 0;
+  int element = -1;
+};
+
+// Integers of every GL type are held as 64 bits; the entry point's signature says what they are passed as.
+using Value = std::variant<std::nullptr_t, std::int64_t, float, double, Input, Output, Strings, ResultOf>;
+
+struct Command {
+  EntryPoint entry;
+  std::vector<Value> arguments;
+};
+
+// Names a command of a case, to ask a Trace for its result.
+struct Ref {
+  int index = -1;
+};
+
+template <class T>
+struct OutputArray {
+  std::size_t count;
+};
+// `out<GLfloat>(4)`: an array of four floats for a query to fill.
+template <class T>
+OutputArray<T> out(std::size_t count) {
+  return {count};
+}
+
+// `array(values, AfterCall::protect)`: a client array and its fate after the call.
+template <class T>
+Input array(std::span<const T> values, AfterCall after = AfterCall::keep) {
+  Input input{scalar_of<T>(), std::vector<std::byte>(values.size_bytes()), after};
+  if (!values.empty()) std::memcpy(input.bytes.data(), values.data(), values.size_bytes());
+  return input;
+}
+template <class T>
+Input array(const std::vector<T>& values, AfterCall after = AfterCall::keep) {
+  return array(std::span<const T>(values), after);
+}
+template <class T>
+Input array(std::initializer_list<T> values, AfterCall after = AfterCall::keep) {
+  return array(std::span<const T>(values.begin(), values.size()), after);
+}
+
+// A string of characters with its terminator.
+inline Input text(const std::string& characters) {
+  return array(std::span<const char>(characters.c_str(), characters.size() + 1));
+}
+
+class Case {
+ public:
+  Case() = default;
+  // `identity` tells the case from the others of its test: stable from run to run, no commas at the ends.
+  explicit Case(std::string identity) : identity_(std::move(identity)) {}
+
+  // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Pointers that a command
+  // reads are given as vectors, spans, array(...) or nullptr, pointers that it writes as out<T>(count),
+  // values of earlier commands as Ref or ResultOf.
+#define GL_ENTRY(name, kinds)                                                                      \
+  template <class... Arguments>                                                                    \
+  Ref name(Arguments&&... arguments) {                                                             \
+    return record<decltype(Table::name)>(EntryPoint::name, std::forward<Arguments>(arguments)...); \
+  }
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+
+  Ref add(Command command) {
+    commands_.push_back(std::move(command));
+    return {static_cast<int>(commands_.size()) - 1};
+  }
+  // Appends all commands of another case; returns by how much its Refs move.
+  int append(const Case& other);
+
+  const std::string& identity() const { return identity_; }
+  void set_identity(std::string identity) { identity_ = std::move(identity); }
+  const std::vector<Command>& commands() const { return commands_; }
+  bool empty() const { return commands_.empty(); }
+
+ private:
+  template <class Parameter, class Argument>
+  static Value value(Argument&& argument) {
+    using A = std::decay_t<Argument>;
+    if constexpr (std::is_same_v<A, Ref>) {
+      return ResultOf{argument.index, -1};
+    } else if constexpr (std::is_same_v<A, ResultOf> || std::is_same_v<A, Input> ||
+                         std::is_same_v<A, Strings> || std::is_same_v<A, std::nullptr_t>) {
+      return Value(std::forward<Argument>(argument));
+    } else if constexpr (std::is_pointer_v<Parameter>) {
+      return pointer(std::forward<Argument>(argument));
+    } else if constexpr (std::is_same_v<Parameter, float>) {
+      return static_cast<float>(argument);
+    } else if constexpr (std::is_same_v<Parameter, double>) {
+      return static_cast<double>(argument);
+    } else {
+      return static_cast<std::int64_t>(static_cast<Parameter>(argument));
+    }
+  }
+  template <class T>
+  static Value pointer(OutputArray<T> output) {
+    return Output{scalar_of<T>(), output.count};
+  }
+  template <class T>
+  static Value pointer(const std::vector<T>& values) {
+    return array(values);
+  }
+  template <class T>
+  static Value pointer(std::span<const T> values) {
+    return array(values);
+  }
+
+  template <class Function, class... Arguments>
+  Ref record(EntryPoint entry, Arguments&&... arguments) {
+    return record_as(entry, static_cast<Function>(nullptr), std::forward<Arguments>(arguments)...);
+  }
+  template <class Result, class... Parameters, class... Arguments>
+  Ref record_as(EntryPoint entry, Result (*)(Parameters...), Arguments&&... arguments) {
+    static_assert(sizeof...(Parameters) == sizeof...(Arguments),
+                  "wrong number of arguments for this command");
+    Command command{entry, {}};
+    command.arguments.reserve(sizeof...(Arguments));
+    (command.arguments.push_back(value<Parameters>(std::forward<Arguments>(arguments))), ...);
+    return add(std::move(command));
+  }
+
+  std::string identity_;
+  std::vector<Command> commands_;
+};
+
+}  // namespace evalcts::gl

@@ -1,0 +1,77 @@
+// What a capture saw: the vertices that came out of a case, with the attributes it can observe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <evalcts/gl/table.h>
+
+namespace evalcts {
+
+// This implementation gives no way to observe what was asked for: never a pass, never a failure.
+struct NotObservable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Attributes of a vertex, as a set.
+enum Attribute : std::uint32_t {
+  kPosition = 1u << 0,
+  kColor = 1u << 1,
+  kNormal = 1u << 2,
+  kTextureCoordinate0 = 1u << 3,
+  kTextureCoordinatesOther = 1u << 4,  // units 1 and up
+  // What AUTO_NORMAL makes depends on whether a vertex shader is active (EV-AUTON-UNIT, EV-AUTON-SHADER): a
+  // capture that has kNormal has one of these, too.
+  kUnitNormal = 1u << 5,
+  kShaderNormal = 1u << 6,
+};
+using Attributes = std::uint32_t;
+inline constexpr Attributes kAllAttributes =
+    kPosition | kColor | kNormal | kTextureCoordinate0 | kTextureCoordinatesOther;
+
+std::string describe(Attributes attributes);
+
+// What has to be observed to see the values of a map, by its target of either dimension. Throws NotObservable
+// for INDEX, which shows in colour-index contexts only.
+Attributes attribute_of(GLenum target);
+
+inline constexpr std::size_t kTextureUnits = 8;
+
+struct ObservedVertex {
+  std::array<float, 4> position{};
+  std::array<float, 4> color{};
+  std::array<float, 3> normal{};
+  std::array<std::array<float, 4>, kTextureUnits> texture_coordinate{};
+};
+
+// Kinds of primitives, as a set.
+enum PrimitiveKind : std::uint32_t {
+  kPoints = 1u << 0,
+  kLines = 1u << 1,     // LINES, LINE_STRIP, LINE_LOOP
+  kPolygons = 1u << 2,  // everything that is filled
+};
+using PrimitiveKinds = std::uint32_t;
+PrimitiveKind kind_of(GLenum mode);
+
+// A primitive as it came out: an implementation may have taken a strip, a quad or a polygon apart.
+struct ObservedPrimitive {
+  GLenum mode = GL_POINTS;
+  std::vector<ObservedVertex> vertices;
+};
+
+struct Observation {
+  Attributes attributes = 0;    // those that hold observed values
+  bool clamped_colors = false;  // colours were clamped to [0,1] on the way
+  std::size_t units = 1;        // texture units observed
+  GLenum error = GL_NO_ERROR;   // what the case itself left behind
+  bool error_observed = true;   // false: the implementation has no GetError
+  bool overflow = false;        // more vertices came than there was room for
+  std::vector<ObservedPrimitive> primitives;
+
+  std::size_t vertex_count() const;
+};
+
+}  // namespace evalcts

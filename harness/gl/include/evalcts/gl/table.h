@@ -1,0 +1,54 @@
+// The table of GL entry points. Suites and captures reach a GL only through it; nothing links to one.
+#pragma once
+
+// The build defines GL_GLEXT_PROTOTYPES: only the types of the declarations are used, never their addresses.
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+
+#include <evalcts/gl/contexts.h>
+#include <evalcts/gl/requests.h>
+
+namespace evalcts::gl {
+
+enum class EntryPoint : int {
+#define GL_ENTRY(name, kinds) name,
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+};
+
+inline constexpr std::size_t kEntryPointCount = 0
+#define GL_ENTRY(name, kinds) +1
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+    ;
+
+// Function pointers with the types of the Khronos headers; null where the implementation has no such command.
+struct Table {
+#define GL_ENTRY(name, kinds) decltype(&::gl##name) name = nullptr;
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+};
+
+// The command's name with its "gl" prefix.
+std::string_view name_of(EntryPoint entry);
+
+// One letter for each parameter, see entry_points.def.
+std::string_view parameter_kinds(EntryPoint entry);
+
+// True where the table has an address for the command.
+bool has(const Table& table, EntryPoint entry);
+
+using AddressOf = std::function<void*(const char* name)>;
+
+// Fills a table by name ("glMap1f" -> address or null) from the first source that has the command under its
+// name or the one that it had as an extension. To be asked first are symbols that a library exports: a
+// get-proc-address function makes up an address for any name, so a non-null address proves nothing, and
+// implementations are probed for effect afterwards.
+Table load_table(std::initializer_list<AddressOf> sources);
+
+}  // namespace evalcts::gl

@@ -1,0 +1,31 @@
+// Names of GL tokens, for people and for C programs.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <evalcts/gl/table.h>
+
+namespace evalcts::gl {
+
+// "GL_MAP1_VERTEX_3", or "0x1234" for a token that the suite does not know by name.
+std::string token_name(GLenum token);
+// "GL_POINTS" ... "GL_POLYGON".
+std::string primitive_name(GLenum mode);
+// "GL_NO_ERROR", "GL_INVALID_ENUM", ...
+std::string error_name(GLenum error);
+
+inline constexpr std::array<GLenum, 9> kMap1Targets = {
+    GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,
+    GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
+    GL_MAP1_TEXTURE_COORD_4, GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4};
+inline constexpr std::array<GLenum, 9> kMap2Targets = {
+    GL_MAP2_COLOR_4,         GL_MAP2_INDEX,           GL_MAP2_NORMAL,
+    GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_3,
+    GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3,        GL_MAP2_VERTEX_4};
+
+// k: the number of values of one control point of a map target of either dimension (GL 4.6c table 21.1);
+// 0 for anything else.
+int components_of(GLenum target);
+
+}  // namespace evalcts::gl

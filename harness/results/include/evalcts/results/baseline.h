@@ -1,0 +1,158 @@
+// Baselines: the known failures of one implementation, each with its reason. A baseline never changes a
+// verdict. It states which results are expected, so that only a change makes a run fail.
+//
+// A baseline is stored as plain text files in one folder, in the format of GL driver CI. The reason of an
+// entry is the comment above it (the same for all entries up to the next empty line), and every entry needs
+// one.
+//   NAME-fails.txt       "test name,Status" (Fail, Crash, Timeout). The comments at the top of the file form
+//   its
+//                        header, which states the implementations that the files are for:
+//                          # vendor: TEXT            part of GL_VENDOR
+//                          # renderer: TEXT          part of GL_RENDERER
+//                          # version: RANGE          GL_VERSION, see version_range.h
+//                          # implementation: A, B    names of implementations (see `evalcts list
+//                          implementations`) # pass: reuse-context     the second pass, over one shared
+//                          context, instead of the first # extends: BASE           makes the files an overlay
+//   NAME-signatures.txt  "test name,depth,signature": the failing cases of the test, so that a known failure
+//   cannot
+//                        hide a new one. A signature belongs to its depth and to seed 1.
+//   NAME-skips.txt       regular expressions (ECMAScript, found anywhere in the name): tests that are not run
+//   and get
+//                        the verdict `skipped`
+//   NAME-flakes.txt      regular expressions: tests whose fail, crash, timeout or pass is never unexpected
+//
+// An overlay holds only what differs from BASE for one driver, window system or range of versions. The status
+// "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
+// implementation is the base with the most specific header, and all overlays of this base that fit, the most
+// specific one last.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <evalcts/results/run_result.h>
+#include <evalcts/results/version_range.h>
+
+namespace evalcts {
+
+// A file of a baseline does not follow its format, or a baseline cannot be chosen or written as asked. The
+// message is for the user and names file and line.
+struct BadBaseline : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// The content of NAME-fails.txt and of the other files of that name.
+struct BaselineFiles {
+  struct Header {
+    std::string vendor, renderer;
+    VersionRange version;
+    std::vector<std::string> implementations;  // empty: all
+    Pass pass = Pass::kFreshContexts;
+    std::string extends;  // empty: not an overlay
+
+    // Number of fields, then length of their texts: the larger of two is the more specific header.
+    struct Specificity {
+      std::size_t fields = 0, length = 0;
+      auto operator<=>(const Specificity&) const = default;
+    };
+    Specificity specificity() const;
+    // The fields that are given, in the order of the file: {"version", "Mesa 20.3 or newer"}.
+    std::vector<std::pair<std::string, std::string>> fields() const;
+    bool fits(const ImplementationRecord& implementation, Pass for_pass) const;
+  };
+
+  struct Entry {
+    std::string status;  // Fail, Crash, Timeout; in an overlay also Pass
+    std::string reason;
+  };
+
+  struct Pattern {
+    std::string text;
+    std::regex expression;
+    std::string reason;
+  };
+
+  std::string name;
+  Header header;
+  std::map<std::string, Entry> entries;                                  // by test
+  std::map<std::string, std::map<std::string, std::string>> signatures;  // by test and depth
+  std::vector<Pattern> skips, flakes;
+
+  // Reads NAME-fails.txt and those of the other files that exist. Throws BadBaseline.
+  static BaselineFiles read(const std::filesystem::path& folder, const std::string& name);
+  // All files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline, also
+  // if the base of an overlay is missing.
+  static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
+
+  // Writes the fails and the signatures; the files of skips and flakes are maintained by hand. Throws
+  // std::runtime_error.
+  void write(const std::filesystem::path& folder) const;
+};
+
+// The known failures of one implementation: a base and its overlays, composed. Default-constructed: none.
+class Baseline {
+ public:
+  struct Entry {
+    std::string status;  // Fail, Crash, Timeout
+    std::string reason;
+    std::map<std::string, std::string> signatures;  // by depth; a depth that is missing is not compared
+  };
+  using Pattern = BaselineFiles::Pattern;
+
+  // The baseline of the implementation in the given pass. If
+  // `chosen` is not empty, that base or overlay is used whatever its header says, provided that it is meant
+  // for the pass. Throws BadBaseline if no files have the name `chosen`.
+  static Baseline best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
+                           Pass pass = Pass::kFreshContexts, const std::string& chosen = {});
+
+  // This baseline with the given files in the place of those with the same name, or, if it is empty, made of
+  // them.
+  Baseline with(const BaselineFiles& files) const;
+
+  // "mesa", "mesa with mesa.softpipe"; empty if there is none.
+  std::string name() const;
+  // True if the base or an overlay of it has this name.
+  bool has_part(const std::string& name) const;
+  const std::map<std::string, Entry>& entries() const { return entries_; }
+
+  // The pattern that excludes the test from the run, or declares it flaky; null if there is none.
+  const Pattern* skip(const std::string& test) const { return matching(&BaselineFiles::skips, test); }
+  const Pattern* flake(const std::string& test) const { return matching(&BaselineFiles::flakes, test); }
+
+  // True if a test record is a fail, crash or timeout that is known, with the same failing cases if the
+  // record was made at the depth and seed of a signature.
+  bool knows(const TestRecord& test, Depth depth, std::uint64_t seed) const;
+
+  // Sets `baseline` of the result, and `expected_by_baseline` and `baseline_reason` of its tests. A known
+  // failure whose signature changed stays unexpected, and its message says so. Does not change tests that
+  // also fail in a fresh context.
+  void apply(RunResult& result) const;
+
+  // Entries for tests that do not exist any more, patterns that match no test, and "Pass" entries of an
+  // overlay that withdraw nothing (`tests`: all tests of the suite).
+  std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
+
+  // The files that make this baseline expect exactly what fails in the record: those called `target`, which
+  // are a part of this baseline, with entries for what the other parts do not expect. If `target` is empty,
+  // the only part, or new files called `new_name` if there is none. Existing reasons are kept; new entries
+  // state that they have not been traced. Skips and flakes are kept, and flaky tests get no entry. Throws
+  // BadBaseline if there are several parts and no target.
+  BaselineFiles renewed(const RunResult& result, const std::string& target,
+                        const std::string& new_name) const;
+
+ private:
+  static Baseline composed(std::vector<BaselineFiles> parts);
+  const Pattern* matching(std::vector<Pattern> BaselineFiles::*patterns, const std::string& test) const;
+
+  std::vector<BaselineFiles> parts_;  // the base first
+  std::map<std::string, Entry> entries_;
+};
+
+}  // namespace evalcts

@@ -1,0 +1,85 @@
+// The record of one test: its verdict, and what it rests on.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <evalcts/results/accuracy.h>
+#include <evalcts/results/depth.h>
+#include <evalcts/results/verdict.h>
+
+namespace evalcts {
+
+// A test as the suite program lists it, known without a run.
+struct ListedTest {
+  std::string name;                       // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
+  std::vector<std::string> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
+  Level level = Level::must;
+  Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
+};
+
+// One failing case of a test.
+struct Failure {
+  std::string case_identity;
+  std::string message;
+  std::string what;  // what was looked at: "texcoord[0].s of vertex 3"
+  std::string expected;
+  std::string captured;
+  std::string exact;                           // the exact value; empty if nothing was evaluated
+  std::string capture;                         // the capture that saw it
+  std::optional<double> ulp, condition_aware;  // infinite for an infinite error
+  std::vector<std::string> calls;              // the GL commands of the case, as C
+
+  bool operator==(const Failure&) const = default;
+};
+
+// Outcome of a flake when it was repeated alone in a new process.
+struct Repetition {
+  Verdict verdict = Verdict::kPass;
+  std::string message;
+};
+
+struct TestRecord {
+  std::string name;
+  std::vector<std::string> requirements;
+  Level level = Level::must;
+  Verdict verdict = Verdict::kInternalError;
+  std::string message;  // the verdict in one line
+  std::optional<std::uint64_t> cases, failed_cases, seed;
+  std::optional<double> seconds;
+  std::vector<std::string> mismatches;  // sorted identities of all that is wrong, "case: what"
+  std::vector<Failure> failures;        // the first few, in full
+  std::string capture;                  // the first that was used; empty if none was
+  std::optional<Accuracy> accuracy;
+  std::map<std::string, std::string> readings;  // of ambiguous texts, that the implementation follows
+
+  bool expected_by_baseline = false;
+  std::string baseline_reason;         // empty without an entry in the baseline
+  bool also_in_fresh_context = false;  // second pass: it fails in the same way with fresh contexts
+  // The tests that have to come before it in the same process for it to fail. Empty: its own earlier cases.
+  // Missing: not looked for, or not found.
+  std::optional<std::vector<std::string>> history;
+  std::string history_case;         // the case of the only test of the history that is needed; may be empty
+  bool flake = false;               // it did not come out the same when it was repeated
+  std::optional<Repetition> again;  // what came of the flake when it was repeated
+  std::string rerun, debug, reproducer;  // shell commands; for failures
+
+  bool is_bad() const { return evalcts::is_bad(verdict); }
+  // An internal error is a defect of evalcts: no baseline can expect it.
+  bool is_expected_failure() const { return is_failure(verdict) && expected_by_baseline; }
+  // Only a baseline entry has a reason, so a pass with a reason that was not expected contradicts its entry.
+  bool is_unexpected_pass() const {
+    return verdict == Verdict::kPass && !expected_by_baseline && !baseline_reason.empty();
+  }
+  bool is_unexpected() const { return (is_bad() && !is_expected_failure()) || is_unexpected_pass(); }
+  // Order of reporting, smallest first: unexpected failures by verdict, expected failures by verdict,
+  // unexpected passes, the rest by verdict.
+  int severity() const;
+  // A short text for the sorted mismatches: their number and a hash.
+  std::string signature() const;
+};
+
+}  // namespace evalcts

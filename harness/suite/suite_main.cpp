@@ -1,0 +1,419 @@
+#include <evalcts/suite/suite_main.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/reused_context.h>
+#include <evalcts/fuzz/campaign.h>
+#include <evalcts/fuzz/events.h>
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/event_file.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/serialization.h>
+#include <evalcts/runner/claims.h>
+#include <evalcts/testkit/reproduction.h>
+#include <evalcts/testkit/test.h>
+#include "surroundings.h"
+
+namespace evalcts {
+namespace {
+
+// Exit codes as of the command line (README): 2 wrong use or cannot be started, 3 a fault of evalcts.
+constexpr int kCannotStart = 2;
+constexpr int kOwnFault = 3;
+
+struct Options {
+  ImplementationOptions implementation;
+  std::vector<std::string> captures, readings;
+  bool captures_given = false;
+  std::string depth = "full";
+  std::uint32_t seed = 1;
+  std::string records, tests, claims, answer, prove, reproduce;
+  fuzz::Campaign campaign;
+  std::string known, deadly, replay;
+  bool fuzz = false, describe = false, list = false, trace_cases = false, die_with_parent = false,
+       reuse_context = false;
+};
+
+// A test to run, all of it or its first cases only.
+struct Chosen {
+  TestInfo info;
+  std::size_t position = 0;  // in the list of tests
+  std::size_t most_cases = std::numeric_limits<std::size_t>::max();
+};
+
+struct Program {
+  Options options;
+  std::unique_ptr<Implementation> implementation;
+  std::unique_ptr<Implementation> reused;  // where all tests share a context
+  std::size_t cases_left = 0;              // of the test in flight
+  std::unique_ptr<Captures> captures;
+  std::unique_ptr<Reproduction> reproduction;
+  Subject subject;
+  std::unique_ptr<EventFile> records;
+  std::unique_ptr<Claims> claims;  // where several processes share the list of tests
+};
+
+// How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
+class GoogleTestAdapter : public testing::Test {
+ public:
+  GoogleTestAdapter(const Chosen& chosen, Program& program) : chosen_(chosen), program_(program) {}
+
+  void TestBody() override {
+    const TestInfo& info = chosen_.info;
+    if (program_.claims) {
+      if (!program_.claims->take(chosen_.position)) return;
+      std::cout << "[ RUN      ] " << info.full_name() << std::endl;  // GoogleTest is told to be brief
+    }
+    TestRecord record;
+    record.name = info.full_name();
+    for (const std::string_view id : info.requirements) record.requirements.emplace_back(id);
+    record.level = info.level;
+    program_.cases_left = chosen_.most_cases;
+    program_.records->write(to_line(TestStarted{record.name}));
+    const auto start = std::chrono::steady_clock::now();
+    const Surroundings surroundings;
+    evalcts::Test test(program_.subject, record);
+    test.run(info.body);
+    record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::vector<std::string> changed = surroundings.put_back();
+    program_.records->write(to_line(TestFinished{record}));
+    report(record);
+    if (!changed.empty())
+      std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
+                << std::endl;
+    // Who knows what else was closed: the rest is for a new process, which the runner starts.
+    if (program_.records->was_closed()) _exit(0);
+  }
+
+ private:
+  static void report(const TestRecord& record) {
+    switch (record.verdict) {
+      case Verdict::kPass:
+        return;
+      case Verdict::kQualityWarning:
+        std::cout << "quality-warning: " << record.message << "\n";
+        return;
+      case Verdict::kNotSupported:
+      case Verdict::kNotObservable:
+      case Verdict::kSkipped:
+        GTEST_SKIP() << text_of(record.verdict).word << ": " << record.message;
+      default:
+        break;
+    }
+    std::string text = fmt::format("{}: {} of {} cases; {}", text_of(record.verdict).word,
+                                   record.failed_cases.value_or(0), record.cases.value_or(0), record.message);
+    if (!record.failures.empty()) {
+      const Failure& failure = record.failures.front();
+      text += fmt::format("\n  expected {}\n  captured {}\n  case {}", failure.expected, failure.captured,
+                          failure.case_identity);
+      for (const std::string& call : failure.calls) text += "\n    " + call;
+    }
+    ADD_FAILURE() << text;
+  }
+
+  const Chosen& chosen_;
+  Program& program_;
+};
+
+std::vector<ListedTest> listed_tests() {
+  std::vector<ListedTest> tests;
+  for (const TestInfo& info : all_tests())
+    tests.push_back(
+        {info.full_name(), {info.requirements.begin(), info.requirements.end()}, info.level, info.from});
+  return tests;
+}
+
+// A sink and the implementations in this process have no driver; a layer hides the renderer below it.
+std::string note_on_driver(const ImplementationInfo& info, const ImplementationOptions& options) {
+  const bool is_layer = !options.context.empty() && !options.library.empty();
+  if (is_layer || info.name == "sink" || info.name == "production" || info.name == "reference") return {};
+  return describe_other_driver(info.renderer);
+}
+
+Description description_of(const Subject& subject, const ImplementationOptions& options) {
+  const ImplementationInfo& info = subject.info;
+  Description description;
+  ImplementationRecord& implementation = description.implementation;
+  implementation.name = info.name;
+  implementation.library = info.library;
+  implementation.vendor = info.vendor;
+  implementation.renderer = info.renderer;
+  implementation.version = info.version;
+  implementation.max_eval_order = info.max_eval_order;
+  implementation.note = note_on_driver(info, options);
+  implementation.files = loaded_gl_files();
+  for (const auto& capture : all_captures()) description.captures.push_back(capture->name());
+  return description;
+}
+
+void answer(const Options& options, const std::string& text) {
+  if (options.answer.empty()) {
+    std::cout << text;
+    return;
+  }
+  std::ofstream file(options.answer);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write '" + options.answer + "'");
+}
+
+CaptureRecord prove_one(Program& program) {
+  for (auto& capture : all_captures()) {
+    if (capture->name() != program.options.prove) continue;
+    CaptureRecord result{capture->name(), true, "", ""};
+    try {
+      capture->prove(*program.implementation, program.subject.info);
+      result.shows = describe(capture->attributes());
+    } catch (const NotObservable& exception) {
+      result.available = false;
+      result.reason = exception.what();
+    }
+    return result;
+  }
+  throw std::runtime_error("there is no capture '" + program.options.prove + "'");
+}
+
+// All tests, or those that the file names, in its order. (GoogleTest keeps the tests of one suite together.)
+std::vector<Chosen> tests_to_register(const std::string& path) {
+  std::vector<Chosen> tests;
+  if (path.empty()) {
+    for (const TestInfo& info : all_tests()) tests.push_back({info, tests.size()});
+    return tests;
+  }
+  std::map<std::string, const TestInfo*> by_name;
+  for (const TestInfo& info : all_tests()) by_name[info.full_name()] = &info;
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error("cannot read '" + path + "'");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t tab = line.find('\t');
+    const auto found = by_name.find(line.substr(0, tab));
+    if (found == by_name.end()) throw std::runtime_error("there is no test '" + line + "'");
+    tests.push_back({*found->second, tests.size()});
+    if (tab != std::string::npos) tests.back().most_cases = std::stoul(line.substr(tab + 1));
+  }
+  return tests;
+}
+
+void parse(int argc, char** argv, Options& options) {
+  CLI::App app{
+      "Judges one implementation of OpenGL evaluators. Options of GoogleTest (--gtest_...) work, too."};
+  app.add_option("--implementation", options.implementation.name,
+                 "what to judge, see 'evalcts list implementations'");
+  app.add_option("--library", options.implementation.library, "shared library instead of the usual one");
+  app.add_option("--context", options.implementation.context,
+                 "what makes the contexts, instead of an implementation");
+  app.add_option("--depth", options.depth, "how many values")
+      ->check(CLI::IsMember({"quick", "full", "thorough"}));
+  app.add_option("--seed", options.seed, "seed of the random tests");
+  auto* captures = app.add_option("--captures", options.captures, "use only these")->delimiter(',');
+  app.add_option("--interpretation", options.readings, "NAME=READING, as for evalcts run")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--records", options.records, "append a line of JSON for each event");
+  app.add_option("--tests", options.tests,
+                 "file with the names of the tests to run, one a line, in this order; after a tab, how many "
+                 "of its cases (a test that is cut short decides nothing)");
+  app.add_option("--claims", options.claims,
+                 "file shared with other processes that have the same list: each test is run by one of them")
+      ->needs("--tests");
+  app.add_option("--answer", options.answer,
+                 "file for the answer of the next three, instead of standard output");
+  app.add_option("--reproduce", options.reproduce,
+                 "write the first failure of the test, or the case in flight, to this file as a C program");
+  app.add_flag("--describe", options.describe, "say what the implementation is, as JSON, and stop");
+  app.add_option("--prove", options.prove, "prove one capture, as JSON, and stop");
+  app.add_flag("--list", options.list, "list the tests with their requirements, as JSON, and stop");
+  app.add_flag("--fuzz", options.fuzz, "play random programs of the seed instead of tests");
+  app.add_option("--first", options.campaign.first, "number of the first program")->needs("--fuzz");
+  app.add_option("--step", options.campaign.step, "from a program to the next one")->needs("--fuzz");
+  app.add_option("--programs", options.campaign.programs, "how many")->needs("--fuzz");
+  app.add_option("--seconds", options.campaign.seconds, "for how long")->needs("--fuzz");
+  app.add_option("--known", options.known, "file of causes that are known (JSON)")->needs("--fuzz");
+  app.add_option("--in-flight", options.campaign.in_flight,
+                 "file for each smaller version of a program, before it is played")
+      ->needs("--fuzz");
+  app.add_option("--deadly", options.deadly, "file of smaller versions that are not to be played (JSON)")
+      ->needs("--fuzz");
+  app.add_option("--length", options.campaign.length, "commands of a program")->needs("--fuzz");
+  app.add_flag("--fresh-contexts", options.campaign.fresh_contexts, "a context for each program")
+      ->needs("--fuzz");
+  app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
+  app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
+  app.add_flag("--reuse-context", options.reuse_context,
+               "play all cases on one context, whose state is restored by calls in between");
+  app.add_flag("--die-with-parent", options.die_with_parent,
+               "end when the process that started this one ends");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::exit(app.exit(error) == 0 ? 0 : kCannotStart);
+  }
+  options.captures_given = captures->count() > 0;
+  if (options.implementation.name.empty() && options.implementation.library.empty() &&
+      options.implementation.context.empty())
+    options.implementation.name = "reference";
+}
+
+// To GoogleTest the first '-' of a filter begins what is left out, but some tests have one in their names:
+// other runners hand these over as they are listed. In names it becomes '?', which stands for any character.
+std::string with_names_taken_literally(const std::string& filter) {
+  std::set<std::string> names;
+  for (const TestInfo& info : all_tests())
+    if (const std::string name = info.full_name(); name.find('-') != std::string::npos) names.insert(name);
+  std::string taken;
+  std::istringstream patterns(filter);
+  for (std::string pattern; std::getline(patterns, pattern, ':');) {
+    const std::size_t begin = pattern.starts_with("-") ? 1 : 0;
+    if (names.contains(pattern.substr(begin)))
+      std::replace(pattern.begin() + static_cast<std::ptrdiff_t>(begin), pattern.end(), '-', '?');
+    taken += (taken.empty() ? "" : ":") + pattern;
+  }
+  return taken;
+}
+
+// Random programs, or one from a file: 1 where the one from the file shows a difference.
+int play_programs(const Program& program) {
+  const auto report = [&](const fuzz::CampaignEvent& event) { program.records->write(fuzz::to_line(event)); };
+  if (program.options.fuzz) {
+    fuzz::Campaign campaign = program.options.campaign;
+    campaign.known = fuzz::parse_list(read_file(program.options.known));
+    campaign.deadly = fuzz::parse_list(read_file(program.options.deadly));
+    fuzz::play(program.subject, campaign, report);
+    return 0;
+  }
+  const std::string text = read_file(program.options.replay);
+  if (text.empty()) throw std::runtime_error("cannot read '" + program.options.replay + "'");
+  gl::Case script =
+      fuzz::with_commands_of(program.implementation->create_context()->table(), gl::parse_case(text));
+  script.set_identity("program");
+  program.records->write(to_line(TestStarted{"program"}));
+  const Specified specified = specify(script, std::clamp(program.subject.info.max_eval_order, 8, 64));
+  const std::optional<fuzz::Finding> finding =
+      fuzz::judge_program(program.subject, script, specified).finding;
+  TestRecord record;
+  record.name = "program";
+  record.verdict = finding ? Verdict::kFail : Verdict::kPass;
+  if (finding) record.failures = {finding->failure};
+  program.records->write(to_line(TestFinished{record}));
+  return finding ? 1 : 0;
+}
+
+int run(int argc, char** argv, const Wrapping& wrapping) {
+  testing::InitGoogleTest(&argc, argv);
+  testing::GTEST_FLAG(filter) = with_names_taken_literally(testing::GTEST_FLAG(filter));
+  // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
+  static Program& program = *new Program;
+  parse(argc, argv, program.options);
+  const Options& options = program.options;
+  if (options.die_with_parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    std::ofstream("/proc/self/oom_score_adj") << 1000;  // where memory runs out it is this process that goes
+  }
+  if (options.list) {
+    answer(options, to_text(listed_tests()));
+    return 0;
+  }
+  const bool answers = options.describe || !options.prove.empty();
+  const bool plays_programs = options.fuzz || !options.replay.empty();
+  const std::vector<Chosen> tests =
+      answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests);
+  program.records = std::make_unique<EventFile>(options.records);
+  if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
+  const bool only_list = testing::GTEST_FLAG(list_tests);
+  if (!only_list) {
+    try {
+      program.implementation = open_implementation(options.implementation);
+      if (wrapping) program.implementation = wrapping(std::move(program.implementation));
+      program.subject.info = inquire(*program.implementation);
+    } catch (const CannotStart& exception) {
+      if (!options.answer.empty()) answer(options, cannot_start_text(exception.what()));
+      throw;
+    }
+    program.subject.implementation = program.implementation.get();
+    program.subject.depth = depth_named(options.depth).value_or(Depth::full);
+    program.subject.seed = options.seed;
+    for (const std::string& choice : options.readings) {
+      const std::size_t equals = choice.find('=');
+      if (equals == std::string::npos) throw CannotStart("'" + choice + "' is no NAME=READING");
+      program.subject.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
+    }
+    program.subject.before_case = [](const gl::Case& script) {
+      if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
+      if (program.options.trace_cases)
+        program.records->write(to_line(CaseStarted{
+            script.identity(), gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}));
+    };
+    if (answers) {
+      answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))
+                                       : to_text(prove_one(program)));
+      return 0;
+    }
+    program.captures = std::make_unique<Captures>(*program.implementation, program.subject.info,
+                                                  options.captures_given ? &options.captures : nullptr);
+    program.subject.captures = program.captures.get();
+    if (options.reuse_context) {
+      program.captures->prove_all();
+      program.reused = reuse_context(*program.implementation, program.subject.info);
+      program.subject.implementation = program.reused.get();
+    }
+    if (!options.reproduce.empty()) {
+      program.reproduction =
+          std::make_unique<Reproduction>(*program.subject.implementation, options.reproduce);
+      program.subject.reproduction = program.reproduction.get();
+      program.subject.implementation = &program.reproduction->implementation();
+    }
+  }
+  if (plays_programs) {
+    program.subject.before_case = nullptr;
+    const int status = play_programs(program);
+    program.captures.reset();
+    program.records->write(to_line(RunEnded{}));
+    return status;
+  }
+  for (const Chosen& chosen : tests)
+    testing::RegisterTest(
+        chosen.info.suite.c_str(), chosen.info.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [chosen]() -> GoogleTestAdapter* { return new GoogleTestAdapter(*new Chosen(chosen), program); });
+  const int status = RUN_ALL_TESTS();
+  // Contexts go while the library is whole; Mesa hangs in a static destructor.
+  program.reused.reset();
+  program.captures.reset();
+  program.records->write(to_line(RunEnded{}));
+  return status;
+}
+
+}  // namespace
+
+int suite_main(int argc, char** argv, const Wrapping& wrapping) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);  // crashes of the library under test are recorded, not kept
+  std::signal(SIGXFSZ, SIG_IGN);     // a result that is too large for its file is no crash of the library
+  try {
+    return run(argc, argv, wrapping);
+  } catch (const CannotStart& error) {
+    std::cerr << "cannot start: " << error.what() << "\n";
+    return kCannotStart;
+  } catch (const std::exception& error) {
+    std::cerr << "evalcts-suite: " << error.what() << "\n";
+    return kOwnFault;
+  }
+}
+
+}  // namespace evalcts

@@ -1,0 +1,57 @@
+// The vectors as lines of text, and the answers to them: for judging a program in any language ("In a pipe"
+// of INTERPRETING.md).
+#pragma once
+
+#include <cstddef>
+#include <istream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <evalcts/results/json.h>
+
+namespace evalcts::vectors {
+
+// One line for each case of a file, each with its end of line; nothing for kinds that are not asked in this
+// way (sequences). `file` has passed check_structure().
+std::string emit(const nlohmann::json& file);
+
+// What came back.
+struct Answers {
+  // By id; no numbers: skipped.
+  std::map<std::string, std::vector<double>> of;
+  std::vector<std::string> answered_twice;  // ids
+  std::vector<std::string> malformed;       // "line 3: ...", in words
+};
+
+// Reads lines to the end; numbers in hexadecimal or decimal, "inf" and "nan" too. Empty lines and what begins
+// with # are left out.
+Answers read_answers(std::istream& lines);
+
+struct Wrong {
+  std::string id;
+  std::string message;  // which component, what came, what is accepted
+};
+
+// How the answers to one file did.
+struct Score {
+  std::string kind;
+  std::size_t cases = 0, skipped = 0;
+  std::vector<std::string> missing;
+  std::vector<Wrong> wrong;
+  // Flag: how many cases were answered, and how many of them wrong.
+  struct Count {
+    std::size_t answered = 0, wrong = 0;
+  };
+  std::map<std::string, Count> by_flag;
+  // Of the values with an acceptance interval (not of normals): how many are the nearest binary32, and the
+  // largest error in ULP of binary32, with the case it is in.
+  std::size_t values = 0, correctly_rounded = 0;
+  double largest_ulp = 0;
+  std::string largest_id;
+};
+
+// Judges the answers to a file and takes them out of `answers`: what is left at the end has unknown ids.
+Score judge(const nlohmann::json& file, Answers& answers);
+
+}  // namespace evalcts::vectors
