@@ -123,8 +123,6 @@ constexpr Mask kOthers[] = {
 // The version in which AUTO_NORMAL came into the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
 }  // namespace
 
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, EvalBit, kWithEval, const Mask& mask, must, "EV-ATTRIB-EVALBIT",

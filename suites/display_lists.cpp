@@ -9,7 +9,6 @@
 namespace evalcts::suite_display_lists {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 constexpr GLuint kList = 3, kOther = 4, kThird = 5;
 
 void compile(gl::Case& c, GLuint list, const Calls& calls, GLenum mode = GL_COMPILE) {
@@ -73,7 +72,7 @@ void prepare_for(gl::Case& c, const Setting& setting) {
 }
 
 // Three points by EvalCoord, three by EvalPoint.
-void evaluate_some(gl::Case& c, bool two) {
+void evaluate_and_eval_points(gl::Case& c, bool two) {
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.375f, 1.0f}) {
     if (two)
@@ -139,7 +138,7 @@ EVALCTS_TESTS(DisplayLists, CompilingDrawsNothing, kDimensions, const Dimension&
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   c.Begin(GL_POINTS);
@@ -207,7 +206,7 @@ EVALCTS_TESTS(DisplayLists, CompileAndExecuteDrawsOnce, kDimensions, const Dimen
   compile(
       c, kList,
       [&](gl::Case& list) {
-        evaluate_some(list, dimension.two);
+        evaluate_and_eval_points(list, dimension.two);
         mesh_of_points(list, dimension.two);
       },
       GL_COMPILE_AND_EXECUTE);
@@ -558,7 +557,7 @@ EVALCTS_TESTS(DisplayLists, MapsOfTheCall, kDimensions, const Dimension& dimensi
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   c.CallList(kList);
@@ -587,7 +586,7 @@ EVALCTS_TESTS(DisplayLists, VertexMapsOfTheCall, kDimensions, const Dimension& d
   c.Enable(three);
   set_grid(c, dimension.two);
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   define_anew(c, three);
@@ -609,7 +608,7 @@ EVALCTS_TESTS(DisplayLists, MapsEnabledAfterwards, kDimensions, const Dimension&
               "EV-DL-EXECSTATE-MAP") {
   gl::Case c("compiled with no map enabled");
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   enable_maps(t, c, dimension.two);
@@ -624,7 +623,7 @@ EVALCTS_TESTS(DisplayLists, GridOfTheCall, kDimensions, const Dimension& dimensi
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two, {7, 0.0f, 1.0f});
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   for (const Grid& grid : {Grid{4, 3.0f, -0.5f}, Grid{9, 0.75f, 1.5f}}) {
@@ -898,11 +897,11 @@ EVALCTS_TESTS(DisplayLists, CalledTwiceSameBits, kDimensions, const Dimension& d
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   c.CallList(kList);
-  evaluate_some(c, dimension.two);
+  evaluate_and_eval_points(c, dimension.two);
   c.CallList(kList);
   const std::size_t between = 6, once = 6 + (dimension.two ? 6 : 4), all = 2 * once + between;
   t.expect_observation(c, kUnit0, all, kPoints, [&](const Observation& seen) {
@@ -947,9 +946,9 @@ EVALCTS_TESTS(DisplayLists, MapsOfAnInnerList, kDimensions, const Dimension& dim
     set_grid(list, dimension.two, {3, 0.25f, 0.75f});
   });
   compile(c, kList, [&](gl::Case& list) {
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     list.CallList(kOther);
-    evaluate_some(list, dimension.two);
+    evaluate_and_eval_points(list, dimension.two);
     mesh_of_points(list, dimension.two);
   });
   c.CallList(kList);
@@ -962,7 +961,7 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED") {
   c.Enable(GL_MAP1_VERTEX_3);
   compile(c, kList, [&](gl::Case& list) {
     list.CallList(kOther);
-    evaluate_some(list, false);
+    evaluate_and_eval_points(list, false);
   });
   for (int round = 0; round < 2; ++round) {
     compile(c, kOther, [&](gl::Case& list) { define(list, random_map(t, GL_MAP1_VERTEX_3, 3 + round)); });
@@ -976,7 +975,7 @@ EVALCTS_TESTS(DisplayLists, NestedDeeply, kDimensions, const Dimension& dimensio
   gl::Case c("an evaluation sixty lists deep");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
-  compile(c, 100, [&](gl::Case& list) { evaluate_some(list, dimension.two); });
+  compile(c, 100, [&](gl::Case& list) { evaluate_and_eval_points(list, dimension.two); });
   for (GLuint depth = 1; depth < kDepth; ++depth)
     compile(c, 100 + depth, [&](gl::Case& list) { list.CallList(100 + depth - 1); });
   c.CallList(100 + kDepth - 1);
@@ -1048,7 +1047,7 @@ EVALCTS_TESTS(DisplayLists, CurrentValuesAfterTheCall, kDimensions, const Dimens
       list.Color4f(0.125f, 0.25f, 0.5f, 0.75f);
       list.Normal3f(0.6f, 0.8f, 0);
       list.TexCoord4f(5, 6, 7, 8);
-      mesh ? mesh_of_points(list, dimension.two) : evaluate_some(list, dimension.two);
+      mesh ? mesh_of_points(list, dimension.two) : evaluate_and_eval_points(list, dimension.two);
     });
     c.CallList(kList);
     const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));

@@ -170,12 +170,7 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
   if (inside && primitive != GL_POINTS) c.Vertex3f(1, 2, 3);
   const gl::Ref get = getter.get(c, target, query, 256);
   if (inside) c.End();
-  const gl::Ref first = c.GetError();
-  const gl::Ref second = c.GetError();
-  Played played = t.play(c);
-  played.expect_error(first, {error});
-  played.expect_no_error(second);
-  played.expect_nothing_written(get);
+  expect_query_refused(t, c, get, {error});
 }
 
 }  // namespace

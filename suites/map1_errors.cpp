@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 
-#include "suites/maps.h"
+#include "suites/refusal.h"
 
 namespace evalcts::suite_map1_errors {
 namespace {
@@ -20,37 +19,9 @@ Map1 legal_map(GLenum target) {
   return map;
 }
 
-// Nine maps that differ from the initial ones and from the legal map, every second one enabled, and current
-// values: what a failing command would damage.
-void prepare(gl::Case& c, bool odd_enabled) {
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
-  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
-    const GLenum target = gl::kMap1Targets[i];
-    std::vector<double> points;
-    for (int p = 0; p < 2 * gl::components_of(target); ++p)
-      points.push_back(0.125 * p + static_cast<double>(i));
-    define(c, make_map1(target, -1.0 - static_cast<double>(i), 2, 4, points));
-    if ((i % 2 == 1) == odd_enabled) c.Enable(target);
-  }
-}
-
-// Plays one bad call in a context with prepared maps: one of the errors is raised, once, and nothing changed.
-void expect_refused(Test& t, const std::string& identity, const std::function<void(gl::Case&)>& bad_call,
+void expect_refused(Test& t, const std::string& identity, const Calls& bad_call,
                     std::initializer_list<GLenum> allowed) {
-  const bool odd_enabled = t.random()() % 2 == 1;  // either, over the cases of a test
-  gl::Case c(identity);
-  prepare(c, odd_enabled);
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-  bad_call(c);
-  const gl::Ref error = c.GetError();
-  const gl::Ref second = c.GetError();
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  played.expect_error(error, allowed);
-  played.expect_no_error(second);
-  expect_unchanged(played, before, after);
+  expect_refused(t, identity, std::vector{bad_call}, allowed, Prepared::maps1);
 }
 
 void expect_refused(Test& t, const std::string& identity, const Map1& bad, bool doubles,
@@ -117,7 +88,7 @@ EVALCTS_LISTED_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm&
 EVALCTS_TESTS(Map1Errors, StrideBelowKAtEveryOrder, target_forms(), const TargetForm& form, must,
               "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT") {
   gl::Case c("stride k - 1, orders 1 to MAX");
-  prepare(c, false);
+  prepare(c, Prepared::maps1, false);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
   std::vector<gl::Ref> errors;
   for (int order = 1; order <= t.max_order(); ++order) {
@@ -338,7 +309,7 @@ EVALCTS_LISTED_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, 
 EVALCTS_TESTS(Map1Errors, RefusedWhileAnErrorWaits, target_forms(), const TargetForm& form, must,
               "EV-MAP1-ERR-NOEFFECT") {
   gl::Case c("refused for order, stride, domain, target and once more order");
-  prepare(c, true);
+  prepare(c, Prepared::maps1, true);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
   const auto refused = [&](const std::function<void(Map1&)>& spoil) {
     Map1 bad = legal_map(form.target);

@@ -6,12 +6,6 @@
 namespace evalcts::suite_map1_state {
 namespace {
 
-void evaluate_some(gl::Case& c) {
-  c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
-  c.End();
-}
-
 // Nine maps that differ in everything.
 std::vector<Map1> nine_maps(Test& t) {
   std::vector<Map1> maps;

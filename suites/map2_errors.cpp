@@ -10,8 +10,6 @@
 namespace evalcts::suite_map2_errors {
 namespace {
 
-constexpr int kLowest = std::numeric_limits<int>::min();
-
 // A legal map, to be spoiled by the test. Memory for much more than it needs stands behind it, so that a
 // library which checks late reads nothing that it must not.
 Map2 legal_map(GLenum target) {

@@ -9,8 +9,6 @@
 namespace evalcts::suite_map2_values {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-
 using Orders = std::pair<int, int>;
 
 struct Interval {

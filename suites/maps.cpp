@@ -61,12 +61,12 @@ Map1 random_map(Test& t, GLenum target, int order, int stride) {
 }
 
 std::vector<int> orders_too_high(const Test& t) {
-  constexpr int kHighest = 0x10001;
+  constexpr int kBeyond = 0x10001;
   const int limit = std::max(t.gl().max_eval_order, 8);
-  if (limit >= kHighest)
+  if (limit >= kBeyond)
     throw NotObservable(fmt::format("MAX_EVAL_ORDER is {}: no order above it can be tried", limit));
   std::vector<int> orders;
-  for (const int order : {limit + 1, limit + 2, limit + 100, 0x101, kHighest})
+  for (const int order : {limit + 1, limit + 2, limit + 100, 0x101, kBeyond})
     if (order > limit) orders.push_back(order);
   return orders;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/runner/test.h"
+#include "suites/fixtures.h"
 
 namespace evalcts {
 

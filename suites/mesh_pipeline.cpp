@@ -57,14 +57,8 @@ gl::Case mesh(GLenum mode, bool mirrored = false) {
   return c;
 }
 
-// Without EdgeFlag: the current one counts for all vertices, and an implementation may lose everything where
-// it is set between them.
-gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
-  const gl::Case with_flags = as_explicit_commands(predict(evaluated, t.max_order()));
-  gl::Case c;
-  for (const gl::Command& command : with_flags.commands())
-    if (command.entry != gl::EntryPoint::EdgeFlag) c.add(command);
-  return c;
+gl::Case explicit_strips(Test& t, const gl::Case& evaluated) {
+  return without_edge_flags(explicit_commands(t, evaluated));
 }
 
 // --- Where to look ---------------------------------------------------------------------------------------
@@ -196,7 +190,7 @@ void require_quads(const Picture& control) {
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
 EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
   std::vector<Scene> strips, evaluated;
-  add_outlined(strips, true, explicit_commands(t, mesh(GL_FILL)));
+  add_outlined(strips, true, explicit_strips(t, mesh(GL_FILL)));
   add_outlined(evaluated, true, mesh(GL_FILL));
   require_quads(feedback(t, "control: explicit quad strips", strips));
   Picture picture = feedback(t, "evaluated", evaluated);
@@ -210,7 +204,7 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
 EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG") {
   std::vector<Scene> strips, evaluated;
   for (const bool flag : {true, false}) {
-    add_outlined(strips, flag, explicit_commands(t, mesh(GL_FILL)));
+    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
     add_outlined(evaluated, flag, mesh(GL_FILL));
   }
   require_quads(feedback(t, "control: explicit quad strips", strips));
@@ -241,7 +235,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
   });
   const auto is_edge = [](std::size_t part) { return part % 3 != 0; };
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas, GL_RED);
+      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas, GL_RED);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (lit(control.parts[i]) != is_edge(i))
       throw NotObservable("pipeline: explicit quad strips do not show their edges and nothing else");
@@ -265,7 +259,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
   define(twisted, make_map2(GL_MAP2_VERTEX_3, 2, 2,
                             {left, bottom, -0.75, left, top, 0.75, right, bottom, 0.75, right, top, -0.75}));
   twisted.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
-  const gl::Case strips = explicit_commands(t, twisted);
+  const gl::Case strips = explicit_strips(t, twisted);
 
   const Outlines expected = outlines_of(feedback(t, "control: vertices", {}, strips).parts[0]);
   if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
@@ -297,7 +291,7 @@ namespace {
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas);
+      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas);
   std::size_t sample = 0;
   for_each_quad([&](int i, int j) {
     const auto color = first_vertex ? color_at(i, j) : color_at(i + 1, j + 1);
@@ -349,7 +343,7 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
     if (automatic_normals) drawing.Enable(GL_AUTO_NORMAL);
     drawing.append(mesh(GL_FILL, facing.mirrored));
     evaluated.emplace_back(facing.name, facing.state, drawing);
-    strips.emplace_back(facing.name, facing.state, explicit_commands(t, drawing));
+    strips.emplace_back(facing.name, facing.state, explicit_strips(t, drawing));
   }
   const Picture control = pixels(t, "control: explicit quad strips", strips, areas);
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
@@ -510,9 +504,9 @@ class Looks {
 EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages, must,
               "EV-MESH2-NOPOLYMODE") {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
-  const Looks control(t, stages, "control: explicit vertices",
-                      {explicit_commands(t, meshes[0]), explicit_commands(t, meshes[1]),
-                       explicit_commands(t, mesh(GL_FILL))});
+  const Looks control(
+      t, stages, "control: explicit vertices",
+      {explicit_strips(t, meshes[0]), explicit_strips(t, meshes[1]), explicit_strips(t, mesh(GL_FILL))});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage) {
     if (!control.has_effect(stage, 2, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
@@ -535,7 +529,7 @@ EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages,
 // In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
 EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-MESH2-NOPOLYMODE") {
   const gl::Case evaluated = mesh(GL_FILL);
-  const Looks control(t, stages, "control: explicit quad strips", {explicit_commands(t, evaluated)});
+  const Looks control(t, stages, "control: explicit quad strips", {explicit_strips(t, evaluated)});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
     if (!control.has_effect(stage, 0, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
@@ -644,7 +638,7 @@ std::vector<bool> starts_of(const Part& part) {
 void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
                     const std::vector<Area>& areas) {
   const gl::Case state = state_of(stipple);
-  const gl::Case strips = explicit_commands(t, evaluated);
+  const gl::Case strips = explicit_strips(t, evaluated);
   const Picture control =
       pixels(t, "control: explicit line strips",
              {{"", {}, strips}, {"", state, apart(strips)}, {"", state, strips}}, areas, GL_RED);
@@ -670,8 +664,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
 // (U-FEEDBACK-RESET).
 void expect_starts(Test& t, const gl::Case& evaluated) {
   const gl::Case state = state_of(kStipples[0]);
-  const Picture control =
-      feedback(t, "control: explicit line strips", state, explicit_commands(t, evaluated));
+  const Picture control = feedback(t, "control: explicit line strips", state, explicit_strips(t, evaluated));
   const std::vector<bool> expected = starts_of(control.parts[0]);
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (expected[i] != (i % kSegments == 0))

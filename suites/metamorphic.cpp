@@ -17,9 +17,6 @@
 namespace evalcts::suite_metamorphic {
 namespace {
 
-// Through display lists, too, but not twice: the tests judge by themselves what comes out.
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
 using reference::Rational;
 
 struct At {

@@ -14,10 +14,6 @@
 namespace evalcts::suite_numeric {
 namespace {
 
-// Through display lists, too, but not twice: the tests judge by themselves what comes out.
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

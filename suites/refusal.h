@@ -21,10 +21,15 @@ struct NamedCalls {
 // End, each would have an effect outside.
 std::vector<NamedCalls> forbidden_in_primitives();
 
-// Plays the bad calls one behind the other in a context where all 18 maps, both grids and the current values
-// differ from the initial ones and every second map is enabled. Each raises one of the allowed errors, once;
-// after the last everything is as before the first. A bad call that needs Begin brings its End.
+// State that differs from the initial one before a bad call: the current values and, with every second map
+// enabled, the nine one-dimensional maps or all maps and grids.
+enum class Prepared { maps1, everything };
+// The state that a rejected command must leave unchanged.
+void prepare(gl::Case& c, Prepared prepared, bool odd_enabled);
+
+// Plays the bad calls one behind the other in a prepared context. Each raises one of the allowed errors,
+// once; after the last everything is as before the first. A bad call that needs Begin brings its End.
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                    std::initializer_list<GLenum> allowed);
+                    std::initializer_list<GLenum> allowed, Prepared prepared = Prepared::everything);
 
 }  // namespace evalcts
