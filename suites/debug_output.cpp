@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "harness/gl/contexts.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 #include "suites/refusal.h"
 
 namespace evalcts::suite_debug_output {

@@ -248,18 +248,18 @@ EVALCTS_TESTS(DisplayLists, PointsReadWhileCompiling, kFates, const Fate& fate, 
     const Map1 map = random_map(t, form.target, 5, 6);
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles, fate.after); });
     c.CallList(kList);
-    const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+    const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
     Played played = t.play(c);
-    expect_map1(played, query, map, form.doubles);
+    expect_map(played, query, map, form.doubles);
   }
   for (const TargetForm& form : target_forms2()) {
     gl::Case c(form.name);
     const Map2 map = random_map2(t, form.target, 3, 4, kLayouts[3]);
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles, fate.after); });
     c.CallList(kList);
-    const MapQuery query = query_map2(c, form.target, t.max_order(), form.doubles);
+    const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
     Played played = t.play(c);
-    expect_map2(played, query, map, form.doubles);
+    expect_map(played, query, map, form.doubles);
   }
 }
 
@@ -271,12 +271,12 @@ EVALCTS_TESTS(DisplayLists, SamePointerNewPoints, kForms, const Form& form, must
     compile(c, kList, [&](gl::Case& list) { define_in_slot(list, first, form.doubles, 0); });
     compile(c, kOther, [&](gl::Case& list) { define_in_slot(list, second, form.doubles, 0); });
     c.CallList(kList);
-    const MapQuery one = query_map1(c, target, t.max_order(), form.doubles);
+    const MapQuery one = query_map(c, target, t.max_order(), form.doubles);
     c.CallList(kOther);
-    const MapQuery two = query_map1(c, target, t.max_order(), form.doubles);
+    const MapQuery two = query_map(c, target, t.max_order(), form.doubles);
     Played played = t.play(c);
-    expect_map1(played, one, first, form.doubles);
-    expect_map1(played, two, second, form.doubles);
+    expect_map(played, one, first, form.doubles);
+    expect_map(played, two, second, form.doubles);
   }
 }
 
@@ -288,9 +288,9 @@ EVALCTS_TESTS(DisplayLists, StrideKept1, target_forms(), const TargetForm& form,
       const Map1 map = random_map(t, form.target, order, stride);
       compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
       c.CallList(kList);
-      const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+      const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
       Played played = t.play(c);
-      expect_map1(played, query, map, form.doubles);
+      expect_map(played, query, map, form.doubles);
     }
 }
 
@@ -300,9 +300,9 @@ EVALCTS_TESTS(DisplayLists, StrideKept2, target_forms2(), const TargetForm& form
     const Map2 map = random_map2(t, form.target, 3, 5, layout);
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
     c.CallList(kList);
-    const MapQuery query = query_map2(c, form.target, t.max_order(), form.doubles);
+    const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
     Played played = t.play(c);
-    expect_map2(played, query, map, form.doubles);
+    expect_map(played, query, map, form.doubles);
   }
 }
 
@@ -509,12 +509,12 @@ EVALCTS_TESTS(DisplayLists, ErrorDoesNotEndTheList, kKindsOfBad, const KindOfBad
     c.CallList(kList);
     const gl::Ref error = c.GetError();
     const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-    const MapQuery query = query_map1(c, GL_MAP1_NORMAL, t.max_order());
+    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
     const gl::Ref enabled = c.IsEnabled(GL_MAP1_NORMAL);
     Played played = t.play(c);
     played.expect_error(error, {bad.error});
     played.expect_values(segments, std::vector<GLint>{6});
-    expect_map1(played, query, map);
+    expect_map(played, query, map);
     played.expect_result(enabled, GL_TRUE);
   }
 }
@@ -539,12 +539,12 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE") {
     c.CallList(kList);
     const gl::Ref error = c.GetError();
     const gl::Ref inner = c.IsEnabled(GL_AUTO_NORMAL), outer = c.IsEnabled(GL_MAP1_NORMAL);
-    const MapQuery query = query_map1(c, GL_MAP1_NORMAL, t.max_order());
+    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
     Played played = t.play(c);
     played.expect_error(error, {of_inner.error});
     played.expect_result(inner, GL_TRUE);
     played.expect_result(outer, GL_TRUE);
-    expect_map1(played, query, map);
+    expect_map(played, query, map);
   }
 }
 
@@ -643,7 +643,7 @@ EVALCTS_TESTS(DisplayLists, ActiveTextureOfTheCall, kForms, const Form& form, mu
     c.ActiveTexture(GL_TEXTURE0);
     c.CallList(kList);
     const gl::Ref fine = c.GetError();
-    const MapQuery query = query_map1(c, target, t.max_order(), form.doubles);
+    const MapQuery query = query_map(c, target, t.max_order(), form.doubles);
     define(c, random_map(t, target, 2), form.doubles);
     const std::vector<gl::Ref> before = query_everything(c, t.max_order());
     c.ActiveTexture(GL_TEXTURE1);
@@ -653,7 +653,7 @@ EVALCTS_TESTS(DisplayLists, ActiveTextureOfTheCall, kForms, const Form& form, mu
     const std::vector<gl::Ref> after = query_everything(c, t.max_order());
     Played played = t.play(c);
     played.expect_no_error(fine);
-    expect_map1(played, query, map, form.doubles);
+    expect_map(played, query, map, form.doubles);
     played.expect_error(refused, {GL_INVALID_OPERATION});
     expect_unchanged(played, before, after);
   }
@@ -667,11 +667,11 @@ EVALCTS_TESTS(DisplayLists, ActiveTextureOfTheCall, kForms, const Form& form, mu
     c.ActiveTexture(GL_TEXTURE0);
     c.CallList(kList);
     const gl::Ref fine = c.GetError();
-    const MapQuery query = query_map2(c, target, t.max_order(), form.doubles);
+    const MapQuery query = query_map(c, target, t.max_order(), form.doubles);
     Played played = t.play(c);
     played.expect_error(refused, {GL_INVALID_OPERATION});
     played.expect_no_error(fine);
-    expect_map2(played, query, map, form.doubles);
+    expect_map(played, query, map, form.doubles);
   }
 }
 
@@ -689,12 +689,12 @@ EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX") {
   c.CallList(kList);
   const gl::Ref error = c.GetError(), no_more = c.GetError();
   const gl::Ref order = c.GetMapiv(GL_MAP1_NORMAL, GL_ORDER, gl::out<GLint>(1));
-  const MapQuery query = query_map1(c, GL_MAP1_VERTEX_3, t.max_order());
+  const MapQuery query = query_map(c, GL_MAP1_VERTEX_3, t.max_order());
   Played played = t.play(c);
   played.expect_error(error, {GL_INVALID_OPERATION});
   played.expect_no_error(no_more);
   played.expect_values(order, std::vector<GLint>{1});
-  expect_map1(played, query, good);
+  expect_map(played, query, good);
 }
 
 // GetMap and GetnMap write when they are issued, never when the list is called.
@@ -705,16 +705,16 @@ EVALCTS_TESTS(DisplayLists, QueriesAreNotCompiled, kForms, const Form& form, mus
   c.NewList(kList, GL_COMPILE);
   define(c, changed, form.doubles);
   c.Enable(GL_MAP1_COLOR_4);
-  const MapQuery inside = query_map1(c, GL_MAP1_COLOR_4, t.max_order(), form.doubles);
+  const MapQuery inside = query_map(c, GL_MAP1_COLOR_4, t.max_order(), form.doubles);
   const gl::Ref off = c.IsEnabled(GL_MAP1_COLOR_4);
   c.EndList();
   c.CallList(kList);
-  const MapQuery called = query_map1(c, GL_MAP1_COLOR_4, t.max_order(), form.doubles);
+  const MapQuery called = query_map(c, GL_MAP1_COLOR_4, t.max_order(), form.doubles);
   const gl::Ref on = c.IsEnabled(GL_MAP1_COLOR_4);
   Played played = t.play(c);
-  expect_map1(played, inside, old, form.doubles);
+  expect_map(played, inside, old, form.doubles);
   played.expect_result(off, GL_FALSE);
-  expect_map1(played, called, changed, form.doubles);
+  expect_map(played, called, changed, form.doubles);
   played.expect_result(on, GL_TRUE);
 }
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "harness/gl/lift.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_enables {
 namespace {

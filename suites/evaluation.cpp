@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "harness/gl/lift.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_evaluation {
 namespace {

@@ -82,9 +82,9 @@ EVALCTS_TESTS(GetMap, DoubleData, gl::kMap1Targets, GLenum target, must, "EV-GET
   const Map1 map = make_map1(target, 1.0 / 3, 2.0 / 3, static_cast<int>(k), thirds);
   gl::Case c("thirds, quarters, fifths");
   define(c, map, true);
-  const MapQuery query = query_map1(c, target, t.max_order(), true);
+  const MapQuery query = query_map(c, target, t.max_order(), true);
   Played played = t.play(c);
-  expect_map1(played, query, map, true);
+  expect_map(played, query, map, true);
 }
 
 EVALCTS_TESTS(GetMap, IntegersAreRounded, plain_targets(), GLenum target, must, "EV-GETMAP-ROUND/1-D") {
@@ -208,13 +208,13 @@ EVALCTS_TESTS(GetMap, AnyTextureUnit, gl::kMap1Targets, GLenum target, must, "EV
     gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
     define(c, map);
     c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    const MapQuery query = query_map1(c, target, t.max_order());
-    const MapQuery real = query_map1(c, target, t.max_order(), true);
+    const MapQuery query = query_map(c, target, t.max_order());
+    const MapQuery real = query_map(c, target, t.max_order(), true);
     const gl::Ref error = c.GetError();
     Played played = t.play(c);
     played.expect_no_error(error);
-    expect_map1(played, query, map);
-    expect_map1(played, real, map, true);
+    expect_map(played, query, map);
+    expect_map(played, real, map, true);
   }
 }
 
@@ -253,14 +253,14 @@ EVALCTS_TESTS(GetMap, PackBufferIgnored, gl::kMap1Targets, GLenum target, must, 
   c.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
   c.BufferData(GL_PIXEL_PACK_BUFFER, 4096, std::vector<GLubyte>(4096, 0x5A), GL_STREAM_READ);
   const gl::Ref none = c.GetError();
-  const MapQuery single = query_map1(c, target, t.max_order());
-  const MapQuery real = query_map1(c, target, t.max_order(), true);
+  const MapQuery single = query_map(c, target, t.max_order());
+  const MapQuery real = query_map(c, target, t.max_order(), true);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   played.expect_no_error(none);
   played.expect_no_error(error);
-  expect_map1(played, single, map);
-  expect_map1(played, real, map, true);
+  expect_map(played, single, map);
+  expect_map(played, real, map, true);
 }
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_get_map2 {
 namespace {
@@ -96,9 +96,9 @@ EVALCTS_TESTS(GetMap2, DoubleData, gl::kMap2Targets, GLenum target, must, "EV-GE
   map.u1 = 1.0 / 3, map.u2 = 2.0 / 3, map.v1 = -1.0 / 7, map.v2 = 10.0 / 3;
   gl::Case c("thirds, quarters, fifths");
   define(c, map, true);
-  const MapQuery query = query_map2(c, target, t.max_order(), true);
+  const MapQuery query = query_map(c, target, t.max_order(), true);
   Played played = t.play(c);
-  expect_map2(played, query, map, true);
+  expect_map(played, query, map, true);
 }
 
 EVALCTS_TESTS(GetMap2, IntegersAreRounded, plain_targets(), GLenum target, must, "EV-GETMAP-ROUND/2-D") {
@@ -176,13 +176,13 @@ EVALCTS_TESTS(GetMap2, AnyTextureUnit, gl::kMap2Targets, GLenum target, must, "E
     gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
     define(c, map);
     c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    const MapQuery query = query_map2(c, target, t.max_order());
-    const MapQuery real = query_map2(c, target, t.max_order(), true);
+    const MapQuery query = query_map(c, target, t.max_order());
+    const MapQuery real = query_map(c, target, t.max_order(), true);
     const gl::Ref error = c.GetError();
     Played played = t.play(c);
     played.expect_no_error(error);
-    expect_map2(played, query, map);
-    expect_map2(played, real, map, true);
+    expect_map(played, query, map);
+    expect_map(played, real, map, true);
   }
 }
 
@@ -210,14 +210,14 @@ EVALCTS_TESTS(GetMap2, PackBufferIgnored, gl::kMap2Targets, GLenum target, must,
   c.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
   c.BufferData(GL_PIXEL_PACK_BUFFER, 4096, std::vector<GLubyte>(4096, 0x5A), GL_STREAM_READ);
   const gl::Ref none = c.GetError();
-  const MapQuery single = query_map2(c, target, t.max_order());
-  const MapQuery real = query_map2(c, target, t.max_order(), true);
+  const MapQuery single = query_map(c, target, t.max_order());
+  const MapQuery real = query_map(c, target, t.max_order(), true);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   played.expect_no_error(none);
   played.expect_no_error(error);
-  expect_map2(played, single, map);
-  expect_map2(played, real, map, true);
+  expect_map(played, single, map);
+  expect_map(played, real, map, true);
 }
 
 }  // namespace evalcts::suite_get_map2

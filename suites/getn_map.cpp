@@ -1,7 +1,7 @@
 // Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
 #include <fmt/format.h>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_getn_map {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "suites/glx_requests.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 #include "suites/refusal.h"
 
 namespace evalcts::suite_glx_protocol {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts {
 

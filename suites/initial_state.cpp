@@ -1,5 +1,5 @@
 // Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_initial_state {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_interpretations {
 namespace {

@@ -349,12 +349,12 @@ EVALCTS_LISTED_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const Targ
   define(c, map, form.doubles);
   const gl::Ref first = c.GetError();  // not cleared by the legal call
   const gl::Ref second = c.GetError();
-  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
   Played played = t.play(c);
   played.expect_error(first, {GL_INVALID_VALUE});
   // Distributed implementations may keep several flags (GL 2.1 §2.5).
   played.expect_error(second, {GL_NO_ERROR, GL_INVALID_VALUE});
-  expect_map1(played, query, map, form.doubles);
+  expect_map(played, query, map, form.doubles);
 }
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.

@@ -65,10 +65,10 @@ EVALCTS_LISTED_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, 
       gl::Case c(fmt::format("stride {} order {}", stride, order));
       define(c, map, form.doubles);
       const gl::Ref error = c.GetError();
-      const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+      const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
       Played played = t.play(c);
       played.expect_no_error(error);
-      expect_map1(played, query, map, form.doubles);
+      expect_map(played, query, map, form.doubles);
     }
 }
 
@@ -92,9 +92,9 @@ EVALCTS_LISTED_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-
         const Map1 map = random_map(t, form.target, order, stride);
         gl::Case c(fmt::format("{} order {} stride {}", form.name, order, stride));
         define(c, map, form.doubles, fate.after);
-        const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+        const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
         Played played = t.play(c);
-        expect_map1(played, query, map, form.doubles);
+        expect_map(played, query, map, form.doubles);
       }
 }
 
@@ -127,9 +127,9 @@ EVALCTS_LISTED_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), co
   define_in_slot(queried, random_map(t, form.target, 3, 5), form.doubles, 0);
   const Map1 second = random_map(t, form.target, 3, 5);
   define_in_slot(queried, second, form.doubles, 0);
-  const MapQuery query = query_map1(queried, form.target, t.max_order(), form.doubles);
+  const MapQuery query = query_map(queried, form.target, t.max_order(), form.doubles);
   Played played = t.play(queried);
-  expect_map1(played, query, second, form.doubles);
+  expect_map(played, query, second, form.doubles);
 }
 
 EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
@@ -144,10 +144,10 @@ EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, 
     define(c, first);
     define(c, second);
     std::vector<MapQuery> queries;
-    for (const Map1& other : others) queries.push_back(query_map1(c, other.target, t.max_order()));
+    for (const Map1& other : others) queries.push_back(query_map(c, other.target, t.max_order()));
     Played played = t.play(c);
     for (std::size_t i = 0; i < others.size(); ++i)
-      expect_map1(played, queries[i], others[i].target == target ? second : others[i]);
+      expect_map(played, queries[i], others[i].target == target ? second : others[i]);
   }
 }
 
@@ -164,10 +164,10 @@ EVALCTS_LISTED_TESTS(Map1State, ReplaceAfterQuery, gl::kMap1Targets, GLenum targ
   std::vector<MapQuery> queries;
   for (const Map1& map : maps) {
     define(c, map);
-    queries.push_back(query_map1(c, target, t.max_order()));
+    queries.push_back(query_map(c, target, t.max_order()));
   }
   Played played = t.play(c);
-  for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+  for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
 }
 
 EVALCTS_LISTED_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP") {
@@ -179,9 +179,9 @@ EVALCTS_LISTED_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP") {
       define(c, maps.back());
     }
     std::vector<MapQuery> queries;
-    for (const Map1& map : maps) queries.push_back(query_map1(c, map.target, t.max_order()));
+    for (const Map1& map : maps) queries.push_back(query_map(c, map.target, t.max_order()));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
   }
 }
 
@@ -191,9 +191,9 @@ EVALCTS_LISTED_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") {
     gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
     for (std::size_t i = 0; i < maps.size(); ++i) define(c, maps[reversed ? maps.size() - 1 - i : i]);
     std::vector<MapQuery> queries;
-    for (const Map1& map : maps) queries.push_back(query_map1(c, map.target, t.max_order()));
+    for (const Map1& map : maps) queries.push_back(query_map(c, map.target, t.max_order()));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i) expect_map1(played, queries[i], maps[i]);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
   }
 }
 
@@ -272,9 +272,9 @@ EVALCTS_LISTED_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetF
   c.PixelStorei(GL_UNPACK_SKIP_PIXELS, 3);
   c.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
   define(c, map, form.doubles);
-  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
   Played played = t.play(c);
-  expect_map1(played, query, map, form.doubles);
+  expect_map(played, query, map, form.doubles);
 }
 
 EVALCTS_LISTED_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm& form, must,
@@ -287,9 +287,9 @@ EVALCTS_LISTED_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm
   c.BufferData(GL_ARRAY_BUFFER, 4096, nullptr, GL_STATIC_DRAW);
   if (t.gl().at_least(2, 1)) c.BindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
   define(c, map, form.doubles);
-  const MapQuery query = query_map1(c, form.target, t.max_order(), form.doubles);
+  const MapQuery query = query_map(c, form.target, t.max_order(), form.doubles);
   Played played = t.play(c);
-  expect_map1(played, query, map, form.doubles);
+  expect_map(played, query, map, form.doubles);
 }
 
 }  // namespace evalcts::suite_map1_state

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_map2_state {
 namespace {
@@ -46,7 +46,7 @@ class Definitions {
     Played played = t_.play(script_);
     for (const Definition& definition : definitions_) {
       played.expect_no_error(definition.error);
-      expect_map2(played, definition.query, definition.map, definition.doubles);
+      expect_map(played, definition.query, definition.map, definition.doubles);
     }
   }
 
@@ -60,7 +60,7 @@ class Definitions {
 
   void add_defined(const Map2& map, bool doubles) {
     const gl::Ref error = script_.GetError();
-    definitions_.push_back({map, doubles, error, query_map2(script_, map.target, t_.max_order(), doubles)});
+    definitions_.push_back({map, doubles, error, query_map(script_, map.target, t_.max_order(), doubles)});
   }
 
   Test& t_;
@@ -199,9 +199,9 @@ EVALCTS_LISTED_TESTS(Map2State, CopiesOfAll, kFates, const Fate& fate, must, "EV
     gl::Case c(fmt::format("all nine, form {}", form.name));
     for (const Map2& map : maps) define(c, map, form.doubles, fate.after);
     std::vector<MapQuery> queries;
-    for (const Map2& map : maps) queries.push_back(query_map2(c, map.target, t.max_order(), form.doubles));
+    for (const Map2& map : maps) queries.push_back(query_map(c, map.target, t.max_order(), form.doubles));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i) expect_map2(played, queries[i], maps[i], form.doubles);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i], form.doubles);
   }
 }
 
@@ -236,10 +236,10 @@ EVALCTS_LISTED_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, 
     define(c, first);
     define(c, second);
     std::vector<MapQuery> queries;
-    for (const Map2& other : others) queries.push_back(query_map2(c, other.target, max));
+    for (const Map2& other : others) queries.push_back(query_map(c, other.target, max));
     Played played = t.play(c);
     for (std::size_t i = 0; i < others.size(); ++i)
-      expect_map2(played, queries[i], others[i].target == target ? second : others[i]);
+      expect_map(played, queries[i], others[i].target == target ? second : others[i]);
   }
 }
 
@@ -271,9 +271,9 @@ EVALCTS_LISTED_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE") {
       define(c, maps.back());
     }
     std::vector<MapQuery> queries;
-    for (const Map2& map : maps) queries.push_back(query_map2(c, map.target, max));
+    for (const Map2& map : maps) queries.push_back(query_map(c, map.target, max));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i) expect_map2(played, queries[i], maps[i]);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
   }
 }
 
@@ -283,9 +283,9 @@ EVALCTS_LISTED_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") {
     gl::Case c(reversed ? "defined from the last to the first" : "defined from the first to the last");
     for (std::size_t i = 0; i < maps.size(); ++i) define(c, maps[reversed ? maps.size() - 1 - i : i]);
     std::vector<MapQuery> queries;
-    for (const Map2& map : maps) queries.push_back(query_map2(c, map.target, t.max_order()));
+    for (const Map2& map : maps) queries.push_back(query_map(c, map.target, t.max_order()));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i) expect_map2(played, queries[i], maps[i]);
+    for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
   }
 }
 
@@ -316,11 +316,11 @@ EVALCTS_LISTED_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& fo
     if (two_first) define(c, two, form.doubles);
     define(c, one, form.doubles);
     if (!two_first) define(c, two, form.doubles);
-    const MapQuery query1 = query_map1(c, namesake, t.max_order(), form.doubles);
-    const MapQuery query2 = query_map2(c, form.target, t.max_order(), form.doubles);
+    const MapQuery query1 = query_map(c, namesake, t.max_order(), form.doubles);
+    const MapQuery query2 = query_map(c, form.target, t.max_order(), form.doubles);
     Played played = t.play(c);
-    expect_map1(played, query1, one, form.doubles);
-    expect_map2(played, query2, two, form.doubles);
+    expect_map(played, query1, one, form.doubles);
+    expect_map(played, query2, two, form.doubles);
   }
 }
 

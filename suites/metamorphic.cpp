@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "harness/gl/call_log.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts::suite_metamorphic {
 namespace {

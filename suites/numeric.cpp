@@ -219,15 +219,15 @@ void expect_large_points_kept(Test& t, const std::vector<GLenum>& targets) {
     for (const GLenum target : targets) {
       const Map1 curve = make_map1(target, large_points(t, target, 4));
       define(c, curve, form.doubles);
-      curves.emplace_back(curve, query_map1(c, target, t.max_order(), form.doubles));
+      curves.emplace_back(curve, query_map(c, target, t.max_order(), form.doubles));
       const GLenum two = target - gl::kMap1Targets[0] + gl::kMap2Targets[0];
       const Map2 surface = make_map2(two, 2, 3, large_points(t, two, 6));
       define(c, surface, form.doubles);
-      surfaces.emplace_back(surface, query_map2(c, two, t.max_order(), form.doubles));
+      surfaces.emplace_back(surface, query_map(c, two, t.max_order(), form.doubles));
     }
     Played played = t.play(c);
-    for (const auto& [map, query] : curves) expect_map1(played, query, map, form.doubles);
-    for (const auto& [map, query] : surfaces) expect_map2(played, query, map, form.doubles);
+    for (const auto& [map, query] : curves) expect_map(played, query, map, form.doubles);
+    for (const auto& [map, query] : surfaces) expect_map(played, query, map, form.doubles);
   }
 }
 
@@ -528,8 +528,8 @@ void expect_state_later(Test& t, const Special& special, bool two) {
     }
   const gl::Ref unused = c.GetError();  // U-NAN-DOMAIN
   static_cast<void>(unused);
-  const MapQuery query1 = query_map1(c, other1.target, t.max_order());
-  const MapQuery query2 = query_map2(c, other2.target, t.max_order());
+  const MapQuery query1 = query_map(c, other1.target, t.max_order());
+  const MapQuery query2 = query_map(c, other2.target, t.max_order());
   const gl::Ref enabled = c.IsEnabled(kinds_of(two)[1].targets[0]);
   // A new definition works again.
   const Map1 map1 = random_map(t, GL_MAP1_VERTEX_4, 4);
@@ -537,15 +537,15 @@ void expect_state_later(Test& t, const Special& special, bool two) {
   define(c, map1);
   define(c, map2);
   const gl::Ref error = c.GetError();
-  const MapQuery again1 = query_map1(c, map1.target, t.max_order());
-  const MapQuery again2 = query_map2(c, map2.target, t.max_order());
+  const MapQuery again1 = query_map(c, map1.target, t.max_order());
+  const MapQuery again2 = query_map(c, map2.target, t.max_order());
   Played played = t.play(c);
-  expect_map1(played, query1, other1);
-  expect_map2(played, query2, other2);
+  expect_map(played, query1, other1);
+  expect_map(played, query2, other2);
   played.expect_result(enabled, GL_TRUE);
   played.expect_no_error(error);
-  expect_map1(played, again1, map1);
-  expect_map2(played, again2, map2);
+  expect_map(played, again1, map1);
+  expect_map(played, again2, map2);
 }
 
 }  // namespace
@@ -753,8 +753,8 @@ void give_wrong_commands(Test&, Repetition& r, bool) {
 
 void ask_for_everything(Test& t, Repetition& r, bool) {
   for (const bool doubles : {false, true}) {
-    for (const GLenum target : gl::kMap1Targets) query_map1(r.script(), target, t.max_order(), doubles);
-    for (const GLenum target : gl::kMap2Targets) query_map2(r.script(), target, t.max_order(), doubles);
+    for (const GLenum target : gl::kMap1Targets) query_map(r.script(), target, t.max_order(), doubles);
+    for (const GLenum target : gl::kMap2Targets) query_map(r.script(), target, t.max_order(), doubles);
     r.after(doubles ? "GetMapdv of all maps" : "GetMapfv of all maps");
   }
 }

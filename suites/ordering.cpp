@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/judge/prediction.h"
-#include "suites/maps2.h"
+#include "suites/maps.h"
 #include "suites/pictures.h"
 #include "suites/refusal.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "suites/maps2.h"
+#include "suites/maps.h"
 
 namespace evalcts {
 
