@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace evalcts {
 namespace {
@@ -34,6 +35,11 @@ gl::Ref define_with_slot(gl::Case& c, const Map& map, bool doubles, int slot) {
   gl::Input points = points_of(map, doubles);
   points.slot = slot;
   return define_with(c, map, doubles, points);
+}
+
+double random_between(Test& t, const Interval& interval) {
+  const double value = std::abs(random_values(t.random(), 1).front());
+  return static_cast<float>(interval.first + (interval.last - interval.first) * value);
 }
 
 }  // namespace
@@ -226,6 +232,48 @@ void enable_visibly(gl::Case& c, GLenum target) {
     c.Enable(two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
   }
   c.Enable(target);
+}
+
+Map1 over(Map1 map, const Interval& u) {
+  map.u1 = u.first, map.u2 = u.last;
+  return map;
+}
+
+Map2 over(Map2 map, const Interval& u, const Interval& v) {
+  map.u1 = u.first, map.u2 = u.last, map.v1 = v.first, map.v2 = v.last;
+  return map;
+}
+
+std::vector<double> arguments(Test& t, const Interval& domain, int count) {
+  const auto u1 = static_cast<float>(domain.first), u2 = static_cast<float>(domain.last);
+  std::vector<double> us = {u1, u2, std::nextafter(u1, u2), std::nextafter(u2, u1), (u1 + u2) / 2};
+  for (const double value : random_values(t.random(), static_cast<std::size_t>(std::max(0, count - 5))))
+    us.push_back(static_cast<float>(u1 + (u2 - u1) * std::abs(value)));
+  return us;
+}
+
+std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int count) {
+  std::vector<At> all;
+  for (int i = 0; i < count; ++i) {
+    At at = {random_between(t, u), random_between(t, v)};
+    if (i % 5 == 1) at.u = i % 2 ? u.last : u.first;
+    if (i % 5 == 3) at.v = i % 2 ? v.first : v.last;
+    if (i % 5 == 4) at = {i % 4 ? u.first : u.last, i % 3 ? v.last : v.first};
+    all.push_back(at);
+  }
+  return all;
+}
+
+void evaluate_all(gl::Case& c, const std::vector<double>& arguments) {
+  c.Begin(GL_POINTS);
+  for (const double u : arguments) evaluate(c, u);
+  c.End();
+}
+
+void evaluate_all(gl::Case& c, const std::vector<At>& arguments) {
+  c.Begin(GL_POINTS);
+  for (const auto& [u, v] : arguments) evaluate2(c, u, v);
+  c.End();
 }
 
 bool is_two_dimensional(GLenum target) {

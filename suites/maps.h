@@ -170,6 +170,32 @@ inline constexpr Kinds kKinds2[] = {
 // as its carrier.
 void enable_visibly(gl::Case& c, GLenum target);
 
+// --- Arguments -------------------------------------------------------------------------------------------
+
+// The domain of a map in one direction.
+struct Interval {
+  double first, last;
+};
+// u and v of one evaluation.
+struct At {
+  double u, v;
+};
+
+// The map with another domain.
+Map1 over(Map1 map, const Interval& u);
+Map2 over(Map2 map, const Interval& u, const Interval& v);
+
+// Points: the ends, the numbers next to them, and values in between.
+std::vector<double> arguments(Test& t, const Interval& domain, int count);
+// Corners, edges and points inside; the first is always inside.
+std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int count);
+
+// Evaluates at all arguments, in one primitive of points.
+void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
+void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
+
+// --- Queries ---------------------------------------------------------------------------------------------
+
 // Everything that a failing command must leave alone: order, domain and points of all 18 maps, their enables,
 // AUTO_NORMAL, the grids, the current values and the active texture unit, the MAP2 maps last. Room for what a
 // wrong implementation might write is allowed for.

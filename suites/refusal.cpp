@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace evalcts {
 
 void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
@@ -68,6 +70,16 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
   for (const gl::Ref error : first) played.expect_error(error, allowed);
   for (const gl::Ref error : second) played.expect_no_error(error);
   expect_unchanged(played, before, after);
+}
+
+template <>
+Map1 legal_map(GLenum target) {
+  return {target, 0, 1, std::max(gl::components_of(target), 1), 3, std::vector<double>(4096, 0.5)};
+}
+
+template <>
+Map2 legal_map(GLenum target) {
+  return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::vector<double>(4096, 0.5)};
 }
 
 }  // namespace evalcts
