@@ -9,7 +9,7 @@
 namespace evalcts::suite_after_random_commands {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+constexpr CurrentValues kCurrent = {{0.125f, 0.25f, 0.5f, 0.75f}, {0.6f, 0, -0.8f}};
 
 // Makes cases with another past each; `play` appends the commands under test and plays them.
 void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) {
@@ -21,12 +21,6 @@ void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) 
     c.set_identity(fmt::format("past {}", i));
     play(c);
   }
-}
-
-void set_current_values(gl::Case& c) {
-  c.Color4f(0.125f, 0.25f, 0.5f, 0.75f);
-  c.Normal3f(0.6f, 0, -0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
 }
 
 // Judges the points that come last, those of the commands behind `past`.
@@ -80,7 +74,7 @@ EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER") {
       c.Disable(gl::kMap2Targets[i]);
     }
     c.Disable(GL_AUTO_NORMAL);
-    set_current_values(c);
+    set_current_values(c, kCurrent);
     for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4}) {
       define(c, random_map(t, target, 3));
       c.Enable(target);
@@ -118,7 +112,7 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER") {
     define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
     c.Enable(GL_MAP1_VERTEX_3);
     c.Enable(GL_MAP2_VERTEX_3);
-    set_current_values(c);
+    set_current_values(c, kCurrent);
     c.MapGrid1f(4, 0, 1);
     c.MapGrid2f(2, 0, 1, 4, 1, 0);
     c.EvalMesh1(GL_POINT, 0, 4);

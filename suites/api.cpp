@@ -5,7 +5,7 @@
 #include <functional>
 
 #include <evalcts/gl/lift.h>
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_api {
 namespace {
@@ -271,9 +271,9 @@ EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must
                 random_values(t.random(), static_cast<std::size_t>(3 * gl::components_of(form.target))));
   gl::Case c("given in one form and queried in the other");
   define(c, map, form.doubles);
-  const MapQuery query = query_map1(c, form.target, t.max_order(), !form.doubles);
+  const MapQuery query = query_map(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
-  expect_map1(played, query, map, !form.doubles);
+  expect_map(played, query, map, !form.doubles);
 }
 
 EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, must, "EV-API-FD/2-D") {
@@ -283,9 +283,9 @@ EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, mu
   define(c, random_map2(t, form.target, 4, 2), !form.doubles);
   define(c, random_map2(t, form.target, 3, 4), !form.doubles);
   define(c, map, form.doubles);
-  const MapQuery query = query_map2(c, form.target, t.max_order(), !form.doubles);
+  const MapQuery query = query_map(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
-  expect_map2(played, query, map, !form.doubles);
+  expect_map(played, query, map, !form.doubles);
 }
 
 // ... and values.
@@ -333,9 +333,9 @@ EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must
     ++round;
   }
   t.expect_emission(c, attribute_of(target));
-  const MapQuery query = query_map1(c, target, t.max_order());
+  const MapQuery query = query_map(c, target, t.max_order());
   Played played = t.play(c);
-  expect_map1(played, query, last);
+  expect_map(played, query, last);
 }
 
 EVALCTS_TESTS(Api, FormsReplaceEachOther2, visible_targets2(), GLenum target, must, "EV-API-FD/2-D") {

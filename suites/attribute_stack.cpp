@@ -2,7 +2,7 @@
 // not.
 #include <fmt/format.h>
 
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_attribute_stack {
 namespace {
@@ -123,8 +123,6 @@ constexpr Mask kOthers[] = {
 // The version in which AUTO_NORMAL came into the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
 }  // namespace
 
 EVALCTS_TESTS_BY(in_lists(), AttributeStack, EvalBit, kWithEval, const Mask& mask, must, "EV-ATTRIB-EVALBIT",
@@ -233,11 +231,11 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, MapsStay,
     if (anew) define_all(4);
     c.PopAttrib();
     std::vector<MapQuery> queries1, queries2;
-    for (const GLenum target : gl::kMap1Targets) queries1.push_back(query_map1(c, target, t.max_order()));
-    for (const GLenum target : gl::kMap2Targets) queries2.push_back(query_map2(c, target, t.max_order()));
+    for (const GLenum target : gl::kMap1Targets) queries1.push_back(query_map(c, target, t.max_order()));
+    for (const GLenum target : gl::kMap2Targets) queries2.push_back(query_map(c, target, t.max_order()));
     Played played = t.play(c);
-    for (std::size_t i = 0; i < maps1.size(); ++i) expect_map1(played, queries1[i], maps1[i]);
-    for (std::size_t i = 0; i < maps2.size(); ++i) expect_map2(played, queries2[i], maps2[i]);
+    for (std::size_t i = 0; i < maps1.size(); ++i) expect_map(played, queries1[i], maps1[i]);
+    for (std::size_t i = 0; i < maps2.size(); ++i) expect_map(played, queries2[i], maps2[i]);
   }
 }
 

@@ -11,8 +11,6 @@
 namespace evalcts::suite_automatic_normals {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-
 // A net of points from a function of the indices.
 using Net = std::function<std::array<double, 4>(int i, int j)>;
 
@@ -80,12 +78,6 @@ constexpr Patch kRational[] = {{"PLANE_2X2", GL_MAP2_VERTEX_4, 2, 2, weighted_pl
                                {"CYLINDER", GL_MAP2_VERTEX_4, 3, 2, cylinder},
                                {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere},
                                {"NEGATIVE_W", GL_MAP2_VERTEX_4, 2, 3, negated_plane}};
-
-void set_current_values(gl::Case& c) {
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
-}
 
 void define_and_enable(gl::Case& c, const Map2& map) {
   define(c, map);
@@ -392,17 +384,9 @@ EVALCTS_LISTED_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch&
   }
 }
 
-namespace {
+namespace {}  // namespace
 
-struct MeshMode {
-  const char* name;
-  GLenum mode;
-};
-constexpr MeshMode kModes[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}, {"FILL", GL_FILL}};
-
-}  // namespace
-
-EVALCTS_LISTED_TESTS(AutomaticNormals, InMeshes, kModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
+EVALCTS_LISTED_TESTS(AutomaticNormals, InMeshes, kMeshModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
   gl::Case c("polynomial and rational patches");
   set_current_values(c);
   c.Enable(GL_AUTO_NORMAL);

@@ -2,16 +2,11 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
-#include "maps.h"
-#include "pictures.h"
+#include "drawings.h"
 
 namespace evalcts::suite_color_material {
 namespace {
 
-// Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
-std::vector<gl::Delivery> without_lists() {
-  return gl::sparing(gl::without(gl::kLists, gl::curve_deliveries()));
-}
 // Every command at full depth: where a test has few parameters their turns do not show all.
 std::vector<gl::Delivery> every_command() {
   return gl::without(gl::kLists | gl::kArrays, gl::curve_deliveries());
@@ -35,9 +30,7 @@ constexpr Tracked kSomeTracked[] = {kTracked[0], kTracked[2], kTracked[4]};
 
 // Light from the eye, and materials that leave each property room to show.
 void light(gl::Case& c) {
-  c.Enable(GL_LIGHTING);
-  c.Enable(GL_LIGHT0);
-  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0, 0, 1, 0});
+  enable_light(c, {0, 0, 1, 0});
   c.Lightfv(GL_LIGHT0, GL_AMBIENT, std::vector<float>{0.25f, 0.25f, 0.25f, 1});
   c.Lightfv(GL_LIGHT0, GL_DIFFUSE, std::vector<float>{0.5f, 0.5f, 0.5f, 1});
   c.Lightfv(GL_LIGHT0, GL_SPECULAR, std::vector<float>{0.5f, 0.5f, 0.5f, 1});
@@ -76,7 +69,7 @@ void draw_points(gl::Case& c, bool evaluated = true) {
 void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& state,
                               const gl::Case& without, const gl::Case& drawing) {
   const Part& control = drawn_once("ColorMaterial: " + name, [&] {
-    const gl::Case vertices = as_explicit_commands(predict(drawing, t.max_order()));
+    const gl::Case vertices = explicit_commands(t, drawing);
     const Picture picture = feedback(t, "control: explicit vertices", state, vertices);
     require_an_effect(picture,
                       feedback(t, "control: explicit vertices, in another state", without, vertices));

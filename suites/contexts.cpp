@@ -1,7 +1,7 @@
 // Section 21 of the requirements, contexts: each has evaluators of its own.
 #include <fmt/format.h>
 
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_contexts {
 namespace {
@@ -96,9 +96,9 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
   c.EndList();
   c.OtherContextEVALCTS(0);
   const gl::Ref shared = c.IsList(9);
-  const MapQuery before = query_map1(c, GL_MAP1_VERTEX_3, t.max_order());
+  const MapQuery before = query_map(c, GL_MAP1_VERTEX_3, t.max_order());
   c.CallList(9);
-  const MapQuery after = query_map1(c, GL_MAP1_VERTEX_3, t.max_order());
+  const MapQuery after = query_map(c, GL_MAP1_VERTEX_3, t.max_order());
   const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
   c.OtherContextEVALCTS(1);
   const gl::Ref other_order = c.GetMapiv(GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLint>(1));
@@ -106,8 +106,8 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
   Played played = t.play(c);
   if (played.trace().result(shared) != GL_TRUE)
     throw NotObservable("the two contexts do not share display lists");
-  expect_map1(played, before, own);
-  expect_map1(played, after, listed);
+  expect_map(played, before, own);
+  expect_map(played, after, listed);
   played.expect_values(segments, std::vector<GLint>{6});
   played.expect_values(other_order, std::vector<GLint>{1});
   played.expect_values(other_segments, std::vector<GLint>{1});

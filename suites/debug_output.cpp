@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <evalcts/gl/contexts.h>
-#include "maps2.h"
+#include "maps.h"
 #include "refusal.h"
 
 namespace evalcts::suite_debug_output {

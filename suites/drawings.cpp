@@ -19,13 +19,6 @@ std::vector<double> concatenated(const std::vector<std::array<double, 4>>& value
   return all;
 }
 
-struct MeshMode {
-  const char* name;
-  GLenum mode, primitive;
-};
-constexpr MeshMode kMeshModes[] = {
-    {"POINT", GL_POINT, GL_POINTS}, {"LINE", GL_LINE, GL_LINE_STRIP}, {"FILL", GL_FILL, GL_QUAD_STRIP}};
-
 // Each of the control's vertices once, by where it is, and of the others that which is nearest to it.
 struct Vertices {
   std::vector<std::array<double, 12>> of_control, seen;
@@ -156,10 +149,7 @@ void define_patch(gl::Case& c) {
 
 Drawing drawing(Test& t, std::string name, bool two, GLenum primitive, gl::Case evaluated) {
   Prediction predicted = predict(evaluated, t.max_order());
-  gl::Case vertices;
-  const gl::Case with_flags = as_explicit_commands(predicted);
-  for (const gl::Command& command : with_flags.commands())
-    if (command.entry != gl::EntryPoint::EdgeFlag) vertices.add(command);
+  gl::Case vertices = without_edge_flags(as_explicit_commands(predicted));
   return {std::move(name), two, primitive, std::move(evaluated), std::move(vertices), std::move(predicted)};
 }
 
@@ -241,6 +231,17 @@ std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluate
   return scenes;
 }
 
+gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
+  return as_explicit_commands(predict(evaluated, t.max_order()));
+}
+
+gl::Case without_edge_flags(const gl::Case& commands) {
+  gl::Case c;
+  for (const gl::Command& command : commands.commands())
+    if (command.entry != gl::EntryPoint::EdgeFlag) c.add(command);
+  return c;
+}
+
 void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control) {
   const Part plain = with_plain_lines(control);
   expect_like_explicit(played, in_order_of(plain, with_plain_lines(seen)), plain);
@@ -273,6 +274,11 @@ void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& dr
 
 bool lit(const Part& part) {
   return std::ranges::any_of(part.values, [](double value) { return value > 0.05; });
+}
+
+std::size_t count_lit(const Played& played, gl::Ref read) {
+  const std::vector<GLfloat> values = played.trace().values<GLfloat>(read);
+  return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
 }
 
 }  // namespace evalcts

@@ -41,8 +41,7 @@ struct Drawing {
   Prediction predicted;  // their vertices
 };
 
-// EdgeFlag is left out of the explicit commands: the current one counts for all vertices, and an
-// implementation may lose everything where it is set between them.
+// The explicit commands are those without_edge_flags().
 Drawing drawing(Test& t, std::string name, bool two, GLenum primitive, gl::Case evaluated);
 
 // EvalMesh1 in POINT and LINE, EvalMesh2 in POINT, LINE and FILL, over the whole grid. `before` comes after
@@ -67,6 +66,12 @@ std::vector<Drawing> all_drawings(Test& t);
 std::vector<Scene> scenes_of(const std::vector<Drawing>& drawings, bool evaluated,
                              const std::string& state_name = {}, const gl::Case& state = {});
 
+// The explicit commands for what `evaluated` emits.
+gl::Case explicit_commands(Test& t, const gl::Case& evaluated);
+// The commands but EdgeFlag: the current edge flag counts for all vertices, and an implementation may lose
+// everything if it is set between them.
+gl::Case without_edge_flags(const gl::Case& commands);
+
 // --- Comparisons -----------------------------------------------------------------------------------------
 
 // Feedback of one EvalMesh2 in POINT or LINE: its points or lines are those of the control, in any order.
@@ -79,8 +84,10 @@ void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Pa
 void expect_drawn_like_explicit(Picture& picture, const std::vector<Drawing>& drawings,
                                 const Picture& control);
 
-// Whether anything but 0 was read.
+// True if anything but 0 was read.
 bool lit(const Part& part);
+// Number of values other than 0 that a command read.
+std::size_t count_lit(const Played& played, gl::Ref read);
 
 // The whole window.
 inline constexpr Area kWindow = {0, 0, kSide, kSide};

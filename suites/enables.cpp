@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/gl/lift.h>
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_enables {
 namespace {
@@ -188,9 +188,7 @@ namespace {
 
 void other_dimension(Test& t, bool two) {
   gl::Case c("all MAP2 maps and MAP1_VERTEX_3 enabled");
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, 0.0f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
+  set_current_values(c, {.normal = {0.6f, 0.0f, 0.8f}});
   for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
   // The vertex map alone, then beside a texture map that maps of the other dimension would outrank.
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2}) {

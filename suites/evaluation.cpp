@@ -6,25 +6,10 @@
 #include <cstring>
 
 #include <evalcts/gl/lift.h>
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_evaluation {
 namespace {
-
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-
-// Current values unlike any default, so that a lost or replaced component shows.
-void set_current_values(gl::Case& c) {
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
-}
-
-void evaluate_some(gl::Case& c) {
-  c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
-  c.End();
-}
 
 std::vector<gl::Ref> query_current_values(gl::Case& c) {
   return {

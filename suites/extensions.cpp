@@ -4,6 +4,7 @@
 
 #include <evalcts/judge/prediction.h>
 #include "pictures.h"
+#include "programs.h"
 #include "refusal.h"
 
 namespace evalcts::suite_extensions {
@@ -48,9 +49,8 @@ EVALCTS_TESTS(Extensions, UnknownTarget, kForeign, const Foreign& foreign, must,
 namespace {
 
 void use_program(gl::Case& c, const std::string& body) {
-  const std::string text = "!!ARBvp1.0\nMOV result.position, vertex.position;\n" + body + "END\n";
-  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 1);
-  c.ProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), gl::text(text));
+  load_assembly(c, GL_VERTEX_PROGRAM_ARB, 1,
+                "!!ARBvp1.0\nMOV result.position, vertex.position;\n" + body + "END\n");
   c.Enable(GL_VERTEX_PROGRAM_ARB);
 }
 

@@ -1,27 +1,144 @@
-// Section 18 of the requirements as far as one-dimensional maps go: GetMap in its three forms, and Get.
+// Section 18 of the requirements: GetMap in its three forms, and Get.
 #include <fmt/format.h>
+
+#include <span>
 
 #include "maps.h"
 
 namespace evalcts::suite_get_map {
 namespace {
 
-// Maps whose integer queries are plainly rounded, whatever one reads (C-GETMAPIV-NORM).
+// The targets of one dimension whose maps' integer queries are plainly rounded under every interpretation
+// (C-GETMAPIV-NORM).
+std::vector<GLenum> plain(std::span<const GLenum> targets) {
+  std::vector<GLenum> all(targets.begin(), targets.end());
+  for (const GLenum other : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP2_COLOR_4, GL_MAP2_NORMAL})
+    std::erase(all, static_cast<GLenum>(other));
+  return all;
+}
 const std::vector<GLenum>& plain_targets() {
-  static const std::vector<GLenum> targets = {
-      GL_MAP1_INDEX,           GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
-      GL_MAP1_TEXTURE_COORD_4, GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4};
+  static const std::vector<GLenum> targets = plain(gl::kMap1Targets);
   return targets;
 }
-
-}  // namespace
-
-namespace {
+const std::vector<GLenum>& plain_targets2() {
+  static const std::vector<GLenum> targets = plain(gl::kMap2Targets);
+  return targets;
+}
 
 void expect_count(Played& played, gl::Ref query, std::size_t count) {
   const std::size_t written = played.trace().written(query);
   played.expect(written == count, query, "another number of values is answered",
                 fmt::format("{} values", count), fmt::format("{} values", written));
+}
+
+// --- Rules of both dimensions ----------------------------------------------------------------------------
+
+// Float data are returned unchanged, which is more than the sources promise of a conversion.
+template <class Map>
+void expect_float_data_unchanged(Test& t, const Map& map) {
+  gl::Case c("random data of 24 bits");
+  define(c, map);
+  const std::size_t ends = map.domain().size(), count = map.coefficients().size();
+  const gl::Ref domain = c.GetMapfv(map.target, GL_DOMAIN, gl::out<GLfloat>(ends));
+  const gl::Ref real_domain = c.GetMapdv(map.target, GL_DOMAIN, gl::out<GLdouble>(ends));
+  const gl::Ref single = c.GetMapfv(map.target, GL_COEFF, gl::out<GLfloat>(count));
+  const gl::Ref real = c.GetMapdv(map.target, GL_COEFF, gl::out<GLdouble>(count));
+  Played played = t.play(c);
+  for (const gl::Ref query : {domain, real_domain}) played.expect_values(query, map.domain());
+  played.expect_values(single, map.coefficients());
+  played.expect_values(real, map.coefficients());
+}
+
+// The values 1/3, 1/4, ...
+std::vector<double> fractions(int count) {
+  std::vector<double> all;
+  for (int i = 0; i < count; ++i) all.push_back(1.0 / (i + 3));
+  return all;
+}
+template <class Map>
+void expect_double_data(Test& t, const Map& map) {
+  gl::Case c("thirds, quarters, fifths");
+  define(c, map, true);
+  const MapQuery query = query_map(c, map.target, t.max_order(), true);
+  Played played = t.play(c);
+  expect_map(played, query, map, true);
+}
+
+// The map is tightly packed and gets points away from halves.
+template <class Map>
+void expect_rounded(Test& t, Map map, const std::vector<GLint>& domain) {
+  constexpr double kValues[] = {1.4, -1.6, 2.51, -0.3, 7.0, -100.75, 1000.499, 0.0};
+  constexpr int kRounded[] = {1, -2, 3, 0, 7, -101, 1000, 0};
+  std::vector<GLint> expected;
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    map.points[i] = kValues[i % 8];
+    expected.push_back(kRounded[i % 8]);
+  }
+  for (const Form& form : kForms) {
+    gl::Case c(fmt::format("values away from halves, form {}", form.name));
+    define(c, map, form.doubles);
+    const gl::Ref ends = c.GetMapiv(map.target, GL_DOMAIN, gl::out<GLint>(domain.size()));
+    const gl::Ref coefficients = c.GetMapiv(map.target, GL_COEFF, gl::out<GLint>(expected.size()));
+    Played played = t.play(c);
+    played.expect_values(ends, domain);
+    played.expect_values(coefficients, expected);
+  }
+}
+
+// Values far beyond the range of int, and values that 32 bits without a sign or a float still hold. The map
+// is tightly packed.
+template <class Map>
+void expect_saturated(Test& t, Map map, const std::vector<GLint>& domain) {
+  constexpr double kValues[] = {1e20, -1e20, 3e9, -3e9};
+  std::vector<GLint> expected;
+  for (std::size_t i = 0; i < map.points.size(); ++i) {
+    map.points[i] = kValues[i % 4];
+    expected.push_back(i % 2 ? kLowest : kHighest);
+  }
+  gl::Case c("1e20, -1e20, 3e9 and -3e9");
+  define(c, map);
+  const gl::Ref coefficients = c.GetMapiv(map.target, GL_COEFF, gl::out<GLint>(expected.size()));
+  const gl::Ref ends = c.GetMapiv(map.target, GL_DOMAIN, gl::out<GLint>(domain.size()));
+  Played played = t.play(c);
+  played.expect_values(coefficients, expected);
+  played.expect_values(ends, domain);
+}
+
+template <class Map>
+void expect_any_texture_unit(Test& t, const Map& map) {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  for (const int unit : {1, t.gl().texture_units - 1}) {
+    gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
+    define(c, map);
+    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    const MapQuery query = query_map(c, map.target, t.max_order());
+    const MapQuery real = query_map(c, map.target, t.max_order(), true);
+    const gl::Ref error = c.GetError();
+    Played played = t.play(c);
+    played.expect_no_error(error);
+    expect_map(played, query, map);
+    expect_map(played, real, map, true);
+  }
+}
+
+template <class Map>
+void expect_pack_buffer_ignored(Test& t, const Map& map) {
+  t.require(2, 1, "GL_ARB_pixel_buffer_object");
+  gl::Case c("a buffer bound to PIXEL_PACK_BUFFER");
+  define(c, map);
+  const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
+  c.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  c.BufferData(GL_PIXEL_PACK_BUFFER, 4096, std::vector<GLubyte>(4096, 0x5A), GL_STREAM_READ);
+  const gl::Ref none = c.GetError();
+  const MapQuery single = query_map(c, map.target, t.max_order());
+  const MapQuery real = query_map(c, map.target, t.max_order(), true);
+  const gl::Ref error = c.GetError();
+  Played played = t.play(c);
+  played.expect_no_error(none);
+  played.expect_no_error(error);
+  expect_map(played, single, map);
+  expect_map(played, real, map, true);
 }
 
 }  // namespace
@@ -57,77 +174,27 @@ EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, mus
     }
 }
 
-// Float data come back as they were: more than the sources promise of a conversion.
 EVALCTS_TESTS(GetMap, FloatDataUnchanged, gl::kMap1Targets, GLenum target, quality, "EV-GETMAP-FLOAT/1-D") {
-  Map1 map = random_map(t, target, 6, gl::components_of(target));
+  Map1 map = random_map(t, target, 6);
   map.u1 = -1000.1f, map.u2 = 0.3f;
-  gl::Case c("random data of 24 bits");
-  define(c, map);
-  const gl::Ref domain = c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(2));
-  const gl::Ref real_domain = c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(2));
-  const std::size_t count = map.coefficients().size();
-  const gl::Ref single = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count));
-  const gl::Ref real = c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count));
-  Played played = t.play(c);
-  for (const gl::Ref query : {domain, real_domain})
-    played.expect_values(query, std::vector<double>{map.u1, map.u2});
-  played.expect_values(single, map.coefficients());
-  played.expect_values(real, map.coefficients());
+  expect_float_data_unchanged(t, map);
 }
 
 EVALCTS_TESTS(GetMap, DoubleData, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DOUBLE/1-D") {
-  const auto k = static_cast<std::size_t>(gl::components_of(target));
-  std::vector<double> thirds;
-  for (std::size_t i = 0; i < 2 * k; ++i) thirds.push_back(1.0 / static_cast<double>(i + 3));
-  const Map1 map = make_map1(target, 1.0 / 3, 2.0 / 3, static_cast<int>(k), thirds);
-  gl::Case c("thirds, quarters, fifths");
-  define(c, map, true);
-  const MapQuery query = query_map1(c, target, t.max_order(), true);
-  Played played = t.play(c);
-  expect_map1(played, query, map, true);
+  const int k = gl::components_of(target);
+  expect_double_data(t, make_map1(target, 1.0 / 3, 2.0 / 3, k, fractions(2 * k)));
 }
 
 EVALCTS_TESTS(GetMap, IntegersAreRounded, plain_targets(), GLenum target, must, "EV-GETMAP-ROUND/1-D") {
-  const auto k = static_cast<std::size_t>(gl::components_of(target));
-  const double values[] = {1.4, -1.6, 2.51, -0.3, 7.0, -100.75, 1000.499, 0.0};
-  const int rounded[] = {1, -2, 3, 0, 7, -101, 1000, 0};
-  std::vector<double> points;
-  std::vector<GLint> expected;
-  for (std::size_t i = 0; i < 8 * k; ++i) {
-    points.push_back(values[i % 8]);
-    expected.push_back(rounded[i % 8]);
-  }
-  Map1 map = make_map1(target, points);
+  Map1 map = random_map(t, target, 8);
   map.u1 = -1.6, map.u2 = 2.4;
-  for (const Form& form : kForms) {
-    gl::Case c(fmt::format("values away from halves, form {}", form.name));
-    define(c, map, form.doubles);
-    const gl::Ref domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2));
-    const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
-    Played played = t.play(c);
-    played.expect_values(domain, std::vector<GLint>{-2, 2});
-    played.expect_values(coefficients, expected);
-  }
+  expect_rounded(t, map, {-2, 2});
 }
 
-// Far beyond the ints, and where 32 bits without a sign or a float still hold the values.
 EVALCTS_TESTS(GetMap, IntegersSaturate, plain_targets(), GLenum target, must, "EV-GETMAP-SATURATE/1-D") {
-  constexpr GLint kLeast = std::numeric_limits<GLint>::min(), kMost = std::numeric_limits<GLint>::max();
-  const double values[] = {1e20, -1e20, 3e9, -3e9};
-  const auto k = static_cast<std::size_t>(gl::components_of(target));
-  std::vector<double> points;
-  std::vector<GLint> expected;
-  for (std::size_t i = 0; i < 4 * k; ++i) {
-    points.push_back(values[i % 4]);
-    expected.push_back(i % 2 ? kLeast : kMost);
-  }
-  gl::Case c("1e20, -1e20, 3e9 and -3e9");
-  define(c, make_map1(target, -3e9, 4e9, static_cast<int>(k), points));
-  const gl::Ref coefficients = c.GetMapiv(target, GL_COEFF, gl::out<GLint>(expected.size()));
-  const gl::Ref domain = c.GetMapiv(target, GL_DOMAIN, gl::out<GLint>(2));
-  Played played = t.play(c);
-  played.expect_values(coefficients, expected);
-  played.expect_values(domain, std::vector<GLint>{kLeast, kMost});
+  Map1 map = random_map(t, target, 4);
+  map.u1 = -3e9, map.u2 = 4e9;
+  expect_saturated(t, map, {kLowest, kHighest});
 }
 
 EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DISABLED/1-D") {
@@ -170,12 +237,7 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
   if (inside && primitive != GL_POINTS) c.Vertex3f(1, 2, 3);
   const gl::Ref get = getter.get(c, target, query, 256);
   if (inside) c.End();
-  const gl::Ref first = c.GetError();
-  const gl::Ref second = c.GetError();
-  Played played = t.play(c);
-  played.expect_error(first, {error});
-  played.expect_no_error(second);
-  played.expect_nothing_written(get);
+  expect_query_refused(t, c, get, {error});
 }
 
 }  // namespace
@@ -206,21 +268,7 @@ EVALCTS_TESTS(GetMap, BetweenBeginAndEnd, kGetters, const Getter& getter, must, 
 }
 
 EVALCTS_TESTS(GetMap, AnyTextureUnit, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOUNIT/1-D") {
-  t.require(1, 3, "GL_ARB_multitexture");
-  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
-  const Map1 map = random_map(t, target, 3, 4);
-  for (const int unit : {1, t.gl().texture_units - 1}) {
-    gl::Case c(unit == 1 ? "TEXTURE1 active" : "the last unit active");
-    define(c, map);
-    c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    const MapQuery query = query_map1(c, target, t.max_order());
-    const MapQuery real = query_map1(c, target, t.max_order(), true);
-    const gl::Ref error = c.GetError();
-    Played played = t.play(c);
-    played.expect_no_error(error);
-    expect_map1(played, query, map);
-    expect_map1(played, real, map, true);
-  }
+  expect_any_texture_unit(t, random_map(t, target, 3, 4));
 }
 
 EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE/1-D") {
@@ -250,23 +298,138 @@ EVALCTS_TESTS(GetMap, KeepsTheErrorThatWaits, kGetters, const Getter& getter, mu
 }
 
 EVALCTS_TESTS(GetMap, PackBufferIgnored, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOPBO/1-D") {
-  t.require(2, 1, "GL_ARB_pixel_buffer_object");
-  const Map1 map = random_map(t, target, 3, 4);
-  gl::Case c("a buffer bound to PIXEL_PACK_BUFFER");
-  define(c, map);
-  const gl::ResultOf buffer{c.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
-  c.BindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
-  c.BufferData(GL_PIXEL_PACK_BUFFER, 4096, std::vector<GLubyte>(4096, 0x5A), GL_STREAM_READ);
-  const gl::Ref none = c.GetError();
-  const MapQuery single = query_map1(c, target, t.max_order());
-  const MapQuery real = query_map1(c, target, t.max_order(), true);
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  played.expect_no_error(none);
-  played.expect_no_error(error);
-  expect_map1(played, single, map);
-  expect_map1(played, real, map, true);
+  expect_pack_buffer_ignored(t, random_map(t, target, 3, 4));
 }
+
+// --- Two-dimensional maps --------------------------------------------------------------------------------
+
+namespace {
+
+// The orders, the domain and the points of each map, in both forms and memory orders. The arrays end with the
+// answers: one value more would land in the guard behind them and be seen.
+void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
+  const int k = gl::components_of(target), max = t.max_order();
+  const auto shown = [max](int order) { return order == max ? "MAX" : std::to_string(order); };
+  gl::Case c(fmt::format("order {}x{}, domain (5, -2.25, 0.5, 7)", shown(uorder), shown(vorder)));
+  struct Asked {
+    std::vector<double> net;
+    std::vector<gl::Ref> orders, domains, points;
+  };
+  std::vector<Asked> all;
+  for (const Layout& layout : {kLayouts[0], kLayouts[1], kLayouts[2], kLayouts[3]})
+    for (const Form& form : kForms) {
+      Map2 map = random_map2(t, target, uorder, vorder, layout);
+      map.u1 = 5, map.u2 = -2.25, map.v1 = 0.5, map.v2 = 7;
+      define(c, map, form.doubles);
+      const auto count = static_cast<std::size_t>(uorder * vorder * k);
+      all.push_back({map.coefficients(),
+                     {c.GetMapfv(target, GL_ORDER, gl::out<GLfloat>(2)),
+                      c.GetMapdv(target, GL_ORDER, gl::out<GLdouble>(2)),
+                      c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2))},
+                     {c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4)),
+                      c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4))},
+                     {c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(count)),
+                      c.GetMapdv(target, GL_COEFF, gl::out<GLdouble>(count))}});
+    }
+  Played played = t.play(c);
+  for (const Asked& asked : all) {
+    for (const gl::Ref query : asked.orders)
+      played.expect_values(query,
+                           std::vector<double>{static_cast<double>(uorder), static_cast<double>(vorder)});
+    for (const gl::Ref query : asked.domains)
+      played.expect_values_near(query, std::vector<double>{5, -2.25, 0.5, 7}, 1e-5);
+    for (const gl::Ref query : asked.points) played.expect_values_near(query, asked.net, 1e-5);
+  }
+}
+
+}  // namespace
+
+// v fastest, also where the orders differ and the printed formula cannot be meant (C-COEFF-ORDER).
+EVALCTS_TESTS(GetMap2, OrderDomainAndPoints, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-ORDER2",
+              "EV-GETMAP-DOMAIN2", "EV-GETMAP-COEFF2", "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D") {
+  const int max = t.max_order();
+  for (const auto& [u, v] : {std::pair{2, 3}, {3, 2}, {1, 4}, {4, 1}, {1, 1}, {max, 2}, {3, max}})
+    expect_answered(t, target, u, v);
+}
+
+// Here every specification prints the formula that the test above expects.
+EVALCTS_TESTS(GetMap2, SquareNet, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-COEFF2-SQUARE",
+              "EV-GETMAP-COUNT/2-D") {
+  for (const int order : {2, 3, t.max_order()}) expect_answered(t, target, order, order);
+}
+
+EVALCTS_TESTS(GetMap2, FloatDataUnchanged, gl::kMap2Targets, GLenum target, quality, "EV-GETMAP-FLOAT/2-D") {
+  Map2 map = random_map2(t, target, 6, 4);
+  map.u1 = -1000.1f, map.u2 = 0.3f, map.v1 = 1.1f, map.v2 = 0x1.555556p-2;
+  expect_float_data_unchanged(t, map);
+}
+
+EVALCTS_TESTS(GetMap2, DoubleData, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-DOUBLE/2-D") {
+  Map2 map = make_map2(target, 2, 3, fractions(2 * 3 * gl::components_of(target)));
+  map.u1 = 1.0 / 3, map.u2 = 2.0 / 3, map.v1 = -1.0 / 7, map.v2 = 10.0 / 3;
+  expect_double_data(t, map);
+}
+
+EVALCTS_TESTS(GetMap2, IntegersAreRounded, plain_targets2(), GLenum target, must, "EV-GETMAP-ROUND/2-D") {
+  Map2 map = random_map2(t, target, 2, 4);
+  map.u1 = -1.6, map.u2 = 2.4, map.v1 = 7.75, map.v2 = -0.25;
+  expect_rounded(t, map, {-2, 2, 8, 0});
+}
+
+EVALCTS_TESTS(GetMap2, IntegersSaturate, plain_targets2(), GLenum target, must, "EV-GETMAP-SATURATE/2-D") {
+  Map2 map = random_map2(t, target, 2, 2);
+  map.u1 = -3e9, map.u2 = 4e9, map.v1 = 2.5e9, map.v2 = -2.5e9;
+  expect_saturated(t, map, {kLowest, kHighest, kHighest, kLowest});
+}
+
+EVALCTS_TESTS(GetMap2, DisabledAndUndefined, gl::kMap2Targets, GLenum target, must,
+              "EV-GETMAP-DISABLED/2-D") {
+  gl::Case c("never defined; defined and never enabled; enabled and disabled again");
+  std::vector<gl::Ref> errors, orders;
+  const auto ask = [&] {
+    orders.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
+    errors.push_back(c.GetError());
+    c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(32));
+    errors.push_back(c.GetError());
+    c.GetMapdv(target, GL_DOMAIN, gl::out<GLdouble>(4));
+    errors.push_back(c.GetError());
+  };
+  ask();
+  define(c, random_map2(t, target, 2, 3));
+  ask();
+  c.Enable(target);
+  c.Disable(target);
+  ask();
+  Played played = t.play(c);
+  for (const gl::Ref error : errors) played.expect_no_error(error);
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    played.expect_values(orders[i], i == 0 ? std::vector<GLint>{1, 1} : std::vector<GLint>{2, 3});
+}
+
+EVALCTS_TESTS(GetMap2, AnyTextureUnit, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-NOUNIT/2-D") {
+  expect_any_texture_unit(t, random_map2(t, target, 3, 4));
+}
+
+EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D") {
+  gl::Case c("all queries of all maps between two snapshots");
+  for (const GLenum target : gl::kMap2Targets) define(c, random_map2(t, target, 3, 2));
+  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  for (const GLenum target : gl::kMap2Targets)
+    for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN}) {
+      c.GetMapfv(target, query, gl::out<GLfloat>(32));
+      c.GetMapdv(target, query, gl::out<GLdouble>(32));
+      c.GetMapiv(target, query, gl::out<GLint>(32));
+    }
+  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  Played played = t.play(c);
+  expect_unchanged(played, before, after);
+}
+
+EVALCTS_TESTS(GetMap2, PackBufferIgnored, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-NOPBO/2-D") {
+  expect_pack_buffer_ignored(t, random_map2(t, target, 3, 4));
+}
+
+// --- Get -------------------------------------------------------------------------------------------------
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
 EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D") {

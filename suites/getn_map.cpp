@@ -1,7 +1,7 @@
 // Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
 #include <fmt/format.h>
 
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_getn_map {
 namespace {
@@ -102,12 +102,7 @@ void expect_refused(Test& t, const Getter& getter, const std::string& identity, 
   if (inside) c.Begin(GL_POLYGON);
   const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
   if (inside) c.End();
-  const gl::Ref first = c.GetError();
-  const gl::Ref second = c.GetError();
-  Played played = t.play(c);
-  played.expect_error(first, errors);
-  played.expect_no_error(second);
-  played.expect_nothing_written(get);
+  expect_query_refused(t, c, get, errors);
 }
 
 std::string named(GLenum target, GLenum query) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "glx_requests.h"
-#include "maps2.h"
+#include "maps.h"
 #include "refusal.h"
 
 namespace evalcts::suite_glx_protocol {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts {
 
@@ -24,6 +24,16 @@ struct Dimension {
   bool two;
 };
 inline constexpr Dimension kDimensions[] = {{"1-D", false}, {"2-D", true}};
+
+// The modes of EvalMesh, with the primitives that stand for their meshes.
+struct MeshMode {
+  const char* name;
+  GLenum mode, primitive;
+  PrimitiveKind kind;
+};
+inline constexpr MeshMode kMeshModes[] = {{"POINT", GL_POINT, GL_POINTS, kPoints},
+                                          {"LINE", GL_LINE, GL_LINE_STRIP, kLines},
+                                          {"FILL", GL_FILL, GL_QUAD_STRIP, kPolygons}};
 
 // Enables maps of all kinds that show but one texture map, over [-1,3] and, in two dimensions, x [2,1].
 void enable_maps(Test& t, gl::Case& c, bool two);

@@ -8,9 +8,6 @@
 namespace evalcts::suite_grids {
 namespace {
 
-constexpr GLint kHighest = std::numeric_limits<GLint>::max();
-constexpr GLint kLowest = std::numeric_limits<GLint>::min();
-
 struct Grid1 {
   GLint n = 1;
   double u1 = 0, u2 = 1;

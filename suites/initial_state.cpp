@@ -1,5 +1,5 @@
 // Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_initial_state {
 namespace {
@@ -171,9 +171,7 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE") {
 EVALCTS_TESTS(InitialState, Evaluable2, visible_targets2(), GLenum target, must, "EV-INIT-EVALUABLE") {
   if (is_texture_map(target)) t.require(1, 1);
   gl::Case c(label(target));
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.5f, 0.6f, 0.7f);
-  c.TexCoord4f(5, 6, 7, 8);
+  set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
   if (target != GL_MAP2_VERTEX_4) c.Enable(GL_MAP2_VERTEX_3);
   c.Enable(target);
   c.Begin(GL_POINTS);
@@ -186,9 +184,7 @@ EVALCTS_TESTS(InitialState, Evaluable2, visible_targets2(), GLenum target, must,
 EVALCTS_TESTS(InitialState, EvaluableWith, visible_targets(), GLenum target, must, "EV-INIT-EVALUABLE") {
   if (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) t.require(1, 1);
   gl::Case c(label(target));
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.5f, 0.6f, 0.7f);
-  c.TexCoord4f(5, 6, 7, 8);
+  set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(target);
   c.Begin(GL_POINTS);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_interpretations {
 namespace {

@@ -1,4 +1,4 @@
-// One-dimensional maps for tests: how they are made, defined and shown.
+// One- and two-dimensional maps for tests: how they are made, laid out in memory, defined, shown and queried.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <evalcts/testkit/test.h>
+#include "fixtures.h"
 
 namespace evalcts {
 
@@ -21,8 +21,25 @@ struct Map1 {
   std::vector<double> points;
 
   int components() const { return gl::components_of(target); }
-  // The control points packed, as GetMap returns them.
+  // The control points, the orders and the domain as GetMap returns them.
   std::vector<double> coefficients() const;
+  std::vector<GLint> orders() const { return {order}; }
+  std::vector<double> domain() const { return {u1, u2}; }
+};
+
+// A map as Map2 is given it: R_ij begins ustride*i + vstride*j values after the first. The memory ends with
+// the whole block of the last point, the smaller stride, so that nothing legal is out of bounds (U-TAIL).
+struct Map2 {
+  GLenum target = GL_MAP2_VERTEX_3;
+  double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
+  int ustride = 3, vstride = 3, uorder = 1, vorder = 1;
+  std::vector<double> points;
+
+  int components() const { return gl::components_of(target); }
+  // v fastest.
+  std::vector<double> coefficients() const;
+  std::vector<GLint> orders() const { return {uorder, vorder}; }
+  std::vector<double> domain() const { return {u1, u2, v1, v2}; }
 };
 
 // What the padding between two control points holds in all tests: a value that spoils whatever reads it.
@@ -39,6 +56,39 @@ std::vector<double> random_values(std::mt19937& random, std::size_t count);
 // A map over [0,1] with random points, tightly packed or with the stride.
 Map1 random_map(Test& t, GLenum target, int order);
 Map1 random_map(Test& t, GLenum target, int order, int stride);
+
+// `coefficients` (packed, v fastest, uorder*vorder*k of them) over [0,1]x[0,1], laid out with the strides;
+// padding is poisoned. Where the strides make points share memory, the last one written stays:
+// Map2::coefficients() says what the map then is.
+Map2 make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
+               const std::vector<double>& coefficients);
+// Tightly packed, v fastest.
+Map2 make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients);
+// Random points, tightly packed or with the strides.
+Map2 random_map2(Test& t, GLenum target, int uorder, int vorder);
+Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, int ustride, int vstride);
+
+// Where the control points lie in memory: the strides by k and the orders.
+struct Layout {
+  const char* name;
+  int (*ustride)(int k, int uorder, int vorder);
+  int (*vstride)(int k, int uorder, int vorder);
+  bool shared;  // points share memory
+};
+inline constexpr Layout kLayouts[] = {
+    {"U_MAJOR", [](int k, int, int vorder) { return k * vorder; }, [](int k, int, int) { return k; }, false},
+    {"V_MAJOR", [](int k, int, int) { return k; }, [](int k, int uorder, int) { return k * uorder; }, false},
+    // As one attribute of several, in rows that are longer than the net.
+    {"EMBEDDED_U_MAJOR", [](int k, int, int vorder) { return (k + 5) * (vorder + 2); },
+     [](int k, int, int) { return k + 5; }, false},
+    {"EMBEDDED_V_MAJOR", [](int k, int, int) { return k + 3; },
+     [](int k, int uorder, int) { return (k + 3) * (uorder + 1) + 1; }, false},
+    {"EQUAL_STRIDES", [](int k, int, int) { return k; }, [](int k, int, int) { return k; }, true},
+    {"EQUAL_PADDED_STRIDES", [](int k, int, int) { return k + 2; }, [](int k, int, int) { return k + 2; },
+     true},
+    {"OVERLAPPING_POINTS", [](int k, int, int) { return k + 1; }, [](int k, int, int) { return k; }, true},
+};
+Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, const Layout& layout);
 
 template <class T>
 std::vector<T> converted(const std::vector<double>& values) {
@@ -83,14 +133,26 @@ std::vector<GLenum> without_index(std::span<const GLenum> targets);
 const std::vector<TargetForm>& target_forms();
 const std::vector<TargetForm>& visible_target_forms();
 const std::vector<GLenum>& visible_targets();
+// The same of the MAP2 targets.
+const std::vector<TargetForm>& target_forms2();
+const std::vector<TargetForm>& visible_target_forms2();
+const std::vector<GLenum>& visible_targets2();
+bool is_two_dimensional(GLenum target);
 
-// Map1f or Map1d.
+// Map1f or Map1d, Map2f or Map2d.
 gl::Ref define(gl::Case& c, const Map1& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
+gl::Ref define(gl::Case& c, const Map2& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
+// The control points have the same memory in every call with this slot, with the contents of the moment.
+gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot);
+gl::Ref define_in_slot(gl::Case& c, const Map2& map, bool doubles, int slot);
+
 // EvalCoord1f or EvalCoord1d.
 gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
-
-// EvalCoord1fv or EvalCoord1dv; the array ends before an inaccessible page.
+// EvalCoord2f or EvalCoord2d.
+gl::Ref evaluate2(gl::Case& c, double u, double v, bool doubles = false);
+// EvalCoord1fv or EvalCoord1dv, EvalCoord2fv or EvalCoord2dv; the array ends before an inaccessible page.
 gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
+gl::Ref evaluate2_vector(gl::Case& c, double u, double v, bool doubles);
 
 // Maps of all kinds of data that go into one vertex: each attribute has a map of its own.
 struct Kinds {
@@ -108,14 +170,37 @@ inline constexpr Kinds kKinds2[] = {
 // as its carrier.
 void enable_visibly(gl::Case& c, GLenum target);
 
+// --- Arguments -------------------------------------------------------------------------------------------
+
+// The domain of a map in one direction.
+struct Interval {
+  double first, last;
+};
+// u and v of one evaluation.
+struct At {
+  double u, v;
+};
+
+// The map with another domain.
+Map1 over(Map1 map, const Interval& u);
+Map2 over(Map2 map, const Interval& u, const Interval& v);
+
+// Points: the ends, the numbers next to them, and values in between.
+std::vector<double> arguments(Test& t, const Interval& domain, int count);
+// Corners, edges and points inside; the first is always inside.
+std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int count);
+
+// Evaluates at all arguments, in one primitive of points.
+void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
+void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
+
+// --- Queries ---------------------------------------------------------------------------------------------
+
 // Everything that a failing command must leave alone: order, domain and points of all 18 maps, their enables,
 // AUTO_NORMAL, the grids, the current values and the active texture unit, the MAP2 maps last. Room for what a
 // wrong implementation might write is allowed for.
 std::vector<gl::Ref> query_everything(gl::Case& c, int max_order);
 void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after);
-
-// Control points that give the same memory to every call with this slot, with the contents of the moment.
-gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot);
 
 // One of the three forms; `room` elements to write to.
 struct Getter {
@@ -131,15 +216,17 @@ inline constexpr Getter kGetters[] = {
        return c.GetMapiv(target, query, gl::out<GLint>(room));
      }}};
 
-// Order, domain and points of one map, through GetMapfv or GetMapdv.
+// Orders, domain and points of one map, through GetMapfv or GetMapdv.
 struct MapQuery {
   gl::Ref order, domain, coefficients;
 };
-MapQuery query_map1(gl::Case& c, GLenum target, int max_order, bool doubles = false);
-// ... are those of this map, to single precision where it was given in doubles.
-void expect_map1(Played& played, const MapQuery& query, const Map1& map, bool doubles = false);
-// The same for either dimension, by what each query has to answer.
-void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& order,
+MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
+// The answers are these, to single precision where the map was given in doubles.
+void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& orders,
                     const std::vector<double>& domain, const std::vector<double>& coefficients, bool doubles);
+template <class Map>
+void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false) {
+  expect_answers(played, query, map.orders(), map.domain(), map.coefficients(), doubles);
+}
 
 }  // namespace evalcts

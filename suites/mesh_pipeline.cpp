@@ -57,14 +57,8 @@ gl::Case mesh(GLenum mode, bool mirrored = false) {
   return c;
 }
 
-// Without EdgeFlag: the current one counts for all vertices, and an implementation may lose everything where
-// it is set between them.
-gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
-  const gl::Case with_flags = as_explicit_commands(predict(evaluated, t.max_order()));
-  gl::Case c;
-  for (const gl::Command& command : with_flags.commands())
-    if (command.entry != gl::EntryPoint::EdgeFlag) c.add(command);
-  return c;
+gl::Case explicit_strips(Test& t, const gl::Case& evaluated) {
+  return without_edge_flags(explicit_commands(t, evaluated));
 }
 
 // --- Where to look ---------------------------------------------------------------------------------------
@@ -196,7 +190,7 @@ void require_quads(const Picture& control) {
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
 EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
   std::vector<Scene> strips, evaluated;
-  add_outlined(strips, true, explicit_commands(t, mesh(GL_FILL)));
+  add_outlined(strips, true, explicit_strips(t, mesh(GL_FILL)));
   add_outlined(evaluated, true, mesh(GL_FILL));
   require_quads(feedback(t, "control: explicit quad strips", strips));
   Picture picture = feedback(t, "evaluated", evaluated);
@@ -210,7 +204,7 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
 EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG") {
   std::vector<Scene> strips, evaluated;
   for (const bool flag : {true, false}) {
-    add_outlined(strips, flag, explicit_commands(t, mesh(GL_FILL)));
+    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
     add_outlined(evaluated, flag, mesh(GL_FILL));
   }
   require_quads(feedback(t, "control: explicit quad strips", strips));
@@ -241,7 +235,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
   });
   const auto is_edge = [](std::size_t part) { return part % 3 != 0; };
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas, GL_RED);
+      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas, GL_RED);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (lit(control.parts[i]) != is_edge(i))
       throw NotObservable("pipeline: explicit quad strips do not show their edges and nothing else");
@@ -265,7 +259,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
   define(twisted, make_map2(GL_MAP2_VERTEX_3, 2, 2,
                             {left, bottom, -0.75, left, top, 0.75, right, bottom, 0.75, right, top, -0.75}));
   twisted.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
-  const gl::Case strips = explicit_commands(t, twisted);
+  const gl::Case strips = explicit_strips(t, twisted);
 
   const Outlines expected = outlines_of(feedback(t, "control: vertices", {}, strips).parts[0]);
   if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
@@ -297,7 +291,7 @@ namespace {
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_commands(t, mesh(GL_FILL)), areas);
+      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas);
   std::size_t sample = 0;
   for_each_quad([&](int i, int j) {
     const auto color = first_vertex ? color_at(i, j) : color_at(i + 1, j + 1);
@@ -349,7 +343,7 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
     if (automatic_normals) drawing.Enable(GL_AUTO_NORMAL);
     drawing.append(mesh(GL_FILL, facing.mirrored));
     evaluated.emplace_back(facing.name, facing.state, drawing);
-    strips.emplace_back(facing.name, facing.state, explicit_commands(t, drawing));
+    strips.emplace_back(facing.name, facing.state, explicit_strips(t, drawing));
   }
   const Picture control = pixels(t, "control: explicit quad strips", strips, areas);
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
@@ -510,9 +504,9 @@ class Looks {
 EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages, must,
               "EV-MESH2-NOPOLYMODE") {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
-  const Looks control(t, stages, "control: explicit vertices",
-                      {explicit_commands(t, meshes[0]), explicit_commands(t, meshes[1]),
-                       explicit_commands(t, mesh(GL_FILL))});
+  const Looks control(
+      t, stages, "control: explicit vertices",
+      {explicit_strips(t, meshes[0]), explicit_strips(t, meshes[1]), explicit_strips(t, mesh(GL_FILL))});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage) {
     if (!control.has_effect(stage, 2, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
@@ -535,7 +529,7 @@ EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages,
 // In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
 EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-MESH2-NOPOLYMODE") {
   const gl::Case evaluated = mesh(GL_FILL);
-  const Looks control(t, stages, "control: explicit quad strips", {explicit_commands(t, evaluated)});
+  const Looks control(t, stages, "control: explicit quad strips", {explicit_strips(t, evaluated)});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
     if (!control.has_effect(stage, 0, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");
@@ -558,152 +552,5 @@ EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-
     }
   }
 }
-
-// --- Line stippling --------------------------------------------------------------------------------------
-
-namespace {
-
-// Lines lie at the middles of pixels; no vertex is near the border of one, nor a segment about a whole number
-// of pixels long. A strip is no multiple of a pattern long, so that it shows where one starts anew.
-constexpr int kSegments = 5;
-constexpr double kFirst = 4.5, kStepU = 11.2, kStepV = 10.4;
-
-struct Stipple {
-  const char* name;
-  int factor;
-  GLushort pattern;
-};
-constexpr Stipple kStipples[] = {{"FACTOR_1", 1, 0x00FF}, {"FACTOR_2", 2, 0x0C37}};
-
-gl::Case state_of(const Stipple& stipple) {
-  gl::Case state;
-  state.LineStipple(stipple.factor, stipple.pattern);
-  state.Enable(GL_LINE_STIPPLE);
-  return state;
-}
-
-// Two meshes of one row, the second one at another height.
-gl::Case stippled_mesh1() {
-  gl::Case c;
-  map_grid(c, {kSegments, 0, 1});
-  c.Enable(GL_MAP1_VERTEX_3);
-  for (const double y : {16.5, 40.5}) {
-    define(c, make_map1(GL_MAP1_VERTEX_3, {at_pixel(kFirst), at_pixel(y), 0,
-                                           at_pixel(kFirst + kSegments * kStepU), at_pixel(y), 0}));
-    c.EvalMesh1(GL_LINE, 0, kSegments);
-  }
-  return c;
-}
-
-gl::Case stippled_mesh2() {
-  gl::Case c;
-  map_grid(c, {kSegments, 0, 1}, {kSegments, 0, 1});
-  const double low = at_pixel(kFirst), right = at_pixel(kFirst + kSegments * kStepU),
-               top = at_pixel(kFirst + kSegments * kStepV);
-  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.EvalMesh2(GL_LINE, 0, kSegments, 0, kSegments);
-  return c;
-}
-
-// The strips taken apart, so that the pattern starts at each segment.
-gl::Case apart(const gl::Case& strips) {
-  gl::Case c;
-  std::vector<gl::Command> vertices;
-  for (const gl::Command& command : strips.commands()) {
-    switch (command.entry) {
-      case gl::EntryPoint::Begin:
-        c.Begin(GL_LINES);
-        vertices.clear();
-        break;
-      case gl::EntryPoint::Vertex4f:
-        if (!vertices.empty()) {
-          c.add(vertices.back());
-          c.add(command);
-        }
-        vertices.push_back(command);
-        break;
-      case gl::EntryPoint::End:
-        c.End();
-        break;
-      default:
-        break;
-    }
-  }
-  return c;
-}
-
-// For each segment, whether the stipple starts anew.
-std::vector<bool> starts_of(const Part& part) {
-  std::vector<bool> starts;
-  for (const FeedbackPrimitive& primitive : primitives_of(part))
-    starts.push_back(primitive.token == GL_LINE_RESET_TOKEN);
-  return starts;
-}
-
-void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
-                    const std::vector<Area>& areas) {
-  const gl::Case state = state_of(stipple);
-  const gl::Case strips = explicit_commands(t, evaluated);
-  const Picture control =
-      pixels(t, "control: explicit line strips",
-             {{"", {}, strips}, {"", state, apart(strips)}, {"", state, strips}}, areas, GL_RED);
-  const std::size_t count = areas.size();
-  const auto values = [&](std::size_t scene) {
-    std::vector<double> all;
-    for (const Part& part : std::span(control.parts).subspan(scene * count, count))
-      all.insert(all.end(), part.values.begin(), part.values.end());
-    return all;
-  };
-  for (const std::size_t other : {0u, 1u}) require_an_effect(values(2), values(other));
-  // The pixels after the first vertex, none of them on another line: the pattern starts at each strip.
-  const std::vector<Part> expected(control.parts.end() - static_cast<std::ptrdiff_t>(count),
-                                   control.parts.end());
-  for (const Part& part : expected)
-    if (!std::equal(part.values.begin() + 5, part.values.begin() + 14, expected[0].values.begin() + 5))
-      throw NotObservable("pipeline: the stipple does not start anew at each explicit line strip");
-  Picture picture = pixels(t, "evaluated", state, evaluated, areas, GL_RED);
-  for (std::size_t i = 0; i < count; ++i) expect_like_explicit(picture.played, picture.parts[i], expected[i]);
-}
-
-// No LINE_RESET_TOKEN but at the first segment of a strip; that there is one, is not asked
-// (U-FEEDBACK-RESET).
-void expect_starts(Test& t, const gl::Case& evaluated) {
-  const gl::Case state = state_of(kStipples[0]);
-  const Picture control =
-      feedback(t, "control: explicit line strips", state, explicit_commands(t, evaluated));
-  const std::vector<bool> expected = starts_of(control.parts[0]);
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (expected[i] != (i % kSegments == 0))
-      throw NotObservable("pipeline: explicit line strips have no LINE_RESET_TOKEN at their beginnings only");
-  Picture picture = feedback(t, "evaluated", state, evaluated);
-  const std::vector<bool> seen = starts_of(picture.parts[0]);
-  picture.played.expect(seen.size() == expected.size(), picture.parts[0].shown,
-                        fmt::format("{} segments come out, expected {}", seen.size(), expected.size()),
-                        fmt::format("{} segments", expected.size()), fmt::format("{} segments", seen.size()));
-  for (std::size_t i = 0; i < std::min(seen.size(), expected.size()); ++i)
-    picture.played.expect(!seen[i] || expected[i], picture.parts[0].shown,
-                          fmt::format("LINE_RESET_TOKEN at segment {} of a strip", i % kSegments + 1),
-                          "LINE_TOKEN", "LINE_RESET_TOKEN");
-}
-
-}  // namespace
-
-EVALCTS_TESTS(Mesh1, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH1-STIPPLE") {
-  expect_stipple(t, stipple, stippled_mesh1(), {{0, 16, kSide, 1}, {0, 40, kSide, 1}});
-}
-
-EVALCTS_TEST(Mesh1, StippleInFeedback, must, "EV-MESH1-STIPPLE") { expect_starts(t, stippled_mesh1()); }
-
-EVALCTS_TESTS(Mesh2, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH2-STIPPLE") {
-  std::vector<Area> areas;
-  for (int i = 0; i <= kSegments; ++i) {
-    areas.push_back({0, static_cast<int>(kFirst + i * kStepV), kSide, 1});
-    areas.push_back({static_cast<int>(kFirst + i * kStepU), 0, 1, kSide});
-  }
-  expect_stipple(t, stipple, stippled_mesh2(), areas);
-}
-
-EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE") { expect_starts(t, stippled_mesh2()); }
 
 }  // namespace evalcts::suite_mesh_pipeline

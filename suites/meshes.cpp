@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <span>
 
 #include <evalcts/judge/prediction.h>
 #include "grid_cases.h"
@@ -13,32 +13,15 @@
 namespace evalcts::suite_meshes {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-
-struct MeshMode {
-  const char* name;
-  GLenum mode;
-  PrimitiveKind kind;
-};
-constexpr MeshMode kModes1[] = {{"POINT", GL_POINT, kPoints}, {"LINE", GL_LINE, kLines}};
-constexpr MeshMode kModes2[] = {
-    {"POINT", GL_POINT, kPoints}, {"LINE", GL_LINE, kLines}, {"FILL", GL_FILL, kPolygons}};
+constexpr std::span kModes1(kMeshModes, 2);
+constexpr std::span kModes2(kMeshModes);
 
 const Grid kV = {5, 1.9f, 1.2f};
-
-// Their difference is no int.
-constexpr int kHighest = std::numeric_limits<int>::max(), kLowest = std::numeric_limits<int>::min();
 
 // i1, i2, j1, j2.
 struct Range {
   int i1, i2, j1, j2;
 };
-
-void set_current_values(gl::Case& c) {
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
-}
 
 // Meshes over the ranges, for each of the grids.
 void expect_meshes1(Test& t, const MeshMode& mode, const std::string& identity,

@@ -12,19 +12,12 @@
 #include <stdexcept>
 
 #include <evalcts/gl/call_log.h>
-#include "maps2.h"
+#include "maps.h"
 
 namespace evalcts::suite_metamorphic {
 namespace {
 
-// Through display lists, too, but not twice: the tests judge by themselves what comes out.
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
 using reference::Rational;
-
-struct At {
-  double u, v;
-};
 
 // A map of either dimension: in one dimension the target is a MAP1 target and vorder 1.
 bool is_curve(const Map2& map) { return map.target < GL_MAP2_COLOR_4; }
@@ -335,14 +328,6 @@ std::vector<Map2> changed(std::vector<Map2> maps, const Change& change) {
   return maps;
 }
 
-Map2 over(Map2 map, double u1, double u2, double v1, double v2) {
-  map.u1 = u1;
-  map.u2 = u2;
-  map.v1 = v1;
-  map.v2 = v2;
-  return map;
-}
-
 // For maps of all kinds of data at once, of each pair of orders.
 template <class Add>
 void expect_relations(Test& t, bool two, const std::string& identity, const Add& add) {
@@ -369,8 +354,9 @@ namespace {
 void expect_symmetry(Test& t, bool two) {
   expect_relations(t, two, "points reversed", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
-      const std::vector<Map2> maps =
-          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, -2, 6, 1, 3); });
+      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+        return over(map, {-2, 6}, {1, 3});
+      });
       const Side plain = {maps, over_domain(unit_arguments(t), maps[0])};
       const std::vector<std::pair<bool, bool>> directions =
           two ? std::vector<std::pair<bool, bool>>{{true, false}, {false, true}, {true, true}}
@@ -378,8 +364,8 @@ void expect_symmetry(Test& t, bool two) {
       for (const auto& [u, v] : directions) {
         const auto reverse = [&, u = u, v = v](const Map2& map) { return reversed(map, u, v); };
         const auto reverse_domain = [&, u = u, v = v](const Map2& map) {
-          return over(map, u ? map.u2 : map.u1, u ? map.u1 : map.u2, v ? map.v2 : map.v1,
-                      v ? map.v1 : map.v2);
+          return over(map, {u ? map.u2 : map.u1, u ? map.u1 : map.u2},
+                      {v ? map.v2 : map.v1, v ? map.v1 : map.v2});
         };
         const std::vector<At> mirrored = changed(plain.arguments, [&, u = u, v = v](const At& at) {
           return At{u ? 4 - at.u : at.u, v ? 4 - at.v : at.v};
@@ -447,8 +433,9 @@ EVALCTS_TEST_BY(in_lists(), Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATIO
 EVALCTS_TEST_BY(in_lists(), Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
   expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, true)) {
-      const std::vector<Map2> maps =
-          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0, 1, 4, -1); });
+      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+        return over(map, {0, 1}, {4, -1});
+      });
       std::vector<At> arguments = over_domain(unit_arguments(t), maps[0]);
       if (orders.first * orders.second <= 16) arguments.push_back({-0.5, 4.5});
       const Side plain = {maps, arguments};
@@ -573,21 +560,23 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
                                {0x1p-20, 0}, {0x1p20, 0}, {0.25, 64}};
   expect_relations(t, two, "domain moved and scaled", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
-      const std::vector<Map2> maps =
-          changed(random_maps(t, kinds, orders), [](const Map2& map) { return over(map, 0.5, 3.5, 3, -2); });
-      const Side plain = {maps, over_domain(unit_arguments(t), over(maps[0], 0.5, 2.5, 3, -1))};
+      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+        return over(map, {0.5, 3.5}, {3, -2});
+      });
+      const Side plain = {maps, over_domain(unit_arguments(t), over(maps[0], {0.5, 2.5}, {3, -1}))};
       for (const auto& [scale, offset] : kShifts) {
         const auto moved = [&, scale = scale, offset = offset](double x) { return scale * x + offset; };
-        relations.add(fmt::format("domain and arguments times {} plus {}", scale, offset), plain,
-                      {changed(maps,
-                               [&](const Map2& map) {
-                                 return over(map, moved(map.u1), moved(map.u2), moved(map.v1), moved(map.v2));
-                               }),
-                       changed(plain.arguments,
-                               [&](const At& at) {
-                                 return At{moved(at.u), moved(at.v)};
-                               })},
-                      {.bits = bits});
+        relations.add(
+            fmt::format("domain and arguments times {} plus {}", scale, offset), plain,
+            {changed(maps,
+                     [&](const Map2& map) {
+                       return over(map, {moved(map.u1), moved(map.u2)}, {moved(map.v1), moved(map.v2)});
+                     }),
+             changed(plain.arguments,
+                     [&](const At& at) {
+                       return At{moved(at.u), moved(at.v)};
+                     })},
+            {.bits = bits});
       }
     }
   });

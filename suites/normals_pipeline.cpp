@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
-#include "maps2.h"
-#include "pictures.h"
+#include "drawings.h"
+#include "programs.h"
 
 namespace evalcts::suite_normals_pipeline {
 namespace {
@@ -37,10 +37,6 @@ gl::Case points_of(const Map2& map, bool automatic = true) {
   return c;
 }
 
-gl::Case explicit_commands(Test& t, const gl::Case& evaluated) {
-  return as_explicit_commands(predict(evaluated, t.max_order()));
-}
-
 // Texture coordinates are normals in eye space.
 void show_normals(gl::Case& c) {
   set_up_texture(c);
@@ -49,12 +45,6 @@ void show_normals(gl::Case& c) {
     c.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_NORMAL_MAP);
     c.Enable(enable);
   }
-}
-
-void light(gl::Case& c) {
-  c.Enable(GL_LIGHTING);
-  c.Enable(GL_LIGHT0);
-  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.36f, 0.48f, 0.8f, 0});
 }
 
 const std::vector<float> kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -98,7 +88,7 @@ EVALCTS_TESTS(AutomaticNormals, Transformed, kStages, const Stage& stage, must, 
 // Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
 EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
   gl::Case state;
-  light(state);
+  enable_light(state, {0.36f, 0.48f, 0.8f, 0});
   // Nothing is clipped.
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1e-3f, 0, 0, 0, 0, 1});
@@ -123,7 +113,7 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
 // AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
 EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
   gl::Case state;
-  light(state);
+  enable_light(state, {0.36f, 0.48f, 0.8f, 0});
   gl::Case evaluated;
   evaluated.Normal3f(0.8f, -0.36f, 0.48f);
   evaluated.append(points_of(patch(1), false));
@@ -147,12 +137,6 @@ constexpr char kNormalProgram[] =
     "MOV result.texcoord[0], vertex.normal;\n"
     "END\n";
 
-void use_program(gl::Case& c, const std::string& text) {
-  c.BindProgramARB(GL_VERTEX_PROGRAM_ARB, 1);
-  c.ProgramStringARB(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, text.size(), gl::text(text));
-  c.Enable(GL_VERTEX_PROGRAM_ARB);
-}
-
 // A plane over the unit domain: everywhere the same derivatives, du and dv.
 struct Plane {
   const char* name;
@@ -172,7 +156,8 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
   set_up_texture(state);
   state.MatrixMode(GL_PROJECTION);
   state.LoadMatrixf(std::vector<float>{0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 0.0625f, 0, 0, 0, 0, 1});
-  use_program(state, kNormalProgram);
+  load_assembly(state, GL_VERTEX_PROGRAM_ARB, 1, kNormalProgram);
+  state.Enable(GL_VERTEX_PROGRAM_ARB);
   std::vector<Scene> evaluated, with_normals;
   std::vector<std::vector<double>> normals;
   for (const Plane& plane : kPlanes) {

@@ -1,5 +1,6 @@
 // Section 17 of the requirements, the rules about particular values: the ends, large and small magnitudes,
-// what is no number, and what must not change a result. (Rules that relate maps are in metamorphic.cpp.)
+// and non-finite values. (What must not change a result is in unrelated_state.cpp, rules that relate maps are
+// in metamorphic.cpp.)
 #include <fmt/format.h>
 #include <reference/map.h>
 
@@ -9,25 +10,9 @@
 #include <limits>
 
 #include <evalcts/gl/call_log.h>
-#include "grid_cases.h"
+#include "numeric.h"
 
 namespace evalcts::suite_numeric {
-namespace {
-
-// Through display lists, too, but not twice: the tests judge by themselves what comes out.
-std::vector<gl::Delivery> in_lists() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-struct Domain {
-  double u1, u2;
-};
-// Most of them awkward in single precision.
-constexpr Domain kDomains[] = {{0, 1}, {2, 5}, {1, -3}, {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
-
-// Arguments in arrays are another rule (EV-API-V).
 std::vector<gl::Delivery> of_curves() {
   return gl::without(gl::kArrays | gl::kRepetition, gl::curve_deliveries());
 }
@@ -46,6 +31,8 @@ std::vector<ObservedVertex> vertices_of(const Observation& seen) {
     all.insert(all.end(), primitive.vertices.begin(), primitive.vertices.end());
   return all;
 }
+
+namespace {
 
 // What a vertex holds of these attributes, with a name for each value.
 struct Value {
@@ -66,6 +53,8 @@ std::vector<Value> values_of(const ObservedVertex& vertex, Attributes attributes
   return values;
 }
 
+}  // namespace
+
 bool same_bits(float a, float b) {
   return a == b || (std::isnan(a) && std::isnan(b));  // -0 counts as +0: not every capture keeps it
 }
@@ -81,7 +70,6 @@ void fail(Test& t, const gl::Case& c, const std::string& what, const std::string
   t.fail(std::move(failure), [&c] { return gl::to_c(c, 0, static_cast<int>(c.commands().size()) - 1); });
 }
 
-// Vertex by vertex; `name(i)` tells which vertex i is.
 void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> expected,
                  std::span<const ObservedVertex> got, Attributes attributes, const std::string& why,
                  const std::function<std::string(std::size_t)>& name) {
@@ -93,21 +81,18 @@ void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> exp
   }
 }
 
-const auto& kinds_of(bool two) { return two ? kKinds2 : kKinds1; }
-
-// Random maps of all the kinds, enabled: over the domain, in two dimensions also along v.
-void define_random(Test& t, gl::Case& c, const Kinds& kinds, bool two, int order, const Domain& domain) {
+void define_random(Test& t, gl::Case& c, const Kinds& kinds, bool two, int order, const Interval& domain) {
   for (const GLenum target : kinds.targets) {
     c.Enable(target);
     if (two) {
       Map2 map = random_map2(t, target, order, order % 4 + 1);
-      map.u1 = map.v1 = domain.u1;
-      map.u2 = map.v2 = domain.u2;
+      map.u1 = map.v1 = domain.first;
+      map.u2 = map.v2 = domain.last;
       define(c, map);
     } else {
       Map1 map = random_map(t, target, order);
-      map.u1 = domain.u1;
-      map.u2 = domain.u2;
+      map.u1 = domain.first;
+      map.u2 = domain.last;
       define(c, map);
     }
   }
@@ -121,17 +106,15 @@ void evaluate_at(gl::Case& c, bool two, double u) {
   }
 }
 
-}  // namespace
-
 // --- The ends --------------------------------------------------------------------------------------------
 
 namespace {
 
-void expect_end(Test& t, const char* identity, double Domain::*end) {
+void expect_end(Test& t, const char* identity, double Interval::*end) {
   gl::Case c(identity);
   for (const Kinds& kinds : kKinds1)
     for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::quick ? 1 : 5) {
-      const Domain& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
+      const Interval& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
       define_random(t, c, kinds, false, order, domain);
       c.Begin(GL_POINTS);
       evaluate(c, domain.*end);
@@ -145,7 +128,7 @@ void expect_first_point(Test& t, bool two) {
   gl::Case c("u1 of each domain");
   std::vector<ObservedVertex> expected;
   for (const Kinds& kinds : kinds_of(two))
-    for (const Domain& domain : kDomains)
+    for (const Interval& domain : kDomains)
       for (const int order : {1, 2, 3, 4, 7, t.max_order()}) {
         ObservedVertex vertex;
         vertex.position[3] = vertex.texture_coordinate[0][3] = 1;
@@ -154,11 +137,11 @@ void expect_first_point(Test& t, bool two) {
               t.random(), static_cast<std::size_t>(order * (two ? 3 : 1) * gl::components_of(target)));
           if (two) {
             Map2 map = make_map2(target, order, 3, points);
-            map.u1 = map.v1 = domain.u1;
-            map.u2 = map.v2 = domain.u2;
+            map.u1 = map.v1 = domain.first;
+            map.u2 = map.v2 = domain.last;
             define(c, map);
           } else {
-            define(c, make_map1(target, domain.u1, domain.u2, gl::components_of(target), points));
+            define(c, make_map1(target, domain.first, domain.last, gl::components_of(target), points));
           }
           c.Enable(target);
           const Attributes attribute = attribute_of(target);
@@ -170,7 +153,7 @@ void expect_first_point(Test& t, bool two) {
             first[k] = static_cast<float>(points[k]);
         }
         c.Begin(GL_POINTS);
-        evaluate_at(c, two, domain.u1);
+        evaluate_at(c, two, domain.first);
         c.End();
         expected.push_back(vertex);
       }
@@ -186,10 +169,10 @@ void expect_first_point(Test& t, bool two) {
 }  // namespace
 
 EVALCTS_TEST_BY(of_curves(), Numeric, StartOfDomain, must, "EV-NUM-START/1-D") {
-  expect_end(t, "u1, every order", &Domain::u1);
+  expect_end(t, "u1, every order", &Interval::first);
 }
 EVALCTS_TEST_BY(of_curves(), Numeric, EndOfDomain, must, "EV-NUM-END/1-D") {
-  expect_end(t, "u2, every order", &Domain::u2);
+  expect_end(t, "u2, every order", &Interval::last);
 }
 EVALCTS_TEST_BY(in_one_dimension(), Numeric, StartIsFirstPoint, quality, "EV-NUM-START/1-D") {
   expect_first_point(t, false);
@@ -223,15 +206,15 @@ void expect_large_points_kept(Test& t, const std::vector<GLenum>& targets) {
     for (const GLenum target : targets) {
       const Map1 curve = make_map1(target, large_points(t, target, 4));
       define(c, curve, form.doubles);
-      curves.emplace_back(curve, query_map1(c, target, t.max_order(), form.doubles));
+      curves.emplace_back(curve, query_map(c, target, t.max_order(), form.doubles));
       const GLenum two = target - gl::kMap1Targets[0] + gl::kMap2Targets[0];
       const Map2 surface = make_map2(two, 2, 3, large_points(t, two, 6));
       define(c, surface, form.doubles);
-      surfaces.emplace_back(surface, query_map2(c, two, t.max_order(), form.doubles));
+      surfaces.emplace_back(surface, query_map(c, two, t.max_order(), form.doubles));
     }
     Played played = t.play(c);
-    for (const auto& [map, query] : curves) expect_map1(played, query, map, form.doubles);
-    for (const auto& [map, query] : surfaces) expect_map2(played, query, map, form.doubles);
+    for (const auto& [map, query] : curves) expect_map(played, query, map, form.doubles);
+    for (const auto& [map, query] : surfaces) expect_map(played, query, map, form.doubles);
   }
 }
 
@@ -268,12 +251,12 @@ EVALCTS_TEST_BY(in_lists(), Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/
 EVALCTS_TEST_BY(of_curves(), Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D") {
   gl::Case c("domains up to 2^32");
   for (const Kinds& kinds : kKinds1)
-    for (const Domain& domain : {Domain{0, 0x1p32}, {-0x1p32, 0x1p32}, {0x1p31, 0x1p32}, {-0x1p32, 1}})
+    for (const Interval& domain : {Interval{0, 0x1p32}, {-0x1p32, 0x1p32}, {0x1p31, 0x1p32}, {-0x1p32, 1}})
       for (const int order : {2, 4, 7}) {
         define_random(t, c, kinds, false, order, domain);
         c.Begin(GL_POINTS);
         for (const double x : {0.0, 0.25, 0.7, 1.0})
-          evaluate(c, static_cast<float>(domain.u1 + (domain.u2 - domain.u1) * x));
+          evaluate(c, static_cast<float>(domain.first + (domain.last - domain.first) * x));
         c.End();
       }
   t.expect_emission(c, kUnit0);
@@ -284,20 +267,20 @@ EVALCTS_TEST_BY(of_curves(), Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DE
   constexpr double kSmall[] = {-0.0, 0x1p-149, -0x1p-149, 0x1p-130, -0x1.8p-127, 0x1p-126, -0x1p-126};
   gl::Case c("arguments and points");
   for (const Kinds& kinds : kKinds1)
-    for (const Domain& domain : {Domain{0, 1}, {-0.0, 2}, {-1, 3}, {1, -0.0}})
+    for (const Interval& domain : {Interval{0, 1}, {-0.0, 2}, {-1, 3}, {1, -0.0}})
       for (const int order : {1, 2, 4, 8}) {
         for (const GLenum target : kinds.targets) {
           std::vector<double> points =
               random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target)));
           // Some of them, or all.
           for (std::size_t i = 0; i < points.size(); ++i)
-            if (domain.u2 == 3 || i % 2) points[i] = kSmall[i % std::size(kSmall)];
-          define(c, make_map1(target, domain.u1, domain.u2, gl::components_of(target), points));
+            if (domain.last == 3 || i % 2) points[i] = kSmall[i % std::size(kSmall)];
+          define(c, make_map1(target, domain.first, domain.last, gl::components_of(target), points));
           c.Enable(target);
         }
         c.Begin(GL_POINTS);
         for (const double u : kSmall) evaluate(c, u);
-        evaluate(c, domain.u2);
+        evaluate(c, domain.last);
         evaluate(c, 0.5);
         c.End();
       }
@@ -310,7 +293,7 @@ void expect_zeros_alike(Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two)) {
     gl::Case c(fmt::format("{}: u = -0, u = 0", kinds.name));
     std::size_t count = 0;
-    for (const Domain& domain : {Domain{0, 1}, {-1, 3}, {0.1f, 0.7f}, {1, 0}})
+    for (const Interval& domain : {Interval{0, 1}, {-1, 3}, {0.1f, 0.7f}, {1, 0}})
       for (const int order : {2, 4, t.max_order()}) {
         define_random(t, c, kinds, two, order, domain);
         c.Begin(GL_POINTS);
@@ -400,19 +383,19 @@ void feed_points(Test& t, gl::Case& c, bool two, bool doubles, double value, con
 }
 
 void feed_domain(Test& t, gl::Case& c, bool two, bool doubles, double value, const Modes& modes) {
-  for (const Domain& domain : {Domain{value, 1}, {0, value}, {value, value}, {value, -value}})
+  for (const Interval& domain : {Interval{value, 1}, {0, value}, {value, value}, {value, -value}})
     for (const GLenum target : kinds_of(two)[1].targets) {
       if (two) {
         for (const bool of_v : {false, true}) {
           Map2 map = random_map2(t, target, 3, 4);
-          (of_v ? map.v1 : map.u1) = domain.u1;
-          (of_v ? map.v2 : map.u2) = domain.u2;
+          (of_v ? map.v1 : map.u1) = domain.first;
+          (of_v ? map.v2 : map.u2) = domain.last;
           define(c, map, doubles);
         }
       } else {
         Map1 map = random_map(t, target, 4);
-        map.u1 = domain.u1;
-        map.u2 = domain.u2;
+        map.u1 = domain.first;
+        map.u2 = domain.last;
         define(c, map, doubles);
       }
       draw_with_maps(c, two, doubles, modes);
@@ -420,16 +403,16 @@ void feed_domain(Test& t, gl::Case& c, bool two, bool doubles, double value, con
 }
 
 void feed_grid(Test&, gl::Case& c, bool two, bool doubles, double value, const Modes& modes) {
-  for (const Domain& ends : {Domain{value, 1}, {0, value}, {value, value}, {value, -value}}) {
-    const auto u1 = static_cast<float>(ends.u1), u2 = static_cast<float>(ends.u2);
+  for (const Interval& ends : {Interval{value, 1}, {0, value}, {value, value}, {value, -value}}) {
+    const auto u1 = static_cast<float>(ends.first), u2 = static_cast<float>(ends.last);
     if (two && doubles) {
-      c.MapGrid2d(2, ends.u1, ends.u2, 3, 0, 1);
-      c.MapGrid2d(2, 0, 1, 3, ends.u1, ends.u2);
+      c.MapGrid2d(2, ends.first, ends.last, 3, 0, 1);
+      c.MapGrid2d(2, 0, 1, 3, ends.first, ends.last);
     } else if (two) {
       c.MapGrid2f(2, u1, u2, 3, 0, 1);
       c.MapGrid2f(2, 0, 1, 3, u1, u2);
     } else if (doubles) {
-      c.MapGrid1d(3, ends.u1, ends.u2);
+      c.MapGrid1d(3, ends.first, ends.last);
     } else {
       c.MapGrid1f(3, u1, u2);
     }
@@ -532,8 +515,8 @@ void expect_state_later(Test& t, const Special& special, bool two) {
     }
   const gl::Ref unused = c.GetError();  // U-NAN-DOMAIN
   static_cast<void>(unused);
-  const MapQuery query1 = query_map1(c, other1.target, t.max_order());
-  const MapQuery query2 = query_map2(c, other2.target, t.max_order());
+  const MapQuery query1 = query_map(c, other1.target, t.max_order());
+  const MapQuery query2 = query_map(c, other2.target, t.max_order());
   const gl::Ref enabled = c.IsEnabled(kinds_of(two)[1].targets[0]);
   // A new definition works again.
   const Map1 map1 = random_map(t, GL_MAP1_VERTEX_4, 4);
@@ -541,15 +524,15 @@ void expect_state_later(Test& t, const Special& special, bool two) {
   define(c, map1);
   define(c, map2);
   const gl::Ref error = c.GetError();
-  const MapQuery again1 = query_map1(c, map1.target, t.max_order());
-  const MapQuery again2 = query_map2(c, map2.target, t.max_order());
+  const MapQuery again1 = query_map(c, map1.target, t.max_order());
+  const MapQuery again2 = query_map(c, map2.target, t.max_order());
   Played played = t.play(c);
-  expect_map1(played, query1, other1);
-  expect_map2(played, query2, other2);
+  expect_map(played, query1, other1);
+  expect_map(played, query2, other2);
   played.expect_result(enabled, GL_TRUE);
   played.expect_no_error(error);
-  expect_map1(played, again1, map1);
-  expect_map2(played, again2, map2);
+  expect_map(played, again1, map1);
+  expect_map(played, again2, map2);
 }
 
 }  // namespace
@@ -569,293 +552,6 @@ EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials1, kFeeds, const Special
 EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials2, kFeeds, const Special& special, must,
                  "EV-NUM-SPECIAL-SAFE/2-D") {
   expect_state_later(t, special, true);
-}
-
-// --- What must not change a result -----------------------------------------------------------------------
-
-namespace {
-
-// Draws the same, changes something, draws again. Each change has its vertices.
-class Repetition {
- public:
-  Repetition(const std::string& identity, const std::function<void(gl::Case&)>& draw)
-      : script_(identity), draw_(draw) {
-    draw_(script_);
-  }
-
-  gl::Case& script() { return script_; }
-
-  void after(const std::string& what) {
-    whats_.push_back(what);
-    draw_(script_);
-  }
-
-  void check(Test& t, Attributes attributes, std::size_t vertices_each) {
-    const std::size_t count = (1 + whats_.size()) * vertices_each;
-    const std::vector<ObservedVertex> seen = vertices_of(t.observe(script_, attributes, count + 8));
-    if (seen.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
-    const std::span all(seen);
-    for (std::size_t i = 0; i < whats_.size(); ++i)
-      expect_same(t, script_, all.first(vertices_each), all.subspan((i + 1) * vertices_each, vertices_each),
-                  attributes, "before it was",
-                  [&](std::size_t vertex) { return fmt::format("vertex {} after {}", vertex, whats_[i]); });
-  }
-
- private:
-  gl::Case script_;
-  std::function<void(gl::Case&)> draw_;
-  std::vector<std::string> whats_;
-};
-
-constexpr std::size_t kDrawn1 = 12 + 4 + 7, kDrawn2 = 12 + 4 + 12;
-
-// Evaluation by all commands.
-void draw_some(gl::Case& c, bool two) {
-  c.Begin(GL_POINTS);
-  for (int i = 0; i < 12; ++i) {
-    const double u = static_cast<float>(i * 0.11 - 0.1);
-    two ? evaluate2(c, u, static_cast<float>(0.93 - i * 0.07)) : evaluate(c, u);
-  }
-  for (int i = 0; i < 4; ++i) two ? c.EvalPoint2(i, 2 - i) : c.EvalPoint1(i);
-  c.End();
-  two ? c.EvalMesh2(GL_POINT, 0, 3, 0, 2) : c.EvalMesh1(GL_POINT, 0, 6);
-}
-
-struct Unrelated {
-  const char* name;
-  void (*change)(Test& t, Repetition& r, bool two);
-};
-
-void change_current_values(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  c.Color4f(0.9f, 0.8f, 0.7f, 0.6f);
-  r.after("Color");
-  c.Normal3f(1, -2, 3);
-  r.after("Normal");
-  c.TexCoord4f(5, 6, 7, 8);
-  r.after("TexCoord");
-  c.Indexf(3);
-  c.EdgeFlag(GL_FALSE);
-  r.after("Index and EdgeFlag");
-}
-
-void change_matrices(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  const std::vector<GLfloat> skew = {2, 1, 0, 0, 0, 3, 1, 0, 1, 0, 4, 0, 5, 6, 7, 1};
-  const std::vector<GLfloat> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  c.MatrixMode(GL_MODELVIEW);
-  c.PushMatrix();
-  r.after("PushMatrix");
-  c.LoadMatrixf(skew);
-  c.PushMatrix();
-  c.LoadMatrixf(identity);
-  r.after("another matrix below the top");
-  c.PopMatrix();
-  c.PopMatrix();
-  r.after("PopMatrix");
-  c.MatrixMode(GL_PROJECTION);
-  r.after("MatrixMode");
-  c.MatrixMode(GL_MODELVIEW);
-}
-
-void change_fragment_state(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  c.Scissor(3, 4, 5, 6);
-  c.Enable(GL_SCISSOR_TEST);
-  r.after("Scissor");
-  c.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
-  r.after("ColorMask");
-  c.DepthMask(GL_FALSE);
-  c.StencilMask(5);
-  r.after("DepthMask and StencilMask");
-  c.Enable(GL_DEPTH_TEST);
-  c.Enable(GL_BLEND);
-  c.Disable(GL_DITHER);
-  c.Enable(GL_STENCIL_TEST);
-  r.after("tests of fragments, blending and dithering");
-  c.ClearColor(0.5f, 0.25f, 0.125f, 1);
-  r.after("ClearColor");
-}
-
-void change_maps_not_used(Test& t, Repetition& r, bool two) {
-  gl::Case& c = r.script();
-  const std::vector<GLenum> used(kinds_of(two)[1].targets.begin(), kinds_of(two)[1].targets.end());
-  for (const bool other : {false, true})
-    for (const GLenum target : other ? gl::kMap2Targets : gl::kMap1Targets) {
-      if (std::ranges::count(used, target)) continue;
-      if (other) {
-        define(c, random_map2(t, target, 5, 6));
-      } else {
-        define(c, random_map(t, target, 7));
-      }
-      // Those of the other dimension may be enabled.
-      if (other != two) c.Enable(target);
-    }
-  r.after("definitions of other maps");
-  two ? map_grid(c, {17, 3, 5}) : map_grid(c, {17, 3, 5}, {3, -1, 1});
-  r.after("the grid of the other dimension");
-}
-
-void change_client_state(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
-  c.PixelStorei(GL_UNPACK_ROW_LENGTH, 7);
-  c.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
-  r.after("PixelStore");
-}
-
-void change_rasterization(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  c.PointSize(5);
-  r.after("PointSize");
-  c.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-  c.Enable(GL_CULL_FACE);
-  r.after("PolygonMode and CULL_FACE");
-  c.Fogf(GL_FOG_DENSITY, 0.5f);
-  r.after("FOG_DENSITY");
-  c.Lightfv(GL_LIGHT0, GL_DIFFUSE, std::vector<GLfloat>{0.3f, 0.2f, 0.1f, 1});
-  r.after("Light, not enabled");
-}
-
-void change_texture_units(Test& t, Repetition& r, bool) {
-  t.require(1, 3, "GL_ARB_multitexture");
-  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
-  gl::Case& c = r.script();
-  c.MultiTexCoord4f(GL_TEXTURE1, 5, 6, 7, 8);
-  r.after("MultiTexCoord of TEXTURE1");
-  c.ActiveTexture(GL_TEXTURE1);
-  r.after("ActiveTexture of TEXTURE1");
-}
-
-void change_the_attribute_stack(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  c.PushAttrib(GL_ALL_ATTRIB_BITS);
-  r.after("PushAttrib");
-  c.PopAttrib();
-  r.after("PopAttrib");
-}
-
-void give_wrong_commands(Test&, Repetition& r, bool) {
-  gl::Case& c = r.script();
-  const std::vector<float> points(4);
-  c.Map1f(GL_MAP1_VERTEX_4, 0, 1, 4, 0, points);
-  c.GetError();
-  c.Map2f(GL_MAP2_VERTEX_4, 0, 1, 4, 0, 0, 1, 4, 1, points);
-  c.GetError();
-  r.after("maps that are refused");
-  c.MapGrid1f(0, 0, 1);
-  c.GetError();
-  c.MapGrid2f(1, 0, 1, -1, 0, 1);
-  c.GetError();
-  r.after("grids that are refused");
-  c.EvalMesh1(GL_FILL, 0, 1);
-  c.GetError();
-  c.EvalMesh2(GL_QUADS, 0, 1, 0, 1);
-  c.GetError();
-  r.after("meshes that are refused");
-}
-
-void ask_for_everything(Test& t, Repetition& r, bool) {
-  for (const bool doubles : {false, true}) {
-    for (const GLenum target : gl::kMap1Targets) query_map1(r.script(), target, t.max_order(), doubles);
-    for (const GLenum target : gl::kMap2Targets) query_map2(r.script(), target, t.max_order(), doubles);
-    r.after(doubles ? "GetMapdv of all maps" : "GetMapfv of all maps");
-  }
-}
-
-constexpr Unrelated kUnrelated[] = {
-    {"TEXTURE_UNITS", change_texture_units},   {"ATTRIBUTE_STACK", change_the_attribute_stack},
-    {"REFUSED_COMMANDS", give_wrong_commands}, {"QUERIES", ask_for_everything},
-    {"CURRENT_VALUES", change_current_values}, {"MATRICES", change_matrices},
-    {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
-    {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
-
-void expect_same_bits_in_spite_of(Test& t, const Unrelated& unrelated, bool two) {
-  for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
-    // The maps are in the first drawing only: redefining them is not what must keep the results.
-    gl::Case maps;
-    define_random(t, maps, kinds_of(two)[1], two, order, {0.1f, 0.7f});
-    two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
-    bool first = true;
-    Repetition repetition(fmt::format("order {}", order), [&](gl::Case& c) {
-      if (first) c.append(maps);
-      first = false;
-      draw_some(c, two);
-    });
-    repetition.after("nothing");
-    unrelated.change(t, repetition, two);
-    repetition.check(t, kUnit0, two ? kDrawn2 : kDrawn1);
-  }
-}
-
-void expect_vertex_stays(Test& t, bool two) {
-  for (const Kinds& kinds : kinds_of(two)) {
-    for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
-      const GLenum vertex = kinds.targets[0];
-      gl::Case maps;
-      define_random(t, maps, kinds, two, order, {0.1f, 0.7f});
-      for (const GLenum target : kinds.targets)
-        if (target != vertex) maps.Disable(target);
-      two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
-      bool first = true;
-      Repetition repetition(fmt::format("{}, order {}", kinds.name, order), [&](gl::Case& c) {
-        if (first) c.append(maps);
-        first = false;
-        draw_some(c, two);
-      });
-      gl::Case& c = repetition.script();
-      for (const GLenum target : kinds.targets) {
-        if (target == vertex) continue;
-        c.Enable(target);
-        repetition.after("Enable of " + label(target));
-      }
-      const GLenum texture = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
-      define_random(t, c, {"", {texture, texture, texture, texture}}, two, 6, {-1, 2});
-      repetition.after("Enable of " + label(texture) + " of another order");
-      for (const GLenum target : kinds.targets) {
-        if (target == vertex) continue;
-        c.Disable(target);
-        repetition.after("Disable of " + label(target));
-      }
-      repetition.check(t, kPosition, two ? kDrawn2 : kDrawn1);
-    }
-  }
-}
-
-}  // namespace
-
-EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState1, kUnrelated, const Unrelated& unrelated, must,
-                 "EV-NUM-INVARIANT-STATE/1-D") {
-  expect_same_bits_in_spite_of(t, unrelated, false);
-}
-EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, must,
-                 "EV-NUM-INVARIANT-STATE/2-D") {
-  expect_same_bits_in_spite_of(t, unrelated, true);
-}
-
-EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") {
-  expect_vertex_stays(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
-  expect_vertex_stays(t, true);
-}
-
-// AUTO_NORMAL is evaluator state as well (appendix A).
-EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
-  gl::Case maps;
-  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
-  define(maps, map);
-  maps.Enable(map.target);
-  map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
-  bool first = true;
-  Repetition repetition("a vertex map alone", [&](gl::Case& c) {
-    if (first) c.append(maps);
-    first = false;
-    draw_some(c, true);
-  });
-  repetition.script().Enable(GL_AUTO_NORMAL);
-  repetition.after("Enable of AUTO_NORMAL");
-  repetition.check(t, kPosition, kDrawn2);
 }
 
 }  // namespace evalcts::suite_numeric

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
-#include "maps2.h"
+#include "maps.h"
 #include "pictures.h"
 #include "refusal.h"
 

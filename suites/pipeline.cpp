@@ -4,16 +4,10 @@
 #include <functional>
 
 #include <evalcts/judge/prediction.h>
-#include "maps.h"
-#include "pictures.h"
+#include "drawings.h"
 
 namespace evalcts::suite_pipeline {
 namespace {
-
-// Pictures are compared with those of explicit vertices, which some implementations draw wrongly from lists.
-std::vector<gl::Delivery> without_lists() {
-  return gl::sparing(gl::without(gl::kLists, gl::curve_deliveries()));
-}
 
 // How to look at a drawing.
 enum class View {
@@ -46,11 +40,7 @@ const std::vector<float> kRotation = {0.48f, 0.36f, 0.0f, 0.0f, -0.36f, 0.48f, 0
 const std::vector<float> kPerspective = {0.8f, 0.0f, 0.0f, 0.0f,  0.0f, 0.7f, 0.0f, 0.0f,
                                          0.0f, 0.0f, 0.5f, 0.25f, 0.0f, 0.0f, 0.1f, 1.0f};
 
-void light(gl::Case& c) {
-  c.Enable(GL_LIGHTING);
-  c.Enable(GL_LIGHT0);
-  c.Lightfv(GL_LIGHT0, GL_POSITION, std::vector<float>{0.3f, 0.4f, 1.0f, 0.0f});
-}
+void light(gl::Case& c) { enable_light(c, {0.3f, 0.4f, 1.0f, 0.0f}); }
 
 struct Stage {
   const char* name;
@@ -136,10 +126,10 @@ EVALCTS_TESTS_BY(without_lists(), Pipeline, Stage, kStages, const Stage& stage, 
   }
   evaluated.End();
 
-  const gl::Case explicit_commands = as_explicit_commands(predict(evaluated, t.max_order()));
+  const gl::Case vertices = explicit_commands(t, evaluated);
   const Part& control = drawn_once(std::string("stage ") + stage.name, [&] {
-    const Picture picture = look(t, view, "control: explicit vertices", staged, explicit_commands);
-    require_an_effect(picture, look(t, view, "control: without the stage", plain, explicit_commands));
+    const Picture picture = look(t, view, "control: explicit vertices", staged, vertices);
+    require_an_effect(picture, look(t, view, "control: without the stage", plain, vertices));
     return picture.parts.at(0);
   });
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
@@ -241,9 +231,7 @@ EVALCTS_TEST_BY(without_lists(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAP
   evaluated.End();
   const Prediction prediction = predict(evaluated, t.max_order());
   gl::Case flags = as_explicit_commands(prediction);
-  gl::Case all_edges;
-  for (const gl::Command& command : flags.commands())
-    if (command.entry != gl::EntryPoint::EdgeFlag) all_edges.add(command);
+  gl::Case all_edges = without_edge_flags(flags);
 
   const Picture control = look(t, view, "control: explicit vertices", state, flags);
   require_an_effect(control, look(t, view, "control: all edges", state, all_edges));
@@ -260,23 +248,16 @@ EVALCTS_TEST_BY(without_lists(), Pipeline, ArraysHaveNoInfluence, must, "EV-COOR
   c.TexCoordPointer(4, GL_FLOAT, 0, wrong);
   for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
     c.EnableClientState(array);
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
+  set_current_values(c);
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
-  const auto evaluate_some = [&] {
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
-    c.End();
-  };
-  evaluate_some();
+  evaluate_some(c);
   for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2}) {
     define(c, random_map(t, target, 3));
     c.Enable(target);
   }
-  evaluate_some();
-  t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
+  evaluate_some(c);
+  t.expect_emission(c, kUnit0);
 }
 
 }  // namespace evalcts::suite_pipeline

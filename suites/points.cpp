@@ -8,8 +8,6 @@
 namespace evalcts::suite_points {
 namespace {
 
-constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
-
 const Grid kOther = {5, 1.9f, 1.2f};  // of v
 
 void define_grid(gl::Case& c, bool two, const Grid& grid) {

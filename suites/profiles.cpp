@@ -214,14 +214,14 @@ EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR") {
   c.EvalCoord1f(0.25f);
   c.EvalPoint1(3);
   c.End();
-  const MapQuery curve_query = query_map1(c, GL_MAP1_VERTEX_4, t.max_order());
+  const MapQuery curve_query = query_map(c, GL_MAP1_VERTEX_4, t.max_order());
   const gl::Ref grid = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
   const gl::Ref on = c.IsEnabled(GL_MAP1_VERTEX_4), off = c.IsEnabled(GL_MAP2_COLOR_4);
   const gl::Ref error = c.GetError();
   Played played = t.play(c);
   if (entered && !has_bit(played, entered->flags, GL_CONTEXT_FLAG_NO_ERROR_BIT))
     throw NotObservable("the context that was asked for is of another kind");
-  expect_map1(played, curve_query, curve);
+  expect_map(played, curve_query, curve);
   played.expect_values<float>(grid, {-1, 3});
   played.expect_result(on, GL_TRUE);
   played.expect_result(off, GL_FALSE);

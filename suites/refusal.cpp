@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-namespace evalcts {
-namespace {
+#include <algorithm>
 
-// What a failing command would damage.
-void prepare(gl::Case& c, bool odd_enabled) {
-  c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  c.Normal3f(0.6f, -0.5f, 0.8f);
-  c.TexCoord4f(5, 6, 7, 8);
+namespace evalcts {
+
+void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
+  const bool all = prepared == Prepared::everything;
+  set_current_values(c);
   for (int i = 0; i < 9; ++i) {
     const auto index = static_cast<std::size_t>(i);
     const auto points = [i](GLenum target, int count) {
@@ -19,23 +18,21 @@ void prepare(gl::Case& c, bool odd_enabled) {
     };
     const GLenum one = gl::kMap1Targets[index], two = gl::kMap2Targets[index];
     define(c, make_map1(one, -1.0 - i, 2, 4, points(one, 2)));
-    const int uorder = 2 + i % 2, vorder = 4 - i % 3;
-    Map2 map = make_map2(two, uorder, vorder, points(two, uorder * vorder));
-    map.u1 = -2.0 - i, map.u2 = 3, map.v1 = 5, map.v2 = -4.5 - i;
-    define(c, map);
-    if ((i % 2 == 1) == odd_enabled) {
-      c.Enable(one);
-    } else {
-      c.Enable(two);
+    const bool enabled = (i % 2 == 1) == odd_enabled;
+    if (all) {
+      const int uorder = 2 + i % 2, vorder = 4 - i % 3;
+      Map2 map = make_map2(two, uorder, vorder, points(two, uorder * vorder));
+      map.u1 = -2.0 - i, map.u2 = 3, map.v1 = 5, map.v2 = -4.5 - i;
+      define(c, map);
     }
+    if (enabled || all) c.Enable(enabled ? one : two);
   }
+  if (!all) return;
   if (odd_enabled) c.Enable(GL_AUTO_NORMAL);
   c.MapGrid1f(7, -1.5f, 2.25f);
   c.MapGrid2f(5, 0.5f, -3, 9, 2, 6.5f);
   c.GetError();  // an error of these legal calls is for other tests to find
 }
-
-}  // namespace
 
 std::vector<NamedCalls> forbidden_in_primitives() {
   std::vector<NamedCalls> all;
@@ -58,9 +55,9 @@ std::vector<NamedCalls> forbidden_in_primitives() {
 }
 
 void expect_refused(Test& t, const std::string& identity, const std::vector<Calls>& bad_calls,
-                    std::initializer_list<GLenum> allowed) {
+                    std::initializer_list<GLenum> allowed, Prepared prepared) {
   gl::Case c(identity);
-  prepare(c, t.random()() % 2 == 1);  // either, over the cases of a test
+  prepare(c, prepared, t.random()() % 2 == 1);  // either, over the cases of a test
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
   std::vector<gl::Ref> first, second;
   for (const Calls& bad_call : bad_calls) {
@@ -73,6 +70,16 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
   for (const gl::Ref error : first) played.expect_error(error, allowed);
   for (const gl::Ref error : second) played.expect_no_error(error);
   expect_unchanged(played, before, after);
+}
+
+template <>
+Map1 legal_map(GLenum target) {
+  return {target, 0, 1, std::max(gl::components_of(target), 1), 3, std::vector<double>(4096, 0.5)};
+}
+
+template <>
+Map2 legal_map(GLenum target) {
+  return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::vector<double>(4096, 0.5)};
 }
 
 }  // namespace evalcts

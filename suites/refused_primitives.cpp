@@ -88,11 +88,6 @@ Attempts attempts(Test& t, const std::string& identity, const std::vector<Drawin
   return attempts;
 }
 
-std::size_t count_lit(const Played& played, const Attempt& attempt) {
-  const std::vector<GLfloat> values = played.trace().values<GLfloat>(attempt.read);
-  return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
-}
-
 GLuint counted_by(const Played& played, const Attempt& attempt) {
   return attempt.count.index < 0 ? 0 : played.trace().values<GLuint>(attempt.count)[0];
 }
@@ -109,7 +104,7 @@ void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, co
   for (std::size_t i = 0; i < evaluated.all.size(); ++i) {
     const Attempt& attempt = evaluated.all[i];
     const Attempt& begin = controls.all[i];
-    const std::size_t lit = count_lit(played, attempt), expected = count_lit(control, begin);
+    const std::size_t lit = count_lit(played, attempt.read), expected = count_lit(control, begin.read);
     const GLuint count = counted_by(played, attempt), expected_count = counted_by(control, begin);
     const GLenum begins_error = control.trace().error(begin.error);
     if (attempt.allowed) {

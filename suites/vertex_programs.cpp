@@ -37,8 +37,8 @@ ADD result.texcoord[0], t, vertex.fogcoord.x;
 END
 )";
 
-// Those that have no maps.
-void set_current_values(gl::Case& c) {
+// Sets the current values that have no maps.
+void set_values_without_maps(gl::Case& c) {
   c.SecondaryColor3f(0.25f, 0.75f, 0.5f);
   c.FogCoordf(0.625f);
   c.MultiTexCoord4f(GL_TEXTURE1, 0.5f, -0.25f, 0.125f, 1.5f);
@@ -54,7 +54,7 @@ Picture look(Test& t, const Kind& kind, const std::string& identity, const std::
              bool evaluated, bool with_program = true) {
   gl::Case state;
   set_up_texture(state);
-  set_current_values(state);
+  set_values_without_maps(state);
   Program program;
   if (with_program && kind.assembly) {
     load_assembly(state, GL_VERTEX_PROGRAM_ARB, 1, kAssembly);
@@ -120,7 +120,7 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS") {
     if (drawing.primitive != GL_POINTS) continue;
     const auto script = [&](const std::string& identity, const gl::Case& commands) {
       gl::Case c(identity + drawing.name);
-      set_current_values(c);
+      set_values_without_maps(c);
       c.append(commands);
       return c;
     };

@@ -49,79 +49,96 @@ std::string dimension(bool two) { return two ? "2" : "1"; }
 std::string rule(bool two, const std::string& name) { return "EV-MAP" + dimension(two) + "-" + name; }
 
 // One theme for each error rule of Map1 (or Map2), with every target and in turn with either type.
-void maps(Document& document, bool two) {
-  const auto named = [&](const std::string& name) { return "map" + dimension(two) + "-" + name; };
-  const auto theme = [&](const std::string& name, const std::string& meaning,
-                         const std::string& requirement) {
-    return Theme(document, named(name), meaning, {rule(two, requirement), rule(two, "ERR-NOEFFECT")});
-  };
-  int turn = 0;
+class MapErrors {
+ public:
+  MapErrors(Document& document, bool two) : document_(document), two_(two) {}
+
+  void add_all() {
+    add_targets();
+    add_values();
+    if (two_) add_values_of_v();
+    add_places();
+    add_several();
+    add_legal();
+  }
+
+ private:
+  std::string named(const std::string& name) const { return "map" + dimension(two_) + "-" + name; }
+  Theme theme(const std::string& name, const std::string& meaning, const std::string& requirement) const {
+    return Theme(document_, named(name), meaning, {rule(two_, requirement), rule(two_, "ERR-NOEFFECT")});
+  }
   // One case for each way to spoil the arguments.
-  const auto spoil = [&](Theme& into, GLenum target, const std::function<void(Arguments&)>& change,
-                         const Names& requirements = {}, const Names& flags = {}) {
+  void spoil(Theme& into, GLenum target, const std::function<void(Arguments&)>& change,
+             const Names& requirements = {}, const Names& flags = {}) {
     gl::Case c;
     before(c, target);
     Arguments arguments{target};
     change(arguments);
-    issue(c, kTypes[turn++ % 2], two, arguments);
+    issue(c, kTypes[turn_++ % 2], two_, arguments);
     after(c, target);
     into.add(sequence(c), requirements, flags);
-  };
-
-  Theme target_theme = theme(
-      "target", "a target that this command does not have, those of the other dimension first", "ERR-TARGET");
-  std::vector<GLenum> wrong(targets(!two).begin(), targets(!two).end());
-  const GLenum first = targets(two).front(), last = targets(two).back();
-  wrong.insert(wrong.end(), {0, first - 1, last + 1, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF});
-  for (const GLenum bad : wrong) {
-    gl::Case c;
-    before(c, last);
-    Arguments arguments{bad, 4};
-    issue(c, kTypes[turn++ % 2], two, arguments);
-    after(c, last);
-    target_theme.add(sequence(c));
   }
 
-  Theme low = theme(two ? "uorder-low" : "order-low", "order (or uorder) below 1",
-                    two ? "ERR-UORDER" : "ERR-ORDER-LOW");
-  Theme high = theme(two ? "uorder-high" : "order-high", "order (or uorder) above the largest",
-                     two ? "ERR-UORDER" : "ERR-ORDER-HIGH");
-  Theme stride =
-      theme(two ? "ustride" : "stride", "stride (or ustride) below the number of values of a point",
-            two ? "ERR-USTRIDE" : "ERR-STRIDE");
-  Theme domain = theme(two ? "udomain" : "domain", "u1 = u2", two ? "ERR-UDOMAIN" : "ERR-DOMAIN");
-  for (const GLenum target : targets(two)) {
-    const int k = k_of(target);
-    for (const int order : {0, -1, kLeast}) spoil(low, target, [&](Arguments& a) { a.uorder = order; });
-    if (k == 1)
-      spoil(high, target,
-            [&](Arguments& a) {
-              a.uorder = 65;
-              a.vorder = 1;
-              a.points = numbered(65);
-            },
-            {}, {kLimit});
-    for (const int bad : {k - 1, 0, -1}) spoil(stride, target, [&](Arguments& a) { a.ustride = bad; });
-    spoil(
-        stride, target,
-        [&](Arguments& a) {
-          a.uorder = 1;
-          a.ustride = k - 1;
-        },
-        two ? Names() : Names{"EV-MAP1-ERR-STRIDE-ORDER1"});
-    for (const double end : {0.0, 1.0, -2.5}) spoil(domain, target, [&](Arguments& a) { a.u1 = a.u2 = end; });
+  void add_targets() {
+    Theme target_theme =
+        theme("target", "a target that this command does not have, those of the other dimension first",
+              "ERR-TARGET");
+    std::vector<GLenum> wrong(targets(!two_).begin(), targets(!two_).end());
+    const GLenum first = targets(two_).front(), last = targets(two_).back();
+    wrong.insert(wrong.end(), {0, first - 1, last + 1, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF});
+    for (const GLenum bad : wrong) {
+      gl::Case c;
+      before(c, last);
+      Arguments arguments{bad, 4};
+      issue(c, kTypes[turn_++ % 2], two_, arguments);
+      after(c, last);
+      target_theme.add(sequence(c));
+    }
   }
-  spoil(domain, last, [](Arguments& a) {
-    a.u1 = 0.0;
-    a.u2 = -0.0;
-  });
 
-  if (two) {
+  void add_values() {
+    Theme low = theme(two_ ? "uorder-low" : "order-low", "order (or uorder) below 1",
+                      two_ ? "ERR-UORDER" : "ERR-ORDER-LOW");
+    Theme high = theme(two_ ? "uorder-high" : "order-high", "order (or uorder) above the largest",
+                       two_ ? "ERR-UORDER" : "ERR-ORDER-HIGH");
+    Theme stride =
+        theme(two_ ? "ustride" : "stride", "stride (or ustride) below the number of values of a point",
+              two_ ? "ERR-USTRIDE" : "ERR-STRIDE");
+    Theme domain = theme(two_ ? "udomain" : "domain", "u1 = u2", two_ ? "ERR-UDOMAIN" : "ERR-DOMAIN");
+    for (const GLenum target : targets(two_)) {
+      const int k = k_of(target);
+      for (const int order : {0, -1, kLeast}) spoil(low, target, [&](Arguments& a) { a.uorder = order; });
+      if (k == 1)
+        spoil(high, target,
+              [&](Arguments& a) {
+                a.uorder = 65;
+                a.vorder = 1;
+                a.points = numbered(65);
+              },
+              {}, {kLimit});
+      for (const int bad : {k - 1, 0, -1}) spoil(stride, target, [&](Arguments& a) { a.ustride = bad; });
+      spoil(
+          stride, target,
+          [&](Arguments& a) {
+            a.uorder = 1;
+            a.ustride = k - 1;
+          },
+          two_ ? Names() : Names{"EV-MAP1-ERR-STRIDE-ORDER1"});
+      for (const double end : {0.0, 1.0, -2.5})
+        spoil(domain, target, [&](Arguments& a) { a.u1 = a.u2 = end; });
+    }
+    spoil(domain, targets(two_).back(), [](Arguments& a) {
+      a.u1 = 0.0;
+      a.u2 = -0.0;
+    });
+  }
+
+  void add_values_of_v() {
     Theme vlow = theme("vorder-low", "vorder below 1", "ERR-VORDER");
     Theme vhigh = theme("vorder-high", "vorder above the largest", "ERR-VORDER");
     Theme vstride = theme("vstride", "vstride below the number of values of a point", "ERR-VSTRIDE");
     Theme vdomain = theme("vdomain", "v1 = v2", "ERR-VDOMAIN");
-    for (const GLenum target : targets(two)) {
+    for (const GLenum target : targets(two_)) {
       const int k = k_of(target);
       for (const int order : {0, -1}) spoil(vlow, target, [&](Arguments& a) { a.vorder = order; });
       if (k == 1)
@@ -137,79 +154,91 @@ void maps(Document& document, bool two) {
     }
   }
 
-  Theme inside = theme("begin-end", "between Begin and End", "ERR-BEGINEND");
-  Theme unit =
-      theme("active-texture", "another texture unit than 0 is active, whatever the target", "ERR-ACTIVETEX");
-  for (const GLenum target : targets(two)) {
-    const Type type = kTypes[turn++ % 2];
-    gl::Case c;
-    before(c, target);
-    c.Begin(GL_POINTS);
-    issue(c, type, two, {target});
-    c.End();
-    after(c, target);
-    inside.add(sequence(c));
+  // Between Begin and End, and while another texture unit is active.
+  void add_places() {
+    Theme inside = theme("begin-end", "between Begin and End", "ERR-BEGINEND");
+    Theme unit = theme("active-texture", "another texture unit than 0 is active, whatever the target",
+                       "ERR-ACTIVETEX");
+    for (const GLenum target : targets(two_)) {
+      const Type type = kTypes[turn_++ % 2];
+      gl::Case c;
+      before(c, target);
+      c.Begin(GL_POINTS);
+      issue(c, type, two_, {target});
+      c.End();
+      after(c, target);
+      inside.add(sequence(c));
 
-    gl::Case d;
-    before(d, target);
-    d.ActiveTexture(GL_TEXTURE1);
-    issue(d, type, two, {target});
-    after(d, target);
-    d.ActiveTexture(GL_TEXTURE0);
-    issue(d, type, two, {target});
-    query_all(d, target, (two ? 4 : 2) * k_of(target));
-    unit.add(sequence(d));
+      gl::Case d;
+      before(d, target);
+      d.ActiveTexture(GL_TEXTURE1);
+      issue(d, type, two_, {target});
+      after(d, target);
+      d.ActiveTexture(GL_TEXTURE0);
+      issue(d, type, two_, {target});
+      query_all(d, target, (two_ ? 4 : 2) * k_of(target));
+      unit.add(sequence(d));
+    }
   }
 
   // Once more, with two reasons at a time.
-  Theme several(document, named("several"),
-                "several reasons to refuse the command: any of their codes will do, one is needed",
-                {"EV-MAP-ERR-ANY", rule(two, "ERR-NOEFFECT")});
-  const std::vector<std::pair<std::string, std::function<void(Arguments&)>>> kReasons = {
-      {"ERR-TARGET", [](Arguments& a) { a.target = GL_TEXTURE_2D; }},
-      {two ? "ERR-UORDER" : "ERR-ORDER-LOW", [](Arguments& a) { a.uorder = 0; }},
-      {two ? "ERR-USTRIDE" : "ERR-STRIDE", [](Arguments& a) { a.ustride = 0; }},
-      {two ? "ERR-UDOMAIN" : "ERR-DOMAIN", [](Arguments& a) { a.u1 = a.u2; }},
-      {"ERR-ACTIVETEX", {}},
-      {"ERR-BEGINEND", {}}};
-  for (std::size_t i = 0; i < kReasons.size(); ++i)
-    for (std::size_t j = i + 1; j < kReasons.size(); ++j) {
-      gl::Case c;
-      before(c, last);
-      Arguments arguments{last};
-      for (const auto& [name, change] : {kReasons[i], kReasons[j]}) {
-        if (change) change(arguments);
-        if (name == "ERR-ACTIVETEX") c.ActiveTexture(GL_TEXTURE1);
+  void add_several() {
+    const GLenum last = targets(two_).back();
+    Theme several(document_, named("several"),
+                  "several reasons to refuse the command: any of their codes will do, one is needed",
+                  {"EV-MAP-ERR-ANY", rule(two_, "ERR-NOEFFECT")});
+    const std::vector<std::pair<std::string, std::function<void(Arguments&)>>> kReasons = {
+        {"ERR-TARGET", [](Arguments& a) { a.target = GL_TEXTURE_2D; }},
+        {two_ ? "ERR-UORDER" : "ERR-ORDER-LOW", [](Arguments& a) { a.uorder = 0; }},
+        {two_ ? "ERR-USTRIDE" : "ERR-STRIDE", [](Arguments& a) { a.ustride = 0; }},
+        {two_ ? "ERR-UDOMAIN" : "ERR-DOMAIN", [](Arguments& a) { a.u1 = a.u2; }},
+        {"ERR-ACTIVETEX", {}},
+        {"ERR-BEGINEND", {}}};
+    for (std::size_t i = 0; i < kReasons.size(); ++i)
+      for (std::size_t j = i + 1; j < kReasons.size(); ++j) {
+        gl::Case c;
+        before(c, last);
+        Arguments arguments{last};
+        for (const auto& [name, change] : {kReasons[i], kReasons[j]}) {
+          if (change) change(arguments);
+          if (name == "ERR-ACTIVETEX") c.ActiveTexture(GL_TEXTURE1);
+        }
+        const bool is_inside = kReasons[j].first == "ERR-BEGINEND";
+        if (is_inside) c.Begin(GL_POINTS);
+        issue(c, kTypes[turn_++ % 2], two_, arguments);
+        if (is_inside) c.End();
+        after(c, last);
+        several.add(sequence(c), {rule(two_, kReasons[i].first), rule(two_, kReasons[j].first)});
       }
-      const bool is_inside = kReasons[j].first == "ERR-BEGINEND";
-      if (is_inside) c.Begin(GL_POINTS);
-      issue(c, kTypes[turn++ % 2], two, arguments);
-      if (is_inside) c.End();
-      after(c, last);
-      several.add(sequence(c), {rule(two, kReasons[i].first), rule(two, kReasons[j].first)});
-    }
+  }
 
-  Theme legal(document, named("legal"), "unusual, and no error", {"EV-MAP-NOERR-OTHER"});
-  const std::function<void(Arguments&)> kUnusual[] = {[](Arguments& a) { a.ustride = 17; },
-                                                      [](Arguments& a) { std::swap(a.u1, a.u2); },
-                                                      [](Arguments& a) { a.u1 = -1e6; },
-                                                      [](Arguments& a) { a.u2 = 0x1p100; },
-                                                      [](Arguments& a) { a.points = Values(64, -0.0); },
-                                                      [](Arguments& a) { a.points = Values(64, 0x1p-149); },
-                                                      [](Arguments& a) { a.points = Values(64, 7); },
-                                                      [](Arguments& a) { a.vstride = 9; },
-                                                      [](Arguments& a) { std::swap(a.v1, a.v2); }};
-  for (std::size_t i = 0; i < (two ? 9u : 7u); ++i)
-    for (const Type type : kTypes) {
-      const GLenum target = targets(two)[(2 * i + (type == Type::real)) % 9];
-      gl::Case c;
-      Arguments arguments{target};
-      kUnusual[i](arguments);
-      issue(c, type, two, arguments);
-      query_all(c, target, (two ? 4 : 2) * k_of(target));
-      legal.add(sequence(c));
-    }
-}
+  void add_legal() {
+    Theme legal(document_, named("legal"), "unusual, and no error", {"EV-MAP-NOERR-OTHER"});
+    const std::function<void(Arguments&)> kUnusual[] = {[](Arguments& a) { a.ustride = 17; },
+                                                        [](Arguments& a) { std::swap(a.u1, a.u2); },
+                                                        [](Arguments& a) { a.u1 = -1e6; },
+                                                        [](Arguments& a) { a.u2 = 0x1p100; },
+                                                        [](Arguments& a) { a.points = Values(64, -0.0); },
+                                                        [](Arguments& a) { a.points = Values(64, 0x1p-149); },
+                                                        [](Arguments& a) { a.points = Values(64, 7); },
+                                                        [](Arguments& a) { a.vstride = 9; },
+                                                        [](Arguments& a) { std::swap(a.v1, a.v2); }};
+    for (std::size_t i = 0; i < (two_ ? 9u : 7u); ++i)
+      for (const Type type : kTypes) {
+        const GLenum target = targets(two_)[(2 * i + (type == Type::real)) % 9];
+        gl::Case c;
+        Arguments arguments{target};
+        kUnusual[i](arguments);
+        issue(c, type, two_, arguments);
+        query_all(c, target, (two_ ? 4 : 2) * k_of(target));
+        legal.add(sequence(c));
+      }
+  }
+
+  Document& document_;
+  bool two_;
+  int turn_ = 0;
+};
 
 // --- grids
 
@@ -413,13 +442,13 @@ void queries(Document& document) {
 
 // --- the rest of the state
 
-void others(Document& document) {
-  const auto add = [](Theme& theme, const std::function<void(gl::Case&)>& what) {
-    gl::Case c;
-    what(c);
-    theme.add(sequence(c));
-  };
+void add(Theme& theme, const std::function<void(gl::Case&)>& what) {
+  gl::Case c;
+  what(c);
+  theme.add(sequence(c));
+}
 
+void enables_and_queries(Document& document) {
   Theme caps(document, "enable-begin-end",
              "Enable, Disable and IsEnabled between Begin and End: they do nothing", {"EV-EN-BEGINEND"});
   const auto for_each_capability = [](const std::function<void(GLenum)>& use) {
@@ -458,7 +487,9 @@ void others(Document& document) {
       c.End();
     });
   }
+}
 
+void primitives_and_units(Document& document) {
   Theme begin(document, "begin-end", "Begin and End themselves, and what is legal between them",
               {"EV-BE-ALLOWED", "EV-COORD-INBEGIN", "EV-COORD-NOERR"});
   add(begin, [](gl::Case& c) { c.End(); });
@@ -492,7 +523,9 @@ void others(Document& document) {
     define(c, Type::single, {GL_MAP1_INDEX, {2, 0, 1}, {}, {1, 2}});
     query_all(c, GL_MAP1_INDEX, 2);
   });
+}
 
+void lists_and_stacks(Document& document) {
   Theme lists(document, "lists",
               "errors of display lists: of commands when they are executed, not when compiled",
               {"EV-DL-ERR-LATE", "EV-DL-ERR-CONTINUE"});
@@ -562,12 +595,13 @@ Document errors() {
   Document document("errors",
                     "Which errors commands raise, and that a command which raises one does nothing else.");
   document.explain(kLimit, "only where MAX_EVAL_ORDER is 64 or less");
-  maps(document, false);
-  maps(document, true);
+  for (const bool two : {false, true}) MapErrors(document, two).add_all();
   grids(document);
   meshes(document);
   queries(document);
-  others(document);
+  enables_and_queries(document);
+  primitives_and_units(document);
+  lists_and_stacks(document);
   return document;
 }
 

@@ -4,30 +4,17 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/tokens.h>
 #include "kinds.h"
-#include "sequences.h"
+#include "state.h"
 
-namespace evalcts::vectors {
-namespace {
-
-constexpr Shown kPositions{};
-constexpr Shown kEverything{.color = true, .normal = true, .texture_units = 1};
+namespace evalcts::vectors::states {
 
 bool is_two(GLenum target) { return reference::is_map2_target(target); }
 
-std::vector<GLenum> all_capabilities() {
-  std::vector<GLenum> all(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
-  all.insert(all.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
-  all.push_back(GL_AUTO_NORMAL);
-  return all;
-}
-
-// The target of the other dimension, or of this.
 GLenum target_of(bool two, GLenum map1_target) {
   return two ? map1_target - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4 : map1_target;
 }
 
-// A map of order 2 or 3 with small numbers that depend on the target, so that no two give the same values.
-Map some_map(GLenum target, int order = 2) {
+Map some_map(GLenum target, int order) {
   const int k = gl::components_of(target);
   Map map{target, {order, 0, 1}, {}, {}};
   if (is_two(target)) map.v.order = 2;
@@ -37,7 +24,7 @@ Map some_map(GLenum target, int order = 2) {
   return map;
 }
 
-void define_and_enable(gl::Case& c, GLenum target, Type type = Type::single) {
+void define_and_enable(gl::Case& c, GLenum target, Type type) {
   define(c, type, some_map(target));
   c.Enable(target);
 }
@@ -47,6 +34,34 @@ void current_values(gl::Case& c) {
   c.Normal3f(0.5f, -1, 2);
   c.TexCoord4f(5, 6, 7, 8);
 }
+void evaluate(gl::Case& c, bool two, double u, double v) {
+  if (two)
+    c.EvalCoord2f(u, v);
+  else
+    c.EvalCoord1f(u);
+}
+void draw(gl::Case& c, bool two, double u, double v) {
+  c.Begin(GL_POINTS);
+  evaluate(c, two, u, v);
+  c.End();
+}
+
+void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>& what,
+         const Names& requirements) {
+  gl::Case c;
+  what(c);
+  theme.add(sequence(c, shown), requirements);
+}
+
+namespace {
+
+std::vector<GLenum> all_capabilities() {
+  std::vector<GLenum> all(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
+  all.insert(all.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
+  all.push_back(GL_AUTO_NORMAL);
+  return all;
+}
+
 void query_current_values(gl::Case& c) {
   c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
   c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
@@ -57,26 +72,6 @@ void query_grids(gl::Case& c) {
   c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
   c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
   c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
-}
-
-void evaluate(gl::Case& c, bool two, double u = 0.25, double v = 0.75) {
-  if (two)
-    c.EvalCoord2f(u, v);
-  else
-    c.EvalCoord1f(u);
-}
-void draw(gl::Case& c, bool two, double u = 0.25, double v = 0.75) {
-  c.Begin(GL_POINTS);
-  evaluate(c, two, u, v);
-  c.End();
-}
-
-// Adds one case to a theme.
-void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>& what,
-         const Names& requirements = {}) {
-  gl::Case c;
-  what(c);
-  theme.add(sequence(c, shown), requirements);
 }
 
 // --- state
@@ -564,118 +559,6 @@ void attribute_stack(Document& document) {
   });
 }
 
-void lists(Document& document) {
-  Theme theme(
-      document, "lists",
-      "display lists of maps, grids, enables and evaluation, compiled, executed, nested, called twice",
-      {"EV-DL-COMPILED", "EV-DL-EXECUTE", "EV-DL-COMPEXEC", "EV-DL-REPEAT", "EV-DL-EXECSTATE-MAP",
-       "EV-DL-EXECSTATE-GRID"});
-  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
-    for (const bool two : {false, true}) {
-      const GLenum vertex = target_of(two, GL_MAP1_VERTEX_3);
-      // All of it in one list.
-      add(theme, kPositions, [&](gl::Case& c) {
-        c.NewList(1, mode);
-        define_and_enable(c, vertex);
-        c.MapGrid1f(2, 0, 1);
-        c.MapGrid2f(2, 0, 1, 1, 0, 1);
-        draw(c, two);
-        if (two)
-          c.EvalMesh2(GL_LINE, 0, 1, 0, 1);
-        else
-          c.EvalMesh1(GL_POINT, 0, 2);
-        c.EndList();
-        c.IsEnabled(vertex);
-        c.CallList(1);
-        c.IsEnabled(vertex);
-        c.CallList(1);
-      });
-      // Evaluation in a list: with the maps and grids of the moment of its execution.
-      add(theme, kEverything,
-          [&](gl::Case& c) {
-            define_and_enable(c, vertex);
-            c.NewList(1, mode);
-            draw(c, two);
-            c.EndList();
-            define(c, Type::real, some_map(vertex, 3));
-            define_and_enable(c, target_of(two, GL_MAP1_COLOR_4));
-            current_values(c);
-            c.CallList(1);
-            c.Disable(vertex);
-            c.CallList(1);
-          },
-          {"EV-DL-CURRENT"});
-      // Nested: the inner list is the one of the moment.
-      add(theme, kPositions,
-          [&](gl::Case& c) {
-            define_and_enable(c, vertex);
-            c.NewList(1, GL_COMPILE);
-            evaluate(c, two, 0, 0);
-            c.EndList();
-            c.NewList(2, mode);
-            c.Begin(GL_LINES);
-            c.CallList(1);
-            evaluate(c, two, 1, 1);
-            c.End();
-            c.EndList();
-            c.CallList(2);
-            c.NewList(1, GL_COMPILE);
-            evaluate(c, two, 0.5, 0.25);
-            c.EndList();
-            c.CallList(2);
-          },
-          {"EV-DL-NESTED", "EV-DL-INBEGIN"});
-      // A primitive split over lists and commands.
-      add(theme, kPositions,
-          [&](gl::Case& c) {
-            define_and_enable(c, vertex);
-            c.NewList(1, GL_COMPILE);
-            c.Begin(GL_LINE_STRIP);
-            evaluate(c, two, 0, 0);
-            c.EndList();
-            c.NewList(2, GL_COMPILE);
-            evaluate(c, two, 1, 1);
-            c.End();
-            c.EndList();
-            c.CallList(1);
-            evaluate(c, two);
-            c.CallList(2);
-          },
-          {"EV-DL-SPLIT", "EV-DL-INBEGIN"});
-      // Several lists at once.
-      add(theme, kPositions, [&](gl::Case& c) {
-        define_and_enable(c, vertex);
-        for (GLuint list = 1; list <= 3; ++list) {
-          c.NewList(list, GL_COMPILE);
-          draw(c, two, list / 4.0, 0.5);
-          c.EndList();
-        }
-        c.CallLists(3, GL_UNSIGNED_BYTE, std::vector<GLubyte>{3, 1, 2});
-        c.ListBase(1);
-        c.CallLists(2, GL_UNSIGNED_BYTE, std::vector<GLubyte>{0, 2});
-        c.IsList(3);
-        c.DeleteLists(3, 1);
-        c.IsList(3);
-        c.CallList(3);
-      });
-      // ActiveTexture matters when the list is executed.
-      add(theme, kPositions,
-          [&](gl::Case& c) {
-            define(c, Type::single, some_map(vertex));
-            c.NewList(1, mode);
-            define(c, Type::single, some_map(vertex, 3));
-            c.EndList();
-            c.ActiveTexture(GL_TEXTURE1);
-            c.CallList(1);
-            c.ActiveTexture(GL_TEXTURE0);
-            c.GetMapiv(vertex, GL_ORDER, gl::out<GLint>(2));
-            c.CallList(1);
-            c.GetMapiv(vertex, GL_ORDER, gl::out<GLint>(2));
-          },
-          {"EV-DL-ACTIVETEX"});
-    }
-}
-
 // --- random programs
 
 bool fits_every_implementation(const gl::Case& program) {
@@ -710,8 +593,12 @@ void random_programs(Document& document) {
 }
 
 }  // namespace
+}  // namespace evalcts::vectors::states
+
+namespace evalcts::vectors {
 
 Document state() {
+  using namespace states;
   Document document("state",
                     "Sequences of commands: errors, answers to queries, and the vertices that come out.");
   initial(document);

@@ -1,0 +1,210 @@
+// Section 20 of the requirements: errors of commands in display lists, which come when the list is called.
+#include <fmt/format.h>
+
+#include "display_lists.h"
+
+namespace evalcts::suite_display_lists {
+
+namespace {
+
+struct Bad {
+  std::string name;
+  GLenum error;
+  Calls issue;
+};
+
+std::vector<Bad> bad_maps(bool doubles, const char* form, int max_order) {
+  std::vector<Bad> all;
+  const auto add1 = [&](const std::string& what, GLenum error, GLenum target, double u1, double u2,
+                        GLint stride, GLint order) {
+    all.push_back({fmt::format("Map1{} with {}", form, what), error, [=](gl::Case& c) {
+                     const std::vector<double> points(512, 0.5);
+                     if (doubles)
+                       c.Map1d(target, u1, u2, stride, order, points);
+                     else
+                       c.Map1f(target, u1, u2, stride, order, converted<float>(points));
+                   }});
+  };
+  add1("a target that is none", GL_INVALID_ENUM, GL_TEXTURE_2D, 0, 1, 4, 4);
+  add1("a target of Map2", GL_INVALID_ENUM, GL_MAP2_VERTEX_3, 0, 1, 4, 4);
+  add1("order 0", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, 0);
+  add1("order -1", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, -1);
+  add1("order MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 3, max_order + 1);
+  add1("a stride below 3", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 2, 4);
+  add1("a stride below 4 and one point", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 0, 1, 3, 1);
+  add1("stride 0", GL_INVALID_VALUE, GL_MAP1_INDEX, 0, 1, 0, 4);
+  add1("stride -4", GL_INVALID_VALUE, GL_MAP1_COLOR_4, 0, 1, -4, 4);
+  add1("u1 equal to u2", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 2, 2, 4, 4);
+
+  const auto add2 = [&](const std::string& what, GLenum error, GLenum target, double u2, GLint ustride,
+                        GLint uorder, double v2, GLint vstride, GLint vorder) {
+    all.push_back({fmt::format("Map2{} with {}", form, what), error, [=](gl::Case& c) {
+                     const std::vector<double> points(2048, 0.5);
+                     if (doubles)
+                       c.Map2d(target, 0.0, u2, ustride, uorder, 0.0, v2, vstride, vorder, points);
+                     else
+                       c.Map2f(target, 0.0f, static_cast<float>(u2), ustride, uorder, 0.0f,
+                               static_cast<float>(v2), vstride, vorder, converted<float>(points));
+                   }});
+  };
+  add2("a target that is none", GL_INVALID_ENUM, GL_AUTO_NORMAL, 1, 8, 2, 1, 4, 2);
+  add2("a target of Map1", GL_INVALID_ENUM, GL_MAP1_VERTEX_3, 1, 8, 2, 1, 4, 2);
+  add2("uorder 0", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 0, 1, 4, 2);
+  add2("vorder 0", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, 0);
+  add2("uorder MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, max_order + 1, 1, 4, 2);
+  add2("vorder -2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, -2);
+  add2("a ustride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 2, 2, 1, 6, 2);
+  add2("a vstride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 6, 2, 1, 2, 2);
+  add2("a ustride below 4 and one point", GL_INVALID_VALUE, GL_MAP2_VERTEX_4, 1, 3, 1, 1, 4, 1);
+  add2("ustride -8", GL_INVALID_VALUE, GL_MAP2_COLOR_4, 1, -8, 2, 1, 4, 2);
+  add2("uorder -1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, -1, 1, 4, 2);
+  add2("vorder MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, max_order + 1);
+  add2("u1 equal to u2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 0, 8, 2, 1, 4, 2);
+  add2("v1 equal to v2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 0, 4, 2);
+  return all;
+}
+
+std::vector<Bad> bad_grids_and_meshes() {
+  std::vector<Bad> all;
+  for (const GLint n : {0, -1}) {
+    all.push_back({fmt::format("MapGrid1f of {} segments", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid1f(n, 3.0f, 4.0f); }});
+    all.push_back({fmt::format("MapGrid1d of {} segments", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid1d(n, 3.0, 4.0); }});
+    all.push_back({fmt::format("MapGrid2f of {} segments in u", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2f(n, 3.0f, 4.0f, 2, 5.0f, 6.0f); }});
+    all.push_back({fmt::format("MapGrid2f of {} segments in v", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2f(2, 3.0f, 4.0f, n, 5.0f, 6.0f); }});
+    all.push_back({fmt::format("MapGrid2d of {} segments in u", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2d(n, 3.0, 4.0, 2, 5.0, 6.0); }});
+    all.push_back({fmt::format("MapGrid2d of {} segments in v", n), GL_INVALID_VALUE,
+                   [=](gl::Case& c) { c.MapGrid2d(2, 3.0, 4.0, n, 5.0, 6.0); }});
+  }
+  for (const GLenum mode : {static_cast<GLenum>(GL_FILL), static_cast<GLenum>(GL_POINTS), 0u})
+    all.push_back({fmt::format("EvalMesh1 with mode 0x{:x}", mode), GL_INVALID_ENUM,
+                   [=](gl::Case& c) { c.EvalMesh1(mode, 0, 1); }});
+  for (const GLenum mode : {static_cast<GLenum>(GL_TRIANGLES), static_cast<GLenum>(GL_QUAD_STRIP), 0x1B03u})
+    all.push_back({fmt::format("EvalMesh2 with mode 0x{:x}", mode), GL_INVALID_ENUM,
+                   [=](gl::Case& c) { c.EvalMesh2(mode, 0, 1, 0, 1); }});
+  for (const Form& form : kForms)
+    all.push_back({fmt::format("Map1{} between Begin and End", form.name), GL_INVALID_OPERATION,
+                   [doubles = form.doubles](gl::Case& c) {
+                     c.Begin(GL_POINTS);
+                     define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}), doubles);
+                     c.End();
+                   }});
+  return all;
+}
+
+enum class Kind { maps_f, maps_d, grids_and_meshes };
+struct KindOfBad {
+  const char* name;
+  Kind kind;
+};
+constexpr KindOfBad kKindsOfBad[] = {
+    {"MAPS_f", Kind::maps_f}, {"MAPS_d", Kind::maps_d}, {"GRIDS_AND_MESHES", Kind::grids_and_meshes}};
+
+std::vector<Bad> bad_commands(const KindOfBad& of, int max_order) {
+  if (of.kind == Kind::grids_and_meshes) return bad_grids_and_meshes();
+  return bad_maps(of.kind == Kind::maps_d, of.kind == Kind::maps_d ? "d" : "f", max_order);
+}
+
+}  // namespace
+
+// One list for each condition; each step is asked for its error.
+EVALCTS_TESTS(DisplayLists, ErrorsOfTheCall, kKindsOfBad, const KindOfBad& kind, must, "EV-DL-ERR-LATE",
+              "EV-DL-ERR-ALL") {
+  for (const Bad& bad : bad_commands(kind, t.max_order())) {
+    gl::Case c(bad.name);
+    c.NewList(kList, GL_COMPILE);
+    bad.issue(c);
+    const gl::Ref compiled = c.GetError();
+    c.EndList();
+    const gl::Ref ended = c.GetError();
+    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+    c.CallList(kList);
+    const gl::Ref called = c.GetError(), no_more = c.GetError();
+    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+    Played played = t.play(c);
+    played.expect_no_error(compiled);
+    played.expect_no_error(ended);
+    played.expect_error(called, {bad.error});
+    played.expect_no_error(no_more);
+    expect_unchanged(played, before, after);
+  }
+}
+
+EVALCTS_TESTS(DisplayLists, ErrorsWhileCompilingAndExecuting, kKindsOfBad, const KindOfBad& kind, must,
+              "EV-DL-ERR-ALL", "EV-DL-COMPEXEC") {
+  for (const Bad& bad : bad_commands(kind, t.max_order())) {
+    gl::Case c(bad.name);
+    c.NewList(kList, GL_COMPILE_AND_EXECUTE);
+    bad.issue(c);
+    const gl::Ref executed = c.GetError(), no_more = c.GetError();
+    c.EndList();
+    const gl::Ref ended = c.GetError();
+    c.CallList(kList);
+    const gl::Ref called = c.GetError();
+    Played played = t.play(c);
+    played.expect_error(executed, {bad.error});
+    played.expect_no_error(no_more);
+    played.expect_no_error(ended);
+    played.expect_error(called, {bad.error});
+  }
+}
+
+// A good command before and behind each bad one.
+EVALCTS_TESTS(DisplayLists, ErrorDoesNotEndTheList, kKindsOfBad, const KindOfBad& kind, must,
+              "EV-DL-ERR-CONTINUE") {
+  for (const Bad& bad : bad_commands(kind, t.max_order())) {
+    gl::Case c(bad.name + " between MapGrid1, Map1, Enable");
+    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    compile(c, kList, [&](gl::Case& list) {
+      list.MapGrid1f(6, 0.5f, 2.5f);
+      bad.issue(list);
+      define(list, map);
+      list.Enable(GL_MAP1_NORMAL);
+    });
+    c.CallList(kList);
+    const gl::Ref error = c.GetError();
+    const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
+    const gl::Ref enabled = c.IsEnabled(GL_MAP1_NORMAL);
+    Played played = t.play(c);
+    played.expect_error(error, {bad.error});
+    played.expect_values(segments, std::vector<GLint>{6});
+    expect_map(played, query, map);
+    played.expect_result(enabled, GL_TRUE);
+  }
+}
+
+// A list in which an error occurs may be called by others, which go on.
+EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE") {
+  const Bad bad[] = {
+      {"MapGrid1f of no segments", GL_INVALID_VALUE, [](gl::Case& c) { c.MapGrid1f(0, 3.0f, 4.0f); }},
+      {"EvalMesh1 with FILL", GL_INVALID_ENUM, [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }}};
+  for (const Bad& of_inner : bad) {
+    gl::Case c(of_inner.name + " in an inner list");
+    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    compile(c, kOther, [&](gl::Case& list) {
+      of_inner.issue(list);
+      list.Enable(GL_AUTO_NORMAL);
+    });
+    compile(c, kList, [&](gl::Case& list) {
+      list.CallList(kOther);
+      define(list, map);
+      list.Enable(GL_MAP1_NORMAL);
+    });
+    c.CallList(kList);
+    const gl::Ref error = c.GetError();
+    const gl::Ref inner = c.IsEnabled(GL_AUTO_NORMAL), outer = c.IsEnabled(GL_MAP1_NORMAL);
+    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
+    Played played = t.play(c);
+    played.expect_error(error, {of_inner.error});
+    played.expect_result(inner, GL_TRUE);
+    played.expect_result(outer, GL_TRUE);
+    expect_map(played, query, map);
+  }
+}
+
+}  // namespace evalcts::suite_display_lists

@@ -1,0 +1,43 @@
+// Fixtures that several suites share: deliveries, current values, points and light that test cases begin
+// with.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include <evalcts/testkit/test.h>
+
+namespace evalcts {
+
+// The attributes of a vertex, with the texture coordinates of texture unit 0 only.
+inline constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+inline constexpr GLint kHighest = std::numeric_limits<GLint>::max();
+inline constexpr GLint kLowest = std::numeric_limits<GLint>::min();
+
+// Deliveries with display lists, but none that repeats the commands. Used by tests with a judge of their own.
+std::vector<gl::Delivery> in_lists();
+// Deliveries without display lists, because some implementations draw the explicit vertices of the control
+// wrongly from lists.
+std::vector<gl::Delivery> without_lists();
+
+// Unlike any default, so that a lost or replaced component shows.
+struct CurrentValues {
+  std::array<float, 4> color = {0.1f, 0.2f, 0.3f, 0.4f};
+  std::array<float, 3> normal = {0.6f, -0.5f, 0.8f};
+};
+// Sets the current colour, the current normal and the current texture coordinates (5, 6, 7, 8).
+void set_current_values(gl::Case& c, const CurrentValues& values = {});
+
+// Evaluates four points of the enabled one-dimensional maps over [0,1].
+void evaluate_some(gl::Case& c);
+
+// Enables lighting with LIGHT0 at this position.
+void enable_light(gl::Case& c, const std::vector<float>& position);
+
+// Plays `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
+// a command of `c`, writes nothing.
+void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);
+
+}  // namespace evalcts

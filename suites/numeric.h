@@ -1,0 +1,45 @@
+// Helpers of the tests about particular values (numeric.cpp, unrelated_state.cpp).
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "grid_cases.h"
+
+namespace evalcts::suite_numeric {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// Most of them awkward in single precision.
+inline constexpr Interval kDomains[] = {{0, 1},       {2, 5},         {1, -3},
+                                        {0.1f, 0.7f}, {-1e-3f, 1e5f}, {1000, 1000.25}};
+
+// Arguments in arrays are another rule (EV-API-V).
+std::vector<gl::Delivery> of_curves();
+std::vector<gl::Delivery> of_surfaces();
+std::vector<gl::Delivery> in_one_dimension();
+
+std::vector<ObservedVertex> vertices_of(const Observation& seen);
+
+bool same_bits(float a, float b);
+
+void fail(Test& t, const gl::Case& c, const std::string& what, const std::string& why, float expected,
+          float got);
+
+// Vertex by vertex; `name(i)` tells which vertex i is.
+void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> expected,
+                 std::span<const ObservedVertex> got, Attributes attributes, const std::string& why,
+                 const std::function<std::string(std::size_t)>& name);
+
+inline const auto& kinds_of(bool two) { return two ? kKinds2 : kKinds1; }
+
+// Random maps of all the kinds, enabled: over the domain, in two dimensions also along v.
+void define_random(Test& t, gl::Case& c, const Kinds& kinds, bool two, int order, const Interval& domain);
+
+void evaluate_at(gl::Case& c, bool two, double u);
+
+}  // namespace evalcts::suite_numeric

@@ -1,0 +1,298 @@
+// Section 17 of the requirements, continued: state that has nothing to do with evaluation must not change
+// results.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "numeric.h"
+
+namespace evalcts::suite_numeric {
+
+namespace {
+
+// Draws the same, changes something, draws again. Each change has its vertices.
+class Repetition {
+ public:
+  Repetition(const std::string& identity, const std::function<void(gl::Case&)>& draw)
+      : script_(identity), draw_(draw) {
+    draw_(script_);
+  }
+
+  gl::Case& script() { return script_; }
+
+  void after(const std::string& what) {
+    whats_.push_back(what);
+    draw_(script_);
+  }
+
+  void check(Test& t, Attributes attributes, std::size_t vertices_each) {
+    const std::size_t count = (1 + whats_.size()) * vertices_each;
+    const std::vector<ObservedVertex> seen = vertices_of(t.observe(script_, attributes, count + 8));
+    if (seen.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+    const std::span all(seen);
+    for (std::size_t i = 0; i < whats_.size(); ++i)
+      expect_same(t, script_, all.first(vertices_each), all.subspan((i + 1) * vertices_each, vertices_each),
+                  attributes, "before it was",
+                  [&](std::size_t vertex) { return fmt::format("vertex {} after {}", vertex, whats_[i]); });
+  }
+
+ private:
+  gl::Case script_;
+  std::function<void(gl::Case&)> draw_;
+  std::vector<std::string> whats_;
+};
+
+constexpr std::size_t kDrawn1 = 12 + 4 + 7, kDrawn2 = 12 + 4 + 12;
+
+// Evaluation by all commands.
+void draw_some(gl::Case& c, bool two) {
+  c.Begin(GL_POINTS);
+  for (int i = 0; i < 12; ++i) {
+    const double u = static_cast<float>(i * 0.11 - 0.1);
+    two ? evaluate2(c, u, static_cast<float>(0.93 - i * 0.07)) : evaluate(c, u);
+  }
+  for (int i = 0; i < 4; ++i) two ? c.EvalPoint2(i, 2 - i) : c.EvalPoint1(i);
+  c.End();
+  two ? c.EvalMesh2(GL_POINT, 0, 3, 0, 2) : c.EvalMesh1(GL_POINT, 0, 6);
+}
+
+struct Unrelated {
+  const char* name;
+  void (*change)(Test& t, Repetition& r, bool two);
+};
+
+void change_current_values(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.Color4f(0.9f, 0.8f, 0.7f, 0.6f);
+  r.after("Color");
+  c.Normal3f(1, -2, 3);
+  r.after("Normal");
+  c.TexCoord4f(5, 6, 7, 8);
+  r.after("TexCoord");
+  c.Indexf(3);
+  c.EdgeFlag(GL_FALSE);
+  r.after("Index and EdgeFlag");
+}
+
+void change_matrices(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  const std::vector<GLfloat> skew = {2, 1, 0, 0, 0, 3, 1, 0, 1, 0, 4, 0, 5, 6, 7, 1};
+  const std::vector<GLfloat> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  c.MatrixMode(GL_MODELVIEW);
+  c.PushMatrix();
+  r.after("PushMatrix");
+  c.LoadMatrixf(skew);
+  c.PushMatrix();
+  c.LoadMatrixf(identity);
+  r.after("another matrix below the top");
+  c.PopMatrix();
+  c.PopMatrix();
+  r.after("PopMatrix");
+  c.MatrixMode(GL_PROJECTION);
+  r.after("MatrixMode");
+  c.MatrixMode(GL_MODELVIEW);
+}
+
+void change_fragment_state(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.Scissor(3, 4, 5, 6);
+  c.Enable(GL_SCISSOR_TEST);
+  r.after("Scissor");
+  c.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
+  r.after("ColorMask");
+  c.DepthMask(GL_FALSE);
+  c.StencilMask(5);
+  r.after("DepthMask and StencilMask");
+  c.Enable(GL_DEPTH_TEST);
+  c.Enable(GL_BLEND);
+  c.Disable(GL_DITHER);
+  c.Enable(GL_STENCIL_TEST);
+  r.after("tests of fragments, blending and dithering");
+  c.ClearColor(0.5f, 0.25f, 0.125f, 1);
+  r.after("ClearColor");
+}
+
+void change_maps_not_used(Test& t, Repetition& r, bool two) {
+  gl::Case& c = r.script();
+  const std::vector<GLenum> used(kinds_of(two)[1].targets.begin(), kinds_of(two)[1].targets.end());
+  for (const bool other : {false, true})
+    for (const GLenum target : other ? gl::kMap2Targets : gl::kMap1Targets) {
+      if (std::ranges::count(used, target)) continue;
+      if (other) {
+        define(c, random_map2(t, target, 5, 6));
+      } else {
+        define(c, random_map(t, target, 7));
+      }
+      // Those of the other dimension may be enabled.
+      if (other != two) c.Enable(target);
+    }
+  r.after("definitions of other maps");
+  two ? map_grid(c, {17, 3, 5}) : map_grid(c, {17, 3, 5}, {3, -1, 1});
+  r.after("the grid of the other dimension");
+}
+
+void change_client_state(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.PixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
+  c.PixelStorei(GL_UNPACK_ROW_LENGTH, 7);
+  c.PixelStorei(GL_UNPACK_ALIGNMENT, 8);
+  r.after("PixelStore");
+}
+
+void change_rasterization(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.PointSize(5);
+  r.after("PointSize");
+  c.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  c.Enable(GL_CULL_FACE);
+  r.after("PolygonMode and CULL_FACE");
+  c.Fogf(GL_FOG_DENSITY, 0.5f);
+  r.after("FOG_DENSITY");
+  c.Lightfv(GL_LIGHT0, GL_DIFFUSE, std::vector<GLfloat>{0.3f, 0.2f, 0.1f, 1});
+  r.after("Light, not enabled");
+}
+
+void change_texture_units(Test& t, Repetition& r, bool) {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  gl::Case& c = r.script();
+  c.MultiTexCoord4f(GL_TEXTURE1, 5, 6, 7, 8);
+  r.after("MultiTexCoord of TEXTURE1");
+  c.ActiveTexture(GL_TEXTURE1);
+  r.after("ActiveTexture of TEXTURE1");
+}
+
+void change_the_attribute_stack(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  c.PushAttrib(GL_ALL_ATTRIB_BITS);
+  r.after("PushAttrib");
+  c.PopAttrib();
+  r.after("PopAttrib");
+}
+
+void give_wrong_commands(Test&, Repetition& r, bool) {
+  gl::Case& c = r.script();
+  const std::vector<float> points(4);
+  c.Map1f(GL_MAP1_VERTEX_4, 0, 1, 4, 0, points);
+  c.GetError();
+  c.Map2f(GL_MAP2_VERTEX_4, 0, 1, 4, 0, 0, 1, 4, 1, points);
+  c.GetError();
+  r.after("maps that are refused");
+  c.MapGrid1f(0, 0, 1);
+  c.GetError();
+  c.MapGrid2f(1, 0, 1, -1, 0, 1);
+  c.GetError();
+  r.after("grids that are refused");
+  c.EvalMesh1(GL_FILL, 0, 1);
+  c.GetError();
+  c.EvalMesh2(GL_QUADS, 0, 1, 0, 1);
+  c.GetError();
+  r.after("meshes that are refused");
+}
+
+void ask_for_everything(Test& t, Repetition& r, bool) {
+  for (const bool doubles : {false, true}) {
+    for (const GLenum target : gl::kMap1Targets) query_map(r.script(), target, t.max_order(), doubles);
+    for (const GLenum target : gl::kMap2Targets) query_map(r.script(), target, t.max_order(), doubles);
+    r.after(doubles ? "GetMapdv of all maps" : "GetMapfv of all maps");
+  }
+}
+
+constexpr Unrelated kUnrelated[] = {
+    {"TEXTURE_UNITS", change_texture_units},   {"ATTRIBUTE_STACK", change_the_attribute_stack},
+    {"REFUSED_COMMANDS", give_wrong_commands}, {"QUERIES", ask_for_everything},
+    {"CURRENT_VALUES", change_current_values}, {"MATRICES", change_matrices},
+    {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
+    {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
+
+void expect_same_bits_in_spite_of(Test& t, const Unrelated& unrelated, bool two) {
+  for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
+    // The maps are in the first drawing only: redefining them is not what must keep the results.
+    gl::Case maps;
+    define_random(t, maps, kinds_of(two)[1], two, order, {0.1f, 0.7f});
+    two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
+    bool first = true;
+    Repetition repetition(fmt::format("order {}", order), [&](gl::Case& c) {
+      if (first) c.append(maps);
+      first = false;
+      draw_some(c, two);
+    });
+    repetition.after("nothing");
+    unrelated.change(t, repetition, two);
+    repetition.check(t, kUnit0, two ? kDrawn2 : kDrawn1);
+  }
+}
+
+void expect_vertex_stays(Test& t, bool two) {
+  for (const Kinds& kinds : kinds_of(two)) {
+    for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
+      const GLenum vertex = kinds.targets[0];
+      gl::Case maps;
+      define_random(t, maps, kinds, two, order, {0.1f, 0.7f});
+      for (const GLenum target : kinds.targets)
+        if (target != vertex) maps.Disable(target);
+      two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
+      bool first = true;
+      Repetition repetition(fmt::format("{}, order {}", kinds.name, order), [&](gl::Case& c) {
+        if (first) c.append(maps);
+        first = false;
+        draw_some(c, two);
+      });
+      gl::Case& c = repetition.script();
+      for (const GLenum target : kinds.targets) {
+        if (target == vertex) continue;
+        c.Enable(target);
+        repetition.after("Enable of " + label(target));
+      }
+      const GLenum texture = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
+      define_random(t, c, {"", {texture, texture, texture, texture}}, two, 6, {-1, 2});
+      repetition.after("Enable of " + label(texture) + " of another order");
+      for (const GLenum target : kinds.targets) {
+        if (target == vertex) continue;
+        c.Disable(target);
+        repetition.after("Disable of " + label(target));
+      }
+      repetition.check(t, kPosition, two ? kDrawn2 : kDrawn1);
+    }
+  }
+}
+
+}  // namespace
+
+EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState1, kUnrelated, const Unrelated& unrelated, must,
+                 "EV-NUM-INVARIANT-STATE/1-D") {
+  expect_same_bits_in_spite_of(t, unrelated, false);
+}
+EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, must,
+                 "EV-NUM-INVARIANT-STATE/2-D") {
+  expect_same_bits_in_spite_of(t, unrelated, true);
+}
+
+EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") {
+  expect_vertex_stays(t, false);
+}
+EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+  expect_vertex_stays(t, true);
+}
+
+// AUTO_NORMAL is evaluator state as well (appendix A).
+EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+  gl::Case maps;
+  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
+  define(maps, map);
+  maps.Enable(map.target);
+  map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
+  bool first = true;
+  Repetition repetition("a vertex map alone", [&](gl::Case& c) {
+    if (first) c.append(maps);
+    first = false;
+    draw_some(c, true);
+  });
+  repetition.script().Enable(GL_AUTO_NORMAL);
+  repetition.after("Enable of AUTO_NORMAL");
+  repetition.check(t, kPosition, kDrawn2);
+}
+
+}  // namespace evalcts::suite_numeric

@@ -1,0 +1,75 @@
+// Sections of map1_eval.json and map2_eval.json: values of curves and surfaces (eval.cpp puts them together).
+#pragma once
+
+#include <evalcts/gl/tokens.h>
+#include "document.h"
+#include "values.h"
+
+namespace evalcts::vectors {
+
+using Ends = std::pair<double, double>;
+Direction along(int order, const Ends& ends = {0, 1});
+Argument at(double u);
+// A place inside the domain, a multiple of a part of it as far as the type can say.
+double inside(Dice& dice, const Direction& u, Type type, int parts = 32);
+
+// Each function adds its themes.
+namespace curves {
+
+// Curves of simple numbers, or of full ones.
+Map some_curve(Dice& dice, GLenum target, const Direction& u);
+Map full_curve(Dice& dice, GLenum target, const Direction& u, Type type);
+// A small target for what grows with the order.
+GLenum small_target(int i);
+
+void ordinary(Document& document);
+void full_precision(Document& document);
+void high_orders(Document& document);
+void order_one(Document& document);
+void domains(Document& document);
+void ends(Document& document);
+void near_ends(Document& document);
+void outside(Document& document);
+void double_only(Document& document);
+void magnitudes(Document& document);
+void overflow(Document& document);
+void underflow(Document& document);
+void extreme_arguments(Document& document);
+void float_ties(Document& document);
+void double_ties(Document& document);
+void cancellation(Document& document);
+void special_nets(Document& document);
+void rational(Document& document);
+void hardest(Document& document);
+
+}  // namespace curves
+
+namespace surfaces {
+
+Map some_surface(Dice& dice, GLenum target, const Direction& u, const Direction& v);
+Map full_surface(Dice& dice, GLenum target, const Direction& u, const Direction& v, Type type);
+GLenum any_target(int i);
+// A small target for what has many control points.
+GLenum small_target(int i);
+// A surface at a random place inside of its domain.
+Json inside_case(Dice& dice, const Map& map, Type type, Detail detail = Detail::none);
+
+void ordinary(Document& document);
+void every_target(Document& document);
+void every_order(Document& document);
+void high_orders(Document& document);
+void full_precision(Document& document);
+void order_one(Document& document);
+void domains(Document& document);
+void edges(Document& document);
+void outside(Document& document);
+void double_only(Document& document);
+void magnitudes(Document& document);
+void ties(Document& document);
+void cancellation(Document& document);
+void special_nets(Document& document);
+void rational(Document& document);
+
+}  // namespace surfaces
+
+}  // namespace evalcts::vectors

@@ -1,0 +1,35 @@
+// Helpers of the sequences in state.json (state.cpp, state_lists.cpp).
+#pragma once
+
+#include <functional>
+
+#include "document.h"
+#include "sequences.h"
+
+namespace evalcts::vectors::states {
+
+inline constexpr Shown kPositions{};
+inline constexpr Shown kEverything{.color = true, .normal = true, .texture_units = 1};
+
+bool is_two(GLenum target);
+// The target of the other dimension, or of this.
+GLenum target_of(bool two, GLenum map1_target);
+// A map of order 2 or 3 with small numbers that depend on the target, so that no two give the same values.
+Map some_map(GLenum target, int order = 2);
+void define_and_enable(gl::Case& c, GLenum target, Type type = Type::single);
+
+// Sets the current values that a map can replace.
+void current_values(gl::Case& c);
+
+// EvalCoord1f or EvalCoord2f, in draw() as a point.
+void evaluate(gl::Case& c, bool two, double u = 0.25, double v = 0.75);
+void draw(gl::Case& c, bool two, double u = 0.25, double v = 0.75);
+
+// Adds one case to a theme.
+void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>& what,
+         const Names& requirements = {});
+
+// The themes of display lists.
+void lists(Document& document);
+
+}  // namespace evalcts::vectors::states
