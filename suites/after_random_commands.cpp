@@ -4,6 +4,7 @@
 
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "refusal.h"
 
 namespace evalcts::suite_after_random_commands {
@@ -66,7 +67,8 @@ void draw_points(gl::Case& c) {
 }  // namespace
 
 // Maps, enables and current values are set anew: nothing of the past is left.
-EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER") {
+EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER")
+(Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
     for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
@@ -86,10 +88,11 @@ EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER") {
     draw_points(c);
     expect_last_points(t, past, c);
   });
-}
+};
 
 // With the maps, enables and current values of the past, but for the vertex maps.
-EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDER") {
+EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDER")
+(Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
     c.Disable(GL_MAP1_VERTEX_4);
@@ -100,9 +103,10 @@ EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDE
     draw_points(c);
     expect_last_points(t, past, c);
   });
-}
+};
 
-EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER") {
+EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER")
+(Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
     c.Disable(GL_MAP1_VERTEX_4);
@@ -119,10 +123,11 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER") {
     c.EvalMesh2(GL_POINT, 0, 2, 1, 3);
     expect_last_points(t, past, c);
   });
-}
+};
 
 // Every query answers what the executable specification does.
-EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS") {
+EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
+(Test& t) {
   constexpr double kTolerance = 1e-5;  // single precision (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE)
   after_random_commands(t, [&](gl::Case& c) {
     const std::vector<gl::Ref> queries = query_everything(c, t.max_order());
@@ -149,9 +154,10 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS") {
       }
     }
   });
-}
+};
 
-EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT")
+(Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const std::vector<gl::Ref> before = query_everything(c, t.max_order());
     std::vector<std::pair<gl::Ref, GLenum>> errors;
@@ -175,6 +181,6 @@ EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP
     for (const auto& [error, expected] : errors) played.expect_error(error, {expected});
     expect_unchanged(played, before, after);
   });
-}
+};
 
 }  // namespace evalcts::suite_after_random_commands

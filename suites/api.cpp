@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <evalcts/gl/lift.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 
 namespace evalcts::suite_api {
@@ -92,16 +93,15 @@ void expect_legal(Test& t, const LegalCall& legal) {
 
 }  // namespace
 
-EVALCTS_TESTS(Api, EntryPoint, kLegalCalls, const LegalCall& legal, must, "EV-API-ENTRY/1-D") {
-  expect_legal(t, legal);
-}
+EVALCTS_TEST(Api, EntryPoint, must, "EV-API-ENTRY/1-D", combine(kLegalCalls))
+(Test& t, const LegalCall& legal) { expect_legal(t, legal); };
 
-EVALCTS_TESTS(Api, EntryPoint2, kLegalCalls2, const LegalCall& legal, must, "EV-API-ENTRY/2-D") {
-  expect_legal(t, legal);
-}
+EVALCTS_TEST(Api, EntryPoint2, must, "EV-API-ENTRY/2-D", combine(kLegalCalls2))
+(Test& t, const LegalCall& legal) { expect_legal(t, legal); };
 
 // The tokens by number: nine maps that differ in order, domain and k, defined and queried by value.
-EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1") {
+EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1")
+(Test& t) {
   constexpr int kValues[] = {4, 1, 3, 1, 2,
                              3, 4, 3, 4};  // COLOR_4, INDEX, NORMAL, TEXTURE_COORD_1..4, VERTEX_3, _4
   gl::Case c("0x0D90 to 0x0D98");
@@ -126,9 +126,10 @@ EVALCTS_TEST(Api, Map1TokensByValue, must, "EV-API-ENUM-MAP1") {
     played.expect_values(coefficients[i],
                          std::vector<GLfloat>(static_cast<std::size_t>((1 + n % 8) * kValues[i]), 0.25f));
   }
-}
+};
 
-EVALCTS_TEST(Api, Map2TokensByValue, must, "EV-API-ENUM-MAP2") {
+EVALCTS_TEST(Api, Map2TokensByValue, must, "EV-API-ENUM-MAP2")
+(Test& t) {
   constexpr int kValues[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};
   // Before it is defined each map holds what its name says.
   const std::vector<std::vector<GLfloat>> initial = {
@@ -158,10 +159,11 @@ EVALCTS_TEST(Api, Map2TokensByValue, must, "EV-API-ENUM-MAP2") {
     played.expect_values(coefficients[i],
                          std::vector<GLfloat>(static_cast<std::size_t>(uorder * vorder * kValues[i]), 0.25f));
   }
-}
+};
 
 // ... and each does what its name says: evaluated through its number, seen in its attribute.
-EVALCTS_TESTS(Api, Map1TokenByEffect, visible_targets(), GLenum target, must, "EV-API-ENUM-MAP1") {
+EVALCTS_TEST(Api, Map1TokenByEffect, must, "EV-API-ENUM-MAP1", combine(visible_targets()))
+(Test& t, GLenum target) {
   gl::Case c("enabled and defined by number");
   const std::vector<double> points =
       random_values(t.random(), static_cast<std::size_t>(2 * gl::components_of(target)));
@@ -171,9 +173,10 @@ EVALCTS_TESTS(Api, Map1TokenByEffect, visible_targets(), GLenum target, must, "E
   c.EvalCoord1f(0.25f);
   c.End();
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_TESTS(Api, Map2TokenByEffect, visible_targets2(), GLenum target, must, "EV-API-ENUM-MAP2") {
+EVALCTS_TEST(Api, Map2TokenByEffect, must, "EV-API-ENUM-MAP2", combine(visible_targets2()))
+(Test& t, GLenum target) {
   gl::Case c("enabled and defined by number");
   define(c, random_map2(t, target, 2, 3));
   enable_visibly(c, target);
@@ -181,9 +184,10 @@ EVALCTS_TESTS(Api, Map2TokenByEffect, visible_targets2(), GLenum target, must, "
   evaluate2(c, 0.25, 0.625);
   c.End();
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
+EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D")
+(Test& t) {
   gl::Case c("0x0D80, 0x0DD0 to 0x0DD3, 0x0D30, 0x0A00 to 0x0A02");
   c.Enable(0x0D80);
   const gl::Ref enabled = c.IsEnabled(GL_AUTO_NORMAL);
@@ -207,9 +211,10 @@ EVALCTS_TEST(Api, OtherTokensByValue, must, "EV-API-ENUM-OTHER/1-D") {
   played.expect_values(domain2, std::vector<GLfloat>{0, 1, 0, 1});
   played.expect_values(segments2, std::vector<GLint>{1, 1});
   played.expect_values(order, std::vector<GLint>{t.gl().max_eval_order});
-}
+};
 
-EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D") {
+EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D")
+(Test& t) {
   gl::Case c("0x1B00 to 0x1B02 and their neighbours");
   std::vector<gl::Ref> good, bad;
   for (const GLenum mode : {0x1B00u, 0x1B01u, 0x1B02u}) {
@@ -231,7 +236,7 @@ EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D") {
   Played played = t.play(c);
   for (const gl::Ref error : good) played.expect_no_error(error);
   for (const gl::Ref error : bad) played.expect_error(error, {GL_INVALID_ENUM});
-}
+};
 
 // What each mode draws.
 namespace {
@@ -245,27 +250,29 @@ constexpr ModeByValue kModesByValue2[] = {{"POINT", 0x1B00}, {"LINE", 0x1B01}, {
 
 }  // namespace
 
-EVALCTS_TESTS(Api, MeshModeByEffect, kModesByValue1, const ModeByValue& mode, must, "EV-API-ENUM-OTHER/1-D") {
+EVALCTS_TEST(Api, MeshModeByEffect, must, "EV-API-ENUM-OTHER/1-D", combine(kModesByValue1))
+(Test& t, const ModeByValue& mode) {
   gl::Case c("a mesh of three segments");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   c.Enable(GL_MAP1_VERTEX_3);
   c.MapGrid1f(3, 0, 1);
   c.EvalMesh1(mode.value, 0, 3);
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_TESTS(Api, MeshModeByEffect2, kModesByValue2, const ModeByValue& mode, must,
-              "EV-API-ENUM-OTHER/2-D") {
+EVALCTS_TEST(Api, MeshModeByEffect2, must, "EV-API-ENUM-OTHER/2-D", combine(kModesByValue2))
+(Test& t, const ModeByValue& mode) {
   gl::Case c("a mesh of 3x2 segments");
   define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
   c.Enable(GL_MAP2_VERTEX_3);
   c.MapGrid2f(3, 0, 1, 2, 0, 1);
   c.EvalMesh2(mode.value, 0, 3, 0, 2);
   t.expect_emission(c, kPosition);
-}
+};
 
 // Data given in one form is seen by the other: state ...
-EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must, "EV-API-FD/1-D") {
+EVALCTS_TEST(Api, FormsShareState, must, "EV-API-FD/1-D", combine(target_forms()))
+(Test& t, const TargetForm& form) {
   const Map1 map =
       make_map1(form.target, -1, 3, 4,
                 random_values(t.random(), static_cast<std::size_t>(3 * gl::components_of(form.target))));
@@ -274,9 +281,10 @@ EVALCTS_TESTS(Api, FormsShareState, target_forms(), const TargetForm& form, must
   const MapQuery query = query_map(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
   expect_map(played, query, map, !form.doubles);
-}
+};
 
-EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, must, "EV-API-FD/2-D") {
+EVALCTS_TEST(Api, FormsShareState2, must, "EV-API-FD/2-D", combine(target_forms2()))
+(Test& t, const TargetForm& form) {
   Map2 map = random_map2(t, form.target, 3, 4, 21, 5);
   map.u1 = -1, map.u2 = 3, map.v1 = 8, map.v2 = 4.5;
   gl::Case c("given in one form and queried in the other");
@@ -286,7 +294,7 @@ EVALCTS_TESTS(Api, FormsShareState2, target_forms2(), const TargetForm& form, mu
   const MapQuery query = query_map(c, form.target, t.max_order(), !form.doubles);
   Played played = t.play(c);
   expect_map(played, query, map, !form.doubles);
-}
+};
 
 // ... and values.
 namespace {
@@ -308,17 +316,15 @@ void forms_share_values(Test& t, const TargetForm& form, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Api, FormsShareValues, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/1-D",
-              "EV-COORD-FD/1-D") {
-  forms_share_values(t, form, false);
-}
-EVALCTS_TESTS(Api, FormsShareValues2, visible_target_forms(), const TargetForm& form, must, "EV-API-FD/2-D",
-              "EV-COORD-FD/2-D") {
-  forms_share_values(t, form, true);
-}
+EVALCTS_TEST(Api, FormsShareValues, must, "EV-API-FD/1-D", "EV-COORD-FD/1-D", combine(visible_target_forms()))
+(Test& t, const TargetForm& form) { forms_share_values(t, form, false); };
+EVALCTS_TEST(Api, FormsShareValues2, must, "EV-API-FD/2-D", "EV-COORD-FD/2-D",
+             combine(visible_target_forms()))
+(Test& t, const TargetForm& form) { forms_share_values(t, form, true); };
 
 // Each form replaces what the other defined, also where the order stays.
-EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must, "EV-API-FD/1-D") {
+EVALCTS_TEST(Api, FormsReplaceEachOther, must, "EV-API-FD/1-D", combine(visible_targets()))
+(Test& t, GLenum target) {
   gl::Case c("defined by f, d, f, ..., evaluated after each");
   enable_visibly(c, target);
   Map1 last;
@@ -336,9 +342,10 @@ EVALCTS_TESTS(Api, FormsReplaceEachOther, visible_targets(), GLenum target, must
   const MapQuery query = query_map(c, target, t.max_order());
   Played played = t.play(c);
   expect_map(played, query, last);
-}
+};
 
-EVALCTS_TESTS(Api, FormsReplaceEachOther2, visible_targets2(), GLenum target, must, "EV-API-FD/2-D") {
+EVALCTS_TEST(Api, FormsReplaceEachOther2, must, "EV-API-FD/2-D", combine(visible_targets2()))
+(Test& t, GLenum target) {
   gl::Case c("defined by f, d, f, ..., evaluated after each");
   enable_visibly(c, target);
   int round = 0;
@@ -352,7 +359,7 @@ EVALCTS_TESTS(Api, FormsReplaceEachOther2, visible_targets2(), GLenum target, mu
     ++round;
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // The array ends before an inaccessible page: reading a second value crashes.
 namespace {
@@ -374,12 +381,10 @@ void vector_form(Test& t, const TargetForm& form, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Api, VectorForm, visible_target_forms(), const TargetForm& form, must, "EV-API-V/1-D") {
-  vector_form(t, form, false);
-}
-EVALCTS_TESTS(Api, VectorForm2, visible_target_forms(), const TargetForm& form, must, "EV-API-V/2-D") {
-  vector_form(t, form, true);
-}
+EVALCTS_TEST(Api, VectorForm, must, "EV-API-V/1-D", combine(visible_target_forms()))
+(Test& t, const TargetForm& form) { vector_form(t, form, false); };
+EVALCTS_TEST(Api, VectorForm2, must, "EV-API-V/2-D", combine(visible_target_forms()))
+(Test& t, const TargetForm& form) { vector_form(t, form, true); };
 
 namespace {
 
@@ -421,11 +426,9 @@ void vector_form_same_bits(Test& t, const Form& form, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Api, VectorFormSameBits, kForms, const Form& form, quality, "EV-API-V/1-D") {
-  vector_form_same_bits(t, form, false);
-}
-EVALCTS_TESTS(Api, VectorFormSameBits2, kForms, const Form& form, quality, "EV-API-V/2-D") {
-  vector_form_same_bits(t, form, true);
-}
+EVALCTS_TEST(Api, VectorFormSameBits, quality, "EV-API-V/1-D", combine(kForms))
+(Test& t, const Form& form) { vector_form_same_bits(t, form, false); };
+EVALCTS_TEST(Api, VectorFormSameBits2, quality, "EV-API-V/2-D", combine(kForms))
+(Test& t, const Form& form) { vector_form_same_bits(t, form, true); };
 
 }  // namespace evalcts::suite_api

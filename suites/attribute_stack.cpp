@@ -2,6 +2,8 @@
 // not.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_attribute_stack {
@@ -125,8 +127,9 @@ bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
 }  // namespace
 
-EVALCTS_TESTS_BY(in_lists(), AttributeStack, EvalBit, kWithEval, const Mask& mask, must, "EV-ATTRIB-EVALBIT",
-                 "EV-API-ENUM-OTHER") {
+EVALCTS_TEST(AttributeStack, EvalBit, must, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
+             combine(kWithEval).by(in_lists()))
+(Test& t, const Mask& mask) {
   gl::Case c("set, push, set otherwise, pop");
   Queries pushed;
   const Queries queries = push_and_pop(c, mask.bits, &pushed);
@@ -135,9 +138,10 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, EvalBit, kWithEval, const Mask& mas
   played.expect_no_error(error);
   expect_all(played, pushed, kBefore);
   expect_all(played, queries, kBefore);
-}
+};
 
-EVALCTS_TESTS_BY(in_lists(), AttributeStack, AllBits, kWithAll, const Mask& mask, must, "EV-ATTRIB-ALL") {
+EVALCTS_TEST(AttributeStack, AllBits, must, "EV-ATTRIB-ALL", combine(kWithAll).by(in_lists()))
+(Test& t, const Mask& mask) {
   gl::Case c("set, push, set otherwise, pop");
   Queries pushed;
   const Queries queries = push_and_pop(c, mask.bits, &pushed);
@@ -146,9 +150,10 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, AllBits, kWithAll, const Mask& mask
   played.expect_no_error(error);
   expect_all(played, pushed, kBefore);
   expect_all(played, queries, kBefore);
-}
+};
 
-EVALCTS_TEST_BY(in_lists(), AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBIT") {
+EVALCTS_TEST(AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBIT", by(in_lists()))
+(Test& t) {
   gl::Case c("set, push, set otherwise, pop");
   Queries pushed;
   const Queries queries = push_and_pop(c, GL_ENABLE_BIT, &pushed);
@@ -158,10 +163,11 @@ EVALCTS_TEST_BY(in_lists(), AttributeStack, EnableBit, must, "EV-ATTRIB-ENABLEBI
   expect_all(played, pushed, kBefore);
   expect_enables(played, queries, kBefore);
   if (enable_bit_has_auto_normal(t)) expect_auto_normal(played, queries, kBefore);
-}
+};
 
 // Each enable by itself, both ways.
-EVALCTS_TEST(AttributeStack, EachEnable, must, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT") {
+EVALCTS_TEST(AttributeStack, EachEnable, must, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB-EVALBIT")
+(Test& t) {
   std::vector<GLenum> caps(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   caps.insert(caps.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   if (enable_bit_has_auto_normal(t)) caps.push_back(GL_AUTO_NORMAL);
@@ -186,29 +192,30 @@ EVALCTS_TEST(AttributeStack, EachEnable, must, "EV-ATTRIB-ENABLEBIT", "EV-ATTRIB
       played.expect_result(on[i], GL_TRUE);
     }
   }
-}
+};
 
-EVALCTS_TEST_BY(in_lists(), AttributeStack, EnableBitHasNoGrids, must, "EV-ATTRIB-ENABLEBIT-NOGRID") {
+EVALCTS_TEST(AttributeStack, EnableBitHasNoGrids, must, "EV-ATTRIB-ENABLEBIT-NOGRID", by(in_lists()))
+(Test& t) {
   gl::Case c("set, push ENABLE_BIT, set otherwise, pop");
   const Queries queries = push_and_pop(c, GL_ENABLE_BIT);
   Played played = t.play(c);
   expect_grids(played, queries, kAfter);
-}
+};
 
-EVALCTS_TESTS_BY(in_lists(), AttributeStack, OtherBits, kOthers, const Mask& mask, must,
-                 "EV-ATTRIB-OTHERBITS") {
+EVALCTS_TEST(AttributeStack, OtherBits, must, "EV-ATTRIB-OTHERBITS", combine(kOthers).by(in_lists()))
+(Test& t, const Mask& mask) {
   gl::Case c("set, push, set otherwise, pop");
   Queries pushed;
   const Queries queries = push_and_pop(c, mask.bits, &pushed);
   Played played = t.play(c);
   expect_all(played, pushed, kBefore);
   expect_all(played, queries, kAfter);
-}
+};
 
 // ORDER, DOMAIN and COEFF belong to no group.
-EVALCTS_TESTS_BY(in_lists(), AttributeStack, MapsStay,
-                 (std::vector<Mask>{kWithEval[0], kWithAll[0], kWithAll[1]}), const Mask& mask, must,
-                 "EV-ATTRIB-NOMAPS") {
+EVALCTS_TEST(AttributeStack, MapsStay, must, "EV-ATTRIB-NOMAPS",
+             combine((std::vector<Mask>{kWithEval[0], kWithAll[0], kWithAll[1]})).by(in_lists()))
+(Test& t, const Mask& mask) {
   for (const bool anew : {true, false}) {
     gl::Case c(anew ? "maps defined, pushed, defined anew, popped" : "maps defined, pushed, popped");
     std::vector<Map1> maps1;
@@ -237,11 +244,12 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, MapsStay,
     for (std::size_t i = 0; i < maps1.size(); ++i) expect_map(played, queries1[i], maps1[i]);
     for (std::size_t i = 0; i < maps2.size(); ++i) expect_map(played, queries2[i], maps2[i]);
   }
-}
+};
 
 // What is evaluated afterwards goes by the enables and grids that came back, and by the new points.
-EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT",
-                "EV-ATTRIB-NOMAPS") {
+EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
+             by(gl::list_deliveries()))
+(Test& t) {
   gl::Case c("points of a grid before the push, after other settings, and after the pop");
   const auto draw = [&] {
     c.EvalMesh1(GL_POINT, 0, 3);
@@ -271,10 +279,11 @@ EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesAsRestored, must
   c.PopAttrib();
   draw();
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
-}
+};
 
 // Where no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
-EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT") {
+EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT", by(gl::list_deliveries()))
+(Test& t) {
   gl::Case c("points of a grid before the push, of another grid, and after the pop");
   const auto draw = [&] {
     c.EvalMesh1(GL_POINT, 0, 3);
@@ -296,12 +305,13 @@ EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredGrid
     draw();
   }
   t.expect_emission(c, kPosition);
-}
+};
 
 // Where no grid changes, the enables come back all the same: which vertex map wins, and what gives the
 // normals.
-EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredEnables, must,
-                "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT") {
+EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT",
+             by(gl::list_deliveries()))
+(Test& t) {
   struct Change {
     const char* name;
     GLenum cap;
@@ -339,9 +349,10 @@ EVALCTS_TEST_BY(gl::list_deliveries(), AttributeStack, EvaluatesWithRestoredEnab
       draw();
       t.expect_emission(c, kPosition | kNormal);
     }
-}
+};
 
-EVALCTS_TEST_BY(in_lists(), AttributeStack, Nested, must, "EV-ATTRIB-NEST") {
+EVALCTS_TEST(AttributeStack, Nested, must, "EV-ATTRIB-NEST", by(in_lists()))
+(Test& t) {
   gl::Case c("two levels, popped one after the other");
   set(c, kBefore);
   c.PushAttrib(GL_EVAL_BIT);
@@ -357,12 +368,12 @@ EVALCTS_TEST_BY(in_lists(), AttributeStack, Nested, must, "EV-ATTRIB-NEST") {
   expect_all(played, third, kLast);
   expect_all(played, second, kAfter);
   expect_all(played, first, kBefore);
-}
+};
 
 // The same with other groups that have enables.
-EVALCTS_TESTS_BY(in_lists(), AttributeStack, NestedEnables,
-                 (std::vector<Mask>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]}), const Mask& mask, must,
-                 "EV-ATTRIB-NEST") {
+EVALCTS_TEST(AttributeStack, NestedEnables, must, "EV-ATTRIB-NEST",
+             combine((std::vector<Mask>{{"ENABLE_BIT", GL_ENABLE_BIT}, kWithAll[0]})).by(in_lists()))
+(Test& t, const Mask& mask) {
   gl::Case c("three levels, popped one after the other");
   const State states[] = {kBefore, kAfter, kLast, kAfter};
   for (const State& state : states) {
@@ -379,11 +390,12 @@ EVALCTS_TESTS_BY(in_lists(), AttributeStack, NestedEnables,
     expect_enables(played, popped[level], states[2 - level]);
     if (enable_bit_has_auto_normal(t)) expect_auto_normal(played, popped[level], states[2 - level]);
   }
-}
+};
 
 // Each level restores its own groups only.
-EVALCTS_TEST_BY(in_lists(), AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST",
-                "EV-ATTRIB-ENABLEBIT-NOGRID") {
+EVALCTS_TEST(AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST", "EV-ATTRIB-ENABLEBIT-NOGRID",
+             by(in_lists()))
+(Test& t) {
   gl::Case c("EVAL_BIT, in it ENABLE_BIT, in it CURRENT_BIT");
   set(c, kBefore);
   c.PushAttrib(GL_EVAL_BIT);
@@ -402,10 +414,11 @@ EVALCTS_TEST_BY(in_lists(), AttributeStack, NestedGroups, must, "EV-ATTRIB-NEST"
   expect_enables(played, second, kAfter);
   expect_grids(played, second, kLast);
   expect_all(played, first, kBefore);
-}
+};
 
 // Sixteen levels, the least depth of the stack.
-EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST") {
+EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST")
+(Test& t) {
   constexpr GLint kDepth = 16;
   gl::Case c("sixteen levels, each with settings of its own");
   for (GLint depth = 0; depth < kDepth; ++depth) {
@@ -425,6 +438,6 @@ EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST") {
     const auto level = static_cast<std::size_t>(kDepth - 1 - depth);
     expect_all(played, queries[level], {depth % 2 == 0, depth % 3 == 0, 1 + depth});
   }
-}
+};
 
 }  // namespace evalcts::suite_attribute_stack

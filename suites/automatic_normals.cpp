@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include <evalcts/testkit/registration.h>
+
 #include "grid_cases.h"
 
 namespace evalcts::suite_automatic_normals {
@@ -117,7 +119,8 @@ constexpr Lengths kLengths[] = {{"UNIT", kPosition | kNormal | kUnitNormal}, {"S
 
 // --- Where the normal comes from -------------------------------------------------------------------------
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, Used, must, "EV-AUTON-USED") {
+EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliveries()))
+(Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c(label(target));
     set_current_values(c);
@@ -131,7 +134,7 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, Used, must, "EV-AUTO
     c.End();
     t.expect_emission(c, kPosition | kNormal);
   }
-}
+};
 
 namespace {
 
@@ -155,24 +158,23 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
 
 }  // namespace
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE") {
-  expect_with(t, "AUTO_NORMAL and a NORMAL map", {{true, true}});
-}
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NormalMapWhenOff, must, "EV-AUTON-OFF-MAP") {
-  expect_with(t, "a NORMAL map", {{false, true}});
-}
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, CurrentNormalWhenOff, must, "EV-AUTON-OFF-NONE") {
-  expect_with(t, "neither AUTO_NORMAL nor a NORMAL map", {{false, false}});
-}
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, SwitchedOn, must, "EV-AUTON-OVERRIDE",
-                "EV-AUTON-OFF-MAP") {
+EVALCTS_TEST(AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE", by(gl::surface_deliveries()))
+(Test& t) { expect_with(t, "AUTO_NORMAL and a NORMAL map", {{true, true}}); };
+EVALCTS_TEST(AutomaticNormals, NormalMapWhenOff, must, "EV-AUTON-OFF-MAP", by(gl::surface_deliveries()))
+(Test& t) { expect_with(t, "a NORMAL map", {{false, true}}); };
+EVALCTS_TEST(AutomaticNormals, CurrentNormalWhenOff, must, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
+(Test& t) { expect_with(t, "neither AUTO_NORMAL nor a NORMAL map", {{false, false}}); };
+EVALCTS_TEST(AutomaticNormals, SwitchedOn, must, "EV-AUTON-OVERRIDE", "EV-AUTON-OFF-MAP",
+             by(gl::surface_deliveries()))
+(Test& t) {
   expect_with(t, "a NORMAL map, AUTO_NORMAL on, off and on",
               {{false, true}, {true, true}, {false, true}, {true, true}});
-}
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, SwitchedOff, must, "EV-AUTON-OFF-NONE") {
+};
+EVALCTS_TEST(AutomaticNormals, SwitchedOff, must, "EV-AUTON-OFF-NONE", by(gl::surface_deliveries()))
+(Test& t) {
   expect_with(t, "all that makes a normal is switched off",
               {{true, true}, {true, false}, {false, false}, {true, false}});
-}
+};
 
 namespace {
 
@@ -184,7 +186,8 @@ std::vector<gl::Delivery> one_dimensional() {
 
 }  // namespace
 
-EVALCTS_TEST_BY(one_dimensional(), AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D") {
+EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_dimensional()))
+(Test& t) {
   for (const bool map : {true, false}) {
     gl::Case c(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
     set_current_values(c);
@@ -198,10 +201,11 @@ EVALCTS_TEST_BY(one_dimensional(), AutomaticNormals, NotInOneDimension, must, "E
     c.End();
     t.expect_emission(c, kPosition | kNormal);
   }
-}
+};
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OfTheMapThatIsDrawn, must,
-                "EV-AUTON-VERTEX4WINS") {
+EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, must, "EV-AUTON-VERTEX4WINS",
+             by(gl::surface_deliveries()))
+(Test& t) {
   gl::Case c("VERTEX_3 and VERTEX_4 of different orientation, then each alone");
   c.Enable(GL_AUTO_NORMAL);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 2, 2, tilted));
@@ -214,10 +218,11 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OfTheMapThatIsDrawn,
     c.End();
   }
   t.expect_emission(c, kPosition | kNormal);
-}
+};
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NothingWithoutVertexMap, must,
-                "EV-AUTON-NOVERTEX") {
+EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, must, "EV-AUTON-NOVERTEX",
+             by(gl::surface_deliveries()))
+(Test& t) {
   gl::Case c("AUTO_NORMAL and all maps but those of vertices");
   enable_maps(t, c, true);
   c.Disable(GL_MAP2_VERTEX_4);
@@ -227,9 +232,10 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NothingWithoutVertex
   for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT") {
+EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT", by(gl::surface_deliveries()))
+(Test& t) {
   gl::Case c("queried after evaluation, seen by the next vertex without AUTO_NORMAL");
   c.Normal3f(0.6f, -0.5f, 0.8f);
   const gl::Ref before = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
@@ -241,10 +247,11 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, CurrentNormalStays, 
   const gl::Ref after = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
   Played played = t.play(c);
   played.expect_same(before, after);
-}
+};
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NextVertexHasTheCurrentNormal, must,
-                "EV-AUTON-CURRENT") {
+EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CURRENT",
+             by(gl::surface_deliveries()))
+(Test& t) {
   gl::Case c("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
   set_current_values(c);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
@@ -259,42 +266,44 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, NextVertexHasTheCurr
   c.EvalCoord2f(0.25f, 0.5f);
   c.End();
   t.expect_emission(c, kPosition | kNormal);
-}
+};
 
 // --- Direction and length --------------------------------------------------------------------------------
 
-EVALCTS_LISTED_TESTS(AutomaticNormals, Direction, kLengths, const Lengths& lengths, must,
-                     "EV-AUTON-DIRECTION") {
+EVALCTS_TEST(AutomaticNormals, Direction, must, "EV-AUTON-DIRECTION",
+             combine(kLengths).by(gl::list_deliveries()))
+(Test& t, const Lengths& lengths) {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
                  {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
                   surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
                   surface(GL_MAP2_VERTEX_3, 3, 4, tilted), surface(GL_MAP2_VERTEX_4, 2, 2, tilted)},
                  lengths.required);
-}
+};
 
-EVALCTS_LISTED_TESTS(AutomaticNormals, Curved, kPolynomial, const Patch& patch, must, "EV-AUTON-CURVED",
-                     "EV-AUTON-METHOD") {
+EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD",
+             combine(kPolynomial).by(gl::list_deliveries()))
+(Test& t, const Patch& patch) {
   Map2 shifted = patch.map();
   shifted.u1 = 2;
   shifted.u2 = 5;
   shifted.v1 = -3;
   shifted.v2 = -1;
   expect_normals(t, "over [0,1] and over [2,5] x [-3,-1]", {patch.map(), shifted});
-}
+};
 
 // What GL 1.0 demanded: the analytic normal, to the accuracy of the operations.
-EVALCTS_LISTED_TESTS(AutomaticNormals, Analytic, kPolynomial, const Patch& patch, quality,
-                     "EV-AUTON-METHOD") {
-  expect_normals(t, "the analytic normal", {patch.map()});
-}
+EVALCTS_TEST(AutomaticNormals, Analytic, quality, "EV-AUTON-METHOD",
+             combine(kPolynomial).by(gl::list_deliveries()))
+(Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };
 
-EVALCTS_LISTED_TESTS(AutomaticNormals, Rational, kRational, const Patch& patch, must, "EV-AUTON-RATIONAL") {
-  expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()});
-}
+EVALCTS_TEST(AutomaticNormals, Rational, must, "EV-AUTON-RATIONAL",
+             combine(kRational).by(gl::list_deliveries()))
+(Test& t, const Patch& patch) { expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()}); };
 
 // The sign is free there (U-AUTON-REVSIGN), the rest is not.
-EVALCTS_LISTED_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& lengths, must,
-                     "EV-AUTON-CURVED") {
+EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
+             combine(kLengths).by(gl::list_deliveries()))
+(Test& t, const Lengths& lengths) {
   std::vector<Map2> maps;
   for (const auto& [u_reversed, v_reversed] : {std::pair{true, false}, {false, true}, {true, true}}) {
     Map2 map = surface(GL_MAP2_VERTEX_3, 4, 4, wave);
@@ -303,9 +312,10 @@ EVALCTS_LISTED_TESTS(AutomaticNormals, ReversedDomain, kLengths, const Lengths& 
     maps.push_back(map);
   }
   expect_normals(t, "u, v, and both reversed", maps, lengths.required);
-}
+};
 
-EVALCTS_LISTED_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
+EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_deliveries()))
+(Test& t) {
   std::vector<Map2> maps;
   for (const double size : {5e-5, 0.01, 1.0, 37.0, 1000.0})
     for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
@@ -320,10 +330,11 @@ EVALCTS_LISTED_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT") {
   maps.push_back(wide);
   expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps,
                  kPosition | kNormal | kUnitNormal);
-}
+};
 
 // A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
-EVALCTS_LISTED_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER") {
+EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER", by(gl::list_deliveries()))
+(Test& t) {
   t.require(2, 0, "GL_ARB_vertex_shader");
   std::vector<Map2> maps;
   for (const double size : {0.125, 1.0, 10.0})
@@ -334,11 +345,12 @@ EVALCTS_LISTED_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-S
       maps.push_back(map);
     }
   expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kPosition | kNormal | kShaderNormal);
-}
+};
 
 // --- Everything else stays -------------------------------------------------------------------------------
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX") {
+EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
+(Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
     gl::Case c(label(target) + " with colour and texture coordinate maps");
     set_current_values(c);
@@ -355,10 +367,11 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, RestOfTheVertex, mus
     }
     t.expect_emission(c, kUnit0);
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch& patch, quality,
-                     "EV-AUTON-SAMEVERTEX") {
+EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
+             combine(kRational).by(gl::list_deliveries()))
+(Test& t, const Patch& patch) {
   gl::Case c("off, then on");
   const Map2 map = patch.map();
   define_and_enable(c, map);
@@ -382,11 +395,12 @@ EVALCTS_LISTED_TESTS(AutomaticNormals, PositionToTheBit, kRational, const Patch&
     failure.message = failure.what + " changes by some bits when AUTO_NORMAL is switched on";
     t.fail(std::move(failure));
   }
-}
+};
 
 namespace {}  // namespace
 
-EVALCTS_LISTED_TESTS(AutomaticNormals, InMeshes, kMeshModes, const MeshMode& mode, must, "EV-AUTON-MESH") {
+EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshModes).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("polynomial and rational patches");
   set_current_values(c);
   c.Enable(GL_AUTO_NORMAL);
@@ -397,7 +411,7 @@ EVALCTS_LISTED_TESTS(AutomaticNormals, InMeshes, kMeshModes, const MeshMode& mod
     c.Disable(patch.target);
   }
   t.expect_emission(c, kPosition | kNormal);
-}
+};
 
 namespace {
 
@@ -428,7 +442,8 @@ void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE") {
+EVALCTS_TEST(AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE", by(gl::surface_deliveries()))
+(Test& t) {
   const auto point = [](int, int) { return std::array<double, 4>{0.5, -1, 2, 1}; };
   const auto line = [](int i, int j) { return std::array<double, 4>{1.0 * (i + j), 2.0 * (i + j), 0.25, 1}; };
   const auto fan = [](int i, int j) {
@@ -442,13 +457,14 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, DegeneratePatches, m
                       {"a pole of a sphere", surface(GL_MAP2_VERTEX_4, 3, 3, sphere)},
                       {"w = 0", surface(GL_MAP2_VERTEX_4, 2, 2, zero_w)},
                       {"w through 0", surface(GL_MAP2_VERTEX_4, 3, 2, changing_w)}});
-}
+};
 
-EVALCTS_TEST_BY(gl::surface_deliveries(), AutomaticNormals, OrderOne, must, "EV-AUTON-DEGENERATE",
-                "EV-AUTON-SAMEVERTEX") {
+EVALCTS_TEST(AutomaticNormals, OrderOne, must, "EV-AUTON-DEGENERATE", "EV-AUTON-SAMEVERTEX",
+             by(gl::surface_deliveries()))
+(Test& t) {
   expect_survival(t, {{"order 1 in u", surface(GL_MAP2_VERTEX_3, 1, 3, wave)},
                       {"order 1 in v", surface(GL_MAP2_VERTEX_4, 3, 1, wave)},
                       {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)}});
-}
+};
 
 }  // namespace evalcts::suite_automatic_normals

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "drawings.h"
 
 namespace evalcts::suite_color_material {
@@ -93,8 +94,8 @@ std::vector<gl::Ref> query_materials(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(without_lists(), ColorMaterial, Effect, kTracked, const Tracked& tracked, must,
-                 "EV-CMAT-EFFECT/1-D") {
+EVALCTS_TEST(ColorMaterial, Effect, must, "EV-CMAT-EFFECT/1-D", combine(kTracked).by(without_lists()))
+(Test& t, const Tracked& tracked) {
   t.require(1, 1);
   gl::Case untracked;
   light(untracked);
@@ -104,11 +105,12 @@ EVALCTS_TESTS_BY(without_lists(), ColorMaterial, Effect, kTracked, const Tracked
   define_maps(drawing);
   draw_points(drawing);
   expect_lit_like_explicit(t, std::string("effect ") + tracked.name, state, untracked, drawing);
-}
+};
 
 // Asked at once, and after a flush.
-EVALCTS_TESTS_BY(gl::curve_deliveries(), ColorMaterial, MaterialUntouched, kSomeTracked,
-                 const Tracked& tracked, must, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D") {
+EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D",
+             combine(kSomeTracked).by(gl::curve_deliveries()))
+(Test& t, const Tracked& tracked) {
   t.require(1, 1);
   struct Queried {
     gl::Case script;
@@ -143,11 +145,11 @@ EVALCTS_TESTS_BY(gl::curve_deliveries(), ColorMaterial, MaterialUntouched, kSome
       played.expect_same(evaluated.before[i], evaluated.after[i]);
   }
   if (!observed) throw NotObservable("pipeline: explicit vertices change materials or the current colour");
-}
+};
 
 // What comes after is lit with the current colour again: a Vertex, and an evaluation without the map.
-EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, NextVertex, kSomeTracked, const Tracked& tracked, must,
-                 "EV-CMAT-NEXT/1-D") {
+EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
+(Test& t, const Tracked& tracked) {
   t.require(1, 1);
   gl::Case untracked;
   light(untracked);
@@ -165,7 +167,7 @@ EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, NextVertex, kSomeTracked, const
   drawing.Disable(GL_MAP1_COLOR_4);
   draw_points(drawing);
   expect_lit_like_explicit(t, std::string("next vertex ") + tracked.name, state, untracked, drawing);
-}
+};
 
 namespace {
 
@@ -178,7 +180,8 @@ constexpr Face kFaces[] = {{"FRONT", GL_FRONT}, {"BACK", GL_BACK}, {"FRONT_AND_B
 }  // namespace
 
 // A triangle seen from the front and one from behind, lit on both sides.
-EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, Faces, kFaces, const Face& face, must, "EV-CMAT-FACES/1-D") {
+EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
+(Test& t, const Face& face) {
   t.require(1, 1);
   gl::Case untracked;
   light(untracked);
@@ -194,10 +197,11 @@ EVALCTS_TESTS_BY(in_primitives(), ColorMaterial, Faces, kFaces, const Face& face
   for (const float u : {0.0f, 0.5f, 1.0f, 1.0f, 0.5f, 0.0f}) drawing.EvalCoord1f(u);
   drawing.End();
   expect_lit_like_explicit(t, std::string("faces ") + face.name, state, untracked, drawing);
-}
+};
 
 // Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
-EVALCTS_TEST_BY(every_command(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D") {
+EVALCTS_TEST(ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D", by(every_command()))
+(Test& t) {
   gl::Case state;
   light(state);
   gl::Case tracking = state;
@@ -206,10 +210,11 @@ EVALCTS_TEST_BY(every_command(), ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1
   define_maps(drawing);
   draw_points(drawing);
   expect_lit_like_explicit(t, "not tracked", state, tracking, drawing);
-}
+};
 
 // Without lighting the evaluated colour is the vertex's.
-EVALCTS_TEST_BY(every_command(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D") {
+EVALCTS_TEST(ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D", by(every_command()))
+(Test& t) {
   gl::Case lit;
   light(lit);
   track(lit, GL_EMISSION);
@@ -219,12 +224,13 @@ EVALCTS_TEST_BY(every_command(), ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D"
   define_maps(drawing);
   draw_points(drawing);
   expect_lit_like_explicit(t, "unlit", state, lit, drawing);
-}
+};
 
 // Without a vertex map, evaluating a colour map changes neither a material nor the current colour
 // (NoVertexMap), and a later vertex is lit with the current colour (NextVertexWithoutVertexMap).
-EVALCTS_TESTS_BY(every_command(), ColorMaterial, NoVertexMap, kSomeTracked, const Tracked& tracked, must,
-                 "EV-CMAT-NOVERTEX/1-D") {
+EVALCTS_TEST(ColorMaterial, NoVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
+             combine(kSomeTracked).by(every_command()))
+(Test& t, const Tracked& tracked) {
   t.require(1, 1);
   gl::Case c("queried before and after");
   light(c);
@@ -236,10 +242,11 @@ EVALCTS_TESTS_BY(every_command(), ColorMaterial, NoVertexMap, kSomeTracked, cons
   const std::vector<gl::Ref> after = query_materials(c);
   Played played = t.play(c);
   for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
-}
+};
 
-EVALCTS_TESTS_BY(every_command(), ColorMaterial, NextVertexWithoutVertexMap, kSomeTracked,
-                 const Tracked& tracked, must, "EV-CMAT-NOVERTEX/1-D") {
+EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
+             combine(kSomeTracked).by(every_command()))
+(Test& t, const Tracked& tracked) {
   gl::Case untracked;
   light(untracked);
   gl::Case state = untracked;
@@ -263,6 +270,6 @@ EVALCTS_TESTS_BY(every_command(), ColorMaterial, NextVertexWithoutVertexMap, kSo
   });
   Picture picture = feedback(t, "a vertex after evaluations without a vertex map", state, drawing(true));
   expect_like_explicit(picture.played, picture.parts.at(0), control);
-}
+};
 
 }  // namespace evalcts::suite_color_material

@@ -1,6 +1,8 @@
 // Section 21 of the requirements, contexts: each has evaluators of its own.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_contexts {
@@ -40,7 +42,8 @@ constexpr Other kOthers[] = {
 }  // namespace
 
 // Whatever the first context holds. What is initial the first context said before.
-EVALCTS_TESTS(Contexts, Fresh, kOthers, const Other& other, must, "EV-CTX-FRESH") {
+EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
+(Test& t, const Other& other) {
   gl::Case c("everything set in the first context, then another one is made");
   const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
   set_everything(t, c, 0);
@@ -50,11 +53,12 @@ EVALCTS_TESTS(Contexts, Fresh, kOthers, const Other& other, must, "EV-CTX-FRESH"
   Played played = t.play(c);
   expect_unchanged(played, initial, fresh);
   played.expect_no_error(error);
-}
+};
 
 // Commands in one context change nothing in the other, in either direction, in contexts that share objects as
 // well as in others. (An implementation that shares evaluators answers the same in both.)
-EVALCTS_TESTS(Contexts, Private, kOthers, const Other& other, must, "EV-CTX-PRIVATE") {
+EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
+(Test& t, const Other& other) {
   gl::Case c("two contexts set in different ways in turn");
   const std::vector<gl::Ref> untouched = query_everything(c, t.max_order());
   other.make_current(c, 1);
@@ -82,10 +86,11 @@ EVALCTS_TESTS(Contexts, Private, kOthers, const Other& other, must, "EV-CTX-PRIV
   expect_unchanged(played, first, first_again);
   expect_unchanged(played, untouched, initial);
   expect_unchanged(played, untouched, fresh);
-}
+};
 
 // Maps that a list defines are those of the context that calls it; the list itself is shared.
-EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE") {
+EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
+(Test& t) {
   gl::Case c("a list made in one context, called in the other");
   const Map1 own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
   define(c, own);
@@ -111,9 +116,10 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
   played.expect_values(segments, std::vector<GLint>{6});
   played.expect_values(other_order, std::vector<GLint>{1});
   played.expect_values(other_segments, std::vector<GLint>{1});
-}
+};
 
-EVALCTS_TESTS(Contexts, Switched, kOthers, const Other& other, must, "EV-CTX-SWITCH") {
+EVALCTS_TEST(Contexts, Switched, must, "EV-CTX-SWITCH", combine(kOthers))
+(Test& t, const Other& other) {
   gl::Case c("everything set, another context used, and back");
   set_everything(t, c, 0);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -129,11 +135,11 @@ EVALCTS_TESTS(Contexts, Switched, kOthers, const Other& other, must, "EV-CTX-SWI
   const std::vector<gl::Ref> after = query_everything(c, t.max_order());
   Played played = t.play(c);
   expect_unchanged(played, before, after);
-}
+};
 
 // Evaluation itself goes on as if there had been no other context: the pictures of both in feedback mode.
-EVALCTS_TESTS(Contexts, EvaluatesAfterSwitch, kOthers, const Other& other, must, "EV-CTX-SWITCH",
-              "EV-CTX-PRIVATE") {
+EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, must, "EV-CTX-SWITCH", "EV-CTX-PRIVATE", combine(kOthers))
+(Test& t, const Other& other) {
   constexpr std::size_t kRoom = 64;
   gl::Case c("feedback of the same evaluation before and after another context evaluated");
   const auto draw = [&] {
@@ -163,7 +169,7 @@ EVALCTS_TESTS(Contexts, EvaluatesAfterSwitch, kOthers, const Other& other, must,
     throw NotObservable("pipeline: nothing comes back in feedback mode");
   played.expect_same(count_before, count_after);
   played.expect_same(before, after);
-}
+};
 
 // --- glXCopyContext ----------------------------------------------------------------------------------------
 
@@ -203,7 +209,8 @@ std::vector<gl::Ref> query_pushable(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY") {
+EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY")
+(Test& t) {
   gl::Case c("EVAL_BIT is copied");
   set_and_copy(t, c, GL_EVAL_BIT);
   const std::vector<gl::Ref> source = query_pushable(c);
@@ -213,9 +220,10 @@ EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY") {
   Played played = t.play(c);
   expect_unchanged(played, source, copy);
   played.expect_no_error(error);
-}
+};
 
-EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS") {
+EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS")
+(Test& t) {
   gl::Case c("ALL_ATTRIB_BITS are copied");
   std::vector<GLenum> targets(std::begin(gl::kMap1Targets), std::end(gl::kMap1Targets));
   targets.insert(targets.end(), std::begin(gl::kMap2Targets), std::end(gl::kMap2Targets));
@@ -236,6 +244,6 @@ EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS") {
   Played played = t.play(c);
   expect_unchanged(played, initial, copy);
   played.expect_no_error(error);
-}
+};
 
 }  // namespace evalcts::suite_contexts

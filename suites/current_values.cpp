@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <evalcts/gl/lift.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 
 namespace evalcts::suite_current_values {
@@ -150,27 +151,31 @@ constexpr Moment kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 }  // namespace
 
-EVALCTS_DELIVERED_TESTS(CurrentValues, Color, kMoments, const Moment& moment, must, "EV-CUR-COLOR/1-D") {
+EVALCTS_TEST(CurrentValues, Color, must, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
+(Test& t, const Moment& moment) {
   expect_current_untouched(t, GL_MAP1_COLOR_4, {GL_CURRENT_COLOR, 4}, set_color, moment.flush);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(CurrentValues, Normal, kMoments, const Moment& moment, must, "EV-CUR-NORMAL/1-D") {
+EVALCTS_TEST(CurrentValues, Normal, must, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
+(Test& t, const Moment& moment) {
   expect_current_untouched(t, GL_MAP1_NORMAL, {GL_CURRENT_NORMAL, 3}, set_normal, moment.flush);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(CurrentValues, Index, kMoments, const Moment& moment, must, "EV-CUR-INDEX/1-D") {
+EVALCTS_TEST(CurrentValues, Index, must, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
+(Test& t, const Moment& moment) {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
   expect_current_untouched(t, GL_MAP1_INDEX, {GL_CURRENT_INDEX, 1}, set_index, moment.flush);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(CurrentValues, TextureCoordinates, kMoments, const Moment& moment, must,
-                        "EV-CUR-TEX/1-D") {
+EVALCTS_TEST(CurrentValues, TextureCoordinates, must, "EV-CUR-TEX/1-D",
+             combine(kMoments).by(gl::curve_deliveries()))
+(Test& t, const Moment& moment) {
   std::vector<GLenum> targets = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                  GL_MAP1_TEXTURE_COORD_4};
   if (t.depth() == Depth::quick) targets = {targets[t.random()() % targets.size()]};
   for (const GLenum target : targets)
     expect_current_untouched(t, target, {GL_CURRENT_TEXTURE_COORDS, 4}, set_texture, moment.flush);
-}
+};
 
 namespace {
 
@@ -219,9 +224,9 @@ void set_all(gl::Case& c, const Setting& setting) {
 
 // Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
 // map on, after every order of setting.
-EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues, EveryOrderOfSetting,
-                 kQueried, const Queried& queried, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
-                 "EV-CUR-TEX/1-D") {
+EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
+             "EV-CUR-TEX/1-D", combine(kQueried).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t, const Queried& queried) {
   std::vector<Map1> maps;
   for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
   bool observed = false;
@@ -253,10 +258,11 @@ EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues
     });
   }
   if (!observed) throw NotObservable("explicit vertices lose the current value as well");
-}
+};
 
-EVALCTS_TEST_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues, EdgeFlag, must,
-                "EV-CUR-EDGEFLAG/1-D") {
+EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D",
+             by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     gl::Case c(flag ? "TRUE" : "FALSE");
     for (const GLenum target : gl::kMap1Targets) {
@@ -271,10 +277,11 @@ EVALCTS_TEST_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), CurrentValues,
     Played played = t.play(c);
     played.expect_values(after, std::vector<GLboolean>{flag});
   }
-}
+};
 
 // Meshes are primitives of their own, and have no edge flags.
-EVALCTS_LISTED_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG") {
+EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG", by(gl::list_deliveries()))
+(Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
     gl::Case c(flag ? "TRUE" : "FALSE");
     for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3}) c.Enable(target);
@@ -292,7 +299,7 @@ EVALCTS_LISTED_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG")
     Played played = t.play(c);
     for (const gl::Ref ref : after) played.expect_values(ref, std::vector<GLboolean>{flag});
   }
-}
+};
 
 // With all maps on, everything that can be queried of the evaluators stays as it was.
 namespace {
@@ -338,15 +345,14 @@ void expect_state_untouched(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D") {
-  expect_state_untouched(t, false);
-}
-EVALCTS_TEST(CurrentValues, MapsGridsAndEnables2, must, "EV-CUR-GRIDMAPS/2-D") {
-  expect_state_untouched(t, true);
-}
+EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D")
+(Test& t) { expect_state_untouched(t, false); };
+EVALCTS_TEST(CurrentValues, MapsGridsAndEnables2, must, "EV-CUR-GRIDMAPS/2-D")
+(Test& t) { expect_state_untouched(t, true); };
 
 // Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
-EVALCTS_DELIVERED_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D") {
+EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -365,9 +371,10 @@ EVALCTS_DELIVERED_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-
       if (round) c.TexCoord4f(5, 6, 7, 8);
     }
   t.expect_emission(c, kPosition | kTextureCoordinate0);
-}
+};
 
-EVALCTS_DELIVERED_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D") {
+EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   for (const GLenum active : {GL_TEXTURE0, GL_TEXTURE1}) {
@@ -392,7 +399,7 @@ EVALCTS_DELIVERED_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D")
       played.expect_values(queries[static_cast<std::size_t>(unit - 1)],
                            std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
   }
-}
+};
 
 namespace {
 
@@ -418,7 +425,8 @@ void expect_same_as_explicit(Test& t, const std::string& identity,
 }  // namespace
 
 // Secondary colour, fog coordinate and generic attributes have no maps.
-EVALCTS_DELIVERED_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D") {
+EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   t.require(2, 0);
   std::vector<Map1> maps;
   for (const GLenum target : gl::kMap1Targets) maps.push_back(random_map(t, target, 3));
@@ -444,9 +452,10 @@ EVALCTS_DELIVERED_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHER
     query();
     return refs;
   });
-}
+};
 
-EVALCTS_DELIVERED_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D") {
+EVALCTS_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   const std::pair<GLenum, std::size_t> queries[] = {{GL_CURRENT_RASTER_POSITION, 4},
                                                     {GL_CURRENT_RASTER_COLOR, 4},
                                                     {GL_CURRENT_RASTER_TEXTURE_COORDS, 4},
@@ -479,6 +488,6 @@ EVALCTS_DELIVERED_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-
     query(c, refs);
     return refs;
   });
-}
+};
 
 }  // namespace evalcts::suite_current_values

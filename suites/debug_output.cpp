@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <evalcts/gl/contexts.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 #include "refusal.h"
 
@@ -81,7 +82,8 @@ Answers answers(Test& t, const std::string& identity, const std::vector<NamedCal
 }  // namespace
 
 // Where the error of another command is reported, those of evaluators are.
-EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG") {
+EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
+(Test& t) {
   t.require(4, 3, "GL_KHR_debug");
   const Answers control =
       answers(t, "control: Enable", {{"Enable of nothing", [](gl::Case& c) { c.Enable(GL_POINTS); }}});
@@ -97,6 +99,6 @@ EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG") {
         fmt::format("{}: no message of type DEBUG_TYPE_ERROR from DEBUG_SOURCE_API", commands[i].name),
         "a message", fmt::format("{} other messages", answer.types.size()));
   }
-}
+};
 
 }  // namespace evalcts::suite_debug_output

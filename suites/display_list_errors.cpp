@@ -1,6 +1,8 @@
 // Section 20 of the requirements: errors of commands in display lists, which come when the list is called.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "display_lists.h"
 
 namespace evalcts::suite_display_lists {
@@ -112,8 +114,8 @@ std::vector<Bad> bad_commands(const KindOfBad& of, int max_order) {
 }  // namespace
 
 // One list for each condition; each step is asked for its error.
-EVALCTS_TESTS(DisplayLists, ErrorsOfTheCall, kKindsOfBad, const KindOfBad& kind, must, "EV-DL-ERR-LATE",
-              "EV-DL-ERR-ALL") {
+EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
+(Test& t, const KindOfBad& kind) {
   for (const Bad& bad : bad_commands(kind, t.max_order())) {
     gl::Case c(bad.name);
     c.NewList(kList, GL_COMPILE);
@@ -132,10 +134,11 @@ EVALCTS_TESTS(DisplayLists, ErrorsOfTheCall, kKindsOfBad, const KindOfBad& kind,
     played.expect_no_error(no_more);
     expect_unchanged(played, before, after);
   }
-}
+};
 
-EVALCTS_TESTS(DisplayLists, ErrorsWhileCompilingAndExecuting, kKindsOfBad, const KindOfBad& kind, must,
-              "EV-DL-ERR-ALL", "EV-DL-COMPEXEC") {
+EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, must, "EV-DL-ERR-ALL", "EV-DL-COMPEXEC",
+             combine(kKindsOfBad))
+(Test& t, const KindOfBad& kind) {
   for (const Bad& bad : bad_commands(kind, t.max_order())) {
     gl::Case c(bad.name);
     c.NewList(kList, GL_COMPILE_AND_EXECUTE);
@@ -151,11 +154,11 @@ EVALCTS_TESTS(DisplayLists, ErrorsWhileCompilingAndExecuting, kKindsOfBad, const
     played.expect_no_error(ended);
     played.expect_error(called, {bad.error});
   }
-}
+};
 
 // A good command before and behind each bad one.
-EVALCTS_TESTS(DisplayLists, ErrorDoesNotEndTheList, kKindsOfBad, const KindOfBad& kind, must,
-              "EV-DL-ERR-CONTINUE") {
+EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", combine(kKindsOfBad))
+(Test& t, const KindOfBad& kind) {
   for (const Bad& bad : bad_commands(kind, t.max_order())) {
     gl::Case c(bad.name + " between MapGrid1, Map1, Enable");
     const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
@@ -176,10 +179,11 @@ EVALCTS_TESTS(DisplayLists, ErrorDoesNotEndTheList, kKindsOfBad, const KindOfBad
     expect_map(played, query, map);
     played.expect_result(enabled, GL_TRUE);
   }
-}
+};
 
 // A list in which an error occurs may be called by others, which go on.
-EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE") {
+EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
+(Test& t) {
   const Bad bad[] = {
       {"MapGrid1f of no segments", GL_INVALID_VALUE, [](gl::Case& c) { c.MapGrid1f(0, 3.0f, 4.0f); }},
       {"EvalMesh1 with FILL", GL_INVALID_ENUM, [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }}};
@@ -205,6 +209,6 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE") {
     played.expect_result(outer, GL_TRUE);
     expect_map(played, query, map);
   }
-}
+};
 
 }  // namespace evalcts::suite_display_lists

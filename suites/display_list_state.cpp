@@ -1,13 +1,15 @@
 // Section 20 of the requirements: the state at the time of the call counts, and queries are not compiled.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "display_lists.h"
 
 namespace evalcts::suite_display_lists {
 
 // Points, enables and what wins are those of the call.
-EVALCTS_TESTS(DisplayLists, MapsOfTheCall, kDimensions, const Dimension& dimension, must,
-              "EV-DL-EXECSTATE-MAP") {
+EVALCTS_TEST(DisplayLists, MapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("compiled with some maps, called with others, with one of them off, and with none");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -26,11 +28,11 @@ EVALCTS_TESTS(DisplayLists, MapsOfTheCall, kDimensions, const Dimension& dimensi
   c.Disable(dimension.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
   c.CallList(kList);
   t.expect_emission(c, kUnit0);
-}
+};
 
 // Positions alone: the map that is drawn defined anew, then outranked by another, then off.
-EVALCTS_TESTS(DisplayLists, VertexMapsOfTheCall, kDimensions, const Dimension& dimension, must,
-              "EV-DL-EXECSTATE-MAP") {
+EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   const GLenum three = dimension.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3;
   const GLenum four = dimension.two ? GL_MAP2_VERTEX_4 : GL_MAP1_VERTEX_4;
   const auto define_anew = [&](gl::Case& c, GLenum target) {
@@ -56,11 +58,11 @@ EVALCTS_TESTS(DisplayLists, VertexMapsOfTheCall, kDimensions, const Dimension& d
   c.Disable(three);
   c.CallList(kList);
   t.expect_emission(c, kPosition);
-}
+};
 
 // Compiled while no map was enabled at all.
-EVALCTS_TESTS(DisplayLists, MapsEnabledAfterwards, kDimensions, const Dimension& dimension, must,
-              "EV-DL-EXECSTATE-MAP") {
+EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("compiled with no map enabled");
   compile(c, kList, [&](gl::Case& list) {
     evaluate_and_eval_points(list, dimension.two);
@@ -70,10 +72,10 @@ EVALCTS_TESTS(DisplayLists, MapsEnabledAfterwards, kDimensions, const Dimension&
   set_grid(c, dimension.two);
   c.CallList(kList);
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, GridOfTheCall, kDimensions, const Dimension& dimension, must,
-              "EV-DL-EXECSTATE-GRID") {
+EVALCTS_TEST(DisplayLists, GridOfTheCall, must, "EV-DL-EXECSTATE-GRID", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("compiled under one grid, called under two others");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two, {7, 0.0f, 1.0f});
@@ -86,9 +88,10 @@ EVALCTS_TESTS(DisplayLists, GridOfTheCall, kDimensions, const Dimension& dimensi
     c.CallList(kList);
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, ActiveTextureOfTheCall, kForms, const Form& form, must, "EV-DL-ACTIVETEX") {
+EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", combine(kForms))
+(Test& t, const Form& form) {
   t.require(1, 3, "GL_ARB_multitexture");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_COLOR_4}) {
     const Map1 map = random_map(t, target, 3);
@@ -128,10 +131,11 @@ EVALCTS_TESTS(DisplayLists, ActiveTextureOfTheCall, kForms, const Form& form, mu
     played.expect_no_error(fine);
     expect_map(played, query, map, form.doubles);
   }
-}
+};
 
 // ActiveTexture itself may be in the list.
-EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX") {
+EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX")
+(Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
   const Map1 good = random_map(t, GL_MAP1_VERTEX_3, 3);
   gl::Case c("Map1 after ActiveTexture(TEXTURE1), and after ActiveTexture(TEXTURE0)");
@@ -150,10 +154,11 @@ EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX") {
   played.expect_no_error(no_more);
   played.expect_values(order, std::vector<GLint>{1});
   expect_map(played, query, good);
-}
+};
 
 // GetMap and GetnMap write when they are issued, never when the list is called.
-EVALCTS_TESTS(DisplayLists, QueriesAreNotCompiled, kForms, const Form& form, must, "EV-DL-GETMAP") {
+EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, must, "EV-DL-GETMAP", combine(kForms))
+(Test& t, const Form& form) {
   gl::Case c("GetMap and IsEnabled between compiled commands");
   const Map1 old = random_map(t, GL_MAP1_COLOR_4, 2), changed = random_map(t, GL_MAP1_COLOR_4, 3);
   define(c, old, form.doubles);
@@ -171,9 +176,10 @@ EVALCTS_TESTS(DisplayLists, QueriesAreNotCompiled, kForms, const Form& form, mus
   played.expect_result(off, GL_FALSE);
   expect_map(played, called, changed, form.doubles);
   played.expect_result(on, GL_TRUE);
-}
+};
 
-EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP") {
+EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP")
+(Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
   gl::Case c("GetnMapfv between compiled commands");
   const Map1 old = make_map1(GL_MAP1_INDEX, {1, 2}), changed = make_map1(GL_MAP1_INDEX, {3, 4, 5});
@@ -187,7 +193,7 @@ EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP") {
   Played played = t.play(c);
   played.expect_values(inside, std::vector<GLfloat>{1, 2});
   played.expect_values(called, std::vector<GLfloat>{3, 4, 5});
-}
+};
 
 namespace {
 
@@ -227,7 +233,8 @@ std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
 
 // What is asked while the list is open is answered as outside of it: before it, or after it where its
 // commands are executed.
-EVALCTS_TESTS(DisplayLists, EveryQueryInAnOpenList, kModes, const Mode& mode, must, "EV-DL-GETMAP") {
+EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine(kModes))
+(Test& t, const Mode& mode) {
   const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");
   const auto set = [&](gl::Case& c, int order, bool on) {
     define(c, random_map(t, GL_MAP1_COLOR_4, order));
@@ -252,6 +259,6 @@ EVALCTS_TESTS(DisplayLists, EveryQueryInAnOpenList, kModes, const Mode& mode, mu
   expect_unchanged(played, mode.mode == GL_COMPILE ? before : after, inside);
   expect_unchanged(played, inside, after);
   played.expect_no_error(error);
-}
+};
 
 }  // namespace evalcts::suite_display_lists

@@ -3,6 +3,8 @@
 // (gl/display_lists.h).
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "display_lists.h"
 
 namespace evalcts::suite_display_lists {
@@ -102,8 +104,9 @@ void define_vertices(Test& t, gl::Case& c, bool two) {
 
 // --- Compiling -------------------------------------------------------------------------------------------
 
-EVALCTS_TESTS(DisplayLists, CompilingExecutesNothing, settings(), const Setting& setting, must,
-              "EV-DL-COMPILED", "EV-DL-GETMAP") {
+EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, must, "EV-DL-COMPILED", "EV-DL-GETMAP",
+             combine(settings()))
+(Test& t, const Setting& setting) {
   gl::Case c("queried before the list, in it and after it");
   prepare_for(c, setting);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -117,10 +120,10 @@ EVALCTS_TESTS(DisplayLists, CompilingExecutesNothing, settings(), const Setting&
   expect_unchanged(played, before, inside);
   expect_unchanged(played, before, after);
   played.expect_no_error(error);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, CompilingDrawsNothing, kDimensions, const Dimension& dimension, must,
-              "EV-DL-COMPILED") {
+EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, must, "EV-DL-COMPILED", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("EvalCoord, EvalPoint and EvalMesh compiled, then a point");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -132,12 +135,13 @@ EVALCTS_TESTS(DisplayLists, CompilingDrawsNothing, kDimensions, const Dimension&
   c.Vertex3f(0.25f, 0.5f, 0.75f);
   c.End();
   t.expect_emission(c, kUnit0);
-}
+};
 
 // --- Calling ---------------------------------------------------------------------------------------------
 
 // The command itself, issued once more, changes nothing then.
-EVALCTS_TESTS(DisplayLists, CallHasLastingEffect, settings(), const Setting& setting, must, "EV-DL-EXECUTE") {
+EVALCTS_TEST(DisplayLists, CallHasLastingEffect, must, "EV-DL-EXECUTE", combine(settings()))
+(Test& t, const Setting& setting) {
   gl::Case c("queried before the call, after it, and after the commands themselves");
   prepare_for(c, setting);
   compile(c, kList, setting.issue);
@@ -153,10 +157,11 @@ EVALCTS_TESTS(DisplayLists, CallHasLastingEffect, settings(), const Setting& set
     if (!played.trace().same(before[i], played.trace(), called[i])) changed = i;
   played.expect(changed < before.size(), called.front(),
                 "the list has no effect: all queries answer as before", "other answers", "the same answers");
-}
+};
 
 // Indices are signed and of 32 bits in lists, too.
-EVALCTS_TESTS(DisplayLists, IndicesKept, kDimensions, const Dimension& dimension, must, "EV-DL-EXECUTE") {
+EVALCTS_TEST(DisplayLists, IndicesKept, must, "EV-DL-EXECUTE", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("points outside the grid, and far in a fine one");
   dimension.two ? define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2))
                 : define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
@@ -183,10 +188,10 @@ EVALCTS_TESTS(DisplayLists, IndicesKept, kDimensions, const Dimension& dimension
   });
   c.CallList(kList);
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, CompileAndExecuteDrawsOnce, kDimensions, const Dimension& dimension, must,
-              "EV-DL-COMPEXEC") {
+EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, must, "EV-DL-COMPEXEC", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("compiled and executed, a point, then called");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -202,10 +207,10 @@ EVALCTS_TESTS(DisplayLists, CompileAndExecuteDrawsOnce, kDimensions, const Dimen
   c.End();
   c.CallList(kList);
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, CompileAndExecuteSets, settings(), const Setting& setting, must, "EV-DL-COMPEXEC",
-              "EV-DL-GETMAP") {
+EVALCTS_TEST(DisplayLists, CompileAndExecuteSets, must, "EV-DL-COMPEXEC", "EV-DL-GETMAP", combine(settings()))
+(Test& t, const Setting& setting) {
   gl::Case c("queried in the list, after it, and after the commands themselves");
   prepare_for(c, setting);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -225,11 +230,12 @@ EVALCTS_TESTS(DisplayLists, CompileAndExecuteSets, settings(), const Setting& se
   played.expect(changed, inside.front(),
                 "the list is compiled, but not executed: all queries answer as before", "other answers",
                 "the same answers");
-}
+};
 
 // --- Memory ----------------------------------------------------------------------------------------------
 
-EVALCTS_TESTS(DisplayLists, PointsReadWhileCompiling, kFates, const Fate& fate, must, "EV-DL-POINTS-COPIED") {
+EVALCTS_TEST(DisplayLists, PointsReadWhileCompiling, must, "EV-DL-POINTS-COPIED", combine(kFates))
+(Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms()) {
     gl::Case c(form.name);
     const Map1 map = random_map(t, form.target, 5, 6);
@@ -248,10 +254,11 @@ EVALCTS_TESTS(DisplayLists, PointsReadWhileCompiling, kFates, const Fate& fate, 
     Played played = t.play(c);
     expect_map(played, query, map, form.doubles);
   }
-}
+};
 
 // Two lists from the same memory with other contents.
-EVALCTS_TESTS(DisplayLists, SamePointerNewPoints, kForms, const Form& form, must, "EV-DL-POINTS-COPIED") {
+EVALCTS_TEST(DisplayLists, SamePointerNewPoints, must, "EV-DL-POINTS-COPIED", combine(kForms))
+(Test& t, const Form& form) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_1}) {
     gl::Case c(label(target));
     const Map1 first = random_map(t, target, 4, 5), second = random_map(t, target, 4, 5);
@@ -265,9 +272,10 @@ EVALCTS_TESTS(DisplayLists, SamePointerNewPoints, kForms, const Form& form, must
     expect_map(played, one, first, form.doubles);
     expect_map(played, two, second, form.doubles);
   }
-}
+};
 
-EVALCTS_TESTS(DisplayLists, StrideKept1, target_forms(), const TargetForm& form, must, "EV-DL-STRIDE-KEPT") {
+EVALCTS_TEST(DisplayLists, StrideKept1, must, "EV-DL-STRIDE-KEPT", combine(target_forms()))
+(Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
     for (const int order : {1, 2, 5, t.max_order()}) {
@@ -279,9 +287,10 @@ EVALCTS_TESTS(DisplayLists, StrideKept1, target_forms(), const TargetForm& form,
       Played played = t.play(c);
       expect_map(played, query, map, form.doubles);
     }
-}
+};
 
-EVALCTS_TESTS(DisplayLists, StrideKept2, target_forms2(), const TargetForm& form, must, "EV-DL-STRIDE-KEPT") {
+EVALCTS_TEST(DisplayLists, StrideKept2, must, "EV-DL-STRIDE-KEPT", combine(target_forms2()))
+(Test& t, const TargetForm& form) {
   for (const Layout& layout : kLayouts) {
     gl::Case c(layout.name);
     const Map2 map = random_map2(t, form.target, 3, 5, layout);
@@ -291,10 +300,11 @@ EVALCTS_TESTS(DisplayLists, StrideKept2, target_forms2(), const TargetForm& form
     Played played = t.play(c);
     expect_map(played, query, map, form.doubles);
   }
-}
+};
 
 // Over domains where single precision would tell another argument.
-EVALCTS_TESTS(DisplayLists, DoubleForms, kDimensions, const Dimension& dimension, must, "EV-DL-DOUBLE") {
+EVALCTS_TEST(DisplayLists, DoubleForms, must, "EV-DL-DOUBLE", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   for (const auto& [u1, u2] : {std::pair{0.1, 0.7}, {1.0 / 3, -2.0}}) {
     gl::Case c(fmt::format("all commands with doubles, over [{}, {}]", u1, u2));
     compile(c, kList, [&, u1 = u1, u2 = u2](gl::Case& list) {
@@ -329,12 +339,12 @@ EVALCTS_TESTS(DisplayLists, DoubleForms, kDimensions, const Dimension& dimension
     c.CallList(kList);
     t.expect_emission(c, kPosition);
   }
-}
+};
 
 // --- Begin and End ---------------------------------------------------------------------------------------
 
-EVALCTS_TESTS(DisplayLists, CalledBetweenBeginAndEnd, kDimensions, const Dimension& dimension, must,
-              "EV-DL-INBEGIN") {
+EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, must, "EV-DL-INBEGIN", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("points of a list among those of the primitive");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -359,11 +369,12 @@ EVALCTS_TESTS(DisplayLists, CalledBetweenBeginAndEnd, kDimensions, const Dimensi
     drawn.End();
     t.expect_emission(drawn, kUnit0);
   }
-}
+};
 
 // The list is called between two points; a further command of it is legal there.
-EVALCTS_TESTS(DisplayLists, ForbiddenBetweenBeginAndEnd, forbidden_in_primitives(), const NamedCalls& command,
-              must, "EV-DL-INBEGIN") {
+EVALCTS_TEST(DisplayLists, ForbiddenBetweenBeginAndEnd, must, "EV-DL-INBEGIN",
+             combine(forbidden_in_primitives()))
+(Test& t, const NamedCalls& command) {
   gl::Case c("called between Begin and End");
   for (const bool two : {false, true}) enable_maps(t, c, two);
   compile(c, kList, [&](gl::Case& list) {
@@ -383,10 +394,10 @@ EVALCTS_TESTS(DisplayLists, ForbiddenBetweenBeginAndEnd, forbidden_in_primitives
   played.expect_no_error(no_more);
   expect_unchanged(played, before, after);
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, BeginAndEndFromDifferentLists, kDimensions, const Dimension& dimension, must,
-              "EV-DL-SPLIT") {
+EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, must, "EV-DL-SPLIT", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   const auto point = [&](gl::Case& c, float u) {
     if (dimension.two)
       c.EvalCoord2f(u, 1.75f);
@@ -419,12 +430,12 @@ EVALCTS_TESTS(DisplayLists, BeginAndEndFromDifferentLists, kDimensions, const Di
     c.End();
     t.expect_emission(c, kUnit0);
   }
-}
+};
 
 // --- Lists and lists -------------------------------------------------------------------------------------
 
-EVALCTS_TESTS(DisplayLists, CalledTwiceSameBits, kDimensions, const Dimension& dimension, must,
-              "EV-DL-REPEAT") {
+EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("one list, called twice, with another evaluation between");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -463,11 +474,11 @@ EVALCTS_TESTS(DisplayLists, CalledTwiceSameBits, kDimensions, const Dimension& d
     }
     return mismatches;
   });
-}
+};
 
 // The definitions of the inner list apply from its call on.
-EVALCTS_TESTS(DisplayLists, MapsOfAnInnerList, kDimensions, const Dimension& dimension, must,
-              "EV-DL-NESTED") {
+EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, must, "EV-DL-NESTED", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   gl::Case c("a list that evaluates calls one that defines and enables, between evaluations");
   enable_maps(t, c, dimension.two);
   set_grid(c, dimension.two);
@@ -485,10 +496,11 @@ EVALCTS_TESTS(DisplayLists, MapsOfAnInnerList, kDimensions, const Dimension& dim
   });
   c.CallList(kList);
   t.expect_emission(c, kUnit0);
-}
+};
 
 // The inner list is looked up at the call: defined later, and defined anew.
-EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED") {
+EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED")
+(Test& t) {
   gl::Case c("an inner list that is defined after the outer one, and once more");
   c.Enable(GL_MAP1_VERTEX_3);
   compile(c, kList, [&](gl::Case& list) {
@@ -500,9 +512,10 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED") {
     c.CallList(kList);
   }
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_TESTS(DisplayLists, NestedDeeply, kDimensions, const Dimension& dimension, must, "EV-DL-NESTED") {
+EVALCTS_TEST(DisplayLists, NestedDeeply, must, "EV-DL-NESTED", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   constexpr GLuint kDepth = 60;  // MAX_LIST_NESTING is at least 64
   gl::Case c("an evaluation sixty lists deep");
   enable_maps(t, c, dimension.two);
@@ -512,13 +525,13 @@ EVALCTS_TESTS(DisplayLists, NestedDeeply, kDimensions, const Dimension& dimensio
     compile(c, 100 + depth, [&](gl::Case& list) { list.CallList(100 + depth - 1); });
   c.CallList(100 + kDepth - 1);
   t.expect_emission(c, kUnit0);
-}
+};
 
 // --- Current values --------------------------------------------------------------------------------------
 
 // Texture maps of fewer components than the last TexCoord, and vertices that take the current values.
-EVALCTS_TESTS(DisplayLists, CurrentValuesUntouched, kDimensions, const Dimension& dimension, must,
-              "EV-DL-CURRENT") {
+EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, must, "EV-DL-CURRENT", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   for (const int components : {1, 2, 3, 4}) {
     gl::Case c(fmt::format("TexCoord4, a map of {} components, Vertex, in one list", components));
     const auto offset = static_cast<GLenum>(components - 1);
@@ -566,11 +579,11 @@ EVALCTS_TESTS(DisplayLists, CurrentValuesUntouched, kDimensions, const Dimension
     c.CallList(kList);
     t.expect_emission(c, kUnit0);
   }
-}
+};
 
 // Whatever evaluates: a mesh, or points between Begin and End.
-EVALCTS_TESTS(DisplayLists, CurrentValuesAfterTheCall, kDimensions, const Dimension& dimension, must,
-              "EV-DL-CURRENT") {
+EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, must, "EV-DL-CURRENT", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   for (const bool mesh : {true, false}) {
     gl::Case c(mesh ? "a mesh" : "a primitive");
     enable_maps(t, c, dimension.two);
@@ -590,6 +603,6 @@ EVALCTS_TESTS(DisplayLists, CurrentValuesAfterTheCall, kDimensions, const Dimens
     played.expect_values_near(normal, std::vector<GLfloat>{0.6f, 0.8f, 0}, 1e-5);
     played.expect_values(texture, std::vector<GLfloat>{5, 6, 7, 8});
   }
-}
+};
 
 }  // namespace evalcts::suite_display_lists

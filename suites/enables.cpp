@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/gl/lift.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 
 namespace evalcts::suite_enables {
@@ -23,7 +24,8 @@ std::vector<gl::Ref> query_enables(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAPS") {
+EVALCTS_TEST(Enables, Accepted, must, "EV-EN-CAPS", combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   gl::Case c("off, on, on again, off");
   std::vector<std::pair<gl::Ref, GLboolean>> answers;
   std::vector<gl::Ref> errors;
@@ -42,9 +44,10 @@ EVALCTS_LISTED_TESTS(Enables, Accepted, all_caps(), GLenum cap, must, "EV-EN-CAP
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_no_error(error);
   for (const auto& [query, expected] : answers) played.expect_result(query, expected);
-}
+};
 
-EVALCTS_LISTED_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+EVALCTS_TEST(Enables, Independent, must, "EV-EN-INDEP", combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   // Alone on among eighteen off, then alone off among eighteen on; map contents make no difference.
   for (const bool alone_on : {true, false}) {
     gl::Case c(alone_on ? "alone on" : "alone off");
@@ -62,10 +65,12 @@ EVALCTS_LISTED_TESTS(Enables, Independent, all_caps(), GLenum cap, must, "EV-EN-
     const std::vector<GLenum> caps = all_caps();
     for (std::size_t i = 0; i < caps.size(); ++i) played.expect_result(refs[i], (caps[i] == cap) == alone_on);
   }
-}
+};
 
 // ... whatever maps of two dimensions and grids hold.
-EVALCTS_LISTED_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, must, "EV-EN-INDEP") {
+EVALCTS_TEST(Enables, IndependentOfDefinitions, must, "EV-EN-INDEP",
+             combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   for (const bool alone_on : {true, false}) {
     gl::Case c(alone_on ? "alone on" : "alone off");
     for (const GLenum other : all_caps())
@@ -78,9 +83,10 @@ EVALCTS_LISTED_TESTS(Enables, IndependentOfDefinitions, all_caps(), GLenum cap, 
     const std::vector<GLenum> caps = all_caps();
     for (std::size_t i = 0; i < caps.size(); ++i) played.expect_result(refs[i], (caps[i] == cap) == alone_on);
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GETS") {
+EVALCTS_TEST(Enables, EveryGet, must, "EV-EN-GETS", combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   struct Stage {
     const char* name;
     bool enabled, disabled;
@@ -98,9 +104,10 @@ EVALCTS_LISTED_TESTS(Enables, EveryGet, all_caps(), GLenum cap, must, "EV-EN-GET
     for (const gl::Ref query : {boolean, integer, single, real})
       played.expect_values(query, std::vector<double>{on ? 1.0 : 0.0});
   }
-}
+};
 
-EVALCTS_LISTED_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
+EVALCTS_TEST(Enables, AllTogether, must, "EV-EN-MULTI", by(gl::list_deliveries()))
+(Test& t) {
   gl::Case c("all 18, enabled from the last to the first");
   const std::vector<GLenum> caps = all_caps();
   for (std::size_t i = caps.size(); i-- > 0;) c.Enable(caps[i]);
@@ -109,9 +116,11 @@ EVALCTS_LISTED_TEST(Enables, AllTogether, must, "EV-EN-MULTI") {
   Played played = t.play(c);
   played.expect_no_error(error);
   for (const gl::Ref ref : refs) played.expect_result(ref, GL_TRUE);
-}
+};
 
-EVALCTS_LISTED_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
+EVALCTS_TEST(Enables, BetweenBeginAndEnd, must, "EV-EN-BEGINEND",
+             combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   struct Attempt {
     const char* name;
     bool on_before;
@@ -133,10 +142,11 @@ EVALCTS_LISTED_TESTS(Enables, BetweenBeginAndEnd, all_caps(), GLenum cap, must, 
     played.expect_error(error, {GL_INVALID_OPERATION});
     played.expect_result(after, attempt.on_before);
   }
-}
+};
 
 // In every primitive, before and after a vertex.
-EVALCTS_TESTS(Enables, InEveryPrimitive, all_caps(), GLenum cap, must, "EV-EN-BEGINEND") {
+EVALCTS_TEST(Enables, InEveryPrimitive, must, "EV-EN-BEGINEND", combine(all_caps()))
+(Test& t, GLenum cap) {
   gl::Case c("Enable, Disable and IsEnabled");
   std::vector<std::pair<gl::Ref, GLboolean>> answers;
   std::vector<gl::Ref> errors;
@@ -159,9 +169,10 @@ EVALCTS_TESTS(Enables, InEveryPrimitive, all_caps(), GLenum cap, must, "EV-EN-BE
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_OPERATION});
   for (const auto& [query, expected] : answers) played.expect_result(query, expected);
-}
+};
 
-EVALCTS_LISTED_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "EV-EN-NOTUNIT") {
+EVALCTS_TEST(Enables, NotPerTextureUnit, must, "EV-EN-NOTUNIT", combine(all_caps()).by(gl::list_deliveries()))
+(Test& t, GLenum cap) {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   for (const int unit : {1, t.gl().texture_units - 1}) {
@@ -181,7 +192,7 @@ EVALCTS_LISTED_TESTS(Enables, NotPerTextureUnit, all_caps(), GLenum cap, must, "
     played.expect_result(seen, GL_TRUE);
     played.expect_result(gone, GL_FALSE);
   }
-}
+};
 
 // MAP2 maps that are enabled, each with its initial constant, must not show in one-dimensional evaluation.
 namespace {
@@ -212,11 +223,11 @@ void other_dimension(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_LISTED_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1") {
-  other_dimension(t, false);
-}
-EVALCTS_LISTED_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", "EV-COORD-DIM2") {
-  other_dimension(t, true);
-}
+EVALCTS_TEST(Enables, OtherDimensionHasNoEffect, must, "EV-EN-DIM/1-D", "EV-COORD-DIM1",
+             by(gl::list_deliveries()))
+(Test& t) { other_dimension(t, false); };
+EVALCTS_TEST(Enables, OtherDimensionHasNoEffect2, must, "EV-EN-DIM/2-D", "EV-COORD-DIM2",
+             by(gl::list_deliveries()))
+(Test& t) { other_dimension(t, true); };
 
 }  // namespace evalcts::suite_enables

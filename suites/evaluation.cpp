@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include <evalcts/gl/lift.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 
 namespace evalcts::suite_evaluation {
@@ -32,8 +33,9 @@ constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_C
 
 // --- Section 7: evaluation commands ----------------------------------------------------------------------
 
-EVALCTS_DELIVERED_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
-                       "EV-PREC-PERKIND/1-D") {
+EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
+             "EV-PREC-PERKIND/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("colour, index, normal, texture coordinate and vertex maps, each different at every u");
   set_current_values(c);
   for (const GLenum target :
@@ -45,10 +47,11 @@ EVALCTS_DELIVERED_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", 
   for (int i = 0; i <= 20; ++i) c.EvalCoord1f(static_cast<float>(i) / 20);
   c.End();
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targets(), GLenum target, must,
-                        "EV-COORD-VERTEXLAST/1-D") {
+EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, must, "EV-COORD-VERTEXLAST/1-D",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("first vertex of a primitive, then far jumps of u");
   set_current_values(c);
   define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
@@ -61,9 +64,10 @@ EVALCTS_DELIVERED_TESTS(Evaluation, VertexCarriesItsOwnAttributes, visible_targe
     c.End();
   }
   t.expect_emission(c, kPosition | attribute_of(target));
-}
+};
 
-EVALCTS_DELIVERED_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D") {
+EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("Color, Normal and TexCoord between the evaluations of one primitive");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -78,13 +82,14 @@ EVALCTS_DELIVERED_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CUR
   }
   c.End();
   t.expect_emission(c, kUnit0);
-}
+};
 
 // A map that is switched off gives way to the current value at once, whatever else was evaluated before.
-EVALCTS_DELIVERED_TESTS(Evaluation, MapSwitchedOff,
-                        (std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
-                                             GL_MAP1_TEXTURE_COORD_4}),
-                        GLenum target, must, "EV-COORD-CURRENT/1-D") {
+EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
+             combine((std::vector<GLenum>{GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_1,
+                                          GL_MAP1_TEXTURE_COORD_4}))
+                 .by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   const std::vector<GLenum> others = {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2};
   for (unsigned subset = 0; subset < 8; ++subset) {
     std::string with = "with MAP1_VERTEX_3";
@@ -109,11 +114,12 @@ EVALCTS_DELIVERED_TESTS(Evaluation, MapSwitchedOff,
     evaluate_some(c);
     t.expect_emission(c, kUnit0);
   }
-}
+};
 
 // Without a vertex map nothing happens at all.
-EVALCTS_DELIVERED_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets(), GLenum target, must,
-                        "EV-COORD-NOVERTEX/1-D") {
+EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
+             combine(attribute_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("no vertex map enabled");
   set_current_values(c);
   c.Indexf(9);
@@ -145,10 +151,11 @@ EVALCTS_DELIVERED_TESTS(Evaluation, NothingWithoutVertexMap, attribute_targets()
   empty.Enable(target);
   evaluate_some(empty);
   t.expect_emission(empty, kPosition);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must,
-                       "EV-COORD-NOVERTEX-OTHERDIM/1-D") {
+EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
+             by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
   set_current_values(c);
   c.Enable(GL_MAP2_VERTEX_3);
@@ -161,7 +168,7 @@ EVALCTS_DELIVERED_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must,
   c.EvalCoord1d(0.25);
   c.End();
   t.expect_emission(c, kUnit0);
-}
+};
 
 namespace {
 
@@ -186,14 +193,12 @@ void legal_in_every_primitive(Test& t, GLenum target, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive, (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}),
-              GLenum target, must, "EV-COORD-INBEGIN/1-D") {
-  legal_in_every_primitive(t, target, false);
-}
-EVALCTS_TESTS(Evaluation, LegalInEveryPrimitive2, (std::vector<GLenum>{GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}),
-              GLenum target, must, "EV-COORD-INBEGIN/2-D") {
-  legal_in_every_primitive(t, target - GL_MAP2_VERTEX_3 + GL_MAP1_VERTEX_3, true);
-}
+EVALCTS_TEST(Evaluation, LegalInEveryPrimitive, must, "EV-COORD-INBEGIN/1-D",
+             combine((std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})))
+(Test& t, GLenum target) { legal_in_every_primitive(t, target, false); };
+EVALCTS_TEST(Evaluation, LegalInEveryPrimitive2, must, "EV-COORD-INBEGIN/2-D",
+             combine((std::vector<GLenum>{GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4})))
+(Test& t, GLenum target) { legal_in_every_primitive(t, target - GL_MAP2_VERTEX_3 + GL_MAP1_VERTEX_3, true); };
 
 namespace {
 
@@ -215,8 +220,9 @@ constexpr Mode kModes[] = {{"POINTS", GL_POINTS},
 }  // namespace
 
 // Primitives of 0 to 9 vertices, complete or not.
-EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, Primitives, kModes,
-                 const Mode& mode, must, "EV-COORD-PRIMS/1-D") {
+EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
+             combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t, const Mode& mode) {
   gl::Case c("0 to 9 vertices");
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
     Map1 map = random_map(t, target, 4);
@@ -232,12 +238,13 @@ EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, P
     c.End();
   }
   t.expect_emission(c, kPosition | kTextureCoordinate0);
-}
+};
 
 // The same with a Vertex for every third vertex; with no map but the vertex map, so that nothing but the
 // primitive is at stake.
-EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, MixedPrimitives, kModes,
-                 const Mode& mode, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D") {
+EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
+             combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t, const Mode& mode) {
   gl::Case c("0 to 9 vertices, every third explicit");
   set_current_values(c);
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
@@ -255,9 +262,11 @@ EVALCTS_TESTS_BY(gl::without(gl::kMeshes, gl::curve_deliveries()), Evaluation, M
     c.End();
   }
   t.expect_emission(c, kPosition | kTextureCoordinate0);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D") {
+EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D",
+             by(gl::curve_deliveries()))
+(Test& t) {
   for (const GLenum target : attribute_targets()) {
     gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
     set_current_values(c);
@@ -276,10 +285,11 @@ EVALCTS_DELIVERED_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "E
     c.End();
     t.expect_emission(c, kUnit0);
   }
-}
+};
 
 // u, then v: a patch that is one thing along u and another along v.
-EVALCTS_TEST_BY(gl::surface_deliveries(), Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER") {
+EVALCTS_TEST(Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
+(Test& t) {
   gl::Case c("x is u, y is 10 v, z is 100 u v");
   c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
           std::vector<float>{0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100});
@@ -289,7 +299,7 @@ EVALCTS_TEST_BY(gl::surface_deliveries(), Evaluation, FirstArgumentIsU, must, "E
     for (const float v : {0.0f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
 namespace {
 
@@ -323,14 +333,13 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
 
 }  // namespace
 
-EVALCTS_LISTED_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM") {
-  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4);
-}
+EVALCTS_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
+(Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4); };
 
 // What one dimension has no map for comes from the current values, not from the other.
-EVALCTS_LISTED_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT") {
-  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
-}
+EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
+             by(gl::list_deliveries()))
+(Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL); };
 
 namespace {
 
@@ -354,16 +363,15 @@ void no_argument_is_an_error(Test& t, const Form& form, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS(Evaluation, NoArgumentIsAnError, kForms, const Form& form, must, "EV-COORD-NOERR/1-D") {
-  no_argument_is_an_error(t, form, false);
-}
-EVALCTS_TESTS(Evaluation, NoArgumentIsAnError2, kForms, const Form& form, must, "EV-COORD-NOERR/2-D") {
-  no_argument_is_an_error(t, form, true);
-}
+EVALCTS_TEST(Evaluation, NoArgumentIsAnError, must, "EV-COORD-NOERR/1-D", combine(kForms))
+(Test& t, const Form& form) { no_argument_is_an_error(t, form, false); };
+EVALCTS_TEST(Evaluation, NoArgumentIsAnError2, must, "EV-COORD-NOERR/2-D", combine(kForms))
+(Test& t, const Form& form) { no_argument_is_an_error(t, form, true); };
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
-EVALCTS_TESTS_BY(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries()), Evaluation,
-                 RepeatedCallSameBits, visible_targets(), GLenum target, must, "EV-COORD-REPEAT/1-D") {
+EVALCTS_TEST(Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
+             combine(visible_targets()).by(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries())))
+(Test& t, GLenum target) {
   gl::Case c("each argument four times");
   define(c, random_map(t, target, 7));
   enable_visibly(c, target);
@@ -408,11 +416,12 @@ EVALCTS_TESTS_BY(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries(
         fail(fmt::format("EvalCoord1f({:a}) gives different values when it is repeated (vertices {} and {})",
                          us[i], 2 * i, other),
              "the same bits", "other bits");
-}
+};
 
 // --- Section 8: attributes produced ----------------------------------------------------------------------
 
-EVALCTS_DELIVERED_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
+EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("after vertices with other w, beside coordinates with other q");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -426,10 +435,11 @@ EVALCTS_DELIVERED_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D") {
   c.Enable(GL_MAP1_TEXTURE_COORD_4);
   evaluate_some(c);
   t.expect_emission(c, kPosition);
-}
+};
 
 // A quarter circle: w varies, and the division comes later in the pipeline.
-EVALCTS_DELIVERED_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D") {
+EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("quarter circle, weights 1, 1, 2");
   define(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -437,9 +447,10 @@ EVALCTS_DELIVERED_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/
   for (int i = 0; i <= 64; ++i) c.EvalCoord1f(static_cast<float>(i) / 64);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") {
+EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("w from 2 to -2");
   define(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -447,10 +458,11 @@ EVALCTS_DELIVERED_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D") 
   for (int i = 0; i <= 8; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), GLenum target, must,
-                        "EV-ATTR-RATIONAL-ONLYVTX/1-D") {
+EVALCTS_TEST(Attributes, OnlyVertexIsRational, must, "EV-ATTR-RATIONAL-ONLYVTX/1-D",
+             combine(attribute_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("w from 1 to 4");
   define(c, make_map1(GL_MAP1_VERTEX_4, {0, 0, 0, 1, 4, 0, 0, 4}));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -459,18 +471,20 @@ EVALCTS_DELIVERED_TESTS(Attributes, OnlyVertexIsRational, attribute_targets(), G
   c.Enable(target);
   evaluate_some(c);
   t.expect_emission(c, kPosition | attribute_of(target));
-}
+};
 
-EVALCTS_DELIVERED_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D") {
+EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("alpha from 0.25 to 0.75, current alpha 0.4");
   set_current_values(c);
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
   enable_visibly(c, GL_MAP1_COLOR_4);
   evaluate_some(c);
   t.expect_emission(c, kColor);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D") {
+EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("components from -1 to 2");
   define(c, make_map1(GL_MAP1_COLOR_4, {-1, 2, 0.5, 3, 2, -1, 0.25, -2}));
   enable_visibly(c, GL_MAP1_COLOR_4);
@@ -478,10 +492,11 @@ EVALCTS_DELIVERED_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP
   const Observation probe = t.observe(c, kColor, 8);
   if (probe.clamped_colors) throw NotObservable("this implementation shows colours after their clamp only");
   t.expect_emission(c, kColor);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D",
-                       "EV-CUR-INDEX/1-D") {
+EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
+             by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("INDEX map enabled");
   set_current_values(c);
   c.Indexf(9);
@@ -494,15 +509,16 @@ EVALCTS_DELIVERED_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-
   const gl::Ref index = c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1));
   Played played = t.play(c);
   played.expect_values(index, std::vector<GLfloat>{9});
-}
+};
 
-EVALCTS_DELIVERED_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D") {
+EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("lengths from 0.1 to 300");
   define(c, make_map1(GL_MAP1_NORMAL, {3, 0, 0, 0, 300, 0, 0, -200, -0.1f}));
   enable_visibly(c, GL_MAP1_NORMAL);
   evaluate_some(c);
   t.expect_emission(c, kNormal);
-}
+};
 
 namespace {
 
@@ -522,21 +538,18 @@ void expect_texture_defaults(Test& t, GLenum target) {
 
 }  // namespace
 
-EVALCTS_DELIVERED_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D") {
-  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1);
-}
-EVALCTS_DELIVERED_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D") {
-  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_2);
-}
-EVALCTS_DELIVERED_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D") {
-  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_3);
-}
-EVALCTS_DELIVERED_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D") {
-  expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_4);
-}
+EVALCTS_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D", by(gl::curve_deliveries()))
+(Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1); };
+EVALCTS_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D", by(gl::curve_deliveries()))
+(Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_2); };
+EVALCTS_TEST(Attributes, TextureCoord3, must, "EV-ATTR-TEX3/1-D", by(gl::curve_deliveries()))
+(Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_3); };
+EVALCTS_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D", by(gl::curve_deliveries()))
+(Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_4); };
 
-EVALCTS_DELIVERED_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenum target, must,
-                        "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D") {
+EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, must, "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D",
+             combine(kTextureTargets).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   gl::Case c("evaluated with TEXTURE1 active; units 1 and up hold current values");
@@ -548,12 +561,13 @@ EVALCTS_DELIVERED_TESTS(Attributes, TextureMapsFeedUnit0, kTextureTargets, GLenu
   c.ActiveTexture(GL_TEXTURE1);
   evaluate_some(c);
   t.expect_emission(c, kTextureCoordinate0 | kTextureCoordinatesOther);
-}
+};
 
 // --- Section 9: precedence -------------------------------------------------------------------------------
 
-EVALCTS_DELIVERED_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D",
-                       "EV-PREC-ORDERFREE/1-D") {
+EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-PREC-ORDERFREE/1-D",
+             by(gl::curve_deliveries()))
+(Test& t) {
   for (const bool four_first : {false, true}) {
     gl::Case c(four_first ? "VERTEX_4 defined and enabled first" : "VERTEX_3 defined and enabled first");
     Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3);
@@ -566,11 +580,12 @@ EVALCTS_DELIVERED_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1
     evaluate_some(c);
     t.expect_emission(c, kPosition);
   }
-}
+};
 
 // All 15 subsets of the texture maps, defined and enabled upwards and downwards.
-EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D",
-                       "EV-PREC-LOSER-IGNORED/1-D", "EV-PREC-ORDERFREE/1-D") {
+EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PREC-LOSER-IGNORED/1-D",
+             "EV-PREC-ORDERFREE/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   for (const bool upwards : {true, false}) {
     gl::Case c(upwards ? "all subsets, enabled upwards" : "all subsets, enabled downwards");
     c.TexCoord4f(5, 6, 7, 8);
@@ -594,14 +609,15 @@ EVALCTS_DELIVERED_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-
     }
     t.expect_emission(c, kTextureCoordinate0);
   }
-}
+};
 
 // Subsets of the nine enables with a vertex map, in Gray code: one flag changes at a time. INDEX is among
 // them, though its values do not show. At quick depth those that so many steps apart (no factor of the number
 // of subsets) leave: some captures make each subset a program of the library's own. What happens without a
 // vertex map has tests of its own.
-EVALCTS_DELIVERED_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D",
-                       "EV-PREC-PERKIND/1-D", "EV-EN-MULTI") {
+EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
+             "EV-EN-MULTI", by(gl::curve_deliveries()))
+(Test& t) {
   const unsigned step = t.depth() == Depth::quick ? 13 : 1;
   gl::Case c("subsets of the nine enables");
   set_current_values(c);
@@ -627,9 +643,10 @@ EVALCTS_DELIVERED_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-P
     c.End();
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D") {
+EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
   for (const GLenum target : visible_targets()) {
     define(c, random_map(t, target, 3));
@@ -642,9 +659,10 @@ EVALCTS_DELIVERED_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBA
     evaluate_some(c);
   }
   t.expect_emission(c, kPosition | kTextureCoordinate0);
-}
+};
 
-EVALCTS_DELIVERED_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D") {
+EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   gl::Case c("VERTEX_3 and TEXTURE_COORD_1 defined, VERTEX_4 and TEXTURE_COORD_4 only enabled");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1}) {
     define(c, random_map(t, target, 3));
@@ -654,6 +672,6 @@ EVALCTS_DELIVERED_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVA
   c.Enable(GL_MAP1_TEXTURE_COORD_4);
   evaluate_some(c);
   t.expect_emission(c, kPosition | kTextureCoordinate0);
-}
+};
 
 }  // namespace evalcts::suite_evaluation

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "pictures.h"
 #include "programs.h"
 #include "refusal.h"
@@ -31,7 +32,8 @@ constexpr Foreign kForeign[] = {{"VERTEX_ATTRIB0_4_NV_1", 0x8660, "GL_NV_vertex_
 
 }  // namespace
 
-EVALCTS_TESTS(Extensions, UnknownTarget, kForeign, const Foreign& foreign, must, "EV-EXT-UNKNOWN-TARGET") {
+EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(kForeign))
+(Test& t, const Foreign& foreign) {
   if (has(t, foreign.extension)) throw NotSupported(fmt::format("{} gives it a meaning", foreign.extension));
   const GLenum target = foreign.target;
   const std::vector<float> points(64, 0.5f);
@@ -42,7 +44,7 @@ EVALCTS_TESTS(Extensions, UnknownTarget, kForeign, const Foreign& foreign, must,
                   [&](gl::Case& c) { c.Enable(target); }, [&](gl::Case& c) { c.Disable(target); },
                   [&](gl::Case& c) { c.IsEnabled(target); }},
                  {GL_INVALID_ENUM});
-}
+};
 
 // --- ARB_vertex_program ------------------------------------------------------------------------------------
 
@@ -104,16 +106,18 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
 
 }  // namespace
 
-EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN") {
+EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
+(Test& t) {
   require(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, {0.75, 0.25, 0.5, 0.125};\n");
   expect_colors(t, state, std::vector<Color>(5, Color{0.75f, 0.25f, 0.5f, 0.125f}),
                 [](gl::Case&, std::size_t) {});
-}
+};
 
 // Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
-EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC") {
+EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
+(Test& t) {
   require(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, vertex.attrib[6];\n");
@@ -123,6 +127,6 @@ EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC") {
   expect_colors(t, state, colors, [&](gl::Case& c, std::size_t i) {
     c.VertexAttrib4f(6, colors[i][0], colors[i][1], colors[i][2], colors[i][3]);
   });
-}
+};
 
 }  // namespace evalcts::suite_extensions

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 
 namespace evalcts::suite_feedback_mode {
@@ -45,7 +47,8 @@ std::size_t count_segments(const Drawing& drawing) {
 }  // namespace
 
 // One for one, and in the order of the mesh.
-EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT") {
+EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   const Picture control = feedback(t, "control: explicit points", inside_and_half_outside(drawings, false));
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
@@ -56,10 +59,11 @@ EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT") {
       throw NotObservable("pipeline: explicit points do not come back one by one");
   }
   expect_like_explicit(feedback(t, "evaluated", inside_and_half_outside(drawings, true)), control);
-}
+};
 
 // Either token stands for a segment.
-EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE") {
+EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
   Picture control = feedback(t, "control: explicit strips", inside_and_half_outside(drawings, false));
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
@@ -73,7 +77,7 @@ EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE") {
   forget_stipple_starts(control);
   forget_stipple_starts(picture);
   expect_like_explicit(picture, control);
-}
+};
 
 namespace {
 
@@ -94,7 +98,8 @@ bool starts_elsewhere(const Drawing& drawing, const Part& part) {
 }  // namespace
 
 // LINE_RESET_TOKEN stands at the first segment of a strip only: advice (U-FEEDBACK-RESET).
-EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE") {
+EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
   const Picture control = feedback(t, "control: explicit strips", scenes_of(drawings, false));
   for (std::size_t i = 0; i < drawings.size(); ++i)
@@ -108,7 +113,7 @@ EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE") {
         fmt::format("LINE_RESET_TOKEN at a segment that is not the first of its strip ({})", part.name),
         "LINE_TOKEN", "LINE_RESET_TOKEN");
   }
-}
+};
 
 namespace {
 
@@ -147,7 +152,8 @@ Part areas_of(const Part& part) {
 
 }  // namespace
 
-EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL") {
+EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const Picture control =
       feedback(t, "control: explicit quad strips", scenes_of(drawings, false, "inside", not_moved()));
@@ -167,7 +173,7 @@ EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL") {
       fmt::format("{} to {}", kQuads, 2 * kQuads), std::to_string(polygons.size()));
   expect_like_explicit(picture.played, areas_of(seen), areas_of(expected));
   expect_drawn_like_explicit(picture, drawings, control);
-}
+};
 
 namespace {
 
@@ -199,7 +205,8 @@ gl::Case choose_texture_map(bool two, int components) {
 }  // namespace
 
 // Whatever the current texture coordinates are, and those of unit 1.
-EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX") {
+EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
+(Test& t) {
   std::vector<Drawing> drawings;
   gl::Case state;
   set_up_texture(state);
@@ -227,7 +234,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX") {
     if (i % kEach) require_an_effect(control.parts[i].values, control.parts[i - i % kEach].values);
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
   expect_drawn_like_explicit(picture, drawings, control);
-}
+};
 
 namespace {
 
@@ -265,7 +272,8 @@ bool is_clamped(const Part& part) {
 
 }  // namespace
 
-EVALCTS_TESTS(Feedback, Colors, kColorStages, const ColorStage& stage, must, "EV-FB-COLOR") {
+EVALCTS_TEST(Feedback, Colors, must, "EV-FB-COLOR", combine(kColorStages))
+(Test& t, const ColorStage& stage) {
   const bool lighting = std::string_view(stage.name) == "LIGHTING";
   const std::vector<Drawing> drawings = lighting ? meshes(t) : meshes_of_colors_beyond_1(t);
   gl::Case state;
@@ -279,7 +287,7 @@ EVALCTS_TESTS(Feedback, Colors, kColorStages, const ColorStage& stage, must, "EV
   }
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
   expect_drawn_like_explicit(picture, drawings, control);
-}
+};
 
 namespace {
 
@@ -306,7 +314,8 @@ FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
 }  // namespace
 
 // Each segment and each quad is judged where its explicit one is flat.
-EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR") {
+EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR")
+(Test& t) {
   const std::vector<Drawing> lines = meshes(t, GL_LINE_STRIP), quads = meshes(t, GL_QUAD_STRIP);
   gl::Case flat;
   flat.ShadeModel(GL_FLAT);
@@ -337,6 +346,6 @@ EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR") {
     expect_like_explicit(picture.played, seen, expected);
   }
   if (!observed) throw NotObservable("pipeline: explicit primitives are not flat in feedback mode");
-}
+};
 
 }  // namespace evalcts::suite_feedback_mode

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_get_map {
@@ -144,8 +146,9 @@ void expect_pack_buffer_ignored(Test& t, const Map& map) {
 }  // namespace
 
 // The array ends with the answer: one value more would land in the guard behind it and be seen.
-EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-ORDER1",
-              "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1", "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D") {
+EVALCTS_TEST(GetMap, OrderDomainAndPoints, must, "EV-GETMAP-ORDER1", "EV-GETMAP-DOMAIN1", "EV-GETMAP-COEFF1",
+             "EV-GETMAP-COUNT/1-D", "EV-GETMAP-FLOAT/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) {
   const int k = gl::components_of(target);
   for (const int order : {1, 3, t.max_order()})
     for (const Form& form : kForms) {
@@ -172,32 +175,37 @@ EVALCTS_TESTS(GetMap, OrderDomainAndPoints, gl::kMap1Targets, GLenum target, mus
         played.expect_values_near(query, std::vector<double>{5, -2.25}, 1e-5);
       for (const gl::Ref query : points) played.expect_values_near(query, map.coefficients(), 1e-5);
     }
-}
+};
 
-EVALCTS_TESTS(GetMap, FloatDataUnchanged, gl::kMap1Targets, GLenum target, quality, "EV-GETMAP-FLOAT/1-D") {
+EVALCTS_TEST(GetMap, FloatDataUnchanged, quality, "EV-GETMAP-FLOAT/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) {
   Map1 map = random_map(t, target, 6);
   map.u1 = -1000.1f, map.u2 = 0.3f;
   expect_float_data_unchanged(t, map);
-}
+};
 
-EVALCTS_TESTS(GetMap, DoubleData, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DOUBLE/1-D") {
+EVALCTS_TEST(GetMap, DoubleData, must, "EV-GETMAP-DOUBLE/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) {
   const int k = gl::components_of(target);
   expect_double_data(t, make_map1(target, 1.0 / 3, 2.0 / 3, k, fractions(2 * k)));
-}
+};
 
-EVALCTS_TESTS(GetMap, IntegersAreRounded, plain_targets(), GLenum target, must, "EV-GETMAP-ROUND/1-D") {
+EVALCTS_TEST(GetMap, IntegersAreRounded, must, "EV-GETMAP-ROUND/1-D", combine(plain_targets()))
+(Test& t, GLenum target) {
   Map1 map = random_map(t, target, 8);
   map.u1 = -1.6, map.u2 = 2.4;
   expect_rounded(t, map, {-2, 2});
-}
+};
 
-EVALCTS_TESTS(GetMap, IntegersSaturate, plain_targets(), GLenum target, must, "EV-GETMAP-SATURATE/1-D") {
+EVALCTS_TEST(GetMap, IntegersSaturate, must, "EV-GETMAP-SATURATE/1-D", combine(plain_targets()))
+(Test& t, GLenum target) {
   Map1 map = random_map(t, target, 4);
   map.u1 = -3e9, map.u2 = 4e9;
   expect_saturated(t, map, {kLowest, kHighest});
-}
+};
 
-EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-DISABLED/1-D") {
+EVALCTS_TEST(GetMap, DisabledAndUndefined, must, "EV-GETMAP-DISABLED/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) {
   gl::Case c("never defined; defined and never enabled; enabled and disabled again");
   std::vector<gl::Ref> errors, orders, domains, points;
   const auto ask = [&] {
@@ -222,7 +230,7 @@ EVALCTS_TESTS(GetMap, DisabledAndUndefined, gl::kMap1Targets, GLenum target, mus
     expect_count(played, points[i], static_cast<std::size_t>(order * gl::components_of(target)));
     expect_count(played, domains[i], 2);
   }
-}
+};
 
 namespace {
 
@@ -242,36 +250,37 @@ void expect_refused(Test& t, const Getter& getter, GLenum target, GLenum query, 
 
 }  // namespace
 
-EVALCTS_TESTS(GetMap, BadTarget, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-TARGET",
-              "EV-GETMAP-ERR-NOWRITE") {
+EVALCTS_TEST(GetMap, BadTarget, must, "EV-GETMAP-ERR-TARGET", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
+(Test& t, const Getter& getter) {
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x0DA0u, 0x0DAFu, 0x0DB9u, 0x10D90u, 0x80000DB7u,
                               static_cast<GLenum>(GL_TEXTURE_2D), static_cast<GLenum>(GL_AUTO_NORMAL),
                               static_cast<GLenum>(GL_MAP1_GRID_DOMAIN)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
-}
+};
 
-EVALCTS_TESTS(GetMap, BadQuery, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-QUERY",
-              "EV-GETMAP-ERR-NOWRITE") {
+EVALCTS_TEST(GetMap, BadQuery, must, "EV-GETMAP-ERR-QUERY", "EV-GETMAP-ERR-NOWRITE", combine(kGetters))
+(Test& t, const Getter& getter) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_INDEX, GL_MAP2_COLOR_4})
     for (const GLenum query : {0u, 0x09FFu, 0x0A03u, 0x0B01u, 0x10A00u,
                                static_cast<GLenum>(GL_MAX_EVAL_ORDER), static_cast<GLenum>(GL_MAP1_VERTEX_3)})
       expect_refused(t, getter, target, query, GL_INVALID_ENUM);
-}
+};
 
-EVALCTS_TESTS(GetMap, BetweenBeginAndEnd, kGetters, const Getter& getter, must, "EV-GETMAP-ERR-BEGINEND",
-              "EV-GETMAP-ERR-NOWRITE") {
+EVALCTS_TEST(GetMap, BetweenBeginAndEnd, must, "EV-GETMAP-ERR-BEGINEND", "EV-GETMAP-ERR-NOWRITE",
+             combine(kGetters))
+(Test& t, const Getter& getter) {
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4, GL_MAP2_INDEX})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       for (const GLenum primitive : {GL_POINTS, GL_TRIANGLES, GL_POLYGON})
         expect_refused(t, getter, target, query, GL_INVALID_OPERATION, primitive);
-}
+};
 
-EVALCTS_TESTS(GetMap, AnyTextureUnit, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOUNIT/1-D") {
-  expect_any_texture_unit(t, random_map(t, target, 3, 4));
-}
+EVALCTS_TEST(GetMap, AnyTextureUnit, must, "EV-GETMAP-NOUNIT/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) { expect_any_texture_unit(t, random_map(t, target, 3, 4)); };
 
-EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE/1-D") {
+EVALCTS_TEST(GetMap, ChangesNothing, must, "EV-GETMAP-NOSIDE/1-D", combine(kGetters))
+(Test& t, const Getter& getter) {
   gl::Case c("all queries of all maps between two snapshots");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3, 4));
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -280,10 +289,11 @@ EVALCTS_TESTS(GetMap, ChangesNothing, kGetters, const Getter& getter, must, "EV-
   const std::vector<gl::Ref> after = query_everything(c, t.max_order());
   Played played = t.play(c);
   expect_unchanged(played, before, after);
-}
+};
 
 // An error that waits goes on waiting.
-EVALCTS_TESTS(GetMap, KeepsTheErrorThatWaits, kGetters, const Getter& getter, must, "EV-GETMAP-NOSIDE") {
+EVALCTS_TEST(GetMap, KeepsTheErrorThatWaits, must, "EV-GETMAP-NOSIDE", combine(kGetters))
+(Test& t, const Getter& getter) {
   gl::Case c("MapGrid1 of no segments, then all queries of all maps");
   c.MapGrid1f(0, 0, 1);
   for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i)
@@ -295,11 +305,10 @@ EVALCTS_TESTS(GetMap, KeepsTheErrorThatWaits, kGetters, const Getter& getter, mu
   Played played = t.play(c);
   played.expect_error(error, {GL_INVALID_VALUE});
   played.expect_no_error(none);
-}
+};
 
-EVALCTS_TESTS(GetMap, PackBufferIgnored, gl::kMap1Targets, GLenum target, must, "EV-GETMAP-NOPBO/1-D") {
-  expect_pack_buffer_ignored(t, random_map(t, target, 3, 4));
-}
+EVALCTS_TEST(GetMap, PackBufferIgnored, must, "EV-GETMAP-NOPBO/1-D", combine(gl::kMap1Targets))
+(Test& t, GLenum target) { expect_pack_buffer_ignored(t, random_map(t, target, 3, 4)); };
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
@@ -345,45 +354,51 @@ void expect_answered(Test& t, GLenum target, int uorder, int vorder) {
 }  // namespace
 
 // v fastest, also where the orders differ and the printed formula cannot be meant (C-COEFF-ORDER).
-EVALCTS_TESTS(GetMap2, OrderDomainAndPoints, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-ORDER2",
-              "EV-GETMAP-DOMAIN2", "EV-GETMAP-COEFF2", "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D") {
+EVALCTS_TEST(GetMap2, OrderDomainAndPoints, must, "EV-GETMAP-ORDER2", "EV-GETMAP-DOMAIN2", "EV-GETMAP-COEFF2",
+             "EV-GETMAP-COUNT/2-D", "EV-GETMAP-FLOAT/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   const int max = t.max_order();
   for (const auto& [u, v] : {std::pair{2, 3}, {3, 2}, {1, 4}, {4, 1}, {1, 1}, {max, 2}, {3, max}})
     expect_answered(t, target, u, v);
-}
+};
 
 // Here every specification prints the formula that the test above expects.
-EVALCTS_TESTS(GetMap2, SquareNet, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-COEFF2-SQUARE",
-              "EV-GETMAP-COUNT/2-D") {
+EVALCTS_TEST(GetMap2, SquareNet, must, "EV-GETMAP-COEFF2-SQUARE", "EV-GETMAP-COUNT/2-D",
+             combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   for (const int order : {2, 3, t.max_order()}) expect_answered(t, target, order, order);
-}
+};
 
-EVALCTS_TESTS(GetMap2, FloatDataUnchanged, gl::kMap2Targets, GLenum target, quality, "EV-GETMAP-FLOAT/2-D") {
+EVALCTS_TEST(GetMap2, FloatDataUnchanged, quality, "EV-GETMAP-FLOAT/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   Map2 map = random_map2(t, target, 6, 4);
   map.u1 = -1000.1f, map.u2 = 0.3f, map.v1 = 1.1f, map.v2 = 0x1.555556p-2;
   expect_float_data_unchanged(t, map);
-}
+};
 
-EVALCTS_TESTS(GetMap2, DoubleData, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-DOUBLE/2-D") {
+EVALCTS_TEST(GetMap2, DoubleData, must, "EV-GETMAP-DOUBLE/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   Map2 map = make_map2(target, 2, 3, fractions(2 * 3 * gl::components_of(target)));
   map.u1 = 1.0 / 3, map.u2 = 2.0 / 3, map.v1 = -1.0 / 7, map.v2 = 10.0 / 3;
   expect_double_data(t, map);
-}
+};
 
-EVALCTS_TESTS(GetMap2, IntegersAreRounded, plain_targets2(), GLenum target, must, "EV-GETMAP-ROUND/2-D") {
+EVALCTS_TEST(GetMap2, IntegersAreRounded, must, "EV-GETMAP-ROUND/2-D", combine(plain_targets2()))
+(Test& t, GLenum target) {
   Map2 map = random_map2(t, target, 2, 4);
   map.u1 = -1.6, map.u2 = 2.4, map.v1 = 7.75, map.v2 = -0.25;
   expect_rounded(t, map, {-2, 2, 8, 0});
-}
+};
 
-EVALCTS_TESTS(GetMap2, IntegersSaturate, plain_targets2(), GLenum target, must, "EV-GETMAP-SATURATE/2-D") {
+EVALCTS_TEST(GetMap2, IntegersSaturate, must, "EV-GETMAP-SATURATE/2-D", combine(plain_targets2()))
+(Test& t, GLenum target) {
   Map2 map = random_map2(t, target, 2, 2);
   map.u1 = -3e9, map.u2 = 4e9, map.v1 = 2.5e9, map.v2 = -2.5e9;
   expect_saturated(t, map, {kLowest, kHighest, kHighest, kLowest});
-}
+};
 
-EVALCTS_TESTS(GetMap2, DisabledAndUndefined, gl::kMap2Targets, GLenum target, must,
-              "EV-GETMAP-DISABLED/2-D") {
+EVALCTS_TEST(GetMap2, DisabledAndUndefined, must, "EV-GETMAP-DISABLED/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   gl::Case c("never defined; defined and never enabled; enabled and disabled again");
   std::vector<gl::Ref> errors, orders;
   const auto ask = [&] {
@@ -404,13 +419,13 @@ EVALCTS_TESTS(GetMap2, DisabledAndUndefined, gl::kMap2Targets, GLenum target, mu
   for (const gl::Ref error : errors) played.expect_no_error(error);
   for (std::size_t i = 0; i < orders.size(); ++i)
     played.expect_values(orders[i], i == 0 ? std::vector<GLint>{1, 1} : std::vector<GLint>{2, 3});
-}
+};
 
-EVALCTS_TESTS(GetMap2, AnyTextureUnit, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-NOUNIT/2-D") {
-  expect_any_texture_unit(t, random_map2(t, target, 3, 4));
-}
+EVALCTS_TEST(GetMap2, AnyTextureUnit, must, "EV-GETMAP-NOUNIT/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) { expect_any_texture_unit(t, random_map2(t, target, 3, 4)); };
 
-EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D") {
+EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D")
+(Test& t) {
   gl::Case c("all queries of all maps between two snapshots");
   for (const GLenum target : gl::kMap2Targets) define(c, random_map2(t, target, 3, 2));
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -423,16 +438,16 @@ EVALCTS_TEST(GetMap2, ChangesNothing, must, "EV-GETMAP-NOSIDE/2-D") {
   const std::vector<gl::Ref> after = query_everything(c, t.max_order());
   Played played = t.play(c);
   expect_unchanged(played, before, after);
-}
+};
 
-EVALCTS_TESTS(GetMap2, PackBufferIgnored, gl::kMap2Targets, GLenum target, must, "EV-GETMAP-NOPBO/2-D") {
-  expect_pack_buffer_ignored(t, random_map2(t, target, 3, 4));
-}
+EVALCTS_TEST(GetMap2, PackBufferIgnored, must, "EV-GETMAP-NOPBO/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) { expect_pack_buffer_ignored(t, random_map2(t, target, 3, 4)); };
 
 // --- Get -------------------------------------------------------------------------------------------------
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
-EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D") {
+EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D")
+(Test& t) {
   struct Grid {
     GLint segments;
     float u1, u2;
@@ -468,9 +483,10 @@ EVALCTS_TEST(Get, Grid1, must, "EV-GET-GRIDDOMAIN/1-D", "EV-GET-GRIDSEG/1-D") {
       for (const gl::Ref query : {segments_f, segments_d, segments_i}) played.expect_values(query, segments);
       played.expect_values(segments_b, std::vector<GLboolean>{GL_TRUE});
     }
-}
+};
 
-EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER") {
+EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER")
+(Test& t) {
   gl::Case c("every form, before and after maps are defined");
   std::vector<gl::Ref> queries;
   for (int round = 0; round < 2; ++round) {
@@ -484,9 +500,10 @@ EVALCTS_TEST(Get, MaxEvalOrder, must, "EV-GET-MAXORDER") {
   for (const gl::Ref query : queries)
     played.expect_values(query, std::vector<double>{static_cast<double>(t.gl().max_eval_order)});
   played.expect_values(boolean, std::vector<GLboolean>{GL_TRUE});
-}
+};
 
-EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND") {
+EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND")
+(Test& t) {
   for (const GLenum name : {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
                             GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS, GL_MAP1_VERTEX_3, GL_AUTO_NORMAL})
     for (int form = 0; form < 8; ++form) {
@@ -505,6 +522,6 @@ EVALCTS_TEST(Get, BetweenBeginAndEnd, must, "EV-GET-ERR-BEGINEND") {
       played.expect_error(error, {GL_INVALID_OPERATION});
       played.expect_nothing_written(get);
     }
-}
+};
 
 }  // namespace evalcts::suite_get_map

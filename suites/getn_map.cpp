@@ -1,6 +1,8 @@
 // Section 18 of the requirements: GetnMap, which knows the size of the array (ARB_robustness, GL 4.5).
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_getn_map {
@@ -169,23 +171,20 @@ void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& ide
 
 }  // namespace
 
-EVALCTS_TESTS(GetnMap, SameAsGetMap, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
-  expect_same_as_get_map(t, k1D, getter);
-}
+EVALCTS_TEST(GetnMap, SameAsGetMap, must, "EV-GETN-SAME", combine(kGetters))
+(Test& t, const Getter& getter) { expect_same_as_get_map(t, k1D, getter); };
 
-EVALCTS_TESTS(GetnMap, SameAsGetMap2, kGetters, const Getter& getter, must, "EV-GETN-SAME") {
-  expect_same_as_get_map(t, k2D, getter);
-}
+EVALCTS_TEST(GetnMap, SameAsGetMap2, must, "EV-GETN-SAME", combine(kGetters))
+(Test& t, const Getter& getter) { expect_same_as_get_map(t, k2D, getter); };
 
-EVALCTS_TESTS(GetnMap, ExactSizeIsEnough, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
-  expect_exact_size_enough(t, k1D, getter);
-}
+EVALCTS_TEST(GetnMap, ExactSizeIsEnough, must, "EV-GETN-BYTES", combine(kGetters))
+(Test& t, const Getter& getter) { expect_exact_size_enough(t, k1D, getter); };
 
-EVALCTS_TESTS(GetnMap, ExactSizeIsEnough2, kGetters, const Getter& getter, must, "EV-GETN-BYTES") {
-  expect_exact_size_enough(t, k2D, getter);
-}
+EVALCTS_TEST(GetnMap, ExactSizeIsEnough2, must, "EV-GETN-BYTES", combine(kGetters))
+(Test& t, const Getter& getter) { expect_exact_size_enough(t, k2D, getter); };
 
-EVALCTS_TESTS(GetnMap, TooSmall, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
+EVALCTS_TEST(GetnMap, TooSmall, must, "EV-GETN-SMALL", combine(kGetters))
+(Test& t, const Getter& getter) {
   for (const Answer& answer : k1D.answers()) {
     const GLsizei exact = bytes_of(getter, answer);
     for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
@@ -193,32 +192,36 @@ EVALCTS_TESTS(GetnMap, TooSmall, kGetters, const Getter& getter, must, "EV-GETN-
                      fmt::format("{} {} of {} bytes", named(answer.target, answer.query), bytes, exact),
                      answer.target, answer.query, bytes, {GL_INVALID_OPERATION});
   }
-}
+};
 
-EVALCTS_TESTS(GetnMap, TooSmall2, kGetters, const Getter& getter, must, "EV-GETN-SMALL") {
+EVALCTS_TEST(GetnMap, TooSmall2, must, "EV-GETN-SMALL", combine(kGetters))
+(Test& t, const Getter& getter) {
   expect_sizes_refused2(t, getter, "one byte, one value, all of them too few, for every target and query",
                         [](GLsizei exact, GLsizei element) {
                           return std::vector<GLsizei>{exact - 1, exact - element, 0};
                         },
                         {GL_INVALID_OPERATION});
-}
+};
 
-EVALCTS_TESTS(GetnMap, NegativeSize, kGetters, const Getter& getter, must, "EV-GETN-NEGATIVE") {
+EVALCTS_TEST(GetnMap, NegativeSize, must, "EV-GETN-NEGATIVE", combine(kGetters))
+(Test& t, const Getter& getter) {
   for (const Answer& answer : k1D.answers())
     for (const GLsizei bytes : {-1, -1000})
       expect_refused(t, getter, fmt::format("{} {} bytes", named(answer.target, answer.query), bytes),
                      answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
-}
+};
 
-EVALCTS_TESTS(GetnMap, NegativeSize2, kGetters, const Getter& getter, must, "EV-GETN-NEGATIVE") {
+EVALCTS_TEST(GetnMap, NegativeSize2, must, "EV-GETN-NEGATIVE", combine(kGetters))
+(Test& t, const Getter& getter) {
   expect_sizes_refused2(t, getter, "-1 and -1000 bytes, for every target and query",
                         [](GLsizei, GLsizei) {
                           return std::vector<GLsizei>{-1, -1000};
                         },
                         {GL_INVALID_VALUE, GL_INVALID_OPERATION});
-}
+};
 
-EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV-GETN-ERRORS") {
+EVALCTS_TEST(GetnMap, ErrorsOfGetMap, must, "EV-GETN-ERRORS", combine(kGetters))
+(Test& t, const Getter& getter) {
   const auto bytes = static_cast<GLsizei>(kRoom * getter.element);
   for (const GLenum target : {0u, 0x0D8Fu, 0x0D99u, 0x10D97u, 0x10DB0u, static_cast<GLenum>(GL_AUTO_NORMAL)})
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
@@ -230,6 +233,6 @@ EVALCTS_TESTS(GetnMap, ErrorsOfGetMap, kGetters, const Getter& getter, must, "EV
     for (const GLenum query : {GL_COEFF, GL_ORDER, GL_DOMAIN})
       expect_refused(t, getter, named(target, query) + " between Begin and End", target, query, bytes,
                      {GL_INVALID_OPERATION}, true);
-}
+};
 
 }  // namespace evalcts::suite_getn_map

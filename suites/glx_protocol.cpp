@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include <evalcts/testkit/registration.h>
+
 #include "glx_requests.h"
 #include "maps.h"
 #include "refusal.h"
@@ -170,23 +172,20 @@ SentCommand sent_map(const Map2& map, bool doubles) {
 
 }  // namespace
 
-EVALCTS_TESTS(GlxProtocol, Opcodes, commands(), const Command& command, must, "EV-GLX-OPCODES") {
-  expect_sent(t, command);
-}
+EVALCTS_TEST(GlxProtocol, Opcodes, must, "EV-GLX-OPCODES", combine(commands()))
+(Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TESTS(GlxProtocol, ScalarForms, scalar_forms(), const Command& command, must, "EV-GLX-SCALAR") {
-  expect_sent(t, command);
-}
+EVALCTS_TEST(GlxProtocol, ScalarForms, must, "EV-GLX-SCALAR", combine(scalar_forms()))
+(Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TESTS(GlxProtocol, Grids, grids(), const Command& command, must, "EV-GLX-MAPGRID") {
-  expect_sent(t, command);
-}
+EVALCTS_TEST(GlxProtocol, Grids, must, "EV-GLX-MAPGRID", combine(grids()))
+(Test& t, const Command& command) { expect_sent(t, command); };
 
-EVALCTS_TESTS(GlxProtocol, Queries, queries(), const Command& command, must, "EV-GLX-SINGLES") {
-  expect_sent(t, command, false);
-}
+EVALCTS_TEST(GlxProtocol, Queries, must, "EV-GLX-SINGLES", combine(queries()))
+(Test& t, const Command& command) { expect_sent(t, command, false); };
 
-EVALCTS_TESTS(GlxProtocol, PointsOfMap1, gl::kMap1Targets, GLenum target, must, "EV-GLX-MAP1-PACK") {
+EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kMap1Targets))
+(Test& t, GLenum target) {
   for (const Form& form : kForms)
     for (const int padding : {0, 3}) {
       Map1 map = random_map(t, target, 4, gl::components_of(target) + padding);
@@ -194,9 +193,10 @@ EVALCTS_TESTS(GlxProtocol, PointsOfMap1, gl::kMap1Targets, GLenum target, must, 
       expect_sent(t, fmt::format("Map1{}, stride k+{}", form.name, padding),
                   [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
     }
-}
+};
 
-EVALCTS_TESTS(GlxProtocol, PointsOfMap2, gl::kMap2Targets, GLenum target, must, "EV-GLX-MAP2-PACK") {
+EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   constexpr int kOrders[][2] = {{2, 3}, {3, 2}, {4, 1}};
   for (const Form& form : kForms)
     for (const Layout& layout : kLayouts)
@@ -206,10 +206,11 @@ EVALCTS_TESTS(GlxProtocol, PointsOfMap2, gl::kMap2Targets, GLenum target, must, 
         expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, uorder, vorder, layout.name),
                     [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
       }
-}
+};
 
 // Whatever the client takes for too large for one request: the command that arrives is the same.
-EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE") {
+EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
+(Test& t) {
   const int most = t.max_order();
   for (const Form& form : kForms)
     for (const int padding : {0, 1}) {  // clients send packed points from where they are
@@ -228,7 +229,7 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE") {
            {148, true, false, grids()[1].parameters}},
           room);
     }
-}
+};
 
 namespace {
 
@@ -320,15 +321,14 @@ void expect_no_points(Test& t, const Erroneous& bad) {
 
 }  // namespace
 
-EVALCTS_TESTS(GlxProtocol, ErroneousMaps, erroneous_maps(), const Erroneous& bad, must, "EV-GLX-ERRONEOUS") {
+EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
+(Test& t, const Erroneous& bad) {
   expect_erroneous(t, bad);
   expect_no_points(t, bad);
-}
+};
 
-EVALCTS_TESTS(GlxProtocol, SmallStrides, small_strides(), const Erroneous& bad, must,
-              "EV-GLX-STRIDE-CLIENT") {
-  expect_erroneous(t, bad);
-}
+EVALCTS_TEST(GlxProtocol, SmallStrides, must, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
+(Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
 namespace {
 
@@ -342,7 +342,8 @@ void begin_indirect(gl::Case& c) {
 }  // namespace
 
 // n values, for n = 1 and more; behind an array of n values lies a guard.
-EVALCTS_TESTS(GlxProtocol, Replies, kGetters, const Getter& form, must, "EV-GLX-GETMAP-REPLY") {
+EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
+(Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
   gl::Case c("orders, domains and points");
   begin_indirect(c);
@@ -361,10 +362,11 @@ EVALCTS_TESTS(GlxProtocol, Replies, kGetters, const Getter& form, must, "EV-GLX-
   played.expect_values(two[1], std::vector<double>{2, 2});
   played.expect_values(four, std::vector<double>{0, 1, 0, 1});
   played.expect_values(eight, points);
-}
+};
 
 // A query that raises an error leaves the array alone, and the next one is answered as ever.
-EVALCTS_TESTS(GlxProtocol, EmptyReplies, kGetters, const Getter& form, must, "EV-GLX-GETMAP-REPLY") {
+EVALCTS_TEST(GlxProtocol, EmptyReplies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
+(Test& t, const Getter& form) {
   gl::Case c("a bad query, a bad target");
   begin_indirect(c);
   c.GetError();
@@ -379,10 +381,11 @@ EVALCTS_TESTS(GlxProtocol, EmptyReplies, kGetters, const Getter& form, must, "EV
   played.expect_error(second, {GL_INVALID_ENUM});
   played.expect_nothing_written(bad_target);
   played.expect_values(good, std::vector<double>{1});
-}
+};
 
 // All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
-EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT") {
+EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
+(Test& t) {
   expect_sent(t, commands().front());  // it is indirect
   for (const bool two : {false, true}) {
     gl::Case c(two ? "a surface" : "a curve");
@@ -400,6 +403,6 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT") {
     c.End();
     t.expect_emission(c, kPosition | kColor | kTextureCoordinate0);
   }
-}
+};
 
 }  // namespace evalcts::suite_glx_protocol

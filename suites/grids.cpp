@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "refusal.h"
 
 namespace evalcts::suite_grids {
@@ -135,15 +137,14 @@ std::vector<Calls> setting(const std::vector<Grid2>& grids, bool doubles) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Grids, MapGrid1Sets, kForms, const Form& form, must, "EV-GRID-SET1") {
-  expect_set(t, "several grids", some_grids1(), form.doubles);
-}
+EVALCTS_TEST(Grids, MapGrid1Sets, must, "EV-GRID-SET1", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) { expect_set(t, "several grids", some_grids1(), form.doubles); };
 
-EVALCTS_LISTED_TESTS(Grids, MapGrid2Sets, kForms, const Form& form, must, "EV-GRID-SET2") {
-  expect_set(t, "several grids", some_grids2(), form.doubles);
-}
+EVALCTS_TEST(Grids, MapGrid2Sets, must, "EV-GRID-SET2", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) { expect_set(t, "several grids", some_grids2(), form.doubles); };
 
-EVALCTS_LISTED_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRID-INDEP") {
+EVALCTS_TEST(Grids, Independent, must, "EV-GRID-INDEP", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_nothing_else(t, "MapGrid1", kPlaceOfGrid1, [&](gl::Case& c) {
     set(c, Grid1{3, 20, 30}, form.doubles);
   });
@@ -171,18 +172,20 @@ EVALCTS_LISTED_TESTS(Grids, Independent, kForms, const Form& form, must, "EV-GRI
   expect_grid(played, two, second);
   expect_grid(played, new_one, third);
   expect_grid(played, same_two, second);
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, NotPositive, kForms, const Form& form, must, "EV-GRID-ERR-N",
-                     "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, NotPositive, must, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_refused(
       t, "MapGrid1 of 0, -1, -100 and the lowest int segments",
       setting(std::vector<Grid1>{{0, 2, 3}, {-1, 2, 3}, {-100, 3, 2}, {kLowest, 2, 3}}, form.doubles),
       {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, UNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN",
-                     "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, UNotPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_refused(
       t, "un of 0, -1, -100 and the lowest int",
       setting(
@@ -190,10 +193,11 @@ EVALCTS_LISTED_TESTS(Grids, UNotPositive, kForms, const Form& form, must, "EV-GR
               {0, 2, 3, 4, 5, 6}, {-1, 2, 3, 4, 5, 6}, {-100, 3, 2, 1, 5, 6}, {kLowest, 2, 3, 1000, 6, 5}},
           form.doubles),
       {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, VNotPositive, kForms, const Form& form, must, "EV-GRID-ERR-VN",
-                     "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, VNotPositive, must, "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_refused(
       t, "vn of 0, -1, -100 and the lowest int",
       setting(
@@ -201,18 +205,20 @@ EVALCTS_LISTED_TESTS(Grids, VNotPositive, kForms, const Form& form, must, "EV-GR
               {4, 2, 3, 0, 5, 6}, {4, 2, 3, -1, 5, 6}, {1, 3, 2, -100, 5, 6}, {1000, 2, 3, kLowest, 6, 5}},
           form.doubles),
       {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, NeitherPositive, kForms, const Form& form, must, "EV-GRID-ERR-UN",
-                     "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, NeitherPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_refused(t, "both counts bad",
                  setting(std::vector<Grid2>{{0, 2, 3, 0, 5, 6}, {-1, 2, 3, 0, 5, 6}, {-2, 2, 3, -3, 5, 6}},
                          form.doubles),
                  {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
-                     "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, BetweenBeginAndEnd, must, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   for (const bool two : {false, true}) {
     std::vector<Calls> bad;
     for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
@@ -229,11 +235,12 @@ EVALCTS_LISTED_TESTS(Grids, BetweenBeginAndEnd, kForms, const Form& form, must, 
         });
     expect_refused(t, two ? "MapGrid2" : "MapGrid1", bad, {GL_INVALID_OPERATION});
   }
-}
+};
 
 // The primitive goes on, and what follows is evaluated on the old grid.
-EVALCTS_LISTED_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must, "EV-GRID-ERR-BEGINEND",
-                     "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, PrimitiveUndisturbed, must, "EV-GRID-ERR-BEGINEND", "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   gl::Case c("points of both grids around MapGrid1 and MapGrid2");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
@@ -257,10 +264,12 @@ EVALCTS_LISTED_TESTS(Grids, PrimitiveUndisturbed, kForms, const Form& form, must
   points();
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
 // A refused call is over with its error: the next legal one sets the grid.
-EVALCTS_LISTED_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must, "EV-GRID-ERR-NOEFFECT") {
+EVALCTS_TEST(Grids, LegalCallAfterwards, must, "EV-GRID-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   gl::Case c("refused, then legal");
   set(c, Grid1{0, 1, 2}, form.doubles);
   set(c, Grid2{2, 1, 2, 0, 1, 2}, form.doubles);
@@ -277,9 +286,10 @@ EVALCTS_LISTED_TESTS(Grids, LegalCallAfterwards, kForms, const Form& form, must,
   played.expect_error(second, {GL_NO_ERROR, GL_INVALID_VALUE});
   expect_grid(played, answers1, one);
   expect_grid(played, answers2, two);
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "EV-GRID-EQUAL") {
+EVALCTS_TEST(Grids, EqualEndsAreLegal, must, "EV-GRID-EQUAL", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_set(t, "MapGrid1", std::vector<Grid1>{{3, 5, 5}, {1, 0, 0}, {8, -2.5, -2.5}, {kHighest, 1, 1}},
              form.doubles);
   expect_set(t, "MapGrid2",
@@ -289,10 +299,11 @@ EVALCTS_LISTED_TESTS(Grids, EqualEndsAreLegal, kForms, const Form& form, must, "
                                 {1, 0, 0, 1, 0, 0},
                                 {2, 9, 9, 2, 9, 9}},
              form.doubles);
-}
+};
 
 // Any count; the first and the last grid point of the largest are the ends of the grid.
-EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GRID-LARGE") {
+EVALCTS_TEST(Grids, LargestCount, must, "EV-GRID-LARGE", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_set(t, "MapGrid1", std::vector<Grid1>{{kHighest, 0, 1}, {kHighest - 1, 3, -3}, {0x1000001, 0, 1}},
              form.doubles);
   expect_set(t, "MapGrid2",
@@ -324,9 +335,10 @@ EVALCTS_LISTED_TESTS(Grids, LargestCount, kForms, const Form& form, must, "EV-GR
   Played played2 = t.play(two);
   played2.expect_no_error(error2);
   t.expect_emission(two, kPosition);
-}
+};
 
-EVALCTS_LISTED_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-GRID-NOUNIT") {
+EVALCTS_TEST(Grids, AnyTextureUnit, must, "EV-GRID-NOUNIT", combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
   const Calls other_unit = [](gl::Case& c) { c.ActiveTexture(GL_TEXTURE1); };
@@ -354,10 +366,11 @@ EVALCTS_LISTED_TESTS(Grids, AnyTextureUnit, kForms, const Form& form, must, "EV-
   expect_grid(played, answers1, one);
   expect_grid(played, answers2, two);
   expect_grid(played, replaced, new_one);
-}
+};
 
 // Each form replaces what the other set.
-EVALCTS_LISTED_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D") {
+EVALCTS_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D", by(gl::list_deliveries()))
+(Test& t) {
   for (const bool doubles_first : {false, true}) {
     gl::Case c(doubles_first ? "d, f, d, ..." : "f, d, f, ...");
     bool doubles = doubles_first;
@@ -376,10 +389,11 @@ EVALCTS_LISTED_TEST(Grids, FormsShareState, must, "EV-GRID-FD", "EV-API-FD/2-D")
     for (std::size_t i = 0; i < answers1.size(); ++i) expect_grid(played, answers1[i], some_grids1()[i]);
     for (std::size_t i = 0; i < answers2.size(); ++i) expect_grid(played, answers2[i], some_grids2()[i]);
   }
-}
+};
 
 // Values away from halves, so that rounding to integers is the same whatever one reads.
-EVALCTS_LISTED_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D") {
+EVALCTS_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", by(gl::list_deliveries()))
+(Test& t) {
   struct Rounded {
     Grid2 grid;
     std::vector<GLint> ends;
@@ -410,6 +424,6 @@ EVALCTS_LISTED_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2
         played.expect_values(segments, std::vector<GLint>{grid.un, grid.vn});
       played.expect_values(segments_b, std::vector<GLboolean>{GL_TRUE, GL_TRUE});
     }
-}
+};
 
 }  // namespace evalcts::suite_grids

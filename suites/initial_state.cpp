@@ -1,4 +1,6 @@
 // Section 2 of the requirements: the state of a fresh context. Every case begins with its queries.
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_initial_state {
@@ -68,7 +70,8 @@ void expect_initial_order(Test& t, GLenum target, const std::vector<double>& ord
 
 }  // namespace
 
-EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF") {
+EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
+(Test& t) {
   gl::Case c("all 18 enables");
   std::vector<gl::Ref> is, get;
   for (const GLenum target : all_targets()) {
@@ -78,49 +81,52 @@ EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF") {
   Played played = t.play(c);
   for (const gl::Ref ref : is) played.expect_result(ref, GL_FALSE);
   for (const gl::Ref ref : get) played.expect_values(ref, std::vector<GLboolean>{GL_FALSE});
-}
+};
 
-EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF") {
+EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF")
+(Test& t) {
   gl::Case c("AUTO_NORMAL");
   const gl::Ref is = c.IsEnabled(GL_AUTO_NORMAL);
   const gl::Ref get = c.GetBooleanv(GL_AUTO_NORMAL, gl::out<GLboolean>(1));
   Played played = t.play(c);
   played.expect_result(is, GL_FALSE);
   played.expect_values(get, std::vector<GLboolean>{GL_FALSE});
-}
+};
 
-EVALCTS_TEST(InitialState, OrderOf1D, must, "EV-INIT-ORDER1") {
+EVALCTS_TEST(InitialState, OrderOf1D, must, "EV-INIT-ORDER1")
+(Test& t) {
   for (const GLenum target : gl::kMap1Targets) expect_initial_order(t, target, {1});
-}
+};
 
-EVALCTS_TEST(InitialState, OrderOf2D, must, "EV-INIT-ORDER2") {
+EVALCTS_TEST(InitialState, OrderOf2D, must, "EV-INIT-ORDER2")
+(Test& t) {
   for (const GLenum target : gl::kMap2Targets) expect_initial_order(t, target, {1, 1});
-}
+};
 
-EVALCTS_TEST(InitialState, VertexPoint, must, "EV-INIT-COEFF-VERTEX") {
+EVALCTS_TEST(InitialState, VertexPoint, must, "EV-INIT-COEFF-VERTEX")
+(Test& t) {
   expect_initial_points(t, {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4});
-}
+};
 
-EVALCTS_TEST(InitialState, NormalPoint, must, "EV-INIT-COEFF-NORMAL") {
-  expect_initial_points(t, {GL_MAP1_NORMAL, GL_MAP2_NORMAL});
-}
+EVALCTS_TEST(InitialState, NormalPoint, must, "EV-INIT-COEFF-NORMAL")
+(Test& t) { expect_initial_points(t, {GL_MAP1_NORMAL, GL_MAP2_NORMAL}); };
 
-EVALCTS_TEST(InitialState, ColorPoint, must, "EV-INIT-COEFF-COLOR") {
-  expect_initial_points(t, {GL_MAP1_COLOR_4, GL_MAP2_COLOR_4});
-}
+EVALCTS_TEST(InitialState, ColorPoint, must, "EV-INIT-COEFF-COLOR")
+(Test& t) { expect_initial_points(t, {GL_MAP1_COLOR_4, GL_MAP2_COLOR_4}); };
 
-EVALCTS_TEST(InitialState, IndexPoint, must, "EV-INIT-COEFF-INDEX") {
-  expect_initial_points(t, {GL_MAP1_INDEX, GL_MAP2_INDEX});
-}
+EVALCTS_TEST(InitialState, IndexPoint, must, "EV-INIT-COEFF-INDEX")
+(Test& t) { expect_initial_points(t, {GL_MAP1_INDEX, GL_MAP2_INDEX}); };
 
-EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX") {
+EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX")
+(Test& t) {
   t.require(1, 1);
   expect_initial_points(t, {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                             GL_MAP1_TEXTURE_COORD_4, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2,
                             GL_MAP2_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_4});
-}
+};
 
-EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN") {
+EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN")
+(Test& t) {
   for (const GLenum target : all_targets()) {
     const bool two = gl::token_name(target).find("MAP2") != std::string::npos;
     gl::Case c(label(target));
@@ -131,9 +137,10 @@ EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN") {
     played.expect_values(single, expected);
     played.expect_values(real, expected);
   }
-}
+};
 
-EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1") {
+EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1")
+(Test& t) {
   gl::Case c("MAP1_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
   const gl::Ref real = c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
@@ -143,9 +150,10 @@ EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1") {
   for (const gl::Ref other : {real, integer}) played.expect_values(other, std::vector<double>{0, 1});
   played.expect_values(domain, std::vector<GLfloat>{0, 1});
   played.expect_values(segments, std::vector<GLint>{1});
-}
+};
 
-EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2") {
+EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2")
+(Test& t) {
   gl::Case c("MAP2_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
   const gl::Ref real = c.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4));
@@ -155,9 +163,10 @@ EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2") {
   for (const gl::Ref other : {real, integer}) played.expect_values(other, std::vector<double>{0, 1, 0, 1});
   played.expect_values(domain, std::vector<GLfloat>{0, 1, 0, 1});
   played.expect_values(segments, std::vector<GLint>{1, 1});
-}
+};
 
-EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE") {
+EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
+(Test& t) {
   for (const GLenum vertex : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}) {
     gl::Case c(label(vertex));
     c.Enable(vertex);
@@ -166,9 +175,10 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE") {
     c.End();
     t.expect_emission(c, kPosition);
   }
-}
+};
 
-EVALCTS_TESTS(InitialState, Evaluable2, visible_targets2(), GLenum target, must, "EV-INIT-EVALUABLE") {
+EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visible_targets2()))
+(Test& t, GLenum target) {
   if (is_texture_map(target)) t.require(1, 1);
   gl::Case c(label(target));
   set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
@@ -178,10 +188,11 @@ EVALCTS_TESTS(InitialState, Evaluable2, visible_targets2(), GLenum target, must,
   for (const float u : {-3.0f, 0.0f, 0.5f, 7.0f}) c.EvalCoord2f(u, 0.25f - u);
   c.End();
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // Every other map as well: its initial constant, on a vertex map that was never defined either.
-EVALCTS_TESTS(InitialState, EvaluableWith, visible_targets(), GLenum target, must, "EV-INIT-EVALUABLE") {
+EVALCTS_TEST(InitialState, EvaluableWith, must, "EV-INIT-EVALUABLE", combine(visible_targets()))
+(Test& t, GLenum target) {
   if (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) t.require(1, 1);
   gl::Case c(label(target));
   set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
@@ -191,9 +202,10 @@ EVALCTS_TESTS(InitialState, EvaluableWith, visible_targets(), GLenum target, mus
   for (const float u : {-3.0f, 0.0f, 0.5f, 7.0f}) c.EvalCoord1f(u);
   c.End();
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D") {
+EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
+(Test& t) {
   gl::Case limit("MAX_EVAL_ORDER");
   const gl::Ref query = limit.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
   Played played = t.play(limit);
@@ -213,10 +225,11 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D") {
     defining.expect_no_error(error);
     defining.expect_values(defined, std::vector<GLint>{order});
   }
-}
+};
 
 // The same value serves two dimensions, and u as well as v.
-EVALCTS_TESTS(InitialState, MaxEvalOrder2, gl::kMap2Targets, GLenum target, must, "EV-INIT-MAXORDER/2-D") {
+EVALCTS_TEST(InitialState, MaxEvalOrder2, must, "EV-INIT-MAXORDER/2-D", combine(gl::kMap2Targets))
+(Test& t, GLenum target) {
   const int max = t.max_order();
   gl::Case c("MAX x MAX, MAX x 2, 2 x MAX, and one more");
   std::vector<gl::Ref> accepted, defined, refused;
@@ -233,6 +246,6 @@ EVALCTS_TESTS(InitialState, MaxEvalOrder2, gl::kMap2Targets, GLenum target, must
   for (const gl::Ref error : refused) played.expect_error(error, {GL_INVALID_VALUE});
   for (std::size_t i = 0; i < defined.size(); ++i)
     played.expect_values(defined[i], std::vector<GLint>{orders[i].first, orders[i].second});
-}
+};
 
 }  // namespace evalcts::suite_initial_state

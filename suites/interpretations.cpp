@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_interpretations {
@@ -68,7 +70,8 @@ void follow_error(Test& t, const std::string& text, GLenum seen,
 
 }  // namespace
 
-EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND/1-D") {
+EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND/1-D")
+(Test& t) {
   gl::Case c("GetMapiv of a colour");
   c.Map1f(GL_MAP1_COLOR_4, 0.0f, 1.0f, 4, 1, std::vector<float>{0.25f, 0.75f, -0.25f, 1});
   const gl::Ref query = c.GetMapiv(GL_MAP1_COLOR_4, GL_COEFF, gl::out<GLint>(4));
@@ -78,37 +81,41 @@ EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND
   constexpr double kMost = 2147483647.0;
   follow(t, "C-GETMAPIV-NORM", {values.begin(), values.begin() + 4},
          {{"rounded", {0, 1, 0, 1}}, {"scaled", {0.25 * kMost, 0.75 * kMost, -0.25 * kMost, kMost}}}, 1e-6);
-}
+};
 
-EVALCTS_TEST(Interpretations, NegativeSize, interpretation, "EV-GETN-NEGATIVE") {
+EVALCTS_TEST(Interpretations, NegativeSize, interpretation, "EV-GETN-NEGATIVE")
+(Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
   gl::Case c("GetnMapfv of -1 bytes");
   c.GetnMapfv(GL_MAP1_VERTEX_3, GL_ORDER, -1, gl::out<GLfloat>(4));
   const gl::Ref error = c.GetError();
   follow_error(t, "C-V-GETN", t.play(c).trace().error(error),
                {{"INVALID_VALUE", GL_INVALID_VALUE}, {"INVALID_OPERATION", GL_INVALID_OPERATION}});
-}
+};
 
-EVALCTS_TEST(Interpretations, NormalOverReversedDomain, interpretation, "EV-AUTON-CURVED") {
+EVALCTS_TEST(Interpretations, NormalOverReversedDomain, interpretation, "EV-AUTON-CURVED")
+(Test& t) {
   std::vector<double> normal = normal_over(t, 1, 0);
   const double length = std::hypot(normal[0], normal[1], normal[2]);
   for (double& component : normal) component /= length;
   follow(t, "U-AUTON-REVSIGN", normal, {{"normalised", {0, 0, 1}}, {"domain", {0, 0, -1}}});
-}
+};
 
-EVALCTS_TEST(Interpretations, LengthOfNormalOverLongDomain, interpretation, "EV-AUTON-SHADER") {
+EVALCTS_TEST(Interpretations, LengthOfNormalOverLongDomain, interpretation, "EV-AUTON-SHADER")
+(Test& t) {
   if (std::abs(normal_over(t, 0, 1)[2] - 4) > 1e-3)
     throw NotObservable("over [0,1] the length is not that of the cross product (EV-AUTON-SHADER)");
   const std::vector<double> normal = normal_over(t, 0, 2);
   follow(t, "U-AUTON-MAGN", normal, {{"normalised", {0, 0, 4}}, {"domain", {0, 0, 2}}});
-}
+};
 
-EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, interpretation, "EV-MAP1-ERR-DOMAIN") {
+EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, interpretation, "EV-MAP1-ERR-DOMAIN")
+(Test& t) {
   gl::Case c("Map1d over [1, 1 + 1e-12]");
   c.Map1d(GL_MAP1_VERTEX_3, 1.0, 1.0 + 1e-12, 3, 2, std::vector<double>{1, 2, 3, 4, 5, 6});
   const gl::Ref error = c.GetError();
   follow_error(t, "U-DOUBLE-CLOSE", t.play(c).trace().error(error),
                {{"error", GL_INVALID_VALUE}, {"accepted", GL_NO_ERROR}});
-}
+};
 
 }  // namespace evalcts::suite_interpretations

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_map_accuracy {
@@ -86,20 +88,17 @@ void measure2(Test& t, GLenum target, int values_per_map) {
 }  // namespace
 
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TESTS(Map1Accuracy, Acceptable, visible_targets(), GLenum target, must, "EV-NUM-ACCURACY/1-D") {
-  measure1(t, target, t.by_depth(20, 40, 2000));
-}
+EVALCTS_TEST(Map1Accuracy, Acceptable, must, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+(Test& t, GLenum target) { measure1(t, target, t.by_depth(20, 40, 2000)); };
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TESTS(Map1Accuracy, GoodSinglePrecision, visible_targets(), GLenum target, quality,
-              "EV-NUM-ACCURACY/1-D") {
-  measure1(t, target, t.by_depth(4, 4, 1000));
-}
+EVALCTS_TEST(Map1Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+(Test& t, GLenum target) { measure1(t, target, t.by_depth(4, 4, 1000)); };
 
 // ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
 // one left of it: the point there is 0, so that nothing hides the error.
-EVALCTS_TESTS(Map1Accuracy, GoodNearTheEnds, visible_targets(), GLenum target, quality,
-              "EV-NUM-ACCURACY/1-D") {
+EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+(Test& t, GLenum target) {
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("the numbers next to each end");
   enable_visibly(c, target);
@@ -117,17 +116,14 @@ EVALCTS_TESTS(Map1Accuracy, GoodNearTheEnds, visible_targets(), GLenum target, q
         evaluate_all(c, us);
       }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TESTS(Map2Accuracy, Acceptable, visible_targets2(), GLenum target, must, "EV-NUM-ACCURACY/2-D") {
-  measure2(t, target, t.by_depth(12, 30, 1000));
-}
+EVALCTS_TEST(Map2Accuracy, Acceptable, must, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
+(Test& t, GLenum target) { measure2(t, target, t.by_depth(12, 30, 1000)); };
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TESTS(Map2Accuracy, GoodSinglePrecision, visible_targets2(), GLenum target, quality,
-              "EV-NUM-ACCURACY/2-D") {
-  measure2(t, target, t.by_depth(4, 8, 500));
-}
+EVALCTS_TEST(Map2Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
+(Test& t, GLenum target) { measure2(t, target, t.by_depth(4, 8, 500)); };
 
 }  // namespace evalcts::suite_map_accuracy

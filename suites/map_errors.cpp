@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include <evalcts/testkit/registration.h>
+
 #include "refusal.h"
 
 namespace evalcts::suite_map_errors {
@@ -89,32 +91,36 @@ void expect_legal_call_afterwards(Test& t, const TargetForm& form, const std::st
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
-EVALCTS_LISTED_TESTS(Map1Errors, BadTarget, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET",
-                     "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, BadTarget, must, "EV-MAP1-ERR-TARGET", "EV-MAP1-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   std::vector<GLenum> bad = {0, 0x0D8F, 0x0D99, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   expect_targets_refused<Map1>(t, form.doubles, GL_MAP1_VERTEX_4, bad);
-}
+};
 
 // Whatever part of the number is looked at. (Apart from the test above: those who lose the error in display
 // lists fail it in other cases then.)
-EVALCTS_TESTS(Map1Errors, BadTargetOfSimilarNumber, kForms, const Form& form, must, "EV-MAP1-ERR-TARGET",
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, BadTargetOfSimilarNumber, must, "EV-MAP1-ERR-TARGET", "EV-MAP1-ERR-NOEFFECT",
+             combine(kForms))
+(Test& t, const Form& form) {
   constexpr GLenum kBad[] = {0x0D9Au, 0x0D9Fu, 0x0DA0u, 0x10D90u, 0x10D98u, 0x80000D97u};
   expect_targets_refused<Map1>(t, form.doubles, GL_MAP1_VERTEX_4, kBad);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, OrderTooLow, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, OrderTooLow, must, "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const int order : {0, -1, -64, kLowest}) {
     Map1 map = legal_map<Map1>(form.target);
     map.order = order;
     expect_refused(t, fmt::format("order {}", order), map, form.doubles, {GL_INVALID_VALUE});
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, OrderTooHigh, must, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const int limit = t.gl().max_eval_order;
   for (const int order : orders_too_high(t)) {
     Map1 map = legal_map<Map1>(form.target);
@@ -124,19 +130,21 @@ EVALCTS_LISTED_TESTS(Map1Errors, OrderTooHigh, target_forms(), const TargetForm&
         t, order < 0x101 ? fmt::format("order MAX+{}", order - limit) : fmt::format("order {}", order), map,
         form.doubles, {GL_INVALID_VALUE});
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, StrideBelowK, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const int stride : {gl::components_of(form.target) - 1, 0, -1, -17, kLowest}) {
     Map1 map = legal_map<Map1>(form.target);
     map.stride = stride;
     expect_refused(t, fmt::format("stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
   }
-}
+};
 
-EVALCTS_TESTS(Map1Errors, StrideBelowKAtEveryOrder, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()))
+(Test& t, const TargetForm& form) {
   gl::Case c("stride k - 1, orders 1 to MAX");
   prepare(c, Prepared::maps1, false);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -152,20 +160,22 @@ EVALCTS_TESTS(Map1Errors, StrideBelowKAtEveryOrder, target_forms(), const Target
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_VALUE});
   expect_unchanged(played, before, after);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, StrideBelowKAtOrder1, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, must, "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const int stride : {gl::components_of(form.target) - 1, 0, -1}) {
     Map1 map = legal_map<Map1>(form.target);
     map.order = 1;
     map.stride = stride;
     expect_refused(t, fmt::format("order 1 stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, EqualDomainEnds, must, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const int order : {1, 3, 2, 8})
     for (const double end : {0.0, 1.0, -2.5, 1e6}) {
       if ((order == 2 || order == 8) && end != 1) continue;
@@ -175,18 +185,21 @@ EVALCTS_LISTED_TESTS(Map1Errors, EqualDomainEnds, target_forms(), const TargetFo
       expect_refused(t, fmt::format("u1 = u2 = {}, order {}", end, order), map, form.doubles,
                      {GL_INVALID_VALUE});
     }
-}
+};
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
-EVALCTS_LISTED_TESTS(Map1Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP1-ERR-DOMAIN") {
+EVALCTS_TEST(Map1Errors, ZeroOfEitherSign, quality, "EV-MAP1-ERR-DOMAIN",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   Map1 map = legal_map<Map1>(GL_MAP1_VERTEX_3);
   map.u1 = 0.0;
   map.u2 = -0.0;
   expect_refused(t, "u1 = +0 u2 = -0", map, form.doubles, {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, BetweenBeginAndEnd, must, "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
     for (const char* after : {"nothing", "Vertex"}) {
       if ((mode % 2 == 0) == (after[0] == 'V') && mode != GL_TRIANGLES) continue;
@@ -199,11 +212,12 @@ EVALCTS_LISTED_TESTS(Map1Errors, BetweenBeginAndEnd, target_forms(), const Targe
                            },
                            {GL_INVALID_OPERATION});
     }
-}
+};
 
 // The primitive goes on as if the refused command had not been there.
-EVALCTS_LISTED_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT", "EV-BE-IGNORED/1-D") {
+EVALCTS_TEST(Map1Errors, PrimitiveUndisturbed, must, "EV-MAP1-ERR-BEGINEND", "EV-MAP1-ERR-NOEFFECT",
+             "EV-BE-IGNORED/1-D", combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c("EvalCoord, Map1, EvalCoord, Vertex");
   define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6, -7, 8, -9}));
   c.Enable(GL_MAP1_VERTEX_3);
@@ -214,21 +228,23 @@ EVALCTS_LISTED_TESTS(Map1Errors, PrimitiveUndisturbed, target_forms(), const Tar
   c.Vertex3f(1, 2, 3);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, EvaluatesAsBefore, visible_target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, EvaluatesAsBefore, must, "EV-MAP1-ERR-NOEFFECT",
+             combine(visible_target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const auto evaluate_three = [&](gl::Case& c) {
     for (const double u : {0.0, 0.3125, 1.0}) evaluate(c, u, form.doubles);
   };
   expect_evaluates_as_before(
       t, form, "refused for order, stride, domain, target, Begin/End, evaluated after each",
       random_map(t, form.target, 4), form.target + 0x20, evaluate_three, evaluate_three);
-}
+};
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_LISTED_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/1-D",
-                     "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/1-D", "EV-MAP1-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   const auto spoiled = [](GLenum target, int order, int stride, double u2) {
     Map1 map = legal_map<Map1>(GL_MAP1_VERTEX_4);
     map.target = target;
@@ -254,11 +270,11 @@ EVALCTS_LISTED_TESTS(Map1Errors, SeveralAtOnce, kForms, const Form& form, must, 
                          c.End();
                        },
                        {GL_INVALID_ENUM, GL_INVALID_OPERATION});
-}
+};
 
 // An error that nobody has asked for changes nothing about the calls that follow.
-EVALCTS_TESTS(Map1Errors, RefusedWhileAnErrorWaits, target_forms(), const TargetForm& form, must,
-              "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, must, "EV-MAP1-ERR-NOEFFECT", combine(target_forms()))
+(Test& t, const TargetForm& form) {
   gl::Case c("refused for order, stride, domain, target and once more order");
   prepare(c, Prepared::maps1, true);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -279,19 +295,21 @@ EVALCTS_TESTS(Map1Errors, RefusedWhileAnErrorWaits, target_forms(), const Target
   Played played = t.play(c);
   played.expect_error(error, {GL_INVALID_VALUE, GL_INVALID_ENUM});
   expect_unchanged(played, before, after);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, LegalCallAfterwards, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-NOEFFECT") {
+EVALCTS_TEST(Map1Errors, LegalCallAfterwards, must, "EV-MAP1-ERR-NOEFFECT",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   std::vector<double> coefficients;
   for (int i = 0; i < 2 * gl::components_of(form.target); ++i) coefficients.push_back(i - 1.5);
   expect_legal_call_afterwards(t, form, "refused for order, stride and domain, then legal",
                                make_map1(form.target, -4, 4, 6, coefficients));
-}
+};
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.
-EVALCTS_LISTED_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetForm& form, must,
-                     "EV-MAP-NOERR-OTHER/1-D") {
+EVALCTS_TEST(Map1Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/1-D",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const auto expect_accepted = [&](const std::string& identity, const std::function<void(Map1&)>& change) {
     Map1 map = legal_map<Map1>(form.target);
     change(map);
@@ -317,7 +335,7 @@ EVALCTS_LISTED_TESTS(Map1Errors, NoOtherCondition, target_forms(), const TargetF
   expect_accepted("negative zeros and subnormals", [](Map1& m) {
     for (std::size_t i = 0; i < m.points.size(); ++i) m.points[i] = i % 2 ? -0.0 : std::ldexp(1.0, -140);
   });
-}
+};
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
@@ -374,43 +392,42 @@ void expect_refused_domains(Test& t, const TargetForm& form, const Direction<Map
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Map2Errors, BadTarget, kForms, const Form& form, must, "EV-MAP2-ERR-TARGET",
-                     "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, BadTarget, must, "EV-MAP2-ERR-TARGET", "EV-MAP2-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   std::vector<GLenum> bad = {0, 0x0DAF, 0x0DB9, GL_TEXTURE_2D, GL_AUTO_NORMAL, GL_COEFF, 0xFFFFFFFFu};
   bad.insert(bad.end(), gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   expect_targets_refused<Map2>(t, form.doubles, GL_MAP2_VERTEX_4, bad);
-}
+};
 
 // Whatever part of the number is looked at.
-EVALCTS_TESTS(Map2Errors, BadTargetOfSimilarNumber, kForms, const Form& form, must, "EV-MAP2-ERR-TARGET",
-              "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, BadTargetOfSimilarNumber, must, "EV-MAP2-ERR-TARGET", "EV-MAP2-ERR-NOEFFECT",
+             combine(kForms))
+(Test& t, const Form& form) {
   constexpr GLenum kBad[] = {0x0DA0u, 0x0DBFu, 0x0DC0u, 0x10DB0u, 0x10DB8u, 0x80000DB7u};
   expect_targets_refused<Map2>(t, form.doubles, GL_MAP2_VERTEX_4, kBad);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, UOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-UORDER",
-                     "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_orders(t, form, kU);
-}
+EVALCTS_TEST(Map2Errors, UOrder, must, "EV-MAP2-ERR-UORDER", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_orders(t, form, kU); };
 
-EVALCTS_LISTED_TESTS(Map2Errors, VOrder, target_forms2(), const TargetForm& form, must, "EV-MAP2-ERR-VORDER",
-                     "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_orders(t, form, kV);
-}
+EVALCTS_TEST(Map2Errors, VOrder, must, "EV-MAP2-ERR-VORDER", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_orders(t, form, kV); };
 
-EVALCTS_LISTED_TESTS(Map2Errors, UStride, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_strides(t, form, kU);
-}
+EVALCTS_TEST(Map2Errors, UStride, must, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_strides(t, form, kU); };
 
-EVALCTS_LISTED_TESTS(Map2Errors, VStride, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-VSTRIDE", "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_strides(t, form, kV);
-}
+EVALCTS_TEST(Map2Errors, VStride, must, "EV-MAP2-ERR-VSTRIDE", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_strides(t, form, kV); };
 
 // k - 1 is too little whatever the orders are.
-EVALCTS_TESTS(Map2Errors, StridesAtManyOrders, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE") {
+EVALCTS_TEST(Map2Errors, StridesAtManyOrders, must, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE",
+             combine(target_forms2()))
+(Test& t, const TargetForm& form) {
   std::vector<Calls> bad;
   for (const Direction<Map2>& direction : {kU, kV})
     for (const auto& [uorder, vorder] :
@@ -422,21 +439,20 @@ EVALCTS_TESTS(Map2Errors, StridesAtManyOrders, target_forms2(), const TargetForm
       bad.push_back(defining(map, form.doubles));
     }
   expect_refused(t, "orders 2x2, 1x8, 8x1, 4x5, 8x8, MAXx2", bad, {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, UDomain, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_domains(t, form, kU);
-}
+EVALCTS_TEST(Map2Errors, UDomain, must, "EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_domains(t, form, kU); };
 
-EVALCTS_LISTED_TESTS(Map2Errors, VDomain, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-VDOMAIN", "EV-MAP2-ERR-NOEFFECT") {
-  expect_refused_domains(t, form, kV);
-}
+EVALCTS_TEST(Map2Errors, VDomain, must, "EV-MAP2-ERR-VDOMAIN", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) { expect_refused_domains(t, form, kV); };
 
 // +0 and -0 are equal, which the text does not say in so many words (U-ZERO-SIGN).
-EVALCTS_LISTED_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, quality, "EV-MAP2-ERR-UDOMAIN",
-                     "EV-MAP2-ERR-VDOMAIN") {
+EVALCTS_TEST(Map2Errors, ZeroOfEitherSign, quality, "EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-VDOMAIN",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   for (const Direction<Map2>& direction : {kU, kV}) {
     Map2 map = legal_map<Map2>(GL_MAP2_VERTEX_3);
     map.*direction.first = 0.0;
@@ -444,7 +460,7 @@ EVALCTS_LISTED_TESTS(Map2Errors, ZeroOfEitherSign, kForms, const Form& form, qua
     expect_refused(t, direction.order == kU.order ? "u1 = +0 u2 = -0" : "v1 = +0 v2 = -0",
                    {defining(map, form.doubles)}, {GL_INVALID_VALUE});
   }
-}
+};
 
 namespace {
 
@@ -464,20 +480,23 @@ void expect_refused_in(Test& t, const TargetForm& form, const std::string& ident
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Map2Errors, BetweenBeginAndEnd, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, BetweenBeginAndEnd, must, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   expect_refused_in(t, form, "in POINTS, TRIANGLES, QUAD_STRIP, POLYGON; first and after Vertex",
                     {GL_POINTS, GL_TRIANGLES, GL_QUAD_STRIP, GL_POLYGON});
-}
-EVALCTS_TESTS(Map2Errors, BetweenBeginAndEndElsewhere, target_forms2(), const TargetForm& form, must,
-              "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT") {
+};
+EVALCTS_TEST(Map2Errors, BetweenBeginAndEndElsewhere, must, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()))
+(Test& t, const TargetForm& form) {
   expect_refused_in(t, form, "in the other primitives; first and after Vertex",
                     {GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS});
-}
+};
 
 // The primitive goes on as if the refused command had not been there.
-EVALCTS_LISTED_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT", "EV-BE-IGNORED/2-D") {
+EVALCTS_TEST(Map2Errors, PrimitiveUndisturbed, must, "EV-MAP2-ERR-BEGINEND", "EV-MAP2-ERR-NOEFFECT",
+             "EV-BE-IGNORED/2-D", combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c("EvalCoord2, Map2, EvalCoord2, Vertex");
   define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {1, 2, 3, 4, 5, 6, -7, 8, -9, 2.5, 0.25, -1}));
   c.Enable(GL_MAP2_VERTEX_3);
@@ -488,10 +507,11 @@ EVALCTS_LISTED_TESTS(Map2Errors, PrimitiveUndisturbed, target_forms2(), const Ta
   c.Vertex3f(1, 2, 3);
   c.End();
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, EvaluatesAsBefore, must, "EV-MAP2-ERR-NOEFFECT",
+             combine(visible_target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   expect_evaluates_as_before(
       t, form, "refused for orders, strides, domains, target, Begin/End, evaluated after each",
       random_map2(t, form.target, 3, 4), form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0],
@@ -500,11 +520,12 @@ EVALCTS_LISTED_TESTS(Map2Errors, EvaluatesAsBefore, visible_target_forms2(), con
           evaluate2(c, u, v, form.doubles);
       },
       [&](gl::Case& c) { evaluate2(c, 0.6875, 0.125, form.doubles); });
-}
+};
 
 // Several conditions at once: one of the matching errors, whichever.
-EVALCTS_LISTED_TESTS(Map2Errors, SeveralAtOnce, kForms, const Form& form, must, "EV-MAP-ERR-ANY/2-D",
-                     "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR-NOEFFECT",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   const auto spoiled = [&](const std::function<void(Map2&)>& spoil) {
     Map2 map = legal_map<Map2>(GL_MAP2_VERTEX_4);
     spoil(map);
@@ -540,18 +561,20 @@ EVALCTS_LISTED_TESTS(Map2Errors, SeveralAtOnce, kForms, const Form& form, must, 
                    c.End();
                  }},
                  {GL_INVALID_VALUE, GL_INVALID_OPERATION});
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, LegalCallAfterwards, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-NOEFFECT") {
+EVALCTS_TEST(Map2Errors, LegalCallAfterwards, must, "EV-MAP2-ERR-NOEFFECT",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   Map2 map = random_map2(t, form.target, 3, 2, 16, 5);
   map.u1 = -4, map.u2 = 4, map.v1 = 9, map.v2 = 8;
   expect_legal_call_afterwards(t, form, "refused for orders, strides and domains, then legal", map);
-}
+};
 
 // What is no error: EV-MAP-NOERR-OTHER names the conditions.
-EVALCTS_LISTED_TESTS(Map2Errors, NoOtherCondition, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP-NOERR-OTHER/2-D") {
+EVALCTS_TEST(Map2Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/2-D",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c(
       "large strides, reversed, negative, large and narrow domains, repeated points, negative zeros, "
       "subnormals");
@@ -592,6 +615,6 @@ EVALCTS_LISTED_TESTS(Map2Errors, NoOtherCondition, target_forms2(), const Target
     played.expect_no_error(answers[i].first);
     played.expect_values(answers[i].second, orders[i]);
   }
-}
+};
 
 }  // namespace evalcts::suite_map_errors

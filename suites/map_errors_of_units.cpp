@@ -1,6 +1,8 @@
 // Section 5 of the requirements: Map1 and Map2 are errors while a texture unit other than TEXTURE0 is active.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "refusal.h"
 
 namespace evalcts::suite_map_errors_of_units {
@@ -68,8 +70,9 @@ void expect_popped_texture_decides(Test& t, bool doubles, std::initializer_list<
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ERR-ACTIVETEX", "EV-MAP1-ERR-NOEFFECT", "EV-EXT-MT-RULE/1-D") {
+EVALCTS_TEST(Map1Errors, ActiveTexture, must, "EV-MAP1-ERR-ACTIVETEX", "EV-MAP1-ERR-NOEFFECT",
+             "EV-EXT-MT-RULE/1-D", combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   require_texture_units(t);
   expect_refused<Map1>(t, "TEXTURE1 active",
                        [&](gl::Case& c) {
@@ -89,16 +92,18 @@ EVALCTS_LISTED_TESTS(Map1Errors, ActiveTexture, target_forms(), const TargetForm
                          {GL_INVALID_OPERATION});
 
   expect_active_texture_decides<Map1>(t, form);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1Errors, ActiveTextureOfPopAttrib, kForms, const Form& form, must,
-                     "EV-MAP1-ERR-ACTIVETEX") {
+EVALCTS_TEST(Map1Errors, ActiveTextureOfPopAttrib, must, "EV-MAP1-ERR-ACTIVETEX",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_popped_texture_decides<Map1>(t, form.doubles,
                                       {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_INDEX});
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ERR-ACTIVETEX", "EV-MAP2-ERR-NOEFFECT", "EV-EXT-MT-RULE/2-D") {
+EVALCTS_TEST(Map2Errors, ActiveTexture, must, "EV-MAP2-ERR-ACTIVETEX", "EV-MAP2-ERR-NOEFFECT",
+             "EV-EXT-MT-RULE/2-D", combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   require_texture_units(t);
   std::vector<GLenum> units = {GL_TEXTURE1};
   if (t.gl().texture_units > 2) units.push_back(GL_TEXTURE0 + static_cast<GLenum>(t.gl().texture_units) - 1);
@@ -112,12 +117,13 @@ EVALCTS_LISTED_TESTS(Map2Errors, ActiveTexture, target_forms2(), const TargetFor
   expect_refused(t, "TEXTURE1 and the last unit active", bad, {GL_INVALID_OPERATION});
 
   expect_active_texture_decides<Map2>(t, form);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2Errors, ActiveTextureOfPopAttrib, kForms, const Form& form, must,
-                     "EV-MAP2-ERR-ACTIVETEX") {
+EVALCTS_TEST(Map2Errors, ActiveTextureOfPopAttrib, must, "EV-MAP2-ERR-ACTIVETEX",
+             combine(kForms).by(gl::list_deliveries()))
+(Test& t, const Form& form) {
   expect_popped_texture_decides<Map2>(t, form.doubles,
                                       {GL_MAP2_VERTEX_3, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_INDEX});
-}
+};
 
 }  // namespace evalcts::suite_map_errors_of_units

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_map_state {
@@ -107,8 +109,9 @@ std::vector<Map1> nine_maps1(Test& t) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Map1State, EveryOrderAccepted, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-ORDER-ALL") {
+EVALCTS_TEST(Map1State, EveryOrderAccepted, must, "EV-MAP1-ORDER-ALL",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c("orders 1 to MAX");
   std::vector<std::pair<gl::Ref, gl::Ref>> answers;
   for (int order = 1; order <= t.max_order(); ++order) {
@@ -121,10 +124,12 @@ EVALCTS_LISTED_TESTS(Map1State, EveryOrderAccepted, target_forms(), const Target
     played.expect_no_error(answers[i].first);
     played.expect_values(answers[i].second, std::vector<GLint>{static_cast<GLint>(i) + 1});
   }
-}
+};
 
 // k shows in two ways: where the stride error begins, and in how much COEFF answers.
-EVALCTS_LISTED_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target, must, "EV-MAP1-K") {
+EVALCTS_TEST(Map1State, ValuesPerPoint, must, "EV-MAP1-K",
+             combine(gl::kMap1Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   const int k = gl::components_of(target);
   gl::Case c("strides k and k-1; size of COEFF");
   define(c, random_map(t, target, 3, k));
@@ -140,10 +145,11 @@ EVALCTS_LISTED_TESTS(Map1State, ValuesPerPoint, gl::kMap1Targets, GLenum target,
   played.expect(played.trace().written(coefficients) == static_cast<std::size_t>(3 * k), coefficients,
                 "COEFF of a map of order 3 does not answer 3*k values", fmt::format("{} values", 3 * k),
                 fmt::format("{} values", played.trace().written(coefficients)));
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, must, "EV-MAP1-STRIDE",
-                     "EV-MAP1-PADDING") {
+EVALCTS_TEST(Map1State, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257, 1000, 0x10000 + k})
     for (const int order : {1, 2, 5, t.max_order()}) {
@@ -157,10 +163,11 @@ EVALCTS_LISTED_TESTS(Map1State, Stride, target_forms(), const TargetForm& form, 
       played.expect_no_error(error);
       expect_map(played, query, map, form.doubles);
     }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-STRIDE-MIN") {
+EVALCTS_TEST(Map1State, SmallestStride, must, "EV-MAP1-STRIDE-MIN",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const int order : {1, 2, t.max_order()}) {
     gl::Case c(fmt::format("stride k, order {}", order));
     define(c, random_map(t, form.target, order, gl::components_of(form.target)), form.doubles);
@@ -170,9 +177,10 @@ EVALCTS_LISTED_TESTS(Map1State, SmallestStride, target_forms(), const TargetForm
     played.expect_no_error(error);
     played.expect_values(defined, std::vector<GLint>{order});
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+EVALCTS_TEST(Map1State, CopyOnCall, must, "EV-MAP1-COPY", combine(kFates).by(gl::list_deliveries()))
+(Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms())
     for (const int order : {1, 4, t.max_order()})
       for (const int stride : {gl::components_of(form.target), 5}) {
@@ -183,9 +191,10 @@ EVALCTS_LISTED_TESTS(Map1State, CopyOnCall, kFates, const Fate& fate, must, "EV-
         Played played = t.play(c);
         expect_map(played, query, map, form.doubles);
       }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, must, "EV-MAP1-COPY") {
+EVALCTS_TEST(Map1State, CopyOnCallEvaluated, must, "EV-MAP1-COPY", combine(kFates).by(gl::list_deliveries()))
+(Test& t, const Fate& fate) {
   for (const GLenum target : visible_targets()) {
     gl::Case c(label(target) + ", both forms");
     enable_visibly(c, target);
@@ -197,11 +206,12 @@ EVALCTS_LISTED_TESTS(Map1State, CopyOnCallEvaluated, kFates, const Fate& fate, m
         }
     t.expect_emission(c, attribute_of(target));
   }
-}
+};
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_LISTED_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE") {
+EVALCTS_TEST(Map1State, SamePointerNewPoints, must, "EV-MAP1-COPY", "EV-MAP1-REPLACE", "EV-MAP1-LIVE",
+             combine(visible_target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c("three definitions through one array");
   enable_visibly(c, form.target);
   for (int round = 0; round < 3; ++round) {
@@ -217,9 +227,10 @@ EVALCTS_LISTED_TESTS(Map1State, SamePointerNewPoints, visible_target_forms(), co
   const MapQuery query = query_map(queried, form.target, t.max_order(), form.doubles);
   Played played = t.play(queried);
   expect_map(played, query, second, form.doubles);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
+EVALCTS_TEST(Map1State, Replace, must, "EV-MAP1-REPLACE", combine(gl::kMap1Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   for (const std::pair<int, int>& orders :
        {std::pair{5, 2}, {2, 5}, {4, 4}, {1, 1}, {1, t.max_order()}, {t.max_order(), 1}}) {
     gl::Case c(fmt::format("order {} then {}", orders.first, orders.second));
@@ -228,10 +239,12 @@ EVALCTS_LISTED_TESTS(Map1State, Replace, gl::kMap1Targets, GLenum target, must, 
     first.u1 = 3, first.u2 = 4, second.u1 = -1, second.u2 = 0.5;
     expect_replaced(t, c, nine_maps1(t), first, second);
   }
-}
+};
 
 // Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
-EVALCTS_LISTED_TESTS(Map1State, ReplaceAfterQuery, gl::kMap1Targets, GLenum target, must, "EV-MAP1-REPLACE") {
+EVALCTS_TEST(Map1State, ReplaceAfterQuery, must, "EV-MAP1-REPLACE",
+             combine(gl::kMap1Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("another domain, other points, another order, the first once more");
   std::vector<Map1> maps = {random_map(t, target, 4, 5)};
   maps.push_back(maps[0]);
@@ -247,9 +260,10 @@ EVALCTS_LISTED_TESTS(Map1State, ReplaceAfterQuery, gl::kMap1Targets, GLenum targ
   }
   Played played = t.play(c);
   for (std::size_t i = 0; i < maps.size(); ++i) expect_map(played, queries[i], maps[i]);
-}
+};
 
-EVALCTS_LISTED_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP") {
+EVALCTS_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP", by(gl::list_deliveries()))
+(Test& t) {
   for (const int fewer : {0, 1}) {
     gl::Case c(fewer == 0 ? "all of the largest order" : "all of one less");
     std::vector<Map1> maps;
@@ -259,12 +273,15 @@ EVALCTS_LISTED_TEST(Map1State, IndependentLongMaps, must, "EV-MAP1-INDEP") {
     }
     expect_maps(t, c, maps);
   }
-}
+};
 
-EVALCTS_LISTED_TEST(Map1State, Independent, must, "EV-MAP1-INDEP") { expect_independent(t, nine_maps1(t)); }
+EVALCTS_TEST(Map1State, Independent, must, "EV-MAP1-INDEP", by(gl::list_deliveries()))
+(Test& t) { expect_independent(t, nine_maps1(t)); };
 
 // A one-dimensional definition leaves all two-dimensional maps alone; the reverse needs Map2.
-EVALCTS_LISTED_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-REPLACE") {
+EVALCTS_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV-MAP1-REPLACE",
+             by(gl::list_deliveries()))
+(Test& t) {
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine defined, {} form", form.name));
     const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -275,17 +292,19 @@ EVALCTS_LISTED_TEST(Map1State, LeavesMap2Alone, must, "EV-MAP1-VS-MAP2/1-D", "EV
     for (std::size_t i = 4 * gl::kMap1Targets.size(); i < before.size(); ++i)
       played.expect_same(before[i], after[i]);
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, EnableUntouched, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-NOENABLE") {
+EVALCTS_TEST(Map1State, EnableUntouched, must, "EV-MAP1-NOENABLE",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   expect_enables_untouched(t, form.target, gl::kMap1Targets, [&](gl::Case& c, bool constant) {
     define(c, random_map(t, form.target, constant ? 1 : 3, 4), form.doubles);
   });
-}
+};
 
 // Also at the argument that was evaluated last, and with the order that the map had.
-EVALCTS_LISTED_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& form, must, "EV-MAP1-LIVE") {
+EVALCTS_TEST(Map1State, Live, must, "EV-MAP1-LIVE", combine(visible_target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c("evaluate, define anew, evaluate");
   enable_visibly(c, form.target);
   Map1 map;
@@ -306,23 +325,25 @@ EVALCTS_LISTED_TESTS(Map1State, Live, visible_target_forms(), const TargetForm& 
   enable_visibly(c, form.target);
   evaluate_some(c);
   t.expect_emission(c, attribute_of(form.target));
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, PixelStoreIgnored, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-NOPIXELSTORE") {
+EVALCTS_TEST(Map1State, PixelStoreIgnored, must, "EV-MAP1-NOPIXELSTORE",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c = with_pixel_store();
   const Map1 map = random_map(t, form.target, 4, 5);
   define(c, map, form.doubles);
   expect_maps(t, c, std::vector{map}, form.doubles);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map1State, BuffersIgnored, target_forms(), const TargetForm& form, must,
-                     "EV-MAP1-NOBUFFER") {
+EVALCTS_TEST(Map1State, BuffersIgnored, must, "EV-MAP1-NOBUFFER",
+             combine(target_forms()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   gl::Case c = with_buffers(t);
   const Map1 map = random_map(t, form.target, 4, 5);
   define(c, map, form.doubles);
   expect_maps(t, c, std::vector{map}, form.doubles);
-}
+};
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
@@ -391,8 +412,9 @@ class Definitions {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Map2State, EveryOrderAccepted, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ORDER-ALL") {
+EVALCTS_TEST(Map2State, EveryOrderAccepted, must, "EV-MAP2-ORDER-ALL",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const int max = t.max_order();
   std::vector<Orders> pairs;
   const int small = t.by_depth(4, 8, max);
@@ -414,10 +436,12 @@ EVALCTS_LISTED_TESTS(Map2State, EveryOrderAccepted, target_forms2(), const Targe
     played.expect_no_error(answers[i].first);
     played.expect_values(answers[i].second, std::vector<GLint>{pairs[i].first, pairs[i].second});
   }
-}
+};
 
 // k shows in two ways: where the stride errors begin, and in how much COEFF answers.
-EVALCTS_LISTED_TESTS(Map2State, ValuesPerPoint, gl::kMap2Targets, GLenum target, must, "EV-MAP2-K") {
+EVALCTS_TEST(Map2State, ValuesPerPoint, must, "EV-MAP2-K",
+             combine(gl::kMap2Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   const int k = gl::components_of(target);
   gl::Case c("strides k and k-1; size of COEFF");
   Map2 map = random_map2(t, target, 3, 2, k, k);
@@ -437,11 +461,12 @@ EVALCTS_LISTED_TESTS(Map2State, ValuesPerPoint, gl::kMap2Targets, GLenum target,
   played.expect(played.trace().written(coefficients) == static_cast<std::size_t>(6 * k), coefficients,
                 "COEFF of a map of order 3x2 does not answer 6*k values", fmt::format("{} values", 6 * k),
                 fmt::format("{} values", played.trace().written(coefficients)));
-}
+};
 
 // Each net, whatever its layout, ends before an inaccessible page.
-EVALCTS_LISTED_TESTS(Map2State, Layouts, target_forms2(), const TargetForm& form, must, "EV-MAP2-ADDRESS",
-                     "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
+EVALCTS_TEST(Map2State, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const Layout& layout : kLayouts) {
     if (layout.shared) continue;
     Definitions definitions(t, layout.name);
@@ -449,10 +474,11 @@ EVALCTS_LISTED_TESTS(Map2State, Layouts, target_forms2(), const TargetForm& form
       definitions.add(random_map2(t, form.target, u, v, layout), form.doubles);
     definitions.check();
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE") {
+EVALCTS_TEST(Map2State, LargeStrides, must, "EV-MAP2-ADDRESS", "EV-MAP2-PADDING", "EV-MAP2-STRIDE-FREE",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   Definitions definitions(t, "strides up to 1000");
   for (const auto& [ustride, vstride] :
        {std::pair{1000, 17}, {17, 1000}, {257, 64}, {64, 257}, {300, 5}, {5, 300}})
@@ -462,11 +488,12 @@ EVALCTS_LISTED_TESTS(Map2State, LargeStrides, target_forms2(), const TargetForm&
   definitions.add(random_map2(t, form.target, 2, 3, 0x10000 + 20, 5), form.doubles);
   definitions.add(random_map2(t, form.target, 3, 2, 5, 0x10000 + 20), form.doubles);
   definitions.check();
-}
+};
 
 // The same net from either order of memory is the same map.
-EVALCTS_LISTED_TESTS(Map2State, SameNetEitherWay, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ADDRESS") {
+EVALCTS_TEST(Map2State, SameNetEitherWay, must, "EV-MAP2-ADDRESS",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const int k = gl::components_of(form.target);
   gl::Case c("3x5 in both orders of memory");
   const std::vector<double> net = random_values(t.random(), static_cast<std::size_t>(3 * 5 * k));
@@ -480,10 +507,11 @@ EVALCTS_LISTED_TESTS(Map2State, SameNetEitherWay, target_forms2(), const TargetF
   Played played = t.play(c);
   played.expect_same(answers[0], answers[1]);
   for (const gl::Ref answer : answers) played.expect_values_near(answer, net, 1e-5);
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, SharedPoints, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS") {
+EVALCTS_TEST(Map2State, SharedPoints, must, "EV-MAP2-STRIDE-FREE", "EV-MAP2-ADDRESS",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   for (const Layout& layout : kLayouts) {
     if (!layout.shared) continue;
     Definitions definitions(t, layout.name);
@@ -491,18 +519,20 @@ EVALCTS_LISTED_TESTS(Map2State, SharedPoints, target_forms2(), const TargetForm&
       definitions.add(random_map2(t, form.target, u, v, layout), form.doubles);
     definitions.check();
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, StridesCountValues, gl::kMap2Targets, GLenum target, must,
-                     "EV-MAP2-STRIDE-UNITS") {
+EVALCTS_TEST(Map2State, StridesCountValues, must, "EV-MAP2-STRIDE-UNITS",
+             combine(gl::kMap2Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   Definitions definitions(t, "the same integers in both forms");
   for (const auto& [ustride, vstride] : {std::pair{24, 6}, {6, 24}, {7, 50}, {5, 5}})
     for (const Form& form : kForms)
       definitions.add(random_map2(t, target, 4, 3, ustride, vstride), form.doubles);
   definitions.check();
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, CopyOnCall, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
+EVALCTS_TEST(Map2State, CopyOnCall, must, "EV-MAP2-COPY", combine(kFates).by(gl::list_deliveries()))
+(Test& t, const Fate& fate) {
   for (const TargetForm& form : target_forms2()) {
     Definitions definitions(t, form.name);
     const int max = t.max_order();
@@ -511,28 +541,31 @@ EVALCTS_LISTED_TESTS(Map2State, CopyOnCall, kFates, const Fate& fate, must, "EV-
         definitions.add(random_map2(t, form.target, u, v, layout), form.doubles, fate.after);
     definitions.check();
   }
-}
+};
 
 // Asked only when all are defined and gone.
-EVALCTS_LISTED_TESTS(Map2State, CopiesOfAll, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
+EVALCTS_TEST(Map2State, CopiesOfAll, must, "EV-MAP2-COPY", combine(kFates).by(gl::list_deliveries()))
+(Test& t, const Fate& fate) {
   const std::vector<Map2> maps = nine_maps2(t);
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine, form {}", form.name));
     for (const Map2& map : maps) define(c, map, form.doubles, fate.after);
     expect_maps(t, c, maps, form.doubles);
   }
-}
+};
 
 // The same memory with other contents is another definition, whatever a library remembers of the pointer.
-EVALCTS_LISTED_TESTS(Map2State, SamePointerNewPoints, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-COPY", "EV-MAP2-REPLACE") {
+EVALCTS_TEST(Map2State, SamePointerNewPoints, must, "EV-MAP2-COPY", "EV-MAP2-REPLACE",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   Definitions definitions(t, "three definitions through one array");
   for (int round = 0; round < 3; ++round)
     definitions.add_in_slot(random_map2(t, form.target, 4, 3, 15, 5), form.doubles, 0);
   definitions.check();
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, "EV-MAP2-REPLACE") {
+EVALCTS_TEST(Map2State, Replace, must, "EV-MAP2-REPLACE", combine(gl::kMap2Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   const int max = t.max_order();
   const std::vector<Map2> others = nine_maps2(t);
   for (const auto& [before, after] : {std::pair{Orders{5, 2}, Orders{2, 5}},
@@ -552,10 +585,12 @@ EVALCTS_LISTED_TESTS(Map2State, Replace, gl::kMap2Targets, GLenum target, must, 
     second.u1 = -1, second.u2 = 0.5, second.v1 = 11, second.v2 = 13;
     expect_replaced(t, c, others, first, second);
   }
-}
+};
 
 // Each definition is queried before the next: nothing of an answer is left, whatever stays the same.
-EVALCTS_LISTED_TESTS(Map2State, ReplaceAfterQuery, gl::kMap2Targets, GLenum target, must, "EV-MAP2-REPLACE") {
+EVALCTS_TEST(Map2State, ReplaceAfterQuery, must, "EV-MAP2-REPLACE",
+             combine(gl::kMap2Targets).by(gl::list_deliveries()))
+(Test& t, GLenum target) {
   Definitions definitions(t, "the same values in other shapes, over other domains; another vorder");
   const std::vector<double> values =
       random_values(t.random(), static_cast<std::size_t>(12 * gl::components_of(target)));
@@ -570,9 +605,10 @@ EVALCTS_LISTED_TESTS(Map2State, ReplaceAfterQuery, gl::kMap2Targets, GLenum targ
   }
   for (const int vorder : {3, 5, 2, 3}) definitions.add(random_map2(t, target, 3, vorder), false);
   definitions.check();
-}
+};
 
-EVALCTS_LISTED_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE") {
+EVALCTS_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE", by(gl::list_deliveries()))
+(Test& t) {
   const int max = t.max_order();
   for (const auto& [u, v] : {Orders{max, 3}, {4, max}}) {
     gl::Case c(u == max ? "all MAXx3" : "all 4xMAX");
@@ -583,12 +619,15 @@ EVALCTS_LISTED_TEST(Map2State, IndependentLargeNets, must, "EV-MAP2-REPLACE") {
     }
     expect_maps(t, c, maps);
   }
-}
+};
 
-EVALCTS_LISTED_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE") { expect_independent(t, nine_maps2(t)); }
+EVALCTS_TEST(Map2State, Independent, must, "EV-MAP2-REPLACE", by(gl::list_deliveries()))
+(Test& t) { expect_independent(t, nine_maps2(t)); };
 
 // Everything but the MAP2 maps themselves: one-dimensional maps, grids, AUTO_NORMAL, current values.
-EVALCTS_LISTED_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", "EV-MAP2-REPLACE") {
+EVALCTS_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", "EV-MAP2-REPLACE",
+             by(gl::list_deliveries()))
+(Test& t) {
   for (const Form& form : kForms) {
     gl::Case c(fmt::format("all nine defined, {} form", form.name));
     for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
@@ -600,11 +639,12 @@ EVALCTS_LISTED_TEST(Map2State, LeavesTheRestAlone, must, "EV-MAP1-VS-MAP2/2-D", 
     for (std::size_t i = 0; i < before.size() - 4 * gl::kMap2Targets.size(); ++i)
       played.expect_same(before[i], after[i]);
   }
-}
+};
 
 // A pair of namesakes, defined in either order, queried together.
-EVALCTS_LISTED_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP1-VS-MAP2/2-D") {
+EVALCTS_TEST(Map2State, Namesakes, must, "EV-MAP1-VS-MAP2/2-D",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   const GLenum namesake = form.target - gl::kMap2Targets[0] + gl::kMap1Targets[0];
   for (const bool two_first : {false, true}) {
     gl::Case c(two_first ? "Map2 then Map1" : "Map1 then Map2");
@@ -620,31 +660,34 @@ EVALCTS_LISTED_TESTS(Map2State, Namesakes, target_forms2(), const TargetForm& fo
     expect_map(played, query1, one, form.doubles);
     expect_map(played, query2, two, form.doubles);
   }
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, EnableUntouched, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-NOENABLE") {
+EVALCTS_TEST(Map2State, EnableUntouched, must, "EV-MAP2-NOENABLE",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   std::vector<GLenum> caps(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
   caps.insert(caps.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
   caps.push_back(GL_AUTO_NORMAL);
   expect_enables_untouched(t, form.target, caps, [&](gl::Case& c, bool constant) {
     define(c, random_map2(t, form.target, constant ? 1 : 3, constant ? 1 : 2, 15, 4), form.doubles);
   });
-}
+};
 
 // The points are plain client memory: pixel store modes and bound buffers move nothing.
-EVALCTS_LISTED_TESTS(Map2State, PixelStoreIgnored, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ADDRESS") {
+EVALCTS_TEST(Map2State, PixelStoreIgnored, must, "EV-MAP2-ADDRESS",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   Definitions definitions(t, with_pixel_store());
   definitions.add(random_map2(t, form.target, 4, 3, 20, 5), form.doubles);
   definitions.check();
-}
+};
 
-EVALCTS_LISTED_TESTS(Map2State, BuffersIgnored, target_forms2(), const TargetForm& form, must,
-                     "EV-MAP2-ADDRESS") {
+EVALCTS_TEST(Map2State, BuffersIgnored, must, "EV-MAP2-ADDRESS",
+             combine(target_forms2()).by(gl::list_deliveries()))
+(Test& t, const TargetForm& form) {
   Definitions definitions(t, with_buffers(t));
   definitions.add(random_map2(t, form.target, 4, 3, 20, 5), form.doubles);
   definitions.check();
-}
+};
 
 }  // namespace evalcts::suite_map_state

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_map_values {
@@ -15,8 +17,9 @@ namespace evalcts::suite_map_values {
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
 // All orders of one target in one case: the map is defined anew before each Begin.
-EVALCTS_DELIVERED_TESTS(Map1Values, AllOrders, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
-                        "EV-NUM-ACCURACY/1-D") {
+EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c(fmt::format("orders 1 to MAX, {} form" ? "d" : "f"));
   enable_visibly(c, target);
   for (int order = 1; order <= t.max_order(); ++order) {
@@ -24,11 +27,12 @@ EVALCTS_DELIVERED_TESTS(Map1Values, AllOrders, visible_targets(), GLenum target,
     evaluate_all(c, arguments(t, {0, 1}, t.by_depth(8, order <= 32 ? 32 : 8, 400)));
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
-EVALCTS_DELIVERED_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum target, must, "EV-MAP1-BEZIER",
-                        "EV-NUM-ACCURACY/1-D") {
+EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("alternating, step, line, offset, one spike");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
@@ -47,10 +51,11 @@ EVALCTS_DELIVERED_TESTS(Map1Values, AwkwardData, visible_targets(), GLenum targe
     }
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
-EVALCTS_DELIVERED_TESTS(Map1Values, Ends, visible_targets(), GLenum target, must, "EV-MAP1-ZEROPOW") {
+EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
   enable_visibly(c, target);
   const auto k = static_cast<std::size_t>(gl::components_of(target));
@@ -67,7 +72,7 @@ EVALCTS_DELIVERED_TESTS(Map1Values, Ends, visible_targets(), GLenum target, must
     }
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 namespace {
 
@@ -101,14 +106,14 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
 
 }  // namespace
 
-EVALCTS_DELIVERED_TESTS(Map1Values, Domain, kDomains, const NamedDomain& domain, must, "EV-MAP1-DOMAIN") {
-  expect_over_domain(t, domain);
-}
+EVALCTS_TEST(Map1Values, Domain, must, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
+(Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
 // Where all points but the first few are far from zero what is next to the first end tells how exactly the
 // argument is taken apart.
-EVALCTS_DELIVERED_TESTS(Map1Values, NextToTheFirstEnd, visible_targets(), GLenum target, must,
-                        "EV-MAP1-DOMAIN") {
+EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("ramps that begin with zero");
   enable_visibly(c, target);
   const auto k = static_cast<std::size_t>(gl::components_of(target));
@@ -125,10 +130,11 @@ EVALCTS_DELIVERED_TESTS(Map1Values, NextToTheFirstEnd, visible_targets(), GLenum
       evaluate_all(c, us);
     }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // Each of the maps that make one vertex has a domain of its own.
-EVALCTS_DELIVERED_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN") {
+EVALCTS_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN", by(gl::curve_deliveries()))
+(Test& t) {
   constexpr Interval kOwn[] = {{0, 1}, {-1, 2}, {1.5, -0.5}, {0.25, 4.25}};
   gl::Case c("vertex, colour, normal and texture maps over four domains, exchanged four times");
   for (const Kinds& kinds : kKinds1) {
@@ -140,15 +146,15 @@ EVALCTS_DELIVERED_TEST(Map1Values, OwnDomains, must, "EV-MAP1-DOMAIN") {
     }
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Map1Values, ReversedDomain, kReversedDomains, const NamedDomain& domain, must,
-                        "EV-MAP1-REVERSED") {
-  expect_over_domain(t, domain);
-}
+EVALCTS_TEST(Map1Values, ReversedDomain, must, "EV-MAP1-REVERSED",
+             combine(kReversedDomains).by(gl::curve_deliveries()))
+(Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
-EVALCTS_DELIVERED_TESTS(Map1Values, OutsideDomain, visible_targets(), GLenum target, must,
-                        "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D") {
+EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("every order, to the left and to the right of the domain");
   enable_visibly(c, target);
   for (const Interval domain : {Interval{0, 1}, Interval{2, 5}, Interval{1, 0}}) {
@@ -164,11 +170,12 @@ EVALCTS_DELIVERED_TESTS(Map1Values, OutsideDomain, visible_targets(), GLenum tar
     }
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // So far that powers of the argument leave the usual range of magnitudes; the results do not.
-EVALCTS_DELIVERED_TESTS(Map1Values, FarOutsideDomain, visible_targets(), GLenum target, must,
-                        "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D") {
+EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("2^15 to 2^20 widths of the domain away");
   enable_visibly(c, target);
   for (const Interval domain : {Interval{0, 1}, {3, 1}})
@@ -182,10 +189,11 @@ EVALCTS_DELIVERED_TESTS(Map1Values, FarOutsideDomain, visible_targets(), GLenum 
       evaluate_all(c, us);
     }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenum target, must,
-                        "EV-MAP1-ORDER-ONE") {
+EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("one point, arguments in and outside the domain");
   enable_visibly(c, target);
   for (const int stride : {4, 9}) {
@@ -197,11 +205,12 @@ EVALCTS_DELIVERED_TESTS(Map1Values, OrderOneIsConstant, visible_targets(), GLenu
     evaluate_all(c, {2, 5, 3.3, -7, 100});
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // Values that differ in every component, so that no permutation of them goes unseen.
-EVALCTS_DELIVERED_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum target, must,
-                        "EV-MAP1-COMPORDER") {
+EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   std::vector<double> points;
@@ -212,10 +221,11 @@ EVALCTS_DELIVERED_TESTS(Map1Values, ComponentOrder, visible_targets(), GLenum ta
   enable_visibly(c, target);
   evaluate_all(c, {0, 0.5, 1});
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Map1Values, Stride, visible_targets(), GLenum target, must, "EV-MAP1-STRIDE",
-                        "EV-MAP1-PADDING") {
+EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
@@ -226,9 +236,11 @@ EVALCTS_DELIVERED_TESTS(Map1Values, Stride, visible_targets(), GLenum target, mu
       evaluate_all(c, {0, 0.25, 0.625, 1});
     }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_DELIVERED_TESTS(Map1Values, PaddingNaN, visible_targets(), GLenum target, must, "EV-MAP1-PADDING") {
+EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING",
+             combine(visible_targets()).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("padding of NaN and infinity");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
@@ -241,7 +253,7 @@ EVALCTS_DELIVERED_TESTS(Map1Values, PaddingNaN, visible_targets(), GLenum target
     evaluate_all(c, {0, 0.25, 0.625, 1});
   }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
@@ -275,8 +287,9 @@ std::vector<gl::Delivery> both_forms() {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(gl::surface_deliveries(), Map2Values, OrderPairs, visible_targets2(), GLenum target, must,
-                 "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM") {
+EVALCTS_TEST(Map2Values, OrderPairs, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
+             combine(visible_targets2()).by(gl::surface_deliveries()))
+(Test& t, GLenum target) {
   gl::Case c("all pairs of orders up to 8x8");
   enable_visibly(c, target);
   for (int uorder = 1; uorder <= 8; ++uorder)
@@ -285,10 +298,11 @@ EVALCTS_TESTS_BY(gl::surface_deliveries(), Map2Values, OrderPairs, visible_targe
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(1, 5, 100)));
     }
   t.expect_emission(c, attribute_of(target));
-}
+};
 
-EVALCTS_TEST_BY(both_forms(), Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D",
-                "EV-MAP2-ASYM") {
+EVALCTS_TEST(Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
+             by(both_forms()))
+(Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "orders above 8", [&](gl::Case& c, const DefineAll& define_all) {
     for (const Orders& orders :
@@ -299,11 +313,12 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, large ? t.by_depth(1, 1, 10) : t.by_depth(2, 4, 40)));
     }
   });
-}
+};
 
 // Every point of a grid: long runs of neighbours, along u and then along v.
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, GridOfArguments, must,
-                "EV-MAP2-BEZIER") {
+EVALCTS_TEST(Map2Values, GridOfArguments, must, "EV-MAP2-BEZIER",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   expect_of_all_kinds(t, "8x8 arguments", [](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{4, 4}, {3, 5}, {2, 2}}) {
       define_all(uorder, vorder, {0, 1}, {0, 1});
@@ -315,11 +330,12 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
       }
     }
   });
-}
+};
 
 // R_ij begins ustride*i + vstride*j values after the first; everything between is poisoned.
-EVALCTS_TESTS_BY(both_forms(), Map2Values, Layouts, kLayouts, const Layout& layout, must, "EV-MAP2-ADDRESS",
-                 "EV-MAP2-STRIDE-FREE", "EV-MAP2-PADDING") {
+EVALCTS_TEST(Map2Values, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE", "EV-MAP2-PADDING",
+             combine(kLayouts).by(both_forms()))
+(Test& t, const Layout& layout) {
   gl::Case c("orders 3x5, 4x2, 1x6, 6x1");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const auto& [uorder, vorder] : {Orders{3, 5}, {4, 2}, {1, 6}, {6, 1}}) {
@@ -327,9 +343,10 @@ EVALCTS_TESTS_BY(both_forms(), Map2Values, Layouts, kLayouts, const Layout& layo
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(4, 8, 100)));
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TEST_BY(both_forms(), Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING") {
+EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms()))
+(Test& t) {
   gl::Case c("padding of NaN and infinity");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL})
@@ -343,10 +360,11 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING")
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
     }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, TwoIntervals, must,
-                "EV-MAP2-DOMAIN") {
+EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   const std::pair<Interval, Interval> domains[] = {{{0, 1}, {2, 5}},
                                                    {{-3, -1}, {0, 1}},
                                                    {{1e3, 1e3 + 8}, {-1, 2}},
@@ -362,11 +380,12 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
                             evaluate_all(c, arguments(t, u, v, t.by_depth(2, 5, 60)));
                           }
                       });
-}
+};
 
 // Each of the maps that make one vertex has intervals of its own, some of them as wide in u as in v.
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OwnIntervals, must,
-                "EV-MAP2-DOMAIN") {
+EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   constexpr std::pair<Interval, Interval> kOwn[] = {
       {{0, 1}, {1, 2}}, {{-1, 2}, {0.5, 1.5}}, {{0, 1}, {0.25, 2.25}}, {{1.5, -0.5}, {2, 0}}};
   gl::Case c("vertex, colour, normal and texture maps over four domains, exchanged four times");
@@ -381,10 +400,11 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
     }
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, ReversedIntervals, must,
-                "EV-MAP2-REVERSED") {
+EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   expect_of_all_kinds(
       t, "neither interval reversed, either, both", [&](gl::Case& c, const DefineAll& define_all) {
         for (const Interval u : {Interval{0, 1}, {1, 0}, {-2, 5}, {5, -2}})
@@ -394,10 +414,11 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
             evaluate_all(c, arguments(t, u, v, t.by_depth(2, 5, 60)));
           }
       });
-}
+};
 
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OutsideTheRectangle, must,
-                "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D") {
+EVALCTS_TEST(Map2Values, OutsideTheRectangle, must, "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   expect_of_all_kinds(t, "beyond each edge and each corner", [&](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [u, v] : {std::pair{Interval{0, 1}, Interval{0, 1}}, {{2, 5}, {1, -1}}})
       for (const auto& [uorder, vorder] : {Orders{2, 2}, {4, 3}, {2, 7}, {6, 6}}) {
@@ -410,10 +431,11 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
         evaluate_all(c, outside);
       }
   });
-}
+};
 
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, UnequalOrders, must,
-                "EV-MAP2-ASYM", "EV-MAP2-BEZIER") {
+EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "2x5, 7x1, 1x7, MAXx1, 1xMAX", [&](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{2, 5}, {5, 2}, {7, 1}, {1, 7}, {max, 1}, {1, max}}) {
@@ -421,11 +443,12 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
       evaluate_all(c, arguments(t, {-1, 1}, {0, 2}, t.by_depth(2, 6, 60)));
     }
   });
-}
+};
 
 // Constant in the direction of order 1, far outside the domain as well; 1x1 is constant everywhere.
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, OrderOneInOneDirection, must,
-                "EV-MAP2-ORDER-ONE") {
+EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   expect_of_all_kinds(t, "1x1, 1x4, 4x1", [&](gl::Case& c, const DefineAll& define_all) {
     define_all(1, 1, {2, 5}, {0, 1});
     evaluate_all(c, {{2, 0}, {5, 1}, {-7, 100}, {3.25, -40}});
@@ -434,11 +457,12 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
     define_all(4, 1, {2, 5}, {0, 1});
     for (const double v : {0.0, 0.5, 1.0, -7.0, 100.0}) evaluate_all(c, {{3.125, v}, {5, v}});
   });
-}
+};
 
 // The weights of the other direction sum to 1 wherever it is evaluated.
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, ConstantInOneDirection, must,
-                "EV-MAP2-SEPARABLE") {
+EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   gl::Case c("R_ij = R_i and R_ij = R_j");
   for (const Kinds& kinds : kKinds2) {
     for (const GLenum target : kinds.targets) c.Enable(target);
@@ -462,11 +486,12 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
       }
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // At the corners all other points, however large, have no weight.
-EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, Corners, must,
-                "EV-NUM-CORNERS") {
+EVALCTS_TEST(Map2Values, Corners, must, "EV-NUM-CORNERS",
+             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+(Test& t) {
   gl::Case c("among points near the largest that the GL promises to hold");
   for (const Kinds& kinds : kKinds2) {
     for (const GLenum target : kinds.targets) c.Enable(target);
@@ -488,10 +513,11 @@ EVALCTS_TEST_BY(gl::without(gl::kArrays, gl::surface_deliveries()), Map2Values, 
       }
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // The points are gone when the map is evaluated.
-EVALCTS_TESTS_BY(both_forms(), Map2Values, PointsGone, kFates, const Fate& fate, must, "EV-MAP2-COPY") {
+EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(both_forms()))
+(Test& t, const Fate& fate) {
   gl::Case c("four maps in three layouts");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const Layout& layout : {kLayouts[0], kLayouts[3], kLayouts[5]}) {
@@ -500,10 +526,11 @@ EVALCTS_TESTS_BY(both_forms(), Map2Values, PointsGone, kFates, const Fate& fate,
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // A map is redefined, through the same memory or with other orders and domains, between evaluations.
-EVALCTS_TEST_BY(both_forms(), Map2Values, Redefinition, must, "EV-MAP2-REPLACE", "EV-MAP2-COPY") {
+EVALCTS_TEST(Map2Values, Redefinition, must, "EV-MAP2-REPLACE", "EV-MAP2-COPY", by(both_forms()))
+(Test& t) {
   gl::Case c("one map after the other, of each target in turn");
   for (const GLenum target : kKinds2[1].targets) {
     define(c, random_map2(t, target, 2, 2));
@@ -521,6 +548,6 @@ EVALCTS_TEST_BY(both_forms(), Map2Values, Redefinition, must, "EV-MAP2-REPLACE",
       evaluate_all(c, {{0.25, 0.75}, {-1, 3}});
     }
   t.expect_emission(c, kUnit0);
-}
+};
 
 }  // namespace evalcts::suite_map_values

@@ -2,6 +2,8 @@
 // and that no index of EvalPoint is wrong.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "refusal.h"
 
 namespace evalcts::suite_mesh_errors {
@@ -182,50 +184,41 @@ void expect_nothing_drawn(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE") {
-  expect_bad_modes_refused(t, false);
-}
+EVALCTS_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE", by(gl::list_deliveries()))
+(Test& t) { expect_bad_modes_refused(t, false); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE") {
-  expect_bad_modes_refused(t, true);
-}
+EVALCTS_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE", by(gl::list_deliveries()))
+(Test& t) { expect_bad_modes_refused(t, true); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST") {
-  expect_mode_checked_first(t, false);
-}
+EVALCTS_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST", by(gl::list_deliveries()))
+(Test& t) { expect_mode_checked_first(t, false); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST") {
-  expect_mode_checked_first(t, true);
-}
+EVALCTS_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST", by(gl::list_deliveries()))
+(Test& t) { expect_mode_checked_first(t, true); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND") {
-  expect_refused_inside(t, false);
-}
+EVALCTS_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND", by(gl::list_deliveries()))
+(Test& t) { expect_refused_inside(t, false); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND") {
-  expect_refused_inside(t, true);
-}
+EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND", by(gl::list_deliveries()))
+(Test& t) { expect_refused_inside(t, true); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE") {
-  expect_nothing_drawn(t, false);
-}
+EVALCTS_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE", by(gl::list_deliveries()))
+(Test& t) { expect_nothing_drawn(t, false); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE") {
-  expect_nothing_drawn(t, true);
-}
+EVALCTS_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE", by(gl::list_deliveries()))
+(Test& t) { expect_nothing_drawn(t, true); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND",
-                    "EV-BE-IGNORED/1-D") {
-  expect_primitive_undisturbed(t, false);
-}
+EVALCTS_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND", "EV-BE-IGNORED/1-D",
+             by(gl::list_deliveries()))
+(Test& t) { expect_primitive_undisturbed(t, false); };
 
-EVALCTS_LISTED_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND",
-                    "EV-BE-IGNORED/2-D") {
-  expect_primitive_undisturbed(t, true);
-}
+EVALCTS_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND", "EV-BE-IGNORED/2-D",
+             by(gl::list_deliveries()))
+(Test& t) { expect_primitive_undisturbed(t, true); };
 
 // Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
-EVALCTS_LISTED_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") {
+EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::list_deliveries()))
+(Test& t) {
   struct Attempt {
     Calls call;
     GLenum error;
@@ -275,10 +268,11 @@ EVALCTS_LISTED_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE") 
       played.expect_error(after[i], {begin ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION}});
     }
   }
-}
+};
 
 // Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
-EVALCTS_LISTED_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
+EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE", by(gl::list_deliveries()))
+(Test& t) {
   constexpr GLint kIndices[] = {-3,
                                 12,
                                 -1,
@@ -310,6 +304,6 @@ EVALCTS_LISTED_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE") {
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_no_error(error);
   expect_unchanged(played, before, after);
-}
+};
 
 }  // namespace evalcts::suite_mesh_errors

@@ -9,6 +9,7 @@
 #include <span>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "drawings.h"
 #include "grid_cases.h"
 #include "pictures.h"
@@ -188,7 +189,8 @@ void require_quads(const Picture& control) {
 // --- Quads -----------------------------------------------------------------------------------------------
 
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
-EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
+EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
+(Test& t) {
   std::vector<Scene> strips, evaluated;
   add_outlined(strips, true, explicit_strips(t, mesh(GL_FILL)));
   add_outlined(evaluated, true, mesh(GL_FILL));
@@ -198,10 +200,11 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS") {
     const Outlines quads = outlines_of_quads(kOutlined[i].mode);
     expect_outlines(picture, picture.parts[i], outlines_of(picture.parts[i]) == quads, quads);
   }
-}
+};
 
 // Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
-EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG") {
+EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG")
+(Test& t) {
   std::vector<Scene> strips, evaluated;
   for (const bool flag : {true, false}) {
     add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
@@ -221,9 +224,10 @@ EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG") {
                                       describe(seen), describe(with)),
                           describe(with), describe(seen));
   }
-}
+};
 
-EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
+EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS")
+(Test& t) {
   const gl::Case state = polygon_mode(GL_LINE);
   // Either diagonal goes through the middle.
   std::vector<Area> areas;
@@ -247,10 +251,11 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS") {
                           fmt::format("{}, {}, is {}", part.name, where, lit(part) ? "drawn" : "not drawn"),
                           is_edge(i) ? "drawn" : "not drawn", lit(part) ? "drawn" : "not drawn");
   }
-}
+};
 
 // Whatever the split inside, the vertices are those of the mesh and the middle is covered.
-EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
+EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
+(Test& t) {
   // Seen from the front as the patch is; z twists the quads.
   const double left = at_pixel(kLeft), right = at_pixel(kLeft + kWidth * kColumns);
   const double bottom = at_pixel(kBottom), top = at_pixel(kBottom + kHeight * kRows);
@@ -281,7 +286,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR") {
                           fmt::format("{}, in the middle of a quad, is not drawn", part.name), "drawn",
                           "not drawn");
   }
-}
+};
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
@@ -304,13 +309,15 @@ void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
 
 }  // namespace
 
-EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT") {
+EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT")
+(Test& t) {
   gl::Case state;
   state.ShadeModel(GL_FLAT);
   expect_flat(t, state, false);
-}
+};
 
-EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST") {
+EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST")
+(Test& t) {
   t.require(3, 2, "GL_ARB_provoking_vertex");
   gl::Case question("control: whether quads follow");
   const gl::Ref follow = question.GetIntegerv(GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, gl::out<GLint>(1));
@@ -319,7 +326,7 @@ EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST") {
   state.ShadeModel(GL_FLAT);
   state.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
   expect_flat(t, state, quads_follow);
-}
+};
 
 // --- Facing ----------------------------------------------------------------------------------------------
 
@@ -358,7 +365,8 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
 }  // namespace
 
 // The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
-EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING") {
+EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING")
+(Test& t) {
   std::vector<Facing> facings;
   for (const GLenum front : {GL_CCW, GL_CW})
     for (const GLenum culled : {GL_BACK, GL_FRONT})
@@ -380,11 +388,12 @@ EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING") {
              {}});
       }
   expect_facings(t, facings, false, "pipeline: explicit quad strips are culled otherwise");
-}
+};
 
 // The generated normal points to the viewer where the facet is seen from the back: the back material with the
 // normal reversed. Mirrored, the front material with the normal as it is.
-EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE") {
+EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE")
+(Test& t) {
   using Values = std::vector<float>;
   std::vector<Facing> facings;
   for (const bool mirrored : {false, true})
@@ -406,7 +415,7 @@ EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE") {
                          {mirrored ? 0.75 : 0, from_behind ? 0.5 : 0, mirrored ? 0 : 0.75, 1}});
     }
   expect_facings(t, facings, true, "pipeline: explicit quad strips are not lit on two sides");
-}
+};
 
 // --- What is of polygons only ----------------------------------------------------------------------------
 
@@ -501,8 +510,8 @@ class Looks {
 
 }  // namespace
 
-EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages, must,
-              "EV-MESH2-NOPOLYMODE") {
+EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
+(Test& t, const Stages& stages) {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
   const Looks control(
       t, stages, "control: explicit vertices",
@@ -524,10 +533,11 @@ EVALCTS_TESTS(Mesh2, LinesAndPointsAreNoPolygons, kStages, const Stages& stages,
           expect_mesh_like_explicit(looks.picture().played, seen[i], expected[i]);
         }
     }
-}
+};
 
 // In feedback, what comes out is the same kind of primitives at the same places: FillIsQuads counts them.
-EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-MESH2-NOPOLYMODE") {
+EVALCTS_TEST(Mesh2, FillsArePolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
+(Test& t, const Stages& stages) {
   const gl::Case evaluated = mesh(GL_FILL);
   const Looks control(t, stages, "control: explicit quad strips", {explicit_strips(t, evaluated)});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
@@ -551,6 +561,6 @@ EVALCTS_TESTS(Mesh2, FillsArePolygons, kStages, const Stages& stages, must, "EV-
       expect_outlines(looks.picture(), all_seen[i], holds, expected);
     }
   }
-}
+};
 
 }  // namespace evalcts::suite_mesh_pipeline

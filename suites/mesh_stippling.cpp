@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 
 namespace evalcts::suite_mesh_stippling {
@@ -137,21 +139,25 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
 
 }  // namespace
 
-EVALCTS_TESTS(Mesh1, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH1-STIPPLE") {
+EVALCTS_TEST(Mesh1, Stipple, must, "EV-MESH1-STIPPLE", combine(kStipples))
+(Test& t, const Stipple& stipple) {
   expect_stipple(t, stipple, stippled_mesh1(), {{0, 16, kSide, 1}, {0, 40, kSide, 1}});
-}
+};
 
-EVALCTS_TEST(Mesh1, StippleInFeedback, must, "EV-MESH1-STIPPLE") { expect_starts(t, stippled_mesh1()); }
+EVALCTS_TEST(Mesh1, StippleInFeedback, must, "EV-MESH1-STIPPLE")
+(Test& t) { expect_starts(t, stippled_mesh1()); };
 
-EVALCTS_TESTS(Mesh2, Stipple, kStipples, const Stipple& stipple, must, "EV-MESH2-STIPPLE") {
+EVALCTS_TEST(Mesh2, Stipple, must, "EV-MESH2-STIPPLE", combine(kStipples))
+(Test& t, const Stipple& stipple) {
   std::vector<Area> areas;
   for (int i = 0; i <= kSegments; ++i) {
     areas.push_back({0, static_cast<int>(kFirst + i * kStepV), kSide, 1});
     areas.push_back({static_cast<int>(kFirst + i * kStepU), 0, 1, kSide});
   }
   expect_stipple(t, stipple, stippled_mesh2(), areas);
-}
+};
 
-EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE") { expect_starts(t, stippled_mesh2()); }
+EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE")
+(Test& t) { expect_starts(t, stippled_mesh2()); };
 
 }  // namespace evalcts::suite_mesh_stippling

@@ -8,6 +8,7 @@
 #include <span>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "grid_cases.h"
 
 namespace evalcts::suite_meshes {
@@ -50,55 +51,65 @@ void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
 
 // --- EvalMesh1 -------------------------------------------------------------------------------------------
 
-EVALCTS_LISTED_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS") {
+EVALCTS_TEST(Mesh1, Points, must, "EV-MESH1-POINT", "EV-MESH1-COORDS", by(gl::list_deliveries()))
+(Test& t) {
   expect_meshes1(t, kModes1[0], "whole meshes of points",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
   expect_meshes1(t, kModes1[0], "many points", {{300, -0.5f, 2.5f}}, {{0, 300}});
-}
+};
 
 // N points are N - 1 connected segments, as those of an explicit LINE_STRIP (C-MESH1-LINES).
-EVALCTS_LISTED_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS") {
+EVALCTS_TEST(Mesh1, Lines, must, "EV-MESH1-LINE", "EV-MESH1-COORDS", by(gl::list_deliveries()))
+(Test& t) {
   expect_meshes1(t, kModes1[1], "whole meshes of lines",
                  {{1, 0, 1}, {4, -0.5f, 2.5f}, {7, 2, -1}, {10, 0.1f, 0.7f}}, {{0, 1}, {0, 4}, {0, 10}});
   expect_meshes1(t, kModes1[1], "one long strip", {{300, -0.5f, 2.5f}}, {{0, 300}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, SubRange, kModes1, const MeshMode& mode, must, "EV-MESH1-SUBRANGE",
-                     "EV-MESH1-COORDS") {
+EVALCTS_TEST(Mesh1, SubRange, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS",
+             combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "parts of meshes", awkward_grids(),
                  {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, OutsideTheGrid, kModes1, const MeshMode& mode, must, "EV-MESH1-NEGATIVE") {
+EVALCTS_TEST(Mesh1, OutsideTheGrid, must, "EV-MESH1-NEGATIVE", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "indices below 0 and above n",
                  {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
                  {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, EmptyRange, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
+EVALCTS_TEST(Mesh1, EmptyRange, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
-}
-EVALCTS_LISTED_TESTS(Mesh1, EmptyRangeBetween, kModes1, const MeshMode& mode, must, "EV-MESH1-EMPTY") {
+};
+EVALCTS_TEST(Mesh1, EmptyRangeBetween, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
-}
+};
 
 // One point, or a strip of one vertex, which is nothing.
-EVALCTS_LISTED_TESTS(Mesh1, SinglePoint, kModes1, const MeshMode& mode, must, "EV-MESH1-SINGLE") {
+EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 equal to i2", {{4, 0, 1}, {3, 0.1f, 0.7f}},
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, EqualEnds, kModes1, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+EVALCTS_TEST(Mesh1, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, ReversedGrid, kModes1, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+EVALCTS_TEST(Mesh1, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mode, must,
-                     "EV-MESH1-NOVERTEX") {
+EVALCTS_TEST(Mesh1, NothingWithoutVertexMap, must, "EV-MESH1-NOVERTEX",
+             combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("all maps but those of vertices, and those of two dimensions");
   enable_maps(t, c, false);
   enable_maps(t, c, true);
@@ -106,10 +117,11 @@ EVALCTS_LISTED_TESTS(Mesh1, NothingWithoutVertexMap, kModes1, const MeshMode& mo
   map_grid(c, {4, 0, 1});
   c.EvalMesh1(mode.mode, 0, 4);
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& mode, must,
-                     "EV-MESH1-ONLY1D") {
+EVALCTS_TEST(Mesh1, OtherDimensionHasNoEffect, must, "EV-MESH1-ONLY1D",
+             combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("MAP2 maps, another grid and AUTO_NORMAL");
   set_current_values(c);
   enable_maps(t, c, true);
@@ -120,9 +132,10 @@ EVALCTS_LISTED_TESTS(Mesh1, OtherDimensionHasNoEffect, kModes1, const MeshMode& 
   c.Enable(GL_MAP1_VERTEX_3);
   c.EvalMesh1(mode.mode, 0, 4);
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh1, CurrentValues, kModes1, const MeshMode& mode, must, "EV-MESH1-CURRENT") {
+EVALCTS_TEST(Mesh1, CurrentValues, must, "EV-MESH1-CURRENT", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("a vertex map only, current values changed between meshes");
   define(c, random_map(t, GL_MAP1_VERTEX_4, 4));
   c.Enable(GL_MAP1_VERTEX_4);
@@ -134,7 +147,7 @@ EVALCTS_LISTED_TESTS(Mesh1, CurrentValues, kModes1, const MeshMode& mode, must, 
   c.TexCoord1f(-3);
   c.EvalMesh1(mode.mode, 2, 4);
   t.expect_emission(c, kUnit0);
-}
+};
 
 namespace {
 
@@ -182,15 +195,14 @@ std::vector<Exactness2> exactness2() {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Mesh1, FirstIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-0") {
-  expect_exact1(t, mode, false);
-}
-EVALCTS_LISTED_TESTS(Mesh1, LastIsExact, kModes1, const MeshMode& mode, must, "EV-MESH1-EXACT-N") {
-  expect_exact1(t, mode, true);
-}
+EVALCTS_TEST(Mesh1, FirstIsExact, must, "EV-MESH1-EXACT-0", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) { expect_exact1(t, mode, false); };
+EVALCTS_TEST(Mesh1, LastIsExact, must, "EV-MESH1-EXACT-N", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) { expect_exact1(t, mode, true); };
 
 // In both directions; across it one step, so that FILL has both sides of a strip.
-EVALCTS_LISTED_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which, must, "EV-MESH2-EXACT") {
+EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(exactness2()).by(gl::list_deliveries()))
+(Test& t, const Exactness2& which) {
   const int whole = t.by_depth(20, 40, 300);
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t))
@@ -208,7 +220,7 @@ EVALCTS_LISTED_TESTS(Mesh2, EndsAreExact, exactness2(), const Exactness2& which,
         }
       },
       most);
-}
+};
 
 // --- EvalMesh2 -------------------------------------------------------------------------------------------
 
@@ -226,34 +238,35 @@ void expect_whole_meshes2(Test& t, const MeshMode& mode) {
 
 }  // namespace
 
-EVALCTS_LISTED_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS") {
-  expect_whole_meshes2(t, kModes2[0]);
-}
+EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::list_deliveries()))
+(Test& t) { expect_whole_meshes2(t, kModes2[0]); };
 // First the strips along i, then those along j; nothing is merged.
-EVALCTS_LISTED_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP") {
-  expect_whole_meshes2(t, kModes2[1]);
-}
+EVALCTS_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP",
+             by(gl::list_deliveries()))
+(Test& t) { expect_whole_meshes2(t, kModes2[1]); };
 // As quads in the order of rows, whole or in two triangles.
-EVALCTS_LISTED_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS") {
-  expect_whole_meshes2(t, kModes2[2]);
-}
+EVALCTS_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS", by(gl::list_deliveries()))
+(Test& t) { expect_whole_meshes2(t, kModes2[2]); };
 
-EVALCTS_LISTED_TESTS(Mesh2, SubRange, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS") {
+EVALCTS_TEST(Mesh2, SubRange, must, "EV-MESH2-COORDS", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   std::vector<std::pair<Grid, Grid>> grids;
   for (const Grid& grid : awkward_grids()) grids.emplace_back(grid, kV);
   grids.emplace_back(kV, Grid{1000, 0.1f, 0.7f});
   expect_meshes2(t, mode, "parts of meshes", grids, {{1, 3, 2, 4}, {2, 3, 0, 1}, {5, 7, 3, 5}, {0, 2, 4, 5}});
   expect_meshes2(t, mode, "far from the first row and column", {{{1000, 0.1f, 0.7f}, {1000, -0.3f, 1}}},
                  {{1, 2, 996, 998}, {300, 302, 2, 3}, {999, 1000, 513, 514}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, OutsideTheGrid, kModes2, const MeshMode& mode, must, "EV-MESH2-RANGE") {
+EVALCTS_TEST(Mesh2, OutsideTheGrid, must, "EV-MESH2-RANGE", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "indices below 0 and above un and vn",
                  {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
                  {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
+EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{1, 0, 0, 3},
                   {0, 4, 1, 0},
@@ -266,33 +279,38 @@ EVALCTS_LISTED_TESTS(Mesh2, EmptyRange, kModes2, const MeshMode& mode, must, "EV
   if (mode.mode == GL_FILL)
     expect_meshes2(t, mode, "FILL without width or height", {{{4, 0, 1}, {3, 1, 2}}},
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, EmptyRangeBetween, kModes2, const MeshMode& mode, must, "EV-MESH2-EMPTY") {
+EVALCTS_TEST(Mesh2, EmptyRangeBetween, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}},
                  {{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}});
-}
+};
 
 // A strip along one direction only, or nothing.
-EVALCTS_LISTED_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE") {
+EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
+(Test& t) {
   expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, EqualEnds, kModes2, const MeshMode& mode, must, "EV-GRID-EQUAL") {
+EVALCTS_TEST(Mesh2, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "all points, or all of a row, coincide",
                  {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
                  {{0, 3, 0, 2}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, ReversedGrid, kModes2, const MeshMode& mode, must, "EV-GRID-REVERSED") {
+EVALCTS_TEST(Mesh2, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "du, dv and both negative",
                  {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
                  {{0, 3, 0, 2}});
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mode, must,
-                     "EV-MESH2-NOVERTEX") {
+EVALCTS_TEST(Mesh2, NothingWithoutVertexMap, must, "EV-MESH2-NOVERTEX",
+             combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("all maps but those of vertices, and those of one dimension");
   enable_maps(t, c, true);
   enable_maps(t, c, false);
@@ -301,10 +319,11 @@ EVALCTS_LISTED_TESTS(Mesh2, NothingWithoutVertexMap, kModes2, const MeshMode& mo
   map_grid(c, {4, 0, 1}, kV);
   c.EvalMesh2(mode.mode, 0, 4, 0, 3);
   t.expect_emission(c, kPosition);
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& mode, must,
-                     "EV-MESH2-ONLY2D") {
+EVALCTS_TEST(Mesh2, OtherDimensionHasNoEffect, must, "EV-MESH2-ONLY2D",
+             combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("MAP1 maps and another grid");
   set_current_values(c);
   enable_maps(t, c, false);
@@ -314,10 +333,11 @@ EVALCTS_LISTED_TESTS(Mesh2, OtherDimensionHasNoEffect, kModes2, const MeshMode& 
   c.Enable(GL_MAP2_VERTEX_3);
   c.EvalMesh2(mode.mode, 0, 3, 0, 3);
   t.expect_emission(c, kUnit0);
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, CurrentValues, kModes2, const MeshMode& mode, must, "EV-MESH2-COORDS",
-                     "EV-COORD-CURRENT/2-D") {
+EVALCTS_TEST(Mesh2, CurrentValues, must, "EV-MESH2-COORDS", "EV-COORD-CURRENT/2-D",
+             combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   gl::Case c("a vertex map only, current values changed between meshes");
   define(c, random_map2(t, GL_MAP2_VERTEX_4, 4, 3));
   c.Enable(GL_MAP2_VERTEX_4);
@@ -329,7 +349,7 @@ EVALCTS_LISTED_TESTS(Mesh2, CurrentValues, kModes2, const MeshMode& mode, must, 
   c.TexCoord1f(-3);
   c.EvalMesh2(mode.mode, 1, 2, 1, 2);
   t.expect_emission(c, kUnit0);
-}
+};
 
 // --- Long meshes -----------------------------------------------------------------------------------------
 
@@ -421,14 +441,10 @@ std::vector<gl::Delivery> once() { return gl::without(gl::kRepetition, gl::list_
 
 }  // namespace
 
-EVALCTS_TESTS_BY(once(), Mesh1, ErrorDoesNotAccumulate, kModes1, const MeshMode& mode, must,
-                 "EV-MESH1-NOACCUM") {
-  expect_no_accumulation(t, mode, kAlong[0]);
-}
-EVALCTS_TESTS_BY(once(), Mesh2, ErrorDoesNotAccumulate, long_meshes2(), const LongMesh& mesh, must,
-                 "EV-MESH2-NOACCUM") {
-  expect_no_accumulation(t, mesh.mode, mesh.along);
-}
+EVALCTS_TEST(Mesh1, ErrorDoesNotAccumulate, must, "EV-MESH1-NOACCUM", combine(kModes1).by(once()))
+(Test& t, const MeshMode& mode) { expect_no_accumulation(t, mode, kAlong[0]); };
+EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, must, "EV-MESH2-NOACCUM", combine(long_meshes2()).by(once()))
+(Test& t, const LongMesh& mesh) { expect_no_accumulation(t, mesh.mode, mesh.along); };
 
 // --- The same vertex wherever it is drawn ----------------------------------------------------------------
 
@@ -493,8 +509,9 @@ const Range kWhole = {0, 37, 0, 11};
 }  // namespace
 
 // Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
-EVALCTS_LISTED_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], kModes2[2]}),
-                     const MeshMode& mode, must, "EV-MESH2-SHAREDROW") {
+EVALCTS_TEST(Mesh2, SharedVertices, must, "EV-MESH2-SHAREDROW",
+             combine((std::vector<MeshMode>{kModes2[1], kModes2[2]})).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map2(t, GL_MAP2_VERTEX_4, 4, 4));
   std::size_t shared = 0;
   for (const auto& [point, positions] : points) {
@@ -505,24 +522,27 @@ EVALCTS_LISTED_TESTS(Mesh2, SharedVertices, (std::vector<MeshMode>{kModes2[1], k
       fail_at(t, "in the primitives that share it", point, positions.front(), *other);
   }
   if (shared < 100) throw NotObservable("the points of the mesh do not come out, which other tests say");
-}
+};
 
-EVALCTS_LISTED_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE") {
+EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE", by(gl::list_deliveries()))
+(Test& t) {
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
   const ByPoint points = draw_numbered(t, kModes2[0], {kWhole}, map);
   expect_same_bits(t, "in LINE than in POINT", points, draw_numbered(t, kModes2[1], {kWhole}, map));
   expect_same_bits(t, "in FILL than in POINT", points, draw_numbered(t, kModes2[2], {kWhole}, map));
-}
+};
 
-EVALCTS_LISTED_TESTS(Mesh2, PartsAgree, kModes2, const MeshMode& mode, quality, "EV-MESH2-MODESAGREE") {
+EVALCTS_TEST(Mesh2, PartsAgree, quality, "EV-MESH2-MODESAGREE", combine(kModes2).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
   const ByPoint whole = draw_numbered(t, mode, {kWhole}, map);
   expect_same_bits(t, "in a part of the mesh", whole,
                    draw_numbered(t, mode, {{3, 9, 2, 4}, {30, 37, 5, 11}, {20, 22, 0, 1}}, map));
-}
+};
 
 // ... and in one dimension.
-EVALCTS_LISTED_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, "EV-MESH1-SUBRANGE") {
+EVALCTS_TEST(Mesh1, PartsAgree, quality, "EV-MESH1-SUBRANGE", combine(kModes1).by(gl::list_deliveries()))
+(Test& t, const MeshMode& mode) {
   Map1 map = random_map(t, GL_MAP1_VERTEX_4, 4);
   const auto draw = [&](const std::vector<std::pair<int, int>>& ranges) {
     gl::Case c(ranges.size() == 1 ? "a whole mesh" : "parts of it");
@@ -542,6 +562,6 @@ EVALCTS_LISTED_TESTS(Mesh1, PartsAgree, kModes1, const MeshMode& mode, quality, 
     return points;
   };
   expect_same_bits(t, "in a part of the mesh", draw({{0, 100}}), draw({{2, 9}, {50, 60}, {97, 100}}));
-}
+};
 
 }  // namespace evalcts::suite_meshes

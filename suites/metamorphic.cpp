@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 
 namespace evalcts::suite_metamorphic {
@@ -382,12 +383,10 @@ void expect_symmetry(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D") {
-  expect_symmetry(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D") {
-  expect_symmetry(t, true);
-}
+EVALCTS_TEST(Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D", by(in_lists()))
+(Test& t) { expect_symmetry(t, false); };
+EVALCTS_TEST(Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D", by(in_lists()))
+(Test& t) { expect_symmetry(t, true); };
 
 // --- EV-NUM-ELEVATION ------------------------------------------------------------------------------------
 
@@ -421,16 +420,15 @@ void expect_elevation(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D") {
-  expect_elevation(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D") {
-  expect_elevation(t, true);
-}
+EVALCTS_TEST(Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D", by(in_lists()))
+(Test& t) { expect_elevation(t, false); };
+EVALCTS_TEST(Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D", by(in_lists()))
+(Test& t) { expect_elevation(t, true); };
 
 // --- EV-NUM-TRANSPOSE ------------------------------------------------------------------------------------
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
+EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE", by(in_lists()))
+(Test& t) {
   expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, true)) {
       const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
@@ -444,7 +442,7 @@ EVALCTS_TEST_BY(in_lists(), Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE") {
       relations.add("strides swapped", plain, {changed(maps, with_roles_swapped), swapped});
     }
   });
-}
+};
 
 // --- EV-NUM-AFFINE ---------------------------------------------------------------------------------------
 
@@ -467,8 +465,10 @@ void expect_affine(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D") { expect_affine(t, false); }
-EVALCTS_TEST_BY(in_lists(), Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D") { expect_affine(t, true); }
+EVALCTS_TEST(Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D", by(in_lists()))
+(Test& t) { expect_affine(t, false); };
+EVALCTS_TEST(Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D", by(in_lists()))
+(Test& t) { expect_affine(t, true); };
 
 // --- EV-NUM-CONVEX ---------------------------------------------------------------------------------------
 
@@ -496,12 +496,10 @@ void expect_convex(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D") {
-  expect_convex(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D") {
-  expect_convex(t, true);
-}
+EVALCTS_TEST(Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D", by(in_lists()))
+(Test& t) { expect_convex(t, false); };
+EVALCTS_TEST(Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D", by(in_lists()))
+(Test& t) { expect_convex(t, true); };
 
 // --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
 
@@ -516,8 +514,8 @@ constexpr Along kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 }  // namespace
 
 // A net that is constant in one direction is the curve of the other, whatever the other argument.
-EVALCTS_TESTS_BY(in_lists(), Metamorphic, CurveInSurface, kAlong, const Along& along, must,
-                 "EV-MAP2-SEPARABLE") {
+EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
+(Test& t, const Along& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
     for (const int order : {1, 2, 3, 4, 8, t.max_order()})
@@ -544,7 +542,7 @@ EVALCTS_TESTS_BY(in_lists(), Metamorphic, CurveInSurface, kAlong, const Along& a
       }
     relations.check();
   }
-}
+};
 
 // --- EV-NUM-DOMAINSHIFT ----------------------------------------------------------------------------------
 
@@ -584,18 +582,14 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D") {
-  expect_domain_shift(t, false, false);
-}
-EVALCTS_TEST_BY(in_lists(), Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D") {
-  expect_domain_shift(t, true, false);
-}
+EVALCTS_TEST(Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D", by(in_lists()))
+(Test& t) { expect_domain_shift(t, false, false); };
+EVALCTS_TEST(Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D", by(in_lists()))
+(Test& t) { expect_domain_shift(t, true, false); };
 // u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
-EVALCTS_TEST_BY(in_lists(), Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D") {
-  expect_domain_shift(t, false, true);
-}
-EVALCTS_TEST_BY(in_lists(), Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D") {
-  expect_domain_shift(t, true, true);
-}
+EVALCTS_TEST(Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D", by(in_lists()))
+(Test& t) { expect_domain_shift(t, false, true); };
+EVALCTS_TEST(Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D", by(in_lists()))
+(Test& t) { expect_domain_shift(t, true, true); };
 
 }  // namespace evalcts::suite_metamorphic

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "drawings.h"
 #include "programs.h"
 
@@ -60,7 +61,8 @@ const Stage kStages[] = {{"MODEL_VIEW", 0, {kTwice, kSheared}},
 
 }  // namespace
 
-EVALCTS_TESTS(AutomaticNormals, Transformed, kStages, const Stage& stage, must, "EV-AUTON-FFTRANSFORM") {
+EVALCTS_TEST(AutomaticNormals, Transformed, must, "EV-AUTON-FFTRANSFORM", combine(kStages))
+(Test& t, const Stage& stage) {
   t.require(1, 3);
   const gl::Case evaluated = points_of(patch(1));
   const auto add = [&](std::vector<Scene>& to, bool staged, const gl::Case& drawing) {
@@ -83,10 +85,11 @@ EVALCTS_TESTS(AutomaticNormals, Transformed, kStages, const Stage& stage, must, 
     require_an_effect(control.parts[count + i].values, control.parts[i].values);
   control.parts.erase(control.parts.begin(), control.parts.begin() + static_cast<std::ptrdiff_t>(count));
   expect_like_explicit(feedback(t, "evaluated", evaluations), control);
-}
+};
 
 // Without NORMALIZE the colour is that of a unit normal, whatever the size of the patch.
-EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
+EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT")
+(Test& t) {
   gl::Case state;
   enable_light(state, {0.36f, 0.48f, 0.8f, 0});
   // Nothing is clipped.
@@ -108,10 +111,11 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT") {
   const Picture control = feedback(t, "control: explicit vertices", controls);
   require_an_effect(control.parts.front().values, control.parts.back().values);
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
-}
+};
 
 // AUTO_NORMAL is disabled in a fresh context: the current normal is that of each vertex, and is lit.
-EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
+EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF")
+(Test& t) {
   gl::Case state;
   enable_light(state, {0.36f, 0.48f, 0.8f, 0});
   gl::Case evaluated;
@@ -125,7 +129,7 @@ EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF") {
                                     {"generated normals", state, explicit_commands(t, automatic)}});
   require_an_effect(control.parts[0].values, control.parts[1].values);
   expect_like_explicit(feedback(t, "evaluated", state, evaluated), control);
-}
+};
 
 namespace {
 
@@ -150,7 +154,8 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
 }  // namespace
 
 // n = du x dv as it is.
-EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP") {
+EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP")
+(Test& t) {
   if (!t.gl().extensions.count("GL_ARB_vertex_program")) throw NotSupported("needs GL_ARB_vertex_program");
   gl::Case state;
   set_up_texture(state);
@@ -189,6 +194,6 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
       if (!alike(std::vector<double>(&point.vertices[0][8], &point.vertices[0][11]), normals[i]))
         throw NotObservable("pipeline: the program does not see explicit normals as they are");
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
-}
+};
 
 }  // namespace evalcts::suite_normals_pipeline

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include <evalcts/gl/call_log.h>
+#include <evalcts/testkit/registration.h>
 #include "numeric.h"
 
 namespace evalcts::suite_numeric {
@@ -168,18 +169,14 @@ void expect_first_point(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(of_curves(), Numeric, StartOfDomain, must, "EV-NUM-START/1-D") {
-  expect_end(t, "u1, every order", &Interval::first);
-}
-EVALCTS_TEST_BY(of_curves(), Numeric, EndOfDomain, must, "EV-NUM-END/1-D") {
-  expect_end(t, "u2, every order", &Interval::last);
-}
-EVALCTS_TEST_BY(in_one_dimension(), Numeric, StartIsFirstPoint, quality, "EV-NUM-START/1-D") {
-  expect_first_point(t, false);
-}
-EVALCTS_TEST_BY(of_surfaces(), Numeric, StartIsCorner, quality, "EV-NUM-START/2-D") {
-  expect_first_point(t, true);
-}
+EVALCTS_TEST(Numeric, StartOfDomain, must, "EV-NUM-START/1-D", by(of_curves()))
+(Test& t) { expect_end(t, "u1, every order", &Interval::first); };
+EVALCTS_TEST(Numeric, EndOfDomain, must, "EV-NUM-END/1-D", by(of_curves()))
+(Test& t) { expect_end(t, "u2, every order", &Interval::last); };
+EVALCTS_TEST(Numeric, StartIsFirstPoint, quality, "EV-NUM-START/1-D", by(in_one_dimension()))
+(Test& t) { expect_first_point(t, false); };
+EVALCTS_TEST(Numeric, StartIsCorner, quality, "EV-NUM-START/2-D", by(of_surfaces()))
+(Test& t) { expect_first_point(t, true); };
 
 // --- Magnitudes ------------------------------------------------------------------------------------------
 
@@ -224,7 +221,8 @@ const std::vector<GLenum> kNotColors = {
 
 }  // namespace
 
-EVALCTS_TEST_BY(of_curves(), Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D") {
+EVALCTS_TEST(Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D", by(of_curves()))
+(Test& t) {
   gl::Case c("points up to the largest of each target");
   for (const Kinds& kinds : kKinds1)
     for (const int order : {1, 2, 3, 4, 7, 12}) {
@@ -238,17 +236,16 @@ EVALCTS_TEST_BY(of_curves(), Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D",
       c.End();
     }
   t.expect_emission(c, kUnit0);
-}
-EVALCTS_TEST_BY(in_lists(), Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D") {
-  expect_large_points_kept(t, kNotColors);
-}
-EVALCTS_TEST_BY(in_lists(), Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D",
-                "EV-NUM-RANGE-COLOR/2-D") {
-  expect_large_points_kept(t, {GL_MAP1_COLOR_4});
-}
+};
+EVALCTS_TEST(Numeric, LargePointsKept, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-POS/2-D", by(in_lists()))
+(Test& t) { expect_large_points_kept(t, kNotColors); };
+EVALCTS_TEST(Numeric, LargeColorsKept, must, "EV-NUM-RANGE-COLOR/1-D", "EV-NUM-RANGE-COLOR/2-D",
+             by(in_lists()))
+(Test& t) { expect_large_points_kept(t, {GL_MAP1_COLOR_4}); };
 
 // Domains and arguments of that size.
-EVALCTS_TEST_BY(of_curves(), Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D") {
+EVALCTS_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D", by(of_curves()))
+(Test& t) {
   gl::Case c("domains up to 2^32");
   for (const Kinds& kinds : kKinds1)
     for (const Interval& domain : {Interval{0, 0x1p32}, {-0x1p32, 0x1p32}, {0x1p31, 0x1p32}, {-0x1p32, 1}})
@@ -260,10 +257,11 @@ EVALCTS_TEST_BY(of_curves(), Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D")
         c.End();
       }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // Negative zero, subnormal numbers and those next to them, as arguments, points and one end of a domain.
-EVALCTS_TEST_BY(of_curves(), Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D") {
+EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D", by(of_curves()))
+(Test& t) {
   constexpr double kSmall[] = {-0.0, 0x1p-149, -0x1p-149, 0x1p-130, -0x1.8p-127, 0x1p-126, -0x1p-126};
   gl::Case c("arguments and points");
   for (const Kinds& kinds : kKinds1)
@@ -285,7 +283,7 @@ EVALCTS_TEST_BY(of_curves(), Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DE
         c.End();
       }
   t.expect_emission(c, kUnit0);
-}
+};
 
 namespace {
 
@@ -312,12 +310,10 @@ void expect_zeros_alike(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TEST_BY(in_lists(), Numeric, NegativeZeroIsZero1, quality, "EV-NUM-DENORMAL/1-D") {
-  expect_zeros_alike(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Numeric, NegativeZeroIsZero2, quality, "EV-NUM-DENORMAL/2-D") {
-  expect_zeros_alike(t, true);
-}
+EVALCTS_TEST(Numeric, NegativeZeroIsZero1, quality, "EV-NUM-DENORMAL/1-D", by(in_lists()))
+(Test& t) { expect_zeros_alike(t, false); };
+EVALCTS_TEST(Numeric, NegativeZeroIsZero2, quality, "EV-NUM-DENORMAL/2-D", by(in_lists()))
+(Test& t) { expect_zeros_alike(t, true); };
 
 // --- What is no number -----------------------------------------------------------------------------------
 
@@ -537,21 +533,13 @@ void expect_state_later(Test& t, const Special& special, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(in_lists(), Numeric, ResultsAfterSpecials1, kFeeds, const Special& special, must,
-                 "EV-NUM-SPECIAL-SAFE/1-D") {
-  expect_results_later(t, special, false);
-}
-EVALCTS_TESTS_BY(in_lists(), Numeric, ResultsAfterSpecials2, kFeeds, const Special& special, must,
-                 "EV-NUM-SPECIAL-SAFE/2-D") {
-  expect_results_later(t, special, true);
-}
-EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials1, kFeeds, const Special& special, must,
-                 "EV-NUM-SPECIAL-SAFE/1-D") {
-  expect_state_later(t, special, false);
-}
-EVALCTS_TESTS_BY(in_lists(), Numeric, StateAfterSpecials2, kFeeds, const Special& special, must,
-                 "EV-NUM-SPECIAL-SAFE/2-D") {
-  expect_state_later(t, special, true);
-}
+EVALCTS_TEST(Numeric, ResultsAfterSpecials1, must, "EV-NUM-SPECIAL-SAFE/1-D", combine(kFeeds).by(in_lists()))
+(Test& t, const Special& special) { expect_results_later(t, special, false); };
+EVALCTS_TEST(Numeric, ResultsAfterSpecials2, must, "EV-NUM-SPECIAL-SAFE/2-D", combine(kFeeds).by(in_lists()))
+(Test& t, const Special& special) { expect_results_later(t, special, true); };
+EVALCTS_TEST(Numeric, StateAfterSpecials1, must, "EV-NUM-SPECIAL-SAFE/1-D", combine(kFeeds).by(in_lists()))
+(Test& t, const Special& special) { expect_state_later(t, special, false); };
+EVALCTS_TEST(Numeric, StateAfterSpecials2, must, "EV-NUM-SPECIAL-SAFE/2-D", combine(kFeeds).by(in_lists()))
+(Test& t, const Special& special) { expect_state_later(t, special, true); };
 
 }  // namespace evalcts::suite_numeric

@@ -1,6 +1,8 @@
 // Section 24 of the requirements: NV_vertex_program, maps of its 16 vertex attributes.
 #include <fmt/format.h>
 
+#include <evalcts/testkit/registration.h>
+
 #include "pictures.h"
 #include "refusal.h"
 
@@ -36,7 +38,8 @@ void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::v
 
 }  // namespace
 
-EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
+EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS")
+(Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
     gl::Case c(fmt::format("map 0x{:04X}", target));
@@ -56,17 +59,19 @@ EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS") {
     played.expect_result(off, GL_FALSE);
     played.expect_no_error(error);
   }
-}
+};
 
-EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K") {
+EVALCTS_TEST(NvVertexProgram, FourComponents, must, "EV-EXT-NVVP-K")
+(Test& t) {
   require_nv(t);
   std::vector<Calls> calls;
   for (const GLenum target : attribute_maps(t))
     calls.push_back([target](gl::Case& c) { define_attribute_map(c, target, 3, std::vector<float>(32, 1)); });
   expect_refused(t, "stride 3", calls, {GL_INVALID_VALUE});
-}
+};
 
-EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
+EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT")
+(Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
     gl::Case c(fmt::format("map 0x{:04X}", target));
@@ -78,9 +83,10 @@ EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT") {
     played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{1} : std::vector<GLint>{1, 1});
     played.expect_values<float>(coefficients, {0, 0, 0, 1});
   }
-}
+};
 
-EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
+EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK")
+(Test& t) {
   require_nv(t);
   for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
     gl::Case c(bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
@@ -104,7 +110,7 @@ EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK") {
     for (std::size_t i = 0; i < maps.size(); ++i)
       played.expect_result(restored[i], i % 2 == 0 ? GL_TRUE : GL_FALSE);
   }
-}
+};
 
 // --- Programs: what of the attributes comes out as the colour ----------------------------------------------
 
@@ -237,8 +243,8 @@ void expect_points(Test& t, const std::string& identity, const gl::Case& state, 
 
 }  // namespace
 
-EVALCTS_TESTS(NvVertexProgram, IgnoredWithoutProgram, kDimensions, const Dimension& dimension, must,
-              "EV-EXT-NVVP-MODE") {
+EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, must, "EV-EXT-NVVP-MODE", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   require_nv(t);
   const GLenum vertex = target_of(dimension, GL_MAP1_VERTEX_4);
   gl::Case drawing;
@@ -253,10 +259,10 @@ EVALCTS_TESTS(NvVertexProgram, IgnoredWithoutProgram, kDimensions, const Dimensi
               kToPosition);
   draw(no_vertices, dimension);
   expect_points(t, "a map of attribute 0, no program, no map of vertices", {}, no_vertices, 0, ramp({}, {}));
-}
+};
 
-EVALCTS_TESTS(NvVertexProgram, BeatConventionalMaps, kDimensions, const Dimension& dimension, must,
-              "EV-EXT-NVVP-PRIORITY") {
+EVALCTS_TEST(NvVertexProgram, BeatConventionalMaps, must, "EV-EXT-NVVP-PRIORITY", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   require_nv(t);
   require_programs(t, "v[COL0]", set_current_color, kCurrent);
   gl::Case state;
@@ -272,10 +278,10 @@ EVALCTS_TESTS(NvVertexProgram, BeatConventionalMaps, kDimensions, const Dimensio
     expect_points(t, on ? "both enabled" : "only COLOR_4 enabled", state, drawing, std::size(kAt),
                   on ? ramp(kFromOther, kToOther) : ramp(kFromColor, kToColor));
   }
-}
+};
 
-EVALCTS_TESTS(NvVertexProgram, Attribute0IsTheVertex, kDimensions, const Dimension& dimension, must,
-              "EV-EXT-NVVP-VERTEX") {
+EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, must, "EV-EXT-NVVP-VERTEX", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   require_nv(t);
   require_programs(t, "v[COL0]", set_current_color, kCurrent);
   gl::Case state;
@@ -289,11 +295,12 @@ EVALCTS_TESTS(NvVertexProgram, Attribute0IsTheVertex, kDimensions, const Dimensi
     expect_points(t, colored ? "attribute 0 and COLOR_4" : "attribute 0 alone", state, drawing,
                   std::size(kAt), colored ? ramp(kFromColor, kToColor) : ramp(kCurrent, kCurrent));
   }
-}
+};
 
 // q = (u/w - 1/2, v/(2 w) - 1/4, 0) with w = 1 + u/2: dq/du x dq/dv = (0, 0, 1/w^2 * 1/(2 w)), shorter
 // than 1.
-EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON") {
+EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON")
+(Test& t) {
   require_nv(t);
   constexpr Dimension kSurface{"2-D", true};
   const auto set_normal = [](gl::Case& c) { c.Normal3f(0, 0, 2); };
@@ -326,10 +333,10 @@ EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON") {
         return Color{u / w - 0.5, 0.25 / w - 0.25, 0, 1};
       });
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "(mx, my, mz, 1), not normalized", why);
-}
+};
 
-EVALCTS_TESTS(NvVertexProgram, CurrentAttributesStay, kDimensions, const Dimension& dimension, must,
-              "EV-EXT-NVVP-CURRENT") {
+EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, must, "EV-EXT-NVVP-CURRENT", combine(kDimensions))
+(Test& t, const Dimension& dimension) {
   require_nv(t);
   gl::Case c("all 16 attributes have maps");
   use_nv_program(c, "v[COL0]");
@@ -347,6 +354,6 @@ EVALCTS_TESTS(NvVertexProgram, CurrentAttributesStay, kDimensions, const Dimensi
   played.expect_values_near(color, std::vector<double>(kCurrent.begin(), kCurrent.end()), 1e-5);
   played.expect_values_near(normal, std::vector<double>{0.25, -0.5, 0.75}, 1e-5);
   played.expect_values_near(texture, std::vector<double>{0.5, -0.25, 0.125, 1.5}, 1e-5);
-}
+};
 
 }  // namespace evalcts::suite_nv_vertex_program

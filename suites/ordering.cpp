@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "maps.h"
 #include "pictures.h"
 #include "refusal.h"
@@ -63,7 +64,8 @@ constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, G
 
 }  // namespace
 
-EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const NamedCalls& command, must, "EV-BE-ALLOWED") {
+EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed()))
+(Test& t, const NamedCalls& command) {
   gl::Case c("in every primitive");
   enable_vertices(t, c);
   std::vector<gl::Ref> errors;
@@ -75,10 +77,11 @@ EVALCTS_TESTS(Ordering, AllowedInPrimitives, allowed(), const NamedCalls& comman
   }
   Played played = t.play(c);
   for (const gl::Ref error : errors) played.expect_no_error(error);
-}
+};
 
-EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const NamedCalls& command, must,
-                     "EV-BE-ALLOWED", "EV-BE-IGNORED") {
+EVALCTS_TEST(Ordering, ForbiddenInPrimitives, must, "EV-BE-ALLOWED", "EV-BE-IGNORED",
+             combine(forbidden()).by(gl::list_deliveries()))
+(Test& t, const NamedCalls& command) {
   gl::Case c("between two points of a primitive");
   enable_vertices(t, c);
   const std::vector<gl::Ref> before = query_everything(c, t.max_order());
@@ -94,7 +97,7 @@ EVALCTS_LISTED_TESTS(Ordering, ForbiddenInPrimitives, forbidden(), const NamedCa
   played.expect_no_error(no_more);
   expect_unchanged(played, before, after);
   t.expect_emission(c, kPosition);
-}
+};
 
 // --- Order -----------------------------------------------------------------------------------------------
 
@@ -248,12 +251,10 @@ void expect_evaluated_in_order(Test& t, const Drawn& drawn, bool two) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Ordering, EvaluatesInOrder1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
-  expect_evaluated_in_order(t, drawn, false);
-}
-EVALCTS_LISTED_TESTS(Ordering, EvaluatesInOrder2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
-  expect_evaluated_in_order(t, drawn, true);
-}
+EVALCTS_TEST(Ordering, EvaluatesInOrder1, must, "EV-BE-ORDER/1-D", combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, const Drawn& drawn) { expect_evaluated_in_order(t, drawn, false); };
+EVALCTS_TEST(Ordering, EvaluatesInOrder2, must, "EV-BE-ORDER/2-D", combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, const Drawn& drawn) { expect_evaluated_in_order(t, drawn, true); };
 
 namespace {
 
@@ -285,18 +286,14 @@ void expect_enables_in_order(Test& t, const Drawn& drawn, bool two) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Ordering, SeesEnables1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
-  expect_enables_in_order(t, drawn, false);
-}
-EVALCTS_LISTED_TESTS(Ordering, SeesEnables2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
-  expect_enables_in_order(t, drawn, true);
-}
+EVALCTS_TEST(Ordering, SeesEnables1, must, "EV-BE-ORDER/1-D", combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, const Drawn& drawn) { expect_enables_in_order(t, drawn, false); };
+EVALCTS_TEST(Ordering, SeesEnables2, must, "EV-BE-ORDER/2-D", combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, const Drawn& drawn) { expect_enables_in_order(t, drawn, true); };
 
-EVALCTS_TESTS(Ordering, SeesEarlierState1, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/1-D") {
-  expect_in_order(t, drawn, false);
-}
-EVALCTS_TESTS(Ordering, SeesEarlierState2, kDrawn, const Drawn& drawn, must, "EV-BE-ORDER/2-D") {
-  expect_in_order(t, drawn, true);
-}
+EVALCTS_TEST(Ordering, SeesEarlierState1, must, "EV-BE-ORDER/1-D", combine(kDrawn))
+(Test& t, const Drawn& drawn) { expect_in_order(t, drawn, false); };
+EVALCTS_TEST(Ordering, SeesEarlierState2, must, "EV-BE-ORDER/2-D", combine(kDrawn))
+(Test& t, const Drawn& drawn) { expect_in_order(t, drawn, true); };
 
 }  // namespace evalcts::suite_ordering

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include <evalcts/judge/prediction.h>
+#include <evalcts/testkit/registration.h>
 #include "drawings.h"
 
 namespace evalcts::suite_pipeline {
@@ -98,8 +99,8 @@ void define_maps(gl::Case& c) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(without_lists(), Pipeline, Stage, kStages, const Stage& stage, must,
-                 "EV-COORD-TRANSFORM/1-D") {
+EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
+(Test& t, const Stage& stage) {
   const View view = stage.view;
   gl::Case plain, staged;
   // A pixel shows one vertex, in the middle; it has no texture, which would hide the colour.
@@ -133,7 +134,7 @@ EVALCTS_TESTS_BY(without_lists(), Pipeline, Stage, kStages, const Stage& stage, 
     return picture.parts.at(0);
   });
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
-}
+};
 
 namespace {
 
@@ -162,8 +163,9 @@ constexpr Between kBetween[] = {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(without_lists(), Pipeline, BetweenEvaluations, kBetween, const Between& between, must,
-                 "EV-COORD-MATERIAL/1-D") {
+EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
+             combine(kBetween).by(without_lists()))
+(Test& t, const Between& between) {
   constexpr View view = View::feedback;
   gl::Case state;
   set_up_texture(state);
@@ -211,10 +213,11 @@ EVALCTS_TESTS_BY(without_lists(), Pipeline, BetweenEvaluations, kBetween, const 
     return picture.parts.at(0);
   });
   expect_like_explicit(t, view, "evaluated", state, draw_both(true), control);
-}
+};
 
 // The edge flag has no map: the current one counts, at each vertex.
-EVALCTS_TEST_BY(without_lists(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D") {
+EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_lists()))
+(Test& t) {
   constexpr View view = View::feedback;
   gl::Case state;
   state.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
@@ -236,10 +239,11 @@ EVALCTS_TEST_BY(without_lists(), Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAP
   const Picture control = look(t, view, "control: explicit vertices", state, flags);
   require_an_effect(control, look(t, view, "control: all edges", state, all_edges));
   expect_like_explicit(t, view, "evaluated", state, evaluated, control.parts.at(0));
-}
+};
 
 // Client arrays are for DrawArrays and its like; evaluation takes what no map gives from the current values.
-EVALCTS_TEST_BY(without_lists(), Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D") {
+EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D", by(without_lists()))
+(Test& t) {
   gl::Case c("vertex, colour, normal and texture coordinate arrays enabled");
   const std::vector<float> wrong(64, 0.625f);
   c.VertexPointer(4, GL_FLOAT, 0, wrong);
@@ -258,6 +262,6 @@ EVALCTS_TEST_BY(without_lists(), Pipeline, ArraysHaveNoInfluence, must, "EV-COOR
   }
   evaluate_some(c);
   t.expect_emission(c, kUnit0);
-}
+};
 
 }  // namespace evalcts::suite_pipeline

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <evalcts/testkit/registration.h>
+
 #include "grid_cases.h"
 
 namespace evalcts::suite_points {
@@ -56,31 +58,33 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
 
 }  // namespace
 
-EVALCTS_LISTED_TEST(Points, SameAsEvalCoord1, must, "EV-POINT1-EQUIV", "EV-GRID-NOTMAP/1-D",
-                    "EV-POINT-LIKEMESH/1-D") {
-  expect_points(t, false, "awkward grids", awkward_grids(), 0);
-}
-EVALCTS_LISTED_TEST(Points, SameAsEvalCoord2, must, "EV-POINT2-EQUIV", "EV-GRID-NOTMAP/2-D",
-                    "EV-POINT-LIKEMESH/2-D") {
-  expect_points(t, true, "awkward grids", awkward_grids(), 0);
-}
+EVALCTS_TEST(Points, SameAsEvalCoord1, must, "EV-POINT1-EQUIV", "EV-GRID-NOTMAP/1-D", "EV-POINT-LIKEMESH/1-D",
+             by(gl::list_deliveries()))
+(Test& t) { expect_points(t, false, "awkward grids", awkward_grids(), 0); };
+EVALCTS_TEST(Points, SameAsEvalCoord2, must, "EV-POINT2-EQUIV", "EV-GRID-NOTMAP/2-D", "EV-POINT-LIKEMESH/2-D",
+             by(gl::list_deliveries()))
+(Test& t) { expect_points(t, true, "awkward grids", awkward_grids(), 0); };
 
-EVALCTS_LISTED_TESTS(Points, OutsideTheGrid, kDimensions, const Dimension& d, must, "EV-POINT-RANGE") {
+EVALCTS_TEST(Points, OutsideTheGrid, must, "EV-POINT-RANGE", combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   expect_points(t, d.two, "indices from -4 to n+4", {{4, 0, 1}, {3, 0.1f, 0.7f}, {100, 2, -1}, {1, 1, 1.5f}},
                 4);
-}
+};
 
-EVALCTS_LISTED_TESTS(Points, EqualEnds, kDimensions, const Dimension& d, must, "EV-GRID-EQUAL") {
+EVALCTS_TEST(Points, EqualEnds, must, "EV-GRID-EQUAL", combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   expect_points(t, d.two, "all points of the grid coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}, {1000, 0, 0}}, 3);
-}
+};
 
-EVALCTS_LISTED_TESTS(Points, Reversed, kDimensions, const Dimension& d, must, "EV-GRID-REVERSED") {
+EVALCTS_TEST(Points, Reversed, must, "EV-GRID-REVERSED", combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   expect_points(t, d.two, "from the larger end to the smaller",
                 {{4, 1, 0}, {3, 0.7f, 0.1f}, {50, 2.5f, -0.9f}}, 2);
-}
+};
 
 // The argument between the ends of such a grid is that of a large index times a small step.
-EVALCTS_LISTED_TESTS(Points, LargestCounts, kDimensions, const Dimension& d, must, "EV-GRID-LARGE") {
+EVALCTS_TEST(Points, LargestCounts, must, "EV-GRID-LARGE", combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   gl::Case c("up to 2^31-1 segments");
   enable_maps(t, c, d.two);
   for (const int segments : {1 << 20, 1 << 24, (1 << 24) + 1, 1 << 30, 0x7fffffff}) {
@@ -96,10 +100,11 @@ EVALCTS_LISTED_TESTS(Points, LargestCounts, kDimensions, const Dimension& d, mus
     c.End();
   }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // The grid in force is the one of the moment, for points as for meshes.
-EVALCTS_LISTED_TESTS(Points, GridOfTheMoment, kDimensions, const Dimension& d, must, "EV-GRID-LATE") {
+EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   gl::Case c("grids change between points, between meshes, with and without maps");
   define_grid(c, d.two, {4, 0, 1});
   enable_maps(t, c, d.two);
@@ -120,7 +125,7 @@ EVALCTS_LISTED_TESTS(Points, GridOfTheMoment, kDimensions, const Dimension& d, m
       eval_points(c, true, 0, 3);
     }
   t.expect_emission(c, kUnit0);
-}
+};
 
 namespace {
 
@@ -142,15 +147,15 @@ void expect_exact(Test& t, const Along& along, bool last) {
 
 }  // namespace
 
-EVALCTS_LISTED_TESTS(Points, FirstIsExact, kAlong, const Along& along, must, "EV-POINT-EXACT-0") {
-  expect_exact(t, along, false);
-}
-EVALCTS_LISTED_TESTS(Points, LastIsExact, kAlong, const Along& along, must, "EV-POINT-EXACT-N") {
-  expect_exact(t, along, true);
-}
+EVALCTS_TEST(Points, FirstIsExact, must, "EV-POINT-EXACT-0", combine(kAlong).by(gl::list_deliveries()))
+(Test& t, const Along& along) { expect_exact(t, along, false); };
+EVALCTS_TEST(Points, LastIsExact, must, "EV-POINT-EXACT-N", combine(kAlong).by(gl::list_deliveries()))
+(Test& t, const Along& along) { expect_exact(t, along, true); };
 
 // The same index is the same domain value in both, and so the same vertex.
-EVALCTS_LISTED_TESTS(Points, SameBitsAsMesh, kDimensions, const Dimension& d, quality, "EV-POINT-LIKEMESH") {
+EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
+             combine(kDimensions).by(gl::list_deliveries()))
+(Test& t, const Dimension& d) {
   gl::Case c("points, then meshes of them");
   enable_maps(t, c, d.two);
   std::size_t count = 0;
@@ -197,6 +202,6 @@ EVALCTS_LISTED_TESTS(Points, SameBitsAsMesh, kDimensions, const Dimension& d, qu
     }
     first += 2 * of_grid;
   }
-}
+};
 
 }  // namespace evalcts::suite_points

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <evalcts/gl/contexts.h>
+#include <evalcts/testkit/registration.h>
 #include "refusal.h"
 
 namespace evalcts::suite_profiles {
@@ -90,13 +91,15 @@ void expect_removed(Test& t, GLuint kind, const std::string& identity, const std
 
 }  // namespace
 
-EVALCTS_TESTS(Profiles, Commands, kRemoved, const Removed& removed, must, "EV-PROF-CORE-FUNC") {
+EVALCTS_TEST(Profiles, Commands, must, "EV-PROF-CORE-FUNC", combine(kRemoved))
+(Test& t, const Removed& removed) {
   std::vector<Calls> calls;
   for (const NamedCalls& command : all_commands()) calls.push_back(command.issue);
   expect_removed(t, removed.kind, "every command of evaluators", calls, GL_INVALID_OPERATION);
-}
+};
 
-EVALCTS_TESTS(Profiles, Enables, kRemoved, const Removed& removed, must, "EV-PROF-CORE-ENABLE") {
+EVALCTS_TEST(Profiles, Enables, must, "EV-PROF-CORE-ENABLE", combine(kRemoved))
+(Test& t, const Removed& removed) {
   std::vector<Calls> calls;
   for (const GLenum name : switches()) {
     calls.push_back([name](gl::Case& c) { c.Enable(name); });
@@ -105,9 +108,10 @@ EVALCTS_TESTS(Profiles, Enables, kRemoved, const Removed& removed, must, "EV-PRO
   }
   expect_removed(t, removed.kind, "Enable, Disable and IsEnabled of every map and of AUTO_NORMAL", calls,
                  GL_INVALID_ENUM);
-}
+};
 
-EVALCTS_TESTS(Profiles, Gets, kRemoved, const Removed& removed, must, "EV-PROF-CORE-GET") {
+EVALCTS_TEST(Profiles, Gets, must, "EV-PROF-CORE-GET", combine(kRemoved))
+(Test& t, const Removed& removed) {
   std::vector<GLenum> names = switches();
   names.insert(names.end(), {GL_MAX_EVAL_ORDER, GL_MAP1_GRID_DOMAIN, GL_MAP1_GRID_SEGMENTS,
                              GL_MAP2_GRID_DOMAIN, GL_MAP2_GRID_SEGMENTS});
@@ -119,7 +123,7 @@ EVALCTS_TESTS(Profiles, Gets, kRemoved, const Removed& removed, must, "EV-PROF-C
     calls.push_back([name](gl::Case& c) { c.GetDoublev(name, gl::out<GLdouble>(4)); });
   }
   expect_removed(t, removed.kind, "every Get of the state of evaluators", calls, GL_INVALID_ENUM);
-}
+};
 
 namespace {
 
@@ -186,20 +190,23 @@ void expect_everything(Test& t) {
 
 }  // namespace
 
-EVALCTS_TEST(Profiles, Compatibility, must, "EV-PROF-COMPAT") {
+EVALCTS_TEST(Profiles, Compatibility, must, "EV-PROF-COMPAT")
+(Test& t) {
   t.require(3, 1);
   expect_everything(t);
-}
+};
 
 // A later version is for the test before.
-EVALCTS_TEST(Profiles, Deprecated, must, "EV-PROF-DEPRECATED") {
+EVALCTS_TEST(Profiles, Deprecated, must, "EV-PROF-DEPRECATED")
+(Test& t) {
   t.require(3, 0);
   if (t.gl().at_least(3, 1)) throw NotSupported("a rule of GL 3.0, and this is GL " + t.gl().version);
   expect_everything(t);
-}
+};
 
 // What is legal works, and GetError has nothing to say. (What is not legal is undefined there.)
-EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR") {
+EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR")
+(Test& t) {
   gl::Case c("legal commands in a no-error context");
   std::optional<Entered> entered;  // the usual context may be one itself
   if (!t.gl().no_error) entered = enter(c, EVALCTS_NO_ERROR);
@@ -226,6 +233,6 @@ EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR") {
   played.expect_result(on, GL_TRUE);
   played.expect_result(off, GL_FALSE);
   played.expect_no_error(error);
-}
+};
 
 }  // namespace evalcts::suite_profiles

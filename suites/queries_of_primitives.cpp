@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 #include "programs.h"
 
@@ -57,15 +59,17 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY") {
+EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY")
+(Test& t) {
   t.require(1, 5, "GL_ARB_occlusion_query");
   expect_counted_like_explicit(t, GL_SAMPLES_PASSED, all_drawings(t));
-}
+};
 
-EVALCTS_TESTS(Pipeline, PrimitivesGenerated, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-PRIMGEN") {
+EVALCTS_TEST(Pipeline, PrimitivesGenerated, must, "EV-PIPE-PRIMGEN", combine(kMeshKinds))
+(Test& t, const MeshKind& kind) {
   t.require(3, 0);
   expect_counted_like_explicit(t, GL_PRIMITIVES_GENERATED, meshes_of(t, kind));
-}
+};
 
 // --- Conditional rendering -------------------------------------------------------------------------------
 
@@ -130,14 +134,16 @@ void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER") {
+EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER")
+(Test& t) {
   t.require(3, 0, "GL_NV_conditional_render");
   expect_discarded(t, meshes(t));
-}
+};
 
-EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD") {
+EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD")
+(Test& t) {
   t.require(3, 0);
   expect_discarded(t, primitives(t));
-}
+};
 
 }  // namespace evalcts::suite_queries_of_primitives

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 #include "programs.h"
 
@@ -186,17 +188,19 @@ void require_recorded(const Recordings& control, const std::vector<Drawing>& dra
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB") {
+EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
+(Test& t) {
   t.require(3, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
   require_recorded(record(t, "control: explicit vertices", scenes_of(drawings, false), drawings), drawings);
   Recordings recordings = record(t, "evaluated", scenes_of(drawings, true), drawings);
   for (const Recording& recording : recordings.all) recordings.played.expect_no_error(recording.error);
   expect_recorded(recordings, drawings);
-}
+};
 
 // Nothing is drawn, all is recorded.
-EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD") {
+EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD")
+(Test& t) {
   t.require(3, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
   const auto scenes = [&](bool evaluated) {
@@ -223,10 +227,11 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD") {
                              is_discarded(i) ? "no pixel" : "some", std::to_string(lit));
   }
   expect_recorded(recordings, drawings);
-}
+};
 
 // Errors are those of drawing.
-EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD") {
+EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD")
+(Test& t) {
   t.require(3, 0);
   gl::Case c("errors with RASTERIZER_DISCARD");
   define_curve(c);
@@ -251,6 +256,6 @@ EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD") {
   expect(GL_NO_ERROR);
   Played played = t.play(c);
   for (const auto& [asked, error] : errors) played.expect_error(asked, {error});
-}
+};
 
 }  // namespace evalcts::suite_recorded_primitives

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 #include "programs.h"
 
@@ -141,7 +143,8 @@ const std::vector<GLenum> kNone = {};
 
 // --- Framebuffers ----------------------------------------------------------------------------------------
 
-EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO") {
+EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
+(Test& t) {
   t.require(3, 0, "GL_ARB_framebuffer_object");
   expect_refused_like_begin(
       t, meshes(t),
@@ -153,7 +156,7 @@ EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO") {
                           [=](gl::Case& to) { to.BindFramebuffer(GL_DRAW_FRAMEBUFFER, whole); }, kNone}}};
       },
       GL_INVALID_FRAMEBUFFER_OPERATION);
-}
+};
 
 // --- Programs that cannot run ----------------------------------------------------------------------------
 
@@ -169,8 +172,8 @@ constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_V
 
 }  // namespace
 
-EVALCTS_TESTS(Pipeline, NoValidAssemblyProgram, kInvalid, const Invalid& invalid, must,
-              "EV-PIPE-INVALIDPROGRAM") {
+EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
+(Test& t, const Invalid& invalid) {
   if (!t.gl().extensions.count(invalid.extension))
     throw NotSupported(std::string("needs ") + invalid.extension);
   expect_refused_like_begin(
@@ -181,10 +184,11 @@ EVALCTS_TESTS(Pipeline, NoValidAssemblyProgram, kInvalid, const Invalid& invalid
                           [=](gl::Case& to) { to.Disable(target); }, kNone}}};
       },
       GL_INVALID_OPERATION);
-}
+};
 
 // Two samplers of different types have the same unit, which both have from the start.
-EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM") {
+EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
+(Test& t) {
   t.require(2, 0);
   expect_refused_like_begin(
       t, meshes(t),
@@ -198,7 +202,7 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM") {
                         {program}};
       },
       GL_INVALID_OPERATION);
-}
+};
 
 // --- Transform feedback ----------------------------------------------------------------------------------
 
@@ -209,7 +213,8 @@ constexpr std::size_t kRecordedFloats = 4096;
 }  // namespace
 
 // What is not refused is recorded like explicit vertices.
-EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE") {
+EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
+(Test& t) {
   t.require(3, 0);
   expect_refused_like_begin(
       t, meshes(t),
@@ -240,7 +245,7 @@ EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE") {
         return prepared;
       },
       GL_INVALID_OPERATION, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-}
+};
 
 // --- Geometry shaders and tessellation -------------------------------------------------------------------
 
@@ -259,7 +264,8 @@ std::string geometry_shader(const char* input, const char* output, int vertices)
 
 }  // namespace
 
-EVALCTS_TESTS(Pipeline, GeometryShaderInputs, kMeshKinds, const MeshKind& kind, must, "EV-PIPE-GS") {
+EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKinds))
+(Test& t, const MeshKind& kind) {
   t.require(3, 2);
   struct Input {
     const char *name, *output;
@@ -288,9 +294,10 @@ EVALCTS_TESTS(Pipeline, GeometryShaderInputs, kMeshKinds, const MeshKind& kind, 
         return prepared;
       },
       GL_INVALID_OPERATION);
-}
+};
 
-EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS") {
+EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS")
+(Test& t) {
   t.require(4, 0);
   expect_refused_like_begin(
       t, meshes(t),
@@ -315,6 +322,6 @@ EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS") {
         return prepared;
       },
       GL_INVALID_OPERATION);
-}
+};
 
 }  // namespace evalcts::suite_refused_primitives

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 
 namespace evalcts::suite_selection {
@@ -100,7 +102,8 @@ gl::Case moved(float x, float z, float z_scale) {
 }  // namespace
 
 // Each mesh and each primitive at two depths, and outside the clip volume.
-EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT") {
+EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT")
+(Test& t) {
   const std::vector<Drawing> drawings = all_drawings(t);
   struct Place {
     const char* name;
@@ -130,9 +133,10 @@ EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT") {
   }
   Selection selection = select(t, "evaluated", evaluated);
   expect_hits_like_explicit(selection, control, evaluated);
-}
+};
 
-EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED") {
+EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   std::vector<Scene> evaluated, vertices;
   std::vector<bool> culled;
@@ -157,10 +161,11 @@ EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED") {
       throw NotObservable("pipeline: explicit quad strips are culled otherwise");
   Selection selection = select(t, "evaluated", evaluated);
   expect_hits_like_explicit(selection, control, evaluated);
-}
+};
 
 // Last comes a mesh that hits.
-EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY") {
+EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY")
+(Test& t) {
   std::vector<Scene> scenes;
   for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
     const char* mode_name = mode == GL_POINT ? "POINT" : mode == GL_LINE ? "LINE" : "FILL";
@@ -204,6 +209,6 @@ EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY") {
         selection.names() == expected, selection.count,
         fmt::format("the mesh after them does not hit: the names are {}", selection.names()),
         fmt::format("{}", expected), fmt::format("{}", selection.names()));
-}
+};
 
 }  // namespace evalcts::suite_selection

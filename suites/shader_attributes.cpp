@@ -4,6 +4,8 @@
 
 #include <cstring>
 
+#include <evalcts/testkit/registration.h>
+
 #include "maps.h"
 
 namespace evalcts::suite_shader_attributes {
@@ -36,7 +38,8 @@ void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) 
 
 // Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
 // vertices of one primitive.
-EVALCTS_DELIVERED_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D") {
+EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::curve_deliveries()))
+(Test& t) {
   t.require(3, 0);
   const VaryingShader shader = {
       "#version 120\nattribute vec4 six;\nattribute vec4 seven;\nvarying vec3 secondary;\nvarying float "
@@ -97,13 +100,13 @@ EVALCTS_DELIVERED_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D"
   failure.message = fmt::format("the {} of vertex {} is {}, the current value is {}", failure.what, vertex,
                                 failure.captured, failure.expected);
   t.fail(std::move(failure));
-}
+};
 
 // Vertex and VertexAttrib 0 are the same command: what gl_Vertex gives, generic attribute 0 gives bit for
 // bit.
-EVALCTS_DELIVERED_TESTS(ShaderAttributes, GenericZero,
-                        (std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}), GLenum target, must,
-                        "EV-ATTR-GENERIC0/1-D") {
+EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
+             combine((std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})).by(gl::curve_deliveries()))
+(Test& t, GLenum target) {
   t.require(3, 0);
   const auto shader_with = [](const char* declaration, const char* source) {
     return VaryingShader{fmt::format("#version 120\n{}varying vec4 seen;\nvoid main() {{\n  seen = {};\n  "
@@ -152,6 +155,6 @@ EVALCTS_DELIVERED_TESTS(ShaderAttributes, GenericZero,
   failure.captured = "other values";
   failure.message = "generic attribute 0 of an evaluated vertex is not its position";
   t.fail(std::move(failure));
-}
+};
 
 }  // namespace evalcts::suite_shader_attributes

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 
 namespace evalcts::suite_stages_of_meshes {
@@ -76,7 +78,8 @@ constexpr Normals kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
 }  // namespace
 
-EVALCTS_TESTS(Pipeline, TextureGeneration, kNormals, const Normals& normals, must, "EV-PIPE-TEXGEN") {
+EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNormals))
+(Test& t, const Normals& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
   for (const Generation& generation : kGenerations) {
     const bool late = generation.mode == GL_NORMAL_MAP || generation.mode == GL_REFLECTION_MAP;
@@ -99,9 +102,10 @@ EVALCTS_TESTS(Pipeline, TextureGeneration, kNormals, const Normals& normals, mus
   std::vector<Drawing> drawings = normals.generated ? meshes(t, automatic) : meshes(t);
   if (normals.generated) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
   expect_stages_in_feedback(t, stages, drawings);
-}
+};
 
-EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX") {
+EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX")
+(Test& t) {
   const std::pair<const char*, Values> matrices[] = {
       {"identity", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
       {"scaled", {3, 0, 0, 0, 0, -2, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 1.5f}},
@@ -116,7 +120,7 @@ EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX") {
     stages.push_back({name, std::move(state)});
   }
   expect_stages_in_feedback(t, stages, meshes(t));
-}
+};
 
 // --- Clip planes -----------------------------------------------------------------------------------------
 
@@ -155,7 +159,8 @@ std::vector<Stage> right_halves_clipped() {
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE") {
+EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
+(Test& t) {
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
   const std::vector<Stage> stages = clip_stages();
@@ -166,10 +171,11 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE") {
       require_an_effect(control.parts[i].values, control.parts[i % drawings.size()].values);
   Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
   expect_drawn_like_explicit(picture, drawings, control);
-}
+};
 
 // Clipped quads have other vertices whichever way they are decomposed: pixels on both sides of the plane.
-EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE") {
+EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE")
+(Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const std::vector<Stage> stages = right_halves_clipped();
   std::vector<Area> areas;
@@ -191,7 +197,7 @@ EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE") {
     picture.played.expect(lit(seen) == lit(control.parts[i]), seen.shown,
                           fmt::format("{} is {}, expected {}", seen.name, is, expected), expected, is);
   }
-}
+};
 
 // --- Fog -------------------------------------------------------------------------------------------------
 
@@ -253,12 +259,14 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
 
 }  // namespace
 
-EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG") {
+EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG")
+(Test& t) {
   expect_fog(t,
              {{"no fog", fog(0)}, {"LINEAR", fog(GL_LINEAR)}, {"EXP", fog(GL_EXP)}, {"EXP2", fog(GL_EXP2)}});
-}
+};
 
-EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG") {
+EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG")
+(Test& t) {
   t.require(1, 4, "GL_EXT_fog_coord");
   std::vector<Stage> stages = {{"no fog", fog(0)}, {"LINEAR, by distance", fog(GL_LINEAR)}};
   for (const float coordinate : {1.0f, 1.75f, 3.0f}) {
@@ -268,12 +276,13 @@ EVALCTS_TEST(Pipeline, FogByCoordinate, must, "EV-PIPE-FOG") {
     stages.push_back({fmt::format("LINEAR, fog coordinate {}", coordinate), std::move(state)});
   }
   expect_fog(t, stages);
-}
+};
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
 // Pixels near both ends of each segment have the colour of its second vertex.
-EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE") {
+EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE")
+(Test& t) {
   gl::Case state;
   state.ShadeModel(GL_FLAT);
   constexpr int kOffEnds = 3;  // pixels
@@ -300,12 +309,13 @@ EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE") {
         throw NotObservable("pipeline: explicit segments do not have the colour of their second vertices");
     expect_like_explicit(pixels(t, "evaluated, " + drawing.name, state, drawing.evaluated, areas), control);
   }
-}
+};
 
 // --- Primitive restart -----------------------------------------------------------------------------------
 
 // It is for elements of arrays: whatever the index, all comes out as without.
-EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART") {
+EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART")
+(Test& t) {
   t.require(3, 1);
   std::vector<Stage> stages(1);
   stages[0].name = "no restart";
@@ -344,6 +354,6 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART") {
                             fmt::format("{} values, others", seen.values.size()));
     }
   }
-}
+};
 
 }  // namespace evalcts::suite_stages_of_meshes

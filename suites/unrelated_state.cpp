@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include <evalcts/testkit/registration.h>
+
 #include "numeric.h"
 
 namespace evalcts::suite_numeric {
@@ -261,24 +263,19 @@ void expect_vertex_stays(Test& t, bool two) {
 
 }  // namespace
 
-EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState1, kUnrelated, const Unrelated& unrelated, must,
-                 "EV-NUM-INVARIANT-STATE/1-D") {
-  expect_same_bits_in_spite_of(t, unrelated, false);
-}
-EVALCTS_TESTS_BY(in_lists(), Numeric, UnrelatedState2, kUnrelated, const Unrelated& unrelated, must,
-                 "EV-NUM-INVARIANT-STATE/2-D") {
-  expect_same_bits_in_spite_of(t, unrelated, true);
-}
+EVALCTS_TEST(Numeric, UnrelatedState1, must, "EV-NUM-INVARIANT-STATE/1-D", combine(kUnrelated).by(in_lists()))
+(Test& t, const Unrelated& unrelated) { expect_same_bits_in_spite_of(t, unrelated, false); };
+EVALCTS_TEST(Numeric, UnrelatedState2, must, "EV-NUM-INVARIANT-STATE/2-D", combine(kUnrelated).by(in_lists()))
+(Test& t, const Unrelated& unrelated) { expect_same_bits_in_spite_of(t, unrelated, true); };
 
-EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D") {
-  expect_vertex_stays(t, false);
-}
-EVALCTS_TEST_BY(in_lists(), Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
-  expect_vertex_stays(t, true);
-}
+EVALCTS_TEST(Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D", by(in_lists()))
+(Test& t) { expect_vertex_stays(t, false); };
+EVALCTS_TEST(Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
+(Test& t) { expect_vertex_stays(t, true); };
 
 // AUTO_NORMAL is evaluator state as well (appendix A).
-EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D") {
+EVALCTS_TEST(Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
+(Test& t) {
   gl::Case maps;
   const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
   define(maps, map);
@@ -293,6 +290,6 @@ EVALCTS_TEST_BY(in_lists(), Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATE
   repetition.script().Enable(GL_AUTO_NORMAL);
   repetition.after("Enable of AUTO_NORMAL");
   repetition.check(t, kPosition, kDrawn2);
-}
+};
 
 }  // namespace evalcts::suite_numeric

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <evalcts/testkit/registration.h>
+
 #include "drawings.h"
 #include "programs.h"
 
@@ -72,7 +74,8 @@ Picture look(Test& t, const Kind& kind, const std::string& identity, const std::
 
 }  // namespace
 
-EVALCTS_TESTS(Pipeline, VertexPrograms, kKinds, const Kind& kind, must, "EV-PIPE-VS") {
+EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
+(Test& t, const Kind& kind) {
   if (!kind.assembly) {
     t.require(2, 0);
   } else if (!t.gl().extensions.count("GL_ARB_vertex_program")) {
@@ -85,7 +88,7 @@ EVALCTS_TESTS(Pipeline, VertexPrograms, kKinds, const Kind& kind, must, "EV-PIPE
     require_an_effect(control.parts[i].values, without.parts[i].values);
   Picture picture = look(t, kind, "evaluated", drawings, true);
   expect_drawn_like_explicit(picture, drawings, control);
-}
+};
 
 namespace {
 
@@ -114,7 +117,8 @@ std::vector<float> expected_of(const reference::Vertex& vertex) {
 }  // namespace
 
 // The values themselves, as transform feedback records them: within 1e-4, ten times the steps of these maps.
-EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS") {
+EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
+(Test& t) {
   t.require(3, 0);
   for (const Drawing& drawing : all_drawings(t)) {
     if (drawing.primitive != GL_POINTS) continue;
@@ -165,6 +169,6 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS") {
     }
     t.fail(std::move(failure));
   }
-}
+};
 
 }  // namespace evalcts::suite_vertex_programs

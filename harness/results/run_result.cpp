@@ -1,3 +1,4 @@
+#include <evalcts/results/hash.h>
 #include <evalcts/results/run_result.h>
 
 #include <fmt/format.h>
@@ -20,9 +21,8 @@ int TestRecord::severity() const {
 std::string TestRecord::signature() const {
   std::vector<std::string> identities = mismatches;
   std::ranges::sort(identities);
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-  for (const std::string& identity : identities)
-    for (const char c : identity + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  auto hash = fnv1a<std::uint64_t>("");
+  for (const std::string& identity : identities) hash = fnv1a(identity + '\n', hash);
   return fmt::format("{}-{:016x}", identities.size(), hash);
 }
 

@@ -28,6 +28,7 @@
 #include <evalcts/results/files.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/claims.h>
+#include <evalcts/testkit/registration.h>
 #include <evalcts/testkit/reproduction.h>
 #include <evalcts/testkit/test.h>
 #include "surroundings.h"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -14,26 +13,13 @@
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/control_case.h>
+#include <evalcts/results/hash.h>
 #include <evalcts/testkit/reproduction.h>
 
 namespace evalcts {
 namespace {
 
 constexpr std::size_t kFailuresInFull = 8;
-
-// Of so many tests one goes through display lists at that depth.
-constexpr std::size_t kListsAtQuick = 9, kListsAtFull = 3;
-
-// At most so many parameters of a test at quick depth: where it has no deliveries, where it has, and where
-// they are sparing.
-constexpr std::size_t kParametersAtQuick = 3, kDeliveredAtQuick = 2, kSparingAtQuick = 1;
-
-// FNV-1a: a seed for each test that does not depend on which others run.
-std::uint32_t hash(std::string_view text) {
-  std::uint32_t value = 2166136261u;
-  for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 16777619u;
-  return value;
-}
 
 // As many digits as tell the value, which may be a float, from all others of its type.
 std::string shortest(double value) {
@@ -84,17 +70,6 @@ bool uses_lists(const gl::Case& script) {
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
   return {.answer = {.of = gl::Answer::Of::written, .command = query},
           .accepted = {{0.0, static_cast<double>(count)}}};
-}
-
-// A test, or one through each of several deliveries.
-struct Registered {
-  TestInfo info;
-  std::shared_ptr<const std::vector<gl::Delivery>> deliveries;
-};
-
-std::vector<Registered>& registry() {
-  static std::vector<Registered> tests;
-  return tests;
 }
 
 template <class T>
@@ -257,7 +232,7 @@ bool Test::cross_checked(const Prediction& prediction) const {
   constexpr std::uint32_t kOneOf = 32;
   constexpr std::size_t kManyPrimitives = 64;
   if (subject_.depth == Depth::thorough) return true;
-  return hash(record_.name) % kOneOf == 0 && prediction.primitives.size() <= kManyPrimitives;
+  return fnv1a<std::uint32_t>(record_.name) % kOneOf == 0 && prediction.primitives.size() <= kManyPrimitives;
 }
 
 // Counts the case and returns it as it is delivered.
@@ -542,7 +517,7 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
 
 void Test::run(const std::function<void(Test&)>& body) {
   record_.seed = subject_.seed;
-  random_.seed(subject_.seed * 2654435761u ^ hash(record_.name));
+  random_.seed(subject_.seed * 2654435761u ^ fnv1a<std::uint32_t>(record_.name));
   std::string why;
   Verdict otherwise = Verdict::kPass;
   try {
@@ -578,143 +553,6 @@ void Test::run(const std::function<void(Test&)>& body) {
   std::sort(record_.mismatches.begin(), record_.mismatches.end());
   record_.cases = cases_;
   record_.failed_cases = failed_cases_;
-}
-
-// --- Registration ----------------------------------------------------------------------------------------
-
-namespace {
-
-// The requirement of two dimensions that a one-dimensional test decides when it is lifted; empty: none.
-std::string in_two_dimensions(std::string_view requirement) {
-  std::string id(requirement);
-  if (id == "EV-COORD-DIM1") return "EV-COORD-DIM2";
-  if (id == "EV-MAP1-ZEROPOW" || id == "EV-MAP1-COMPORDER") return "EV-MAP2-BEZIER";
-  if (id == "EV-MAP1-STRIDE") return "EV-MAP2-ADDRESS";
-  if (id.starts_with("EV-MAP1-")) return id.replace(0, 8, "EV-MAP2-");
-  if (id.ends_with("/1-D")) return id.replace(id.size() - 4, 4, "/2-D");
-  return {};
-}
-
-std::string with_2_for_1(std::string name) {
-  for (const auto& [one, two] : {std::pair{"Map1", "Map2"}, std::pair{"MAP1", "MAP2"}})
-    for (std::size_t at = name.find(one); at != std::string::npos; at = name.find(one))
-      name.replace(at, 4, two);
-  return name;
-}
-
-// The same characters for the rest of the process.
-std::string_view kept(const std::string& text) {
-  static std::set<std::string> all;
-  return *all.insert(text).first;
-}
-
-// What a test decides that goes through display lists.
-std::string_view requirement_of(gl::Lists lists) {
-  switch (lists) {
-    case gl::Lists::executed:
-      return "EV-DL-COMPEXEC";
-    case gl::Lists::nested:
-      return "EV-DL-NESTED";
-    case gl::Lists::repeated:
-      return "EV-DL-REPEAT";
-    case gl::Lists::split:
-      return "EV-DL-SPLIT";
-    default:
-      return "EV-DL-EXECUTE";
-  }
-}
-
-}  // namespace
-
-TestInfo TestInfo::by(const gl::Delivery& delivery) const {
-  TestInfo delivered = *this;
-  if (!delivery.name.empty()) delivered.name += "/" + delivery.name;
-  delivered.body = [body = body, delivery](Test& t) {
-    t.deliver_by(delivery);
-    body(t);
-  };
-  if (delivery.lifted) delivered.lift();
-  if (delivery.lists != gl::Lists::none) delivered.requirements.push_back(requirement_of(delivery.lists));
-  return delivered;
-}
-void TestInfo::lift() {
-  suite = with_2_for_1(suite);
-  name = with_2_for_1(name);
-  const std::vector<std::string_view> of_one = std::exchange(requirements, {});
-  for (const std::string_view requirement : of_one) {
-    const std::string lifted = in_two_dimensions(requirement);
-    if (!lifted.empty() && std::ranges::count(requirements, lifted) == 0)
-      requirements.push_back(kept(lifted));
-  }
-}
-
-Turns::Turns(const char* suite, const char* name, std::size_t count,
-             const std::vector<gl::Delivery>& deliveries) {
-  const std::size_t most = deliveries.empty()           ? kParametersAtQuick
-                           : deliveries.front().sparing ? kSparingAtQuick
-                                                        : kDeliveredAtQuick;
-  step_ = (count + most - 1) / most;
-  next_ = step_ ? hash(fmt::format("{}.{}", suite, name)) % step_ : 0;
-}
-
-Registration::Registration(TestInfo info) { registry().push_back({std::move(info), nullptr}); }
-
-Registration::Registration(std::shared_ptr<const Deliveries> deliveries, TestInfo info) {
-  registry().push_back({std::move(info), std::move(deliveries)});
-}
-
-namespace {
-
-void add(const TestInfo& info, const std::vector<gl::Delivery>& deliveries, std::vector<TestInfo>& tests) {
-  const auto uses_lists = [](const gl::Delivery& delivery) { return delivery.lists != gl::Lists::none; };
-  const auto is_other = [&](const gl::Delivery& delivery) {
-    return !uses_lists(delivery) && !delivery.is_plain();
-  };
-  const auto count = [&](const auto& kind) {
-    return static_cast<std::size_t>(std::ranges::count_if(deliveries, kind));
-  };
-  const std::size_t turn = hash(info.full_name()), lists = count(uses_lists), others = count(is_other);
-  std::size_t list = 0, other = 0;
-  for (const gl::Delivery& delivery : deliveries) {
-    TestInfo delivered = info.by(delivery);
-    if (uses_lists(delivery)) {
-      const bool in_turn = list++ == turn / kListsAtQuick % lists;
-      delivered.from = !in_turn                    ? Depth::thorough
-                       : turn % kListsAtQuick == 0 ? info.from
-                       : turn % kListsAtFull == 0  ? Depth::full
-                                                   : Depth::thorough;
-    } else if (is_other(delivery) && other++ != turn % others) {
-      delivered.from = delivery.sparing ? Depth::thorough : Depth::full;
-    }
-    tests.push_back(std::move(delivered));
-  }
-}
-
-}  // namespace
-
-std::string Registration::name_with(const char* name, const std::string& parameter) {
-  return fmt::format("{}/{}", name, parameter);
-}
-
-std::string Registration::parameter_name(GLenum target) {
-  const std::string name = gl::token_name(target);
-  return name.starts_with("GL_") ? name.substr(3) : name;
-}
-
-const std::vector<TestInfo>& all_tests() {
-  static const std::vector<TestInfo> sorted = [] {
-    std::vector<TestInfo> tests;
-    for (const auto& [info, deliveries] : registry()) {
-      if (deliveries) {
-        add(info, *deliveries, tests);
-      } else {
-        tests.push_back(info);
-      }
-    }
-    std::ranges::sort(tests, {}, [](const TestInfo& info) { return std::tie(info.suite, info.name); });
-    return tests;
-  }();
-  return sorted;
 }
 
 }  // namespace evalcts

@@ -4,8 +4,8 @@
 #include <map>
 
 #include <evalcts/results/json_schema.h>
-#include "schema_text.h"
 #include <evalcts/vectors/lint.h>
+#include "schema_text.h"
 
 namespace evalcts::vectors {
 namespace {

@@ -9,12 +9,14 @@
 #include <random>
 #include <string_view>
 
+#include <evalcts/results/hash.h>
+
 namespace evalcts::vectors {
 
 class Dice {
  public:
   // Seeded by a name (FNV-1a), so that what is drawn under one name never depends on others.
-  explicit Dice(std::string_view name) : random_(hash(name)) {}
+  explicit Dice(std::string_view name) : random_(fnv1a<std::uint64_t>(name)) {}
 
   // From 0 to count - 1.
   std::int64_t below(std::int64_t count) {
@@ -52,12 +54,6 @@ class Dice {
   }
 
  private:
-  static std::uint64_t hash(std::string_view name) {
-    std::uint64_t value = 0xCBF29CE484222325u;
-    for (const char c : name) value = (value ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
-    return value;
-  }
-
   std::mt19937_64 random_;
 };
 

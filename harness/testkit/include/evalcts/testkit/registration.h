@@ -1,0 +1,165 @@
+// Registers tests: one for each combination of parameters, each through one or several deliveries.
+//
+//   EVALCTS_TEST(Map1State, Copy, must, "EV-MAP1-COPY")(Test& t) { t.play(...); };
+//
+//   // "Map1Errors.StrideBelowK/MAP1_VERTEX_3", and so on; each as it is and through display lists
+//   EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE",
+//                combine(gl::kMap1Targets).by(gl::list_deliveries()))
+//   (Test& t, GLenum target) { ... };
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <evalcts/gl/delivery.h>
+#include <evalcts/testkit/test.h>
+
+namespace evalcts {
+
+// A test as it is registered, known without a run.
+struct TestInfo {
+  std::string suite;
+  std::string name;
+  std::vector<std::string_view> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
+  Level level;
+  std::function<void(Test&)> body;
+  Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
+
+  std::string full_name() const { return suite + "." + name; }
+
+  // The same test through the delivery: its name ends in the delivery's. Lifted to two dimensions, it bears
+  // the names and decides the requirements of two dimensions.
+  TestInfo by(const gl::Delivery& delivery) const;
+
+ private:
+  void lift();
+};
+
+// All tests, in the order of their names.
+const std::vector<TestInfo>& all_tests();
+
+// The name of a parameter in the names of tests: "MAP1_VERTEX_3" for a token, otherwise its member `name`.
+std::string parameter_name(GLenum token);
+template <class Parameter>
+requires requires(const Parameter& p) { p.name; }
+std::string parameter_name(const Parameter& parameter) { return std::string(parameter.name); }
+
+// Combinations of parameters, in order, and the deliveries that each goes through.
+template <class... P>
+class Parameters {
+ public:
+  using Combination = std::tuple<P...>;
+
+  explicit Parameters(std::vector<Combination> combinations = {}) requires(sizeof...(P) > 0)
+      : combinations_(std::move(combinations)) {}
+  Parameters() requires(sizeof...(P) == 0) : combinations_(1) {}
+
+  // Each combination with each of these values.
+  template <class Range>
+  auto combine(const Range& values) const {
+    return expand([&](const P&...) -> const Range& { return values; });
+  }
+  // Each combination with each of the values that `values_of` returns for it.
+  template <class Function>
+  auto expand(Function values_of) const {
+    using Value = std::decay_t<decltype(*std::begin(std::apply(values_of, combinations_.front())))>;
+    std::vector<std::tuple<P..., Value>> all;
+    for (const Combination& combination : combinations_) {
+      const auto& values = std::apply(values_of, combination);
+      for (const auto& value : values) all.push_back(std::tuple_cat(combination, std::tuple<Value>(value)));
+    }
+    Parameters<P..., Value> expanded(std::move(all));
+    return std::move(expanded).by(deliveries_);
+  }
+  // Without the combinations for which `holds` is false.
+  template <class Function>
+  Parameters filter(Function holds) const {
+    Parameters kept = *this;
+    std::erase_if(kept.combinations_, [&](const Combination& each) { return !std::apply(holds, each); });
+    return kept;
+  }
+  // One test for each delivery. Of what the parameters leave to it, quick depth takes the plain deliveries
+  // and one of the others in turn; full depth all without display lists (those that are `sparing` as quick
+  // depth does). One with display lists, in turn, is taken for every ninth test at quick, every third at full
+  // depth; thorough depth takes all.
+  Parameters by(std::vector<gl::Delivery> deliveries) const {
+    Parameters delivered = *this;
+    delivered.deliveries_ = std::move(deliveries);
+    return delivered;
+  }
+
+  const std::vector<Combination>& combinations() const { return combinations_; }
+  const std::vector<gl::Delivery>& deliveries() const { return deliveries_; }
+
+ private:
+  std::vector<Combination> combinations_;
+  std::vector<gl::Delivery> deliveries_;  // empty: as the case is written
+};
+
+template <class Range>
+auto combine(const Range& values) {
+  return Parameters<>().combine(values);
+}
+inline Parameters<> by(std::vector<gl::Delivery> deliveries) {
+  return Parameters<>().by(std::move(deliveries));
+}
+
+// What EVALCTS_TEST makes: `declaration << body` registers the tests.
+struct Registration {};
+
+// For the class below: `bodies`, one for each parameter name; an empty name stands for a test without.
+Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
+                            std::vector<std::pair<std::string, std::function<void(Test&)>>> bodies);
+
+template <class... P>
+class TestDeclaration {
+ public:
+  TestDeclaration(TestInfo info, Parameters<P...> parameters)
+      : info_(std::move(info)), parameters_(std::move(parameters)) {}
+
+  template <class Body>
+  Registration operator<<(Body body) const {
+    std::vector<std::pair<std::string, std::function<void(Test&)>>> bodies;
+    for (const auto& combination : parameters_.combinations()) {
+      std::string name;
+      std::apply([&](const P&... p) { ((name += (name.empty() ? "" : "/") + parameter_name(p)), ...); },
+                 combination);
+      bodies.emplace_back(name, [body, combination](Test& t) {
+        std::apply([&](const P&... p) { body(t, p...); }, combination);
+      });
+    }
+    return register_tests(info_, parameters_.deliveries(), std::move(bodies));
+  }
+
+ private:
+  TestInfo info_;
+  Parameters<P...> parameters_;
+};
+
+// The arguments of EVALCTS_TEST behind the level: IDs, and parameters at the end, if there are any.
+template <class... P>
+TestDeclaration<P...> declare(TestInfo info, const Parameters<P...>& parameters) {
+  return {std::move(info), parameters};
+}
+inline TestDeclaration<> declare(TestInfo info) { return {std::move(info), Parameters<>()}; }
+template <class... More>
+auto declare(TestInfo info, const char* requirement, const More&... more) {
+  info.requirements.emplace_back(requirement);
+  return declare(std::move(info), more...);
+}
+
+// EVALCTS_TEST(suite, name, level, "ID"..., parameters)(Test& t, const P& parameter...) { body };
+#define EVALCTS_TEST(suite, name, level, ...)                                                      \
+  [[maybe_unused]] static const ::evalcts::Registration suite##_##name =                           \
+      ::evalcts::declare(::evalcts::TestInfo{#suite, #name, {}, ::evalcts::Level::level, nullptr}, \
+                         __VA_ARGS__)                                                              \
+      << []
+
+}  // namespace evalcts

@@ -1,0 +1,97 @@
+// How tests are made of declarations: names, order, requirements, and the depth that plays them.
+#include <evalcts/testkit/registration.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace evalcts {
+namespace {
+
+struct Size {
+  std::string name;
+  int value;
+};
+const std::vector<Size> kSizes = {{"small", 1}, {"large", 9}};
+const std::vector<GLenum> kTargets = {GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4};
+std::string seen;
+
+EVALCTS_TEST(Sample, Plain, quality, "EV-A", "EV-B/1-D")(Test&) { seen += "plain "; };
+EVALCTS_TEST(Sample, Sizes, must, "EV-A",
+             combine(kTargets).combine(kSizes).filter([](GLenum target, const Size& size) {
+               return target == GL_MAP1_NORMAL || size.value == 9;
+             }))
+(Test&, GLenum, const Size& size) { seen += size.name + " "; };
+EVALCTS_TEST(Sample, Expanded, must, "EV-A", combine(kSizes).expand([](const Size& size) {
+  return std::vector<Size>{{"again", size.value + 1}};
+}))
+(Test&, const Size&, const Size& more) { seen += std::to_string(more.value) + " "; };
+EVALCTS_TEST(Sample, Map1Delivered, must, "EV-MAP1-BEZIER", by(gl::curve_deliveries()))(Test&){};
+
+std::vector<TestInfo> named(const std::string& start) {
+  std::vector<TestInfo> found;
+  for (const TestInfo& info : all_tests())
+    if (info.full_name().starts_with("Sample." + start)) found.push_back(info);
+  return found;
+}
+
+std::vector<std::string> names_of(const std::vector<TestInfo>& tests) {
+  std::vector<std::string> names;
+  for (const TestInfo& info : tests) names.push_back(info.name);
+  return names;
+}
+
+std::string played(const std::vector<TestInfo>& tests) {
+  seen.clear();
+  Subject subject;
+  for (const TestInfo& info : tests) {
+    TestRecord record;
+    Test test(subject, record);
+    info.body(test);
+  }
+  return seen;
+}
+
+TEST(Registration, OfATestWithoutParameters) {
+  const std::vector<TestInfo> plain = named("Plain");
+  ASSERT_EQ(plain.size(), 1u);
+  EXPECT_EQ(plain[0].requirements, (std::vector<std::string_view>{"EV-A", "EV-B/1-D"}));
+  EXPECT_EQ(plain[0].level, Level::quality);
+  EXPECT_EQ(plain[0].from, Depth::quick);
+  EXPECT_EQ(played(plain), "plain ");
+}
+
+TEST(Registration, CombinesAndFilters) {
+  const std::vector<TestInfo> sizes = named("Sizes");
+  EXPECT_EQ(names_of(sizes), (std::vector<std::string>{"Sizes/MAP1_INDEX/large", "Sizes/MAP1_NORMAL/large",
+                                                       "Sizes/MAP1_NORMAL/small", "Sizes/MAP1_VERTEX_3/large",
+                                                       "Sizes/MAP1_VERTEX_4/large"}));
+  EXPECT_EQ(played(sizes), "large large small large large ");
+  // Three of five parameters at most.
+  const auto quick = std::ranges::count(sizes, Depth::quick, &TestInfo::from);
+  EXPECT_GE(quick, 2);
+  EXPECT_LE(quick, 3);
+}
+
+TEST(Registration, ExpandsEachCombination) {
+  const std::vector<TestInfo> expanded = named("Expanded");
+  EXPECT_EQ(names_of(expanded), (std::vector<std::string>{"Expanded/large/again", "Expanded/small/again"}));
+  EXPECT_EQ(played(expanded), "10 2 ");
+}
+
+TEST(Registration, OneTestForEachDelivery) {
+  const std::vector<gl::Delivery> deliveries = gl::curve_deliveries();
+  const std::vector<TestInfo> tests = named("Map");
+  ASSERT_EQ(tests.size(), deliveries.size());
+  for (const gl::Delivery& delivery : deliveries) {
+    const std::string name = (delivery.lifted ? "Map2Delivered" : "Map1Delivered") +
+                             (delivery.name.empty() ? "" : "/" + delivery.name);
+    const auto found = std::ranges::find(tests, name, &TestInfo::name);
+    ASSERT_NE(found, tests.end()) << name;
+    EXPECT_EQ(found->requirements.front(), delivery.lifted ? "EV-MAP2-BEZIER" : "EV-MAP1-BEZIER") << name;
+    if (delivery.is_plain()) EXPECT_EQ(found->from, Depth::quick) << name;
+  }
+}
+
+}  // namespace
+}  // namespace evalcts
