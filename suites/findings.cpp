@@ -2,16 +2,16 @@
 // executable specification says.
 #include <evalcts/fuzz/as_specified.h>
 #include <evalcts/fuzz/events.h>
+#include <evalcts/testkit/registration.h>
 
 namespace evalcts::suite_findings {
 namespace {
 
-const bool kRegistered = [] {
+[[maybe_unused]] const bool registered = [] {
   for (const fuzz::KnownFinding& finding : fuzz::known_findings())
-    Registration(TestInfo{"Findings", finding.name, {finding.requirement}, Level::must, [&finding](Test& t) {
-                            fuzz::expect_as_specified(t, finding.program,
-                                                      specify(finding.program, t.max_order()));
-                          }});
+    declare({"Findings", finding.name, {finding.requirement}, Level::must, nullptr}) << [&finding](Test& t) {
+      fuzz::expect_as_specified(t, finding.program, specify(finding.program, t.max_order()));
+    };
   return true;
 }();
 
