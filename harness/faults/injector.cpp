@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "harness/faults/fault.h"
+#include "harness/faults/rules.h"
 #include "production/mutations/mutation.h"
 
 namespace evalcts::faults {
@@ -42,6 +43,7 @@ class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
     memory = {};
+    forget_rules();
     sound = table_ = inner_->table();
     Injection injection{table_};
     fault.inject(injection);
@@ -51,6 +53,7 @@ class FaultyContext final : public Context {
   if (!sound.name) table_.name = nullptr;
 #include "harness/gl/entry_points.def"
 #undef GL_ENTRY
+    watch(table_);
   }
 
   const gl::Table& table() const override { return table_; }

@@ -36,7 +36,6 @@ void loop_fill(GLint i1, GLint i2, GLint j1, GLint j2, const U& u, const V& v) {
 
 EVALCTS_FAULT(CurvePointsBackwards, production, must, "EV-MESH1-POINT",
               "EvalMesh1 with POINT draws from i2 to i1, where i1 is 0") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT || i1 != 0 || i2 <= 0 || is_inside()) return sound.EvalMesh1(mode, i1, i2);
     sound.Begin(GL_POINTS);
@@ -47,7 +46,6 @@ EVALCTS_FAULT(CurvePointsBackwards, production, must, "EV-MESH1-POINT",
 
 EVALCTS_FAULT(CurveOfEveryOtherSegment, production, must, "EV-MESH1-LINE",
               "EvalMesh1 with LINE draws GL_LINES, as the reference page says") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_LINE || is_inside()) return sound.EvalMesh1(mode, i1, i2);
     sound.Begin(GL_LINES);
@@ -58,7 +56,6 @@ EVALCTS_FAULT(CurveOfEveryOtherSegment, production, must, "EV-MESH1-LINE",
 
 EVALCTS_FAULT(StripCutAfter64Vertices, production, must, "EV-MESH1-LINE",
               "EvalMesh1 with LINE begins another strip after 64 vertices") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_LINE || i1 > i2 || is_inside() || i2 - i1 > 1 << 20) return sound.EvalMesh1(mode, i1, i2);
     for (GLint i = i1; i <= i2; i += 64) sound.EvalMesh1(mode, i, std::min(i + 63, i2));
@@ -82,7 +79,6 @@ EVALCTS_FAULT(PartOfMeshFromTheBeginning, production, must, "EV-MESH1-COORDS EV-
 
 EVALCTS_FAULT(PartOfMeshHasStepOfOneMore, production, must, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
               "EvalMesh1 of a part of the grid from index 1 on counts points instead of segments") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside() || i1 < 1) return sound.EvalMesh1(mode, i1, i2);
     const GridNow grid = grid_now(1);
@@ -95,7 +91,6 @@ EVALCTS_FAULT(PartOfMeshHasStepOfOneMore, production, must, "EV-MESH1-COORDS EV-
 
 EVALCTS_FAULT(LinesFromTheirOwnStart, production, quality, "EV-MESH1-SUBRANGE",
               "EvalMesh1 with LINE counts its steps from i1, in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     const float step = grid.at(0, 1) - grid.at(0, 0);
@@ -108,7 +103,6 @@ EVALCTS_FAULT(LinesFromTheirOwnStart, production, quality, "EV-MESH1-SUBRANGE",
 
 EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
               "EvalMesh1 adds the step to the last argument in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     const float step = (grid.domain[1] - grid.domain[0]) / static_cast<float>(grid.segments[0]);
@@ -122,7 +116,6 @@ EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
 
 EVALCTS_FAULT(CurveMeshByArithmeticAtItsLastIndex, production, must, "EV-MESH1-EXACT-N",
               "EvalMesh1 does its last vertex after the loop, and without the rule for the last index") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i2 != grid.segments[0]) return sound.EvalMesh1(mode, i1, i2);
@@ -132,7 +125,6 @@ EVALCTS_FAULT(CurveMeshByArithmeticAtItsLastIndex, production, must, "EV-MESH1-E
 
 EVALCTS_FAULT(CurveMeshExactAtItsOwnEndOnly, production, must, "EV-MESH1-EXACT-N",
               "EvalMesh1 is exact at the last index where that is the last it draws") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i2 <= grid.segments[0]) return sound.EvalMesh1(mode, i1, i2);
@@ -142,7 +134,6 @@ EVALCTS_FAULT(CurveMeshExactAtItsOwnEndOnly, production, must, "EV-MESH1-EXACT-N
 
 EVALCTS_FAULT(CurveMeshFromNegativeIndexInexact, production, must, "EV-MESH1-EXACT-0",
               "EvalMesh1 from a negative index is not exact at index 0") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i1 >= 0) return sound.EvalMesh1(mode, i1, i2);
@@ -155,7 +146,6 @@ EVALCTS_FAULT(CurveMeshFromNegativeIndexInexact, production, must, "EV-MESH1-EXA
 
 EVALCTS_FAULT(CurveMeshFromZeroInexact, production, must, "EV-MESH1-EXACT-0",
               "EvalMesh1 from index 0 counts down from the last end") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i1 != 0) return sound.EvalMesh1(mode, i1, i2);
@@ -174,7 +164,6 @@ EVALCTS_FAULT(NegativeIndicesCutOff, production, must, "EV-MESH1-NEGATIVE",
 
 EVALCTS_FAULT(IndicesBeyondTheGridCutOff, production, must, "EV-MESH1-NEGATIVE",
               "EvalMesh1 with LINE ends at the last index of the grid") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GLint last = is_inside() ? i2 : grid_now(1).segments[0];
     sound.EvalMesh1(mode, i1, mode == GL_LINE && i1 <= last ? std::min(i2, last) : i2);
@@ -234,7 +223,6 @@ EVALCTS_FAULT(BadModeOfCurveIsInvalidValue, production, must, "EV-MESH1-ERR-MODE
 
 EVALCTS_FAULT(BadModeOfCurveDrawsPoints, production, must, "EV-MESH1-ERR-MODE",
               "EvalMesh1 raises INVALID_ENUM for LINE_STRIP, and draws it") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode == GL_LINE_STRIP && !is_inside()) sound.EvalMesh1(GL_POINT, i1, i2);
     sound.EvalMesh1(mode, i1, i2);
@@ -243,7 +231,6 @@ EVALCTS_FAULT(BadModeOfCurveDrawsPoints, production, must, "EV-MESH1-ERR-MODE",
 
 EVALCTS_FAULT(CurveMeshInsideIsIgnored, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 between Begin and End does nothing, without the error, where its range is empty") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (!is_inside() || i1 <= i2) sound.EvalMesh1(mode, i1, i2);
   };
@@ -251,7 +238,6 @@ EVALCTS_FAULT(CurveMeshInsideIsIgnored, production, must, "EV-MESH1-ERR-BEGINEND
 
 EVALCTS_FAULT(CurveMeshInsideDraws, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 between Begin and End raises the error and adds its first vertex") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside() && mode == GL_LINE) sound.EvalPoint1(i1);
     sound.EvalMesh1(mode, i1, i2);
@@ -260,7 +246,6 @@ EVALCTS_FAULT(CurveMeshInsideDraws, production, must, "EV-MESH1-ERR-BEGINEND",
 
 EVALCTS_FAULT(ModeOfCurveUncheckedWithoutMap, production, must, "EV-MESH1-ERR-FIRST",
               "EvalMesh1 looks for a vertex map before it looks at the mode") {
-  note_switches(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (has_vertex_map(1)) sound.EvalMesh1(mode, i1, i2);
   };
@@ -275,8 +260,6 @@ EVALCTS_FAULT(ModeOfEmptyCurveUnchecked, production, must, "EV-MESH1-ERR-FIRST",
 
 EVALCTS_FAULT(CurveMeshOfColorMapDraws, production, must, "EV-MESH1-NOVERTEX",
               "EvalMesh1 with a colour map and no vertex map draws the initial point") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_noted_on(GL_MAP1_COLOR_4) && !has_vertex_map(1) && is_mode1(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
@@ -289,8 +272,6 @@ EVALCTS_FAULT(CurveMeshOfColorMapDraws, production, must, "EV-MESH1-NOVERTEX",
 
 EVALCTS_FAULT(CurveMeshWithoutVertexMapIsAnError, production, must, "EV-MESH1-NOVERTEX",
               "EvalMesh1 without a vertex map raises INVALID_OPERATION") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (!has_vertex_map(1) && is_mode1(mode) && !is_inside()) sound.End();
     sound.EvalMesh1(mode, i1, i2);
@@ -299,7 +280,6 @@ EVALCTS_FAULT(CurveMeshWithoutVertexMapIsAnError, production, must, "EV-MESH1-NO
 
 EVALCTS_FAULT(CurveMeshTakesTheGridOfU, production, must, "EV-MESH1-ONLY1D",
               "EvalMesh1 takes the segments of u of the two-dimensional grid") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside() || !sound.IsEnabled(GL_MAP2_COLOR_4)) return sound.EvalMesh1(mode, i1, i2);
     const GridNow own = grid_now(1);
@@ -311,7 +291,6 @@ EVALCTS_FAULT(CurveMeshTakesTheGridOfU, production, must, "EV-MESH1-ONLY1D",
 
 EVALCTS_FAULT(CurveMeshTakesTheColorMapOfSurfaces, production, must, "EV-MESH1-ONLY1D",
               "EvalMesh1 with a colour map of surfaces enabled colours by that of curves") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const bool wrong = !is_inside() && sound.IsEnabled(GL_MAP2_COLOR_4) && !sound.IsEnabled(GL_MAP1_COLOR_4);
     if (wrong) sound.Enable(GL_MAP1_COLOR_4);
@@ -322,7 +301,6 @@ EVALCTS_FAULT(CurveMeshTakesTheColorMapOfSurfaces, production, must, "EV-MESH1-O
 
 EVALCTS_FAULT(CurveMeshWhiteWithoutColorMap, production, must, "EV-MESH1-CURRENT",
               "vertices of EvalMesh1 without a colour map are opaque") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside()) return sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {};
@@ -335,7 +313,6 @@ EVALCTS_FAULT(CurveMeshWhiteWithoutColorMap, production, must, "EV-MESH1-CURRENT
 
 EVALCTS_FAULT(CurveMeshKeepsTheFirstTexCoord, production, must, "EV-MESH1-CURRENT",
               "a second EvalMesh1 has the texture coordinates that were current at the first") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside()) return sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {};
@@ -358,7 +335,6 @@ EVALCTS_FAULT(CountOfCurvePointsOverflows, production, must, "EV-MESH1-EMPTY",
 
 EVALCTS_FAULT(CurveMeshInsideIsInvalidEnum, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     is_inside() && mode == GL_LINE ? raise_invalid_enum() : sound.EvalMesh1(mode, i1, i2);
   };
@@ -370,7 +346,6 @@ EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTE
     go();
     if (cap == GL_MAP1_VERTEX_3 || cap == GL_MAP1_VERTEX_4) memory.number = on ? 0 : cap;
   });
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const auto map = static_cast<GLenum>(memory.number);
     const bool stale = map != 0 && !is_inside() && !has_vertex_map(1);
@@ -382,7 +357,6 @@ EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTE
 
 EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-POINT",
               "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const bool lost = is_mode1(mode) && !is_inside() && is_compiling() &&
                       !sound.IsEnabled(GL_MAP1_VERTEX_3) && !sound.IsEnabled(GL_MAP1_VERTEX_4);
@@ -392,7 +366,6 @@ EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-POIN
 
 EVALCTS_FAULT(BadModeOfListLost, production, must, "EV-MESH1-ERR-MODE",
               "EvalMesh1 with a wrong mode is not compiled: its error is lost") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_mode1(mode) || is_inside() || !is_compiling()) sound.EvalMesh1(mode, i1, i2);
   };
@@ -402,7 +375,6 @@ EVALCTS_FAULT(BadModeOfListLost, production, must, "EV-MESH1-ERR-MODE",
 
 EVALCTS_FAULT(MeshOfListIn8Bits, production, must, "EV-MESH2-COORDS",
               "lists keep 8 bits of the indices of rows of EvalMesh2") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_inside() || !is_compiling()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     sound.EvalMesh2(mode, i1, i2, static_cast<GLbyte>(j1), static_cast<GLbyte>(j2));
@@ -411,7 +383,6 @@ EVALCTS_FAULT(MeshOfListIn8Bits, production, must, "EV-MESH2-COORDS",
 
 EVALCTS_FAULT(LastCornerByArithmetic, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with POINT has the rules for the last indices, but not where both are") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -426,8 +397,6 @@ EVALCTS_FAULT(LastCornerByArithmetic, production, must, "EV-MESH2-EXACT",
 
 EVALCTS_FAULT(SurfaceMeshWithoutVertexMapSetsNormal, production, must, "EV-COORD-NOVERTEX",
               "EvalMesh2 with a normal map and no vertex map sets the current normal") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && !is_inside()) sound.Normal3f(0, 0, 1);
@@ -446,7 +415,6 @@ EVALCTS_FAULT(QuadStripsCutAfter32Columns, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(ColumnsOfAtMost64Vertices, production, must, "EV-MESH2-LINE",
               "strips along v of LINE end after 64 vertices") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j2 - j1 < 64)
       return sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -485,7 +453,6 @@ EVALCTS_FAULT(SurfaceMeshAfterDisableOfItsMap, production, must, "EV-MESH2-NOVER
     go();
     if (cap == GL_MAP2_VERTEX_3 || cap == GL_MAP2_VERTEX_4) memory.number = on ? 0 : cap;
   });
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const auto map = static_cast<GLenum>(memory.number);
     const bool stale = map != 0 && mode == GL_FILL && !is_inside() && !has_vertex_map(2);
@@ -520,7 +487,6 @@ void columns(GLint i1, GLint i2, GLint j1, GLint j2) {
 
 EVALCTS_FAULT(ColumnsBeforeRows, production, must, "EV-MESH2-LINE",
               "EvalMesh2 with LINE draws the strips along v first") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     columns(i1, i2, j1, j2);
@@ -530,7 +496,6 @@ EVALCTS_FAULT(ColumnsBeforeRows, production, must, "EV-MESH2-LINE",
 
 EVALCTS_FAULT(LastColumnForgotten, production, must, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
               "EvalMesh2 with LINE draws no strip along v at i2") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     rows(i1, i2, j1, j2);
@@ -540,7 +505,6 @@ EVALCTS_FAULT(LastColumnForgotten, production, must, "EV-MESH2-LINE EV-MESH2-LIN
 
 EVALCTS_FAULT(RowsAndColumnsInTurn, production, must, "EV-MESH2-LINE",
               "EvalMesh2 with LINE on square ranges draws a row and a column in turn") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || i2 - i1 != j2 - j1)
       return sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -553,7 +517,6 @@ EVALCTS_FAULT(RowsAndColumnsInTurn, production, must, "EV-MESH2-LINE",
 
 EVALCTS_FAULT(ColumnsOverTheRangeOfU, production, must, "EV-MESH2-LINE",
               "the second loop of LINE goes over j as the misprinted page has it") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     rows(i1, i2, j1, j2);
@@ -563,7 +526,6 @@ EVALCTS_FAULT(ColumnsOverTheRangeOfU, production, must, "EV-MESH2-LINE",
 
 EVALCTS_FAULT(InnerColumnsMerged, production, must, "EV-MESH2-LINE-OVERLAP",
               "EvalMesh2 with LINE draws strips along v at the borders only") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     rows(i1, i2, j1, j2);
@@ -573,7 +535,6 @@ EVALCTS_FAULT(InnerColumnsMerged, production, must, "EV-MESH2-LINE-OVERLAP",
 }
 
 EVALCTS_FAULT(QuadsByColumns, production, must, "EV-MESH2-FILL", "EvalMesh2 with FILL draws strips along v") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside() || i1 >= i2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint i = i1; i < i2; ++i) sound.EvalMesh2(mode, i, i + 1, j1, j2);
@@ -582,7 +543,6 @@ EVALCTS_FAULT(QuadsByColumns, production, must, "EV-MESH2-FILL", "EvalMesh2 with
 
 EVALCTS_FAULT(RowsOfQuadsFromTheLast, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL draws its strips from j2 down") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside() || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint j = j2; j-- > j1;) sound.EvalMesh2(mode, i1, i2, j, j + 1);
@@ -591,7 +551,6 @@ EVALCTS_FAULT(RowsOfQuadsFromTheLast, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(QuadsTurnedRound, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL gives (i, j+1) before (i, j)") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint j = j1; j < j2; ++j) {
@@ -607,7 +566,6 @@ EVALCTS_FAULT(QuadsTurnedRound, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(LastQuadOfOddStripsLost, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL loses the last quad where a strip has more than two and an odd number") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const bool odd = mode == GL_FILL && i2 - i1 > 2 && (i2 - i1) % 2 == 1;
     sound.EvalMesh2(mode, i1, odd ? i2 - 1 : i2, j1, j2);
@@ -616,7 +574,6 @@ EVALCTS_FAULT(LastQuadOfOddStripsLost, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(StepOfRowsFromSegmentsOfU, production, must, "EV-MESH2-COORDS",
               "EvalMesh2 divides the range of v by the segments of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow own = grid_now(2);
@@ -637,7 +594,6 @@ EVALCTS_FAULT(PartOfSurfaceFromTheFirstRow, production, must, "EV-MESH2-COORDS",
 
 EVALCTS_FAULT(UpperRowByOneMoreStep, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with FILL adds a step to the lower row for the upper one") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -656,7 +612,6 @@ EVALCTS_FAULT(UpperRowByOneMoreStep, production, must, "EV-MESH2-EXACT",
 
 EVALCTS_FAULT(ColumnsEndByArithmetic, production, must, "EV-MESH2-EXACT",
               "strips along v of LINE have no rule for the last index of v") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -672,7 +627,6 @@ EVALCTS_FAULT(ColumnsEndByArithmetic, production, must, "EV-MESH2-EXACT",
 
 EVALCTS_FAULT(PointsOfLastColumnByArithmetic, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with POINT has no rule for the last index of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -688,7 +642,6 @@ EVALCTS_FAULT(PointsOfLastColumnByArithmetic, production, must, "EV-MESH2-EXACT"
 
 EVALCTS_FAULT(SurfaceExactBeforeItsLastColumn, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with FILL does its last column without the rule for the last index of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(2);
     if (mode != GL_FILL || is_inside() || i2 != grid.segments[0])
@@ -701,7 +654,6 @@ EVALCTS_FAULT(SurfaceExactBeforeItsLastColumn, production, must, "EV-MESH2-EXACT
 
 EVALCTS_FAULT(RowsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
               "EvalMesh2 with FILL adds up the steps of v in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -719,7 +671,6 @@ EVALCTS_FAULT(RowsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
 
 EVALCTS_FAULT(RowsOfPointsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
               "EvalMesh2 with POINT adds up the steps of u in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -737,7 +688,6 @@ EVALCTS_FAULT(RowsOfPointsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
 
 EVALCTS_FAULT(CracksBetweenStrips, production, must, "EV-MESH2-SHAREDROW",
               "the upper side of a strip is evaluated one bit above the lower side of the next") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -756,7 +706,6 @@ EVALCTS_FAULT(CracksBetweenStrips, production, must, "EV-MESH2-SHAREDROW",
 
 EVALCTS_FAULT(CrossingsOfLinesMissByABit, production, must, "EV-MESH2-SHAREDROW",
               "strips along v of LINE are evaluated in single precision, those along u in double") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -774,7 +723,6 @@ EVALCTS_FAULT(CrossingsOfLinesMissByABit, production, must, "EV-MESH2-SHAREDROW"
 
 EVALCTS_FAULT(FillInSinglePrecision, production, quality, "EV-MESH2-MODESAGREE",
               "the arguments of FILL are rounded to single precision, those of LINE and POINT are not") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -824,7 +772,6 @@ EVALCTS_FAULT(LinesOfOnePointAreAPoint, production, must, "EV-MESH2-LINE-DEGENER
 
 EVALCTS_FAULT(RowsBeyondTheGridCutOff, production, must, "EV-MESH2-RANGE",
               "EvalMesh2 with FILL ends at the last row of the grid") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const GLint last = is_inside() ? j2 : grid_now(2).segments[1];
     sound.EvalMesh2(mode, i1, i2, j1, mode == GL_FILL && j1 < last ? std::min(j2, last) : j2);
@@ -855,7 +802,6 @@ EVALCTS_FAULT(ModeAfterFillIsInvalidValue, production, must, "EV-MESH2-ERR-MODE"
 
 EVALCTS_FAULT(BadModeOfSurfaceDraws, production, must, "EV-MESH2-ERR-MODE",
               "EvalMesh2 raises INVALID_ENUM for QUADS, and draws points") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode == GL_QUADS && !is_inside()) sound.EvalMesh2(GL_POINT, i1, i2, j1, j2);
     sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -864,7 +810,6 @@ EVALCTS_FAULT(BadModeOfSurfaceDraws, production, must, "EV-MESH2-ERR-MODE",
 
 EVALCTS_FAULT(SurfaceMeshInsideEndsPrimitive, production, must, "EV-MESH2-ERR-BEGINEND",
               "EvalMesh2 between Begin and End raises the error and begins the primitive anew") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (!is_inside()) return;
@@ -875,8 +820,6 @@ EVALCTS_FAULT(SurfaceMeshInsideEndsPrimitive, production, must, "EV-MESH2-ERR-BE
 
 EVALCTS_FAULT(SurfaceMeshInsideWithoutMapIsIgnored, production, must, "EV-MESH2-ERR-BEGINEND",
               "EvalMesh2 between Begin and End without a vertex map is no error") {
-  note_primitives(in);
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (!is_inside() || has_vertex_map(2)) sound.EvalMesh2(mode, i1, i2, j1, j2);
   };
@@ -884,7 +827,6 @@ EVALCTS_FAULT(SurfaceMeshInsideWithoutMapIsIgnored, production, must, "EV-MESH2-
 
 EVALCTS_FAULT(ModeOfSurfaceUncheckedWithoutMap, production, must, "EV-MESH2-ERR-FIRST",
               "EvalMesh2 looks for a vertex map before it looks at the mode") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (has_vertex_map(2)) sound.EvalMesh2(mode, i1, i2, j1, j2);
   };
@@ -899,8 +841,6 @@ EVALCTS_FAULT(ModeOfEmptySurfaceUnchecked, production, must, "EV-MESH2-ERR-FIRST
 
 EVALCTS_FAULT(SurfaceMeshOfNormalMapDraws, production, must, "EV-MESH2-NOVERTEX",
               "EvalMesh2 with a normal map and no vertex map draws the initial point") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && is_mode2(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP);
@@ -913,8 +853,6 @@ EVALCTS_FAULT(SurfaceMeshOfNormalMapDraws, production, must, "EV-MESH2-NOVERTEX"
 
 EVALCTS_FAULT(SurfaceMeshWithoutVertexMapIsAnError, production, must, "EV-MESH2-NOVERTEX",
               "EvalMesh2 with FILL and no vertex map raises INVALID_OPERATION") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (!has_vertex_map(2) && mode == GL_FILL && !is_inside()) sound.End();
     sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -923,7 +861,6 @@ EVALCTS_FAULT(SurfaceMeshWithoutVertexMapIsAnError, production, must, "EV-MESH2-
 
 EVALCTS_FAULT(SurfaceMeshTakesTheGridOfCurves, production, must, "EV-MESH2-ONLY2D",
               "EvalMesh2 takes the one-dimensional grid for u where a vertex map of curves is enabled") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const bool curves =
         !is_inside() && (sound.IsEnabled(GL_MAP1_VERTEX_3) || sound.IsEnabled(GL_MAP1_VERTEX_4));
@@ -938,7 +875,6 @@ EVALCTS_FAULT(SurfaceMeshTakesTheGridOfCurves, production, must, "EV-MESH2-ONLY2
 
 EVALCTS_FAULT(SurfaceMeshTakesTheEnableOfCurves, production, must, "EV-MESH2-ONLY2D",
               "EvalMesh2 with LINE asks whether MAP1_NORMAL is enabled") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const bool wrong = !is_inside() && mode == GL_LINE && sound.IsEnabled(GL_MAP1_NORMAL) &&
                        !sound.IsEnabled(GL_MAP2_NORMAL);
