@@ -207,7 +207,7 @@ double evaluate_unary(Op op, double a, Call& call) {
     case Op::noted_on:
       return is_noted_on(token);
     case Op::has_vertex_map:
-      return faults::has_vertex_map(static_cast<int>(a));
+      return has_vertex_map(static_cast<int>(a));
     case Op::is_map1:
       return faults::is_map1(token);
     case Op::is_map2:
@@ -369,10 +369,10 @@ void Call::set_points(const std::vector<double>& points) {
 }
 
 Value remembered(Value key) { return unary(Op::remembered, key); }
-Value is_on(Value cap) { return unary(Op::is_on, cap); }
-Value integer(Value pname) { return unary(Op::integer, pname); }
+Value enabled(Value cap) { return unary(Op::is_on, cap); }
+Value state(Value pname) { return unary(Op::integer, pname); }
 Value noted_on(Value cap) { return unary(Op::noted_on, cap); }
-Value has_vertex_map(Value dimension) { return unary(Op::has_vertex_map, dimension); }
+Value maps_vertices(Value dimension) { return unary(Op::has_vertex_map, dimension); }
 Value is_map1(Value token) { return unary(Op::is_map1, token); }
 Value is_map2(Value token) { return unary(Op::is_map2, token); }
 Value is_map(Value token) { return is_map1(token) || is_map2(token); }
@@ -433,7 +433,11 @@ Rule around(const Entries& entries, Value condition, Value first, Value last) {
 Rule instead(const Entries& entries, Value condition, Value step) { return {entries, condition, step}; }
 Rule skip(const Entries& entries, Value condition) { return {entries, condition, 0}; }
 Rule without(const Entries& entries, Value condition, GLenum cap) {
-  return around(entries, condition && is_on(cap), call(Disable, {cap}), call(Enable, {cap}));
+  return around(entries, condition && enabled(cap), call(Disable, {cap}), call(Enable, {cap}));
+}
+Rule on_unit_0(const Entries& entries, Value condition) {
+  return around(entries, condition && kUnit != GL_TEXTURE0, call(ActiveTexture, {GL_TEXTURE0}),
+                call(ActiveTexture, {kUnit}));
 }
 
 void apply(Injection& in, std::initializer_list<Rule> rules) {

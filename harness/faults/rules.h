@@ -136,11 +136,11 @@ inline constexpr Value kInside{Value::Op::inside, 0}, kOpenMode{Value::Op::open_
 inline constexpr Value kFlag{Value::Op::cell, 0, 0, 0, 0}, kCount{Value::Op::cell, 0, 0, 0, 1},
     kNumber{Value::Op::cell, 0, 0, 0, 2};
 
-Value remembered(Value key);            // one number for each key
-Value is_on(Value cap);                 // outside primitives
-Value integer(Value pname);             // outside primitives
-Value noted_on(Value cap);              // by the last Enable or Disable
-Value has_vertex_map(Value dimension);  // the same
+Value remembered(Value key);           // one number for each key
+Value enabled(Value cap);              // outside primitives
+Value state(Value pname);              // outside primitives
+Value noted_on(Value cap);             // by the last Enable or Disable
+Value maps_vertices(Value dimension);  // the same
 Value is_map1(Value token);
 Value is_map2(Value token);
 Value is_map(Value token);
@@ -227,6 +227,8 @@ Rule instead(const Entries& entries, Value condition, Value step);  // of the ca
 Rule skip(const Entries& entries, Value condition);
 // The capability is off during the call.
 Rule without(const Entries& entries, Value condition, GLenum cap);
+// The call is made with unit 0 active.
+Rule on_unit_0(const Entries& entries, Value condition);
 
 void apply(Injection& in, std::initializer_list<Rule> rules);
 // To be called before a fault is injected.

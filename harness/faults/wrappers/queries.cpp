@@ -356,7 +356,7 @@ EVALCTS_FAULT(SegmentsOfVNotInFloats, production, must, "EV-GET-GRIDSEG",
 
 EVALCTS_RULES(SegmentsTruncatedInBoolean, production, must, "EV-GET-GRIDSEG",
               "GetBooleanv gives the lowest byte of the number of segments",
-              after(GetBooleanv, kName == GL_MAP1_GRID_SEGMENTS, put(0, integer(kName) & 255)));
+              after(GetBooleanv, kName == GL_MAP1_GRID_SEGMENTS, put(0, state(kName) & 255)));
 
 EVALCTS_FAULT(SegmentsOf256AreFalse, production, must, "EV-GET-GRIDSEG",
               "GetBooleanv of a number of segments whose lowest byte is 0 gives FALSE") {
