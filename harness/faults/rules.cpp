@@ -273,6 +273,12 @@ double evaluate(Value value, Call& call) {
     case Op::set:
       assign(kept[value.a], evaluate(kept[value.b], call), call);
       return 0;
+    case Op::swap: {
+      const double first = evaluate(kept[value.a], call);
+      assign(kept[value.a], evaluate(kept[value.b], call), call);
+      assign(kept[value.b], first, call);
+      return 0;
+    }
     case Op::call:
       return invoke(value, call);
     case Op::sequence:
@@ -416,6 +422,7 @@ Value lambda(Function function) {
 Value set(Value place, Value value) { return binary(Op::set, place, value); }
 Value put(Value i, Value value) { return binary(Op::put, i, value); }
 Value exchange(Value i, Value j) { return binary(Op::exchange, i, j); }
+Value swap(Value one, Value other) { return binary(Op::swap, one, other); }
 Value error(GLenum kind) { return unary(Op::error, kind); }
 Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments) {
   return list(Op::call, arguments, static_cast<int>(entry));

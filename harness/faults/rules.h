@@ -83,6 +83,7 @@ enum class Value::Op : short {
   set,
   put,
   exchange,
+  swap,
   go,
   call,
   sequence,
@@ -180,6 +181,7 @@ Value lambda(Function function);
 Value set(Value place, Value value);  // an argument, what is remembered, or the result
 Value put(Value i, Value value);      // behind the pointer
 Value exchange(Value i, Value j);     // behind the pointer
+Value swap(Value one, Value other);   // two arguments
 Value error(GLenum kind);             // leaves one, wherever the call is
 Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments = {});  // the original command
 Value sequence(std::initializer_list<Value> steps);
