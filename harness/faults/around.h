@@ -57,6 +57,12 @@ struct Mesh2Call {
 inline void go1(const Mesh1Call& c) { sound.EvalMesh1(c.mode, c.i1, c.i2); }
 inline void go2(const Mesh2Call& c) { sound.EvalMesh2(c.mode, c.i1, c.i2, c.j1, c.j2); }
 
+// The points of a mesh, u slower than v.
+inline void points_column_by_column(const Mesh2Call& c) {
+  for (GLint i = c.i1; i <= c.i2; ++i)
+    for (GLint j = c.j1; j <= c.j2; ++j) sound.EvalMesh2(GL_POINT, i, i, j, j);
+}
+
 // body(call): a lambda without a capture.
 template <class Body>
 void mesh1(Injection& in, Body) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "forms.h"
+#include "watched.h"
 
 namespace evalcts::faults {
 
@@ -40,51 +41,26 @@ void all_meshes(Injection& in, Body) {
 
 // --- What Enable and Disable left --------------------------------------------------------------------------
 
-inline bool is_noted_on(GLenum cap) { return memory.counts[cap] != 0; }
-inline bool has_vertex_map(int dimension) {
-  return dimension == 1 ? is_noted_on(GL_MAP1_VERTEX_3) || is_noted_on(GL_MAP1_VERTEX_4)
-                        : is_noted_on(GL_MAP2_VERTEX_3) || is_noted_on(GL_MAP2_VERTEX_4);
-}
-
-// body(cap, on, go), after it was noted.
+// body(cap, on, go)
 template <class Body>
 void switches(Injection& in, Body) {
-  in.gl.Enable = [](GLenum cap) {
-    memory.counts[cap] = 1;
-    Body{}(cap, true, [cap] { sound.Enable(cap); });
-  };
-  in.gl.Disable = [](GLenum cap) {
-    memory.counts[cap] = 0;
-    Body{}(cap, false, [cap] { sound.Disable(cap); });
-  };
-}
-inline void note_switches(Injection& in) {
-  switches(in, [](GLenum, bool, auto go) { go(); });
+  in.gl.Enable = [](GLenum cap) { Body{}(cap, true, [cap] { sound.Enable(cap); }); };
+  in.gl.Disable = [](GLenum cap) { Body{}(cap, false, [cap] { sound.Disable(cap); }); };
 }
 
 // --- Begin and End -----------------------------------------------------------------------------------------
-
-inline constexpr GLenum kPrimitive = 0xFFFFFFFFu;  // in memory.counts: 1 + the mode of the open primitive
-inline bool is_inside() { return memory.counts[kPrimitive] != 0; }
-inline GLenum open_mode() { return static_cast<GLenum>(memory.counts[kPrimitive] - 1); }
 
 // first() is called before Begin, last() after End.
 template <class First, class Last>
 void primitives(Injection& in, First, Last) {
   in.gl.Begin = [](GLenum mode) {
     First{}();
-    memory.counts[kPrimitive] = static_cast<long>(mode) + 1;
     sound.Begin(mode);
   };
   in.gl.End = [] {
     sound.End();
-    memory.counts[kPrimitive] = 0;
     Last{}();
   };
-}
-inline void note_primitives(Injection& in) {
-  primitives(
-      in, [] {}, [] {});
 }
 
 // Whether commands go into a display list only; to be asked for outside Begin and End.

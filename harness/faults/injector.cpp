@@ -6,6 +6,7 @@
 
 #include <mutations/mutation.h>
 #include "fault.h"
+#include "rules.h"
 
 namespace evalcts::faults {
 namespace {
@@ -42,6 +43,7 @@ class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
     memory = {};
+    forget_rules();
     sound = table_ = inner_->table();
     Injection injection{table_};
     fault.inject(injection);
@@ -51,6 +53,7 @@ class FaultyContext final : public Context {
   if (!sound.name) table_.name = nullptr;
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
+    watch(table_);
   }
 
   const gl::Table& table() const override { return table_; }

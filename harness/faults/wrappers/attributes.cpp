@@ -138,7 +138,6 @@ EVALCTS_FAULT(AlphaClamped, production, must, "EV-ATTR-COLOR-CLAMP",
 
 EVALCTS_FAULT(IndexMapSetsTheIndex, production, must, "EV-ATTR-INDEX-RGBA EV-CUR-INDEX",
               "evaluation at a grid point with an index map sets the current index") {
-  note_switches(in);
   in.gl.EvalPoint1 = [](GLint i) {
     sound.EvalPoint1(i);
     if (is_noted_on(GL_MAP1_INDEX)) sound.Indexf(3);
@@ -147,7 +146,6 @@ EVALCTS_FAULT(IndexMapSetsTheIndex, production, must, "EV-ATTR-INDEX-RGBA EV-CUR
 
 EVALCTS_FAULT(IndexMapGivesTheRed, production, must, "EV-ATTR-INDEX-RGBA",
               "in RGBA mode an index map makes the current colour white") {
-  note_switches(in);
   points1(in, [](auto go) {
     if (is_noted_on(GL_MAP1_INDEX) && has_vertex_map(1)) sound.Color4f(1, 1, 1, 1);
     go();
@@ -220,7 +218,6 @@ EVALCTS_FAULT(OtherUnitsAtTheirInitialValues, production, must, "EV-ATTR-OTHERUN
 
 EVALCTS_FAULT(ColorMapFeedsSecondaryColor, osmesa, must, "EV-ATTR-NOMAPS",
               "a colour map resets the secondary colour of evaluated vertices") {
-  note_switches(in);
   points(in, [](auto go) {
     if (is_noted_on(GL_MAP1_COLOR_4) || is_noted_on(GL_MAP2_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);
     go();
@@ -229,7 +226,6 @@ EVALCTS_FAULT(ColorMapFeedsSecondaryColor, osmesa, must, "EV-ATTR-NOMAPS",
 
 EVALCTS_FAULT(TextureMapFeedsGenericSix, osmesa, must, "EV-ATTR-NOMAPS",
               "a texture map writes generic attribute 6, unless EvalPoint evaluates it") {
-  note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
     if (is_noted_on(GL_MAP1_TEXTURE_COORD_4)) sound.VertexAttrib4f(6, 0, 0, 0, 1);
     go(u);

@@ -59,7 +59,6 @@ EVALCTS_FAULT(DisableOfAutoNormalResetsNormal, production, must, "EV-AUTON-OFF-N
 
 EVALCTS_FAULT(GeneratedNormalStaysCurrent, production, must, "EV-AUTON-CURRENT",
               "EvalPoint2 with AUTO_NORMAL leaves a normal of its own as the current one") {
-  note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     sound.EvalPoint2(i, j);
     if (is_noted_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0.6f, 0.8f);
@@ -68,7 +67,6 @@ EVALCTS_FAULT(GeneratedNormalStaysCurrent, production, must, "EV-AUTON-CURRENT",
 
 EVALCTS_FAULT(MeshWithAutoNormalSetsNormal, production, must, "EV-AUTON-CURRENT",
               "EvalMesh2 with AUTO_NORMAL resets the current normal") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (is_noted_on(GL_AUTO_NORMAL) && has_vertex_map(2)) sound.Normal3f(0, 0, 1);
@@ -77,7 +75,6 @@ EVALCTS_FAULT(MeshWithAutoNormalSetsNormal, production, must, "EV-AUTON-CURRENT"
 
 EVALCTS_FAULT(AutoNormalNeedsNoVertexMap, production, must, "EV-AUTON-NOVERTEX",
               "AUTO_NORMAL counts as a map: EvalCoord2 draws the initial point without a vertex map") {
-  note_switches(in);
   points2(in, [](auto go) {
     if (is_noted_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
     go();
@@ -86,7 +83,6 @@ EVALCTS_FAULT(AutoNormalNeedsNoVertexMap, production, must, "EV-AUTON-NOVERTEX",
 
 EVALCTS_FAULT(AutoNormalMeshNeedsNoVertexMap, production, must, "EV-AUTON-NOVERTEX",
               "EvalMesh2 with AUTO_NORMAL and no vertex map raises INVALID_OPERATION") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_noted_on(GL_AUTO_NORMAL) && !has_vertex_map(2)) sound.End();
     sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -123,7 +119,6 @@ EVALCTS_FAULT(AutoNormalDropsTextureMap, production, must, "EV-AUTON-SAMEVERTEX"
 
 EVALCTS_FAULT(AutoNormalMovesVertexByABit, production, quality, "EV-AUTON-SAMEVERTEX EV-NUM-UNRELATEDMAPS",
               "with AUTO_NORMAL the vertex is evaluated by another path") {
-  note_switches(in);
   eval_coord2(in, [](auto u, auto v, auto go) {
     go(is_noted_on(GL_AUTO_NORMAL) ? std::nextafter(static_cast<float>(u), 2.0f) : u, v);
   });
@@ -234,7 +229,6 @@ EVALCTS_FAULT(LineMeshesHaveNoNormals, production, must, "EV-AUTON-MESH",
 
 EVALCTS_FAULT(PatchOfOrderOneIsAnError, production, must, "EV-AUTON-DEGENERATE",
               "with AUTO_NORMAL, EvalCoord2 of a patch of order 1 in v raises INVALID_OPERATION") {
-  note_switches(in);
   map2(in, [](auto call, auto go) {
     if (call.target == GL_MAP2_VERTEX_4) memory.flag = call.vorder == 1;
     go(call);
@@ -272,7 +266,6 @@ EVALCTS_FAULT(NormalsInCoarseSteps, production, quality, "EV-AUTON-METHOD",
 // As it comes through the pipeline; the explicit control has no AUTO_NORMAL.
 EVALCTS_FAULT(GeneratedNormalsNotRescaled, osmesa, must, "EV-AUTON-FFTRANSFORM",
               "RESCALE_NORMAL has no effect on generated normals, which are units already") {
-  note_switches(in);
   primitives(
       in,
       [] {
@@ -285,7 +278,6 @@ EVALCTS_FAULT(GeneratedNormalsNotRescaled, osmesa, must, "EV-AUTON-FFTRANSFORM",
 
 EVALCTS_FAULT(GeneratedNormalsAlwaysNormalized, osmesa, must, "EV-AUTON-FFTRANSFORM",
               "generated normals are normalised in eye space") {
-  note_switches(in);
   primitives(
       in,
       [] {

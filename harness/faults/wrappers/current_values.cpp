@@ -6,7 +6,6 @@ namespace {
 
 EVALCTS_FAULT(MeshLeavesWhite, production, must, "EV-CUR-COLOR",
               "EvalMesh1 with a colour map resets the current colour") {
-  note_switches(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     sound.EvalMesh1(mode, i1, i2);
     if (is_noted_on(GL_MAP1_COLOR_4)) sound.Color4f(1, 1, 1, 1);
@@ -16,7 +15,6 @@ EVALCTS_FAULT(MeshLeavesWhite, production, must, "EV-CUR-COLOR",
 // A flush in the middle of a primitive, as it is rarely seen.
 EVALCTS_FAULT(ColorLostInLongPrimitives, production, must, "EV-CUR-COLOR",
               "the 257th evaluated vertex of a primitive leaves its colour as the current one") {
-  note_switches(in);
   primitives(
       in, [] { memory.count = 0; }, [] {});
   points1(in, [](auto go) {
@@ -27,7 +25,6 @@ EVALCTS_FAULT(ColorLostInLongPrimitives, production, must, "EV-CUR-COLOR",
 
 EVALCTS_FAULT(NormalLostAfterStrips, production, must, "EV-CUR-NORMAL",
               "End of a TRIANGLE_STRIP with a normal map leaves the last normal as the current one") {
-  note_switches(in);
   primitives(
       in, [] { memory.number = 0; },
       [] {
@@ -41,7 +38,6 @@ EVALCTS_FAULT(NormalLostAfterStrips, production, must, "EV-CUR-NORMAL",
 
 EVALCTS_FAULT(VertexAfterEvaluationHasInitialNormal, production, must, "EV-CUR-NEXTVERTEX EV-COORD-MIX",
               "a Vertex right after an evaluation with a normal map has the normal (0,0,1)") {
-  note_switches(in);
   points(in, [](auto go) {
     memory.flag = is_noted_on(GL_MAP1_NORMAL) || is_noted_on(GL_MAP2_NORMAL);
     go();
@@ -55,7 +51,6 @@ EVALCTS_FAULT(VertexAfterEvaluationHasInitialNormal, production, must, "EV-CUR-N
 
 EVALCTS_FAULT(NormalLostAfterMeshes, production, must, "EV-CUR-NORMAL",
               "EvalMesh2 with a normal map leaves the last normal as the current one") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (is_noted_on(GL_MAP2_NORMAL)) sound.Normal3f(0.6f, 0, 0.8f);
@@ -64,7 +59,6 @@ EVALCTS_FAULT(NormalLostAfterMeshes, production, must, "EV-CUR-NORMAL",
 
 EVALCTS_FAULT(MeshCompletesTexCoord, production, must, "EV-CUR-TEX",
               "EvalMesh1 with a texture map leaves r = 0 and q = 1 in the current texture coordinates") {
-  note_switches(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {0, 0, 0, 1};
@@ -76,7 +70,6 @@ EVALCTS_FAULT(MeshCompletesTexCoord, production, must, "EV-CUR-TEX",
 
 EVALCTS_FAULT(MeshSetsIndex, production, must, "EV-CUR-INDEX",
               "EvalMesh2 with an index map leaves its index as the current one") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (is_noted_on(GL_MAP2_INDEX)) sound.Indexf(4.5f);
@@ -85,7 +78,6 @@ EVALCTS_FAULT(MeshSetsIndex, production, must, "EV-CUR-INDEX",
 
 EVALCTS_FAULT(TextureMapResetsUnit1, production, must, "EV-CUR-OTHERUNITS",
               "evaluation with a texture map resets the texture coordinates of unit 1") {
-  note_switches(in);
   points1(in, [](auto go) {
     go();
     if (is_noted_on(GL_MAP1_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE1, 0, 0, 0, 1);
@@ -95,7 +87,6 @@ EVALCTS_FAULT(TextureMapResetsUnit1, production, must, "EV-CUR-OTHERUNITS",
 EVALCTS_FAULT(
     EvaluationResetsTheActiveUnit, production, must, "EV-CUR-OTHERUNITS",
     "evaluation with a texture map resets the texture coordinates of the active unit, but for unit 0") {
-  note_switches(in);
   in.gl.ActiveTexture = [](GLenum unit) {
     memory.number = unit;
     sound.ActiveTexture(unit);
@@ -109,7 +100,6 @@ EVALCTS_FAULT(
 
 EVALCTS_FAULT(MeshCopiesUnit0ToLastUnit, production, must, "EV-CUR-OTHERUNITS",
               "EvalMesh2 leaves the texture coordinates of unit 7 as those of unit 0") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     sound.EvalMesh2(mode, i1, i2, j1, j2);
     if (is_noted_on(GL_MAP2_TEXTURE_COORD_2)) sound.MultiTexCoord4f(GL_TEXTURE7, 0, 0, 0, 1);
@@ -118,7 +108,6 @@ EVALCTS_FAULT(MeshCopiesUnit0ToLastUnit, production, must, "EV-CUR-OTHERUNITS",
 
 EVALCTS_FAULT(EvaluationResetsSecondaryColor, osmesa, must, "EV-CUR-OTHERUNITS",
               "evaluation with a colour map resets the current secondary colour") {
-  note_switches(in);
   points1(in, [](auto go) {
     go();
     if (is_noted_on(GL_MAP1_COLOR_4)) sound.SecondaryColor3f(0, 0, 0);

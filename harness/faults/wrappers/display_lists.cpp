@@ -7,6 +7,7 @@
 #include "around.h"
 #include "evaluating.h"
 #include "forms.h"
+#include "rules.h"
 
 namespace evalcts::faults::display_lists {
 namespace {
@@ -62,25 +63,12 @@ EVALCTS_FAULT(GridSetAtEndList, production, must, "EV-DL-COMPILED",
 
 // --- Called ------------------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(AutoNormalNotCompiled, production, must, "EV-DL-EXECUTE",
-              "Enable and Disable of AUTO_NORMAL are left out of lists") {
-  watch_lists(in);
-  in.gl.Enable = [](GLenum cap) {
-    if (!compiles_only() || cap != GL_AUTO_NORMAL) sound.Enable(cap);
-  };
-  in.gl.Disable = [](GLenum cap) {
-    if (!compiles_only() || cap != GL_AUTO_NORMAL) sound.Disable(cap);
-  };
-}
-
-EVALCTS_FAULT(CompiledGridSwapsDirections, production, must, "EV-DL-EXECUTE",
-              "a compiled MapGrid2d has the segments of u and v the other way round") {
-  watch_lists(in);
-  in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
-    if (compiles()) std::swap(un, vn);
-    sound.MapGrid2d(un, u1, u2, vn, v1, v2);
-  };
-}
+EVALCTS_RULES(AutoNormalNotCompiled, production, must, "EV-DL-EXECUTE",
+              "Enable and Disable of AUTO_NORMAL are left out of lists",
+              skip(kSwitches, kListMode == GL_COMPILE && kName == GL_AUTO_NORMAL));
+EVALCTS_RULES(CompiledGridSwapsDirections, production, must, "EV-DL-EXECUTE",
+              "a compiled MapGrid2d has the segments of u and v the other way round",
+              before(MapGrid2d, kListMode, swap(kSegments, kVSegments)));
 
 EVALCTS_FAULT(CompiledIndicesAreShorts, production, must, "EV-DL-EXECUTE",
               "the index of a compiled EvalPoint1 is kept in sixteen bits") {
@@ -88,40 +76,18 @@ EVALCTS_FAULT(CompiledIndicesAreShorts, production, must, "EV-DL-EXECUTE",
   in.gl.EvalPoint1 = [](GLint i) { sound.EvalPoint1(compiles() ? static_cast<GLshort>(i) : i); };
 }
 
-EVALCTS_FAULT(CompiledNegativeIndexIsZero, production, must, "EV-DL-EXECUTE",
-              "a compiled EvalMesh1 begins at index 0 or above") {
-  watch_lists(in);
-  mesh1(in, [](auto call) {
-    if (compiles()) call.i1 = std::max(call.i1, 0);
-    go1(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledMesh2RangeIsShort, production, must, "EV-DL-EXECUTE",
-              "the range of j of a compiled EvalMesh2 is kept in sixteen bits without a sign") {
-  watch_lists(in);
-  mesh2(in, [](auto call) {
-    if (compiles()) call.j1 &= 0xFFFF, call.j2 &= 0xFFFF;
-    go2(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledSegmentsAreShorts, production, must, "EV-DL-EXECUTE",
-              "the segments of a compiled MapGrid1f are kept in sixteen bits") {
-  watch_lists(in);
-  in.gl.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
-    sound.MapGrid1f(compiles() && n > 0 ? (n & 0xFFFF) : n, u1, u2);
-  };
-}
-
-EVALCTS_FAULT(CompiledOrderInFourBits, production, must, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT",
-              "orders from 16 on are compiled as 15") {
-  watch_lists(in);
-  map1(in, [](auto call, auto go) {
-    if (compiles() && call.order > 15 && call.order <= integer(GL_MAX_EVAL_ORDER)) call.order = 15;
-    go(call);
-  });
-}
+EVALCTS_RULES(CompiledNegativeIndexIsZero, production, must, "EV-DL-EXECUTE",
+              "a compiled EvalMesh1 begins at index 0 or above",
+              before(EvalMesh1, kListMode, set(kI1, max(kI1, 0))));
+EVALCTS_RULES(CompiledMesh2RangeIsShort, production, must, "EV-DL-EXECUTE",
+              "the range of j of a compiled EvalMesh2 is kept in sixteen bits without a sign",
+              before(EvalMesh2, kListMode, sequence({set(kJ1, kJ1 & 0xFFFF), set(kJ2, kJ2 & 0xFFFF)})));
+EVALCTS_RULES(CompiledSegmentsAreShorts, production, must, "EV-DL-EXECUTE",
+              "the segments of a compiled MapGrid1f are kept in sixteen bits",
+              before(MapGrid1f, kListMode&& kSegments > 0, set(kSegments, kSegments & 0xFFFF)));
+EVALCTS_RULES(CompiledOrderInFourBits, production, must, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT",
+              "orders from 16 on are compiled as 15",
+              before(kMap1, kListMode&& kOrder > 15 && kOrder <= state(GL_MAX_EVAL_ORDER), set(kOrder, 15)));
 
 EVALCTS_FAULT(CallRestoresGrid, production, must, "EV-DL-EXECUTE",
               "CallList leaves the grid of one dimension as it was") {
@@ -165,14 +131,9 @@ EVALCTS_FAULT(CompiledLargeNetCut, production, must, "EV-DL-EXECUTE",
 
 // --- Compiled and executed ---------------------------------------------------------------------------------
 
-EVALCTS_FAULT(EvalPointCompiledTwice, production, must, "EV-DL-COMPEXEC",
-              "EvalPoint2 in a list that is compiled and executed is there twice") {
-  watch_lists(in);
-  in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    sound.EvalPoint2(i, j);
-    if (memory.count == GL_COMPILE_AND_EXECUTE) sound.EvalPoint2(i, j);
-  };
-}
+EVALCTS_RULES(EvalPointCompiledTwice, production, must, "EV-DL-COMPEXEC",
+              "EvalPoint2 in a list that is compiled and executed is there twice",
+              after(EvalPoint2, kListMode == GL_COMPILE_AND_EXECUTE, kGo));
 
 EVALCTS_FAULT(
     ExecutedErrorNotCompiled, production, must, "EV-DL-COMPEXEC",
@@ -236,70 +197,27 @@ EVALCTS_FAULT(CompiledPointsFoundByAddress, production, must, "EV-DL-POINTS-COPI
   });
 }
 
-EVALCTS_FAULT(CompiledStrideInAByte, production, must, "EV-DL-STRIDE-KEPT",
-              "the stride of a compiled Map1 is kept in a byte") {
-  watch_lists(in);
-  map1(in, [](auto call, auto go) {
-    if (compiles() && call.stride > 255) call.stride = 255;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledMap1dPacked, production, must, "EV-DL-STRIDE-KEPT",
-              "a compiled Map1d of colours takes its points for packed") {
-  watch_lists(in);
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(target, u1, u2, compiles() && target == GL_MAP1_COLOR_4 && stride > 4 ? 4 : stride, order,
-                points);
-  };
-}
-
-EVALCTS_FAULT(CompiledRowsWithoutPadding, production, must, "EV-DL-STRIDE-KEPT",
-              "a compiled Map2f whose rows are longer than the net takes them for packed") {
-  watch_lists(in);
-  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-    if (compiles() && ustride > vorder * vstride) ustride = vorder * vstride;
-    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(CompiledVMajorTransposed, production, must, "EV-DL-STRIDE-KEPT",
-              "a compiled Map2d in which u runs faster is taken for one in which v does") {
-  watch_lists(in);
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    if (compiles() && ustride < vstride && vstride == ustride * uorder) {
-      vstride = ustride;
-      ustride = vorder * vstride;
-    }
-    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
+EVALCTS_RULES(CompiledStrideInAByte, production, must, "EV-DL-STRIDE-KEPT",
+              "the stride of a compiled Map1 is kept in a byte",
+              before(kMap1, kListMode&& kStride > 255, set(kStride, 255)));
+EVALCTS_RULES(CompiledMap1dPacked, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map1d of colours takes its points for packed",
+              before(Map1d, kListMode&& kTarget == GL_MAP1_COLOR_4 && kStride > 4, set(kStride, 4)));
+EVALCTS_RULES(CompiledRowsWithoutPadding, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map2f whose rows are longer than the net takes them for packed",
+              before(Map2f, kListMode&& kStride > kVOrder * kVStride, set(kStride, kVOrder* kVStride)));
+EVALCTS_RULES(CompiledVMajorTransposed, production, must, "EV-DL-STRIDE-KEPT",
+              "a compiled Map2d in which u runs faster is taken for one in which v does",
+              before(Map2d, kListMode&& kStride < kVStride && kVStride == kStride * kOrder,
+                     sequence({set(kVStride, kStride), set(kStride, kVOrder* kVStride)})));
 
 // --- Doubles -----------------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(CompiledEvalCoord2dvTakesUTwice, production, must, "EV-DL-DOUBLE",
-              "a compiled EvalCoord2dv has u for v, too") {
-  watch_lists(in);
-  in.gl.EvalCoord2dv = [](const GLdouble* uv) {
-    const GLdouble pair[] = {uv[0], compiles() ? uv[0] : uv[1]};
-    sound.EvalCoord2dv(pair);
-  };
-}
-
-EVALCTS_FAULT(CompiledMap2dSwapsDomains, production, must, "EV-DL-DOUBLE",
-              "a compiled Map2d has the domains of u and v the other way round") {
-  watch_lists(in);
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    if (compiles())
-      sound.Map2d(target, v1, v2, ustride, uorder, u1, u2, vstride, vorder, points);
-    else
-      sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
+EVALCTS_RULES(CompiledEvalCoord2dvTakesUTwice, production, must, "EV-DL-DOUBLE",
+              "a compiled EvalCoord2dv has u for v, too", before(EvalCoord2dv, kListMode, set(kV, kU)));
+EVALCTS_RULES(CompiledMap2dSwapsDomains, production, must, "EV-DL-DOUBLE",
+              "a compiled Map2d has the domains of u and v the other way round",
+              before(Map2d, kListMode, sequence({swap(kU1, kV1), swap(kU2, kV2)})));
 
 EVALCTS_FAULT(CompiledArgumentInHalf, production, must, "EV-DL-DOUBLE",
               "a compiled EvalCoord1d keeps eleven bits of its argument") {
@@ -347,154 +265,56 @@ EVALCTS_FAULT(CompiledErrorAtEndList, production, must, "EV-DL-ERR-LATE",
   };
 }
 
-EVALCTS_FAULT(CompiledBadTargetDropped, production, must, "EV-DL-ERR-ALL",
-              "a Map2 with a target that is none is left out of lists") {
-  watch_lists(in);
-  map2(in, [](auto call, auto go) {
-    const bool bad = gl::components_of(call.target) == 0 || call.target < GL_MAP2_COLOR_4;
-    if (!compiles_only() || !bad) go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledSmallVStrideDropped, production, must, "EV-DL-ERR-ALL",
-              "in lists a vstride below k is taken for k") {
-  watch_lists(in);
-  map2(in, [](auto call, auto go) {
-    if (compiles() && call.vstride > 0) call.vstride = std::max(call.vstride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledEqualEndsMoved, production, must, "EV-DL-ERR-ALL",
-              "in lists v1 equal to v2 is no error") {
-  watch_lists(in);
-  map2(in, [](auto call, auto go) {
-    if (compiles() && call.v1 == call.v2) call.v2 += 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledGridErrorIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
-              "MapGrid2 without segments in a list raises INVALID_ENUM") {
-  watch_lists(in);
-  map_grid2(in, [](auto call, auto go) {
-    if (compiles() && (call.un <= 0 || call.vn <= 0))
-      sound.EvalMesh1(GL_FILL, 0, 0);
-    else
-      go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledFillTakenForLine, production, must, "EV-DL-ERR-ALL",
-              "EvalMesh1 with FILL in a list draws lines") {
-  watch_lists(in);
-  mesh1(in, [](auto call) {
-    if (compiles() && call.mode == GL_FILL) call.mode = GL_LINE;
-    go1(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledStrideZeroMeansPacked, production, must, "EV-DL-ERR-ALL",
-              "stride 0 of a compiled Map1f means packed points") {
-  watch_lists(in);
-  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-    sound.Map1f(target, u1, u2, compiles() && stride == 0 ? gl::components_of(target) : stride, order,
-                points);
-  };
-}
-
-EVALCTS_FAULT(CompiledHighOrderClamped, production, must, "EV-DL-ERR-ALL",
-              "an order of a compiled Map1d above MAX_EVAL_ORDER is clamped") {
-  watch_lists(in);
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (compiles()) order = std::min(order, integer(GL_MAX_EVAL_ORDER));
-    sound.Map1d(target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(CompiledHighUOrderDropped, production, must, "EV-DL-ERR-ALL",
-              "a Map2f of a uorder above MAX_EVAL_ORDER is left out of lists") {
-  watch_lists(in);
-  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-    if (compiles_only() && uorder > integer(GL_MAX_EVAL_ORDER)) return;
-    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(CompiledEmptyGridDropped, production, must, "EV-DL-ERR-ALL",
-              "a MapGrid1d of no segments is left out of lists") {
-  watch_lists(in);
-  in.gl.MapGrid1d = [](GLint n, GLdouble u1, GLdouble u2) {
-    if (!compiles_only() || n != 0) sound.MapGrid1d(n, u1, u2);
-  };
-}
-
-EVALCTS_FAULT(CompiledMesh2ModeIsInvalidValue, production, must, "EV-DL-ERR-ALL",
-              "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE") {
-  watch_lists(in);
-  mesh2(in, [](auto call) {
-    if (compiles() && (call.mode == GL_TRIANGLES || call.mode == GL_QUAD_STRIP))
-      sound.MapGrid1f(0, 0, 1);
-    else
-      go2(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledHighVOrderDropped, production, must, "EV-DL-ERR-ALL",
-              "a Map2d of a vorder above MAX_EVAL_ORDER is left out of lists") {
-  watch_lists(in);
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    if (compiles_only() && vorder > integer(GL_MAX_EVAL_ORDER)) return;
-    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(CompiledNegativeUOrderDropped, production, must, "EV-DL-ERR-ALL",
-              "a Map2f of a negative uorder is left out of lists") {
-  watch_lists(in);
-  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-    if (compiles_only() && uorder < 0) return;
-    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(CompiledEmptyGrid2fInVDropped, production, must, "EV-DL-ERR-ALL",
-              "a MapGrid2f of no segments in v is left out of lists") {
-  watch_lists(in);
-  in.gl.MapGrid2f = [](GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2) {
-    if (!compiles_only() || vn > 0) sound.MapGrid2f(un, u1, u2, vn, v1, v2);
-  };
-}
-
-EVALCTS_FAULT(CompiledEmptyGrid2dInUDropped, production, must, "EV-DL-ERR-ALL",
-              "a MapGrid2d of no segments in u is left out of lists") {
-  watch_lists(in);
-  in.gl.MapGrid2d = [](GLint un, GLdouble u1, GLdouble u2, GLint vn, GLdouble v1, GLdouble v2) {
-    if (!compiles_only() || un > 0) sound.MapGrid2d(un, u1, u2, vn, v1, v2);
-  };
-}
-
-EVALCTS_FAULT(CompiledStrideOfOnePointNotChecked, production, must, "EV-DL-ERR-ALL",
-              "the stride of a compiled Map1 of order 1 is not checked") {
-  watch_lists(in);
-  map1(in, [](auto call, auto go) {
-    if (compiles() && call.order == 1) call.stride = std::max(call.stride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
-              "a negative vorder in a list raises INVALID_ENUM") {
-  watch_lists(in);
-  map2(in, [](auto call, auto go) {
-    if (compiles() && call.vorder < 0) call.target = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(CompiledBadTargetDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2 with a target that is none is left out of lists",
+              skip(kMap2, kListMode == GL_COMPILE && (kComponents == 0 || kTarget < GL_MAP2_COLOR_4)));
+EVALCTS_RULES(CompiledSmallVStrideDropped, production, must, "EV-DL-ERR-ALL",
+              "in lists a vstride below k is taken for k",
+              before(kMap2, kListMode&& kVStride > 0, set(kVStride, max(kVStride, kComponents))));
+EVALCTS_RULES(CompiledEqualEndsMoved, production, must, "EV-DL-ERR-ALL",
+              "in lists v1 equal to v2 is no error",
+              before(kMap2, kListMode&& kV1 == kV2, set(kV2, kV2 + 1)));
+EVALCTS_RULES(CompiledGridErrorIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
+              "MapGrid2 without segments in a list raises INVALID_ENUM",
+              instead(kMapGrid2, kListMode && (kSegments <= 0 || kVSegments <= 0),
+                      call(EvalMesh1, {GL_FILL, 0, 0})));
+EVALCTS_RULES(CompiledFillTakenForLine, production, must, "EV-DL-ERR-ALL",
+              "EvalMesh1 with FILL in a list draws lines",
+              before(EvalMesh1, kListMode&& kMode == GL_FILL, set(kMode, GL_LINE)));
+EVALCTS_RULES(CompiledStrideZeroMeansPacked, production, must, "EV-DL-ERR-ALL",
+              "stride 0 of a compiled Map1f means packed points",
+              before(Map1f, kListMode&& kStride == 0, set(kStride, kComponents)));
+EVALCTS_RULES(CompiledHighOrderClamped, production, must, "EV-DL-ERR-ALL",
+              "an order of a compiled Map1d above MAX_EVAL_ORDER is clamped",
+              before(Map1d, kListMode, set(kOrder, min(kOrder, state(GL_MAX_EVAL_ORDER)))));
+EVALCTS_RULES(CompiledHighUOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2f of a uorder above MAX_EVAL_ORDER is left out of lists",
+              skip(Map2f, kListMode == GL_COMPILE && kOrder > state(GL_MAX_EVAL_ORDER)));
+EVALCTS_RULES(CompiledEmptyGridDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid1d of no segments is left out of lists",
+              skip(MapGrid1d, kListMode == GL_COMPILE && kSegments == 0));
+EVALCTS_RULES(CompiledMesh2ModeIsInvalidValue, production, must, "EV-DL-ERR-ALL",
+              "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE",
+              instead(EvalMesh2, kListMode && (kMode == GL_TRIANGLES || kMode == GL_QUAD_STRIP),
+                      error(GL_INVALID_VALUE)));
+EVALCTS_RULES(CompiledHighVOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2d of a vorder above MAX_EVAL_ORDER is left out of lists",
+              skip(Map2d, kListMode == GL_COMPILE && kVOrder > state(GL_MAX_EVAL_ORDER)));
+EVALCTS_RULES(CompiledNegativeUOrderDropped, production, must, "EV-DL-ERR-ALL",
+              "a Map2f of a negative uorder is left out of lists",
+              skip(Map2f, kListMode == GL_COMPILE && kOrder < 0));
+EVALCTS_RULES(CompiledEmptyGrid2fInVDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid2f of no segments in v is left out of lists",
+              skip(MapGrid2f, kListMode == GL_COMPILE && kVSegments <= 0));
+EVALCTS_RULES(CompiledEmptyGrid2dInUDropped, production, must, "EV-DL-ERR-ALL",
+              "a MapGrid2d of no segments in u is left out of lists",
+              skip(MapGrid2d, kListMode == GL_COMPILE && kSegments <= 0));
+EVALCTS_RULES(CompiledStrideOfOnePointNotChecked, production, must, "EV-DL-ERR-ALL",
+              "the stride of a compiled Map1 of order 1 is not checked",
+              before(kMap1, kListMode&& kOrder == 1, set(kStride, max(kStride, kComponents))));
+EVALCTS_RULES(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
+              "a negative vorder in a list raises INVALID_ENUM",
+              before(kMap2, kListMode&& kVOrder < 0, set(kTarget, 0)));
 
 // --- State of the compilation instead of the call ----------------------------------------------------------
 
@@ -514,14 +334,11 @@ EVALCTS_FAULT(CompiledMeshCarriesMap, production, must, "EV-DL-EXECSTATE-MAP",
   });
 }
 
-EVALCTS_FAULT(CompiledMeshCarriesEnable, production, must, "EV-DL-EXECSTATE-MAP",
-              "a compiled EvalMesh2 has colours if the colour map was on while it was compiled") {
-  watch_lists(in);
-  mesh2(in, [](auto call) {
-    if (compiles_only()) set(GL_MAP2_COLOR_4, is_on(GL_MAP2_COLOR_4));
-    go2(call);
-  });
-}
+EVALCTS_RULES(CompiledMeshCarriesEnable, production, must, "EV-DL-EXECSTATE-MAP",
+              "a compiled EvalMesh2 has colours if the colour map was on while it was compiled",
+              before(EvalMesh2, kListMode == GL_COMPILE,
+                     choose(enabled(GL_MAP2_COLOR_4), call(Enable, {GL_MAP2_COLOR_4}),
+                            call(Disable, {GL_MAP2_COLOR_4}))));
 
 EVALCTS_FAULT(EvaluationWithoutMapsNotCompiled, production, must, "EV-DL-EXECSTATE-MAP",
               "EvalCoord2 is left out of a list that is compiled while no vertex map is on") {
@@ -571,16 +388,10 @@ EVALCTS_FAULT(CompiledEvalPoint2IsEvalCoord, production, must, "EV-DL-EXECSTATE-
   };
 }
 
-EVALCTS_FAULT(ActiveTextureOfTheCompilation, production, must, "EV-DL-ACTIVETEX",
-              "ACTIVE_TEXTURE is judged while Map1 is compiled") {
-  watch_lists(in);
-  map1(in, [](auto call, auto go) {
-    if (compiles_only() && integer(GL_ACTIVE_TEXTURE) != GL_TEXTURE0)
-      sound.NewList(1, GL_COMPILE);  // INVALID_OPERATION: a list is open
-    else
-      go(call);
-  });
-}
+EVALCTS_RULES(ActiveTextureOfTheCompilation, production, must, "EV-DL-ACTIVETEX",
+              "ACTIVE_TEXTURE is judged while Map1 is compiled",
+              instead(kMap1, kListMode == GL_COMPILE && state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
+                      call(NewList, {1, GL_COMPILE})));
 
 // --- Queries while a list is open --------------------------------------------------------------------------
 
@@ -618,13 +429,8 @@ EVALCTS_FAULT(GetMapSeesCompiledOrder, production, must, "EV-DL-GETMAP",
   };
 }
 
-EVALCTS_FAULT(GetnMapWritesNothingInLists, production, must, "EV-DL-GETMAP",
-              "GetnMapfv does nothing while a list is open") {
-  watch_lists(in);
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    if (!compiles()) sound.GetnMapfv(target, query, size, v);
-  };
-}
+EVALCTS_RULES(GetnMapWritesNothingInLists, production, must, "EV-DL-GETMAP",
+              "GetnMapfv does nothing while a list is open", skip(GetnMapfv, kListMode));
 
 EVALCTS_FAULT(GetDoublevSeesCompiledGrid, production, must, "EV-DL-GETMAP",
               "GetDoublev tells the ends of the grid that the open list has") {
@@ -644,29 +450,14 @@ EVALCTS_FAULT(GetDoublevSeesCompiledGrid, production, must, "EV-DL-GETMAP",
   });
 }
 
-EVALCTS_FAULT(GetBooleanvIgnoredInLists, production, must, "EV-DL-GETMAP",
-              "GetBooleanv of a map does nothing while a list is open") {
-  watch_lists(in);
-  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
-    if (!compiles() || !gl::components_of(pname)) sound.GetBooleanv(pname, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapdvIgnoredInLists, production, must, "EV-DL-GETMAP",
-              "GetnMapdv does nothing while a list is open") {
-  watch_lists(in);
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    if (!compiles()) sound.GetnMapdv(target, query, size, v);
-  };
-}
-
-EVALCTS_FAULT(GetMapIgnoredWhileExecuted, production, must, "EV-DL-GETMAP",
-              "GetMapfv does nothing while a list is compiled and executed") {
-  watch_lists(in);
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (memory.count != GL_COMPILE_AND_EXECUTE) sound.GetMapfv(target, query, v);
-  };
-}
+EVALCTS_RULES(GetBooleanvIgnoredInLists, production, must, "EV-DL-GETMAP",
+              "GetBooleanv of a map does nothing while a list is open",
+              skip(GetBooleanv, kListMode&& is_map(kName)));
+EVALCTS_RULES(GetnMapdvIgnoredInLists, production, must, "EV-DL-GETMAP",
+              "GetnMapdv does nothing while a list is open", skip(GetnMapdv, kListMode));
+EVALCTS_RULES(GetMapIgnoredWhileExecuted, production, must, "EV-DL-GETMAP",
+              "GetMapfv does nothing while a list is compiled and executed",
+              skip(GetMapfv, kListMode == GL_COMPILE_AND_EXECUTE));
 
 EVALCTS_FAULT(GetMapOfCompiledDomain, production, must, "EV-DL-GETMAP",
               "GetMapdv tells the domain of the Map2 that the open list has") {
@@ -686,31 +477,14 @@ EVALCTS_FAULT(GetMapOfCompiledDomain, production, must, "EV-DL-GETMAP",
   };
 }
 
-EVALCTS_FAULT(MaxOrderUnknownInLists, production, must, "EV-DL-GETMAP",
-              "MAX_EVAL_ORDER is 0 while a list is open") {
-  watch_lists(in);
-  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
-    sound.GetIntegerv(pname, v);
-    if (compiles() && pname == GL_MAX_EVAL_ORDER) *v = 0;
-  };
-}
+EVALCTS_RULES(MaxOrderUnknownInLists, production, must, "EV-DL-GETMAP",
+              "MAX_EVAL_ORDER is 0 while a list is open",
+              after(GetIntegerv, kListMode&& kName == GL_MAX_EVAL_ORDER, put(0, 0)));
 
 // --- Begin and End -----------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(CallListIgnoredInPrimitives, production, must, "EV-DL-INBEGIN",
-              "CallList between Begin and End does nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    sound.Begin(mode);
-    memory.flag = true;
-  };
-  in.gl.End = [] {
-    sound.End();
-    memory.flag = false;
-  };
-  in.gl.CallList = [](GLuint list) {
-    if (!memory.flag) sound.CallList(list);
-  };
-}
+EVALCTS_RULES(CallListIgnoredInPrimitives, production, must, "EV-DL-INBEGIN",
+              "CallList between Begin and End does nothing", skip(CallList, kInside));
 
 EVALCTS_FAULT(ImmediatePointsNeedImmediateBegin, production, must, "EV-DL-SPLIT",
               "EvalCoord1f does nothing in a primitive that a list has begun") {

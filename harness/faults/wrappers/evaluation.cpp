@@ -100,7 +100,6 @@ EVALCTS_FAULT(EvalPoint2TakesJFirstInSquareGrids, production, must, "EV-COORD-AR
 
 EVALCTS_FAULT(ColorMapWithoutVertexMapSetsColor, production, must, "EV-COORD-NOVERTEX",
               "without a vertex map, the colour map still sets the current colour") {
-  note_switches(in);
   points1(in, [](auto go) {
     if (is_noted_on(GL_MAP1_COLOR_4) && !has_vertex_map(1)) sound.Color4f(0.75f, 0.5f, 0.25f, 1);
     go();
@@ -109,7 +108,6 @@ EVALCTS_FAULT(ColorMapWithoutVertexMapSetsColor, production, must, "EV-COORD-NOV
 
 EVALCTS_FAULT(TexturePointWithoutVertexMapSetsS, production, must, "EV-COORD-NOVERTEX",
               "without a vertex map, EvalPoint2 still sets the current texture coordinates") {
-  note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     if (is_noted_on(GL_MAP2_TEXTURE_COORD_2) && !has_vertex_map(2)) sound.TexCoord2f(0.5f, 0.25f);
     sound.EvalPoint2(i, j);
@@ -118,7 +116,6 @@ EVALCTS_FAULT(TexturePointWithoutVertexMapSetsS, production, must, "EV-COORD-NOV
 
 EVALCTS_FAULT(NormalMapWithoutVertexMapDrawsOrigin, production, must, "EV-COORD-NOVERTEX",
               "without a vertex map, EvalCoord2 with a normal map draws the initial point of a vertex map") {
-  note_switches(in);
   eval_coord2(in, [](auto u, auto v, auto go) {
     if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
     go(u, v);
@@ -127,7 +124,6 @@ EVALCTS_FAULT(NormalMapWithoutVertexMapDrawsOrigin, production, must, "EV-COORD-
 
 EVALCTS_FAULT(IndexMapWithoutVertexMapIsAnError, production, must, "EV-COORD-NOVERTEX",
               "EvalCoord1 with an index map and no vertex map raises INVALID_OPERATION") {
-  note_switches(in);
   points1(in, [](auto go) {
     if (is_noted_on(GL_MAP1_INDEX) && !has_vertex_map(1)) raise_inside();
     go();
@@ -136,7 +132,6 @@ EVALCTS_FAULT(IndexMapWithoutVertexMapIsAnError, production, must, "EV-COORD-NOV
 
 EVALCTS_FAULT(AnyVertexMapWillDo, production, must, "EV-COORD-NOVERTEX-OTHERDIM",
               "EvalCoord1 asks whether any vertex map is enabled, then draws the initial point") {
-  note_switches(in);
   points1(in, [](auto go) {
     if (!has_vertex_map(1) && has_vertex_map(2)) sound.Vertex4f(0, 0, 0, 1);
     go();
@@ -145,7 +140,6 @@ EVALCTS_FAULT(AnyVertexMapWillDo, production, must, "EV-COORD-NOVERTEX-OTHERDIM"
 
 EVALCTS_FAULT(SurfacePointOfVertexCurve, production, must, "EV-COORD-NOVERTEX-OTHERDIM",
               "EvalPoint2 asks for MAP1_VERTEX_4 as well as for the maps of its own dimension") {
-  note_switches(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     if (!has_vertex_map(2) && is_noted_on(GL_MAP1_VERTEX_4)) sound.Vertex4f(0, 0, 0, 1);
     sound.EvalPoint2(i, j);
@@ -154,7 +148,6 @@ EVALCTS_FAULT(SurfacePointOfVertexCurve, production, must, "EV-COORD-NOVERTEX-OT
 
 EVALCTS_FAULT(MeshOfVertexCurveDrawsSurface, production, must, "EV-COORD-NOVERTEX-OTHERDIM",
               "EvalMesh2 with vertex maps of curves only draws a point for each index") {
-  note_switches(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (!has_vertex_map(2) && has_vertex_map(1) && mode == GL_POINT) {
       sound.Begin(GL_POINTS);
@@ -169,7 +162,6 @@ EVALCTS_FAULT(MeshOfVertexCurveDrawsSurface, production, must, "EV-COORD-NOVERTE
 
 EVALCTS_FAULT(EvalCoordRefusedInPolygons, production, must, "EV-COORD-INBEGIN",
               "EvalCoord2dv raises INVALID_OPERATION in a POLYGON") {
-  note_primitives(in);
   in.gl.EvalCoord2dv = [](const GLdouble* uv) {
     if (is_inside() && open_mode() == GL_POLYGON) raise_inside();
     sound.EvalCoord2dv(uv);
@@ -178,7 +170,6 @@ EVALCTS_FAULT(EvalCoordRefusedInPolygons, production, must, "EV-COORD-INBEGIN",
 
 EVALCTS_FAULT(EvalCoordRefusedInAdjacency, production, must, "EV-COORD-INBEGIN",
               "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than") {
-  note_primitives(in);
   eval_coord1(in, [](auto u, auto go) {
     if (is_inside() && open_mode() > GL_POLYGON) raise_inside();
     go(u);
@@ -187,7 +178,6 @@ EVALCTS_FAULT(EvalCoordRefusedInAdjacency, production, must, "EV-COORD-INBEGIN",
 
 EVALCTS_FAULT(EvalPointRefusedInLoops, production, must, "EV-COORD-INBEGIN",
               "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws") {
-  note_primitives(in);
   in.gl.EvalPoint1 = [](GLint i) {
     if (is_inside() && open_mode() == GL_LINE_LOOP) raise_inside();
     sound.EvalPoint1(i);
@@ -196,7 +186,6 @@ EVALCTS_FAULT(EvalPointRefusedInLoops, production, must, "EV-COORD-INBEGIN",
 
 EVALCTS_FAULT(EvalPoint2RefusedInQuads, production, must, "EV-COORD-INBEGIN EV-BE-ALLOWED",
               "EvalPoint2 is not on the list of commands that are legal in QUADS") {
-  note_primitives(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     if (is_inside() && open_mode() == GL_QUADS) raise_inside();
     sound.EvalPoint2(i, j);
@@ -490,7 +479,6 @@ EVALCTS_FAULT(NormalArrayTurnsNormalMapsOff, osmesa, must, "EV-COORD-NOARRAYS",
 // What the explicit control never has: an enabled vertex map.
 EVALCTS_FAULT(EvaluatedVerticesIgnoreClipPlanes, osmesa, must, "EV-COORD-TRANSFORM",
               "evaluated vertices are not clipped by user clip planes") {
-  note_switches(in);
   primitives(
       in,
       [] {
@@ -503,7 +491,6 @@ EVALCTS_FAULT(EvaluatedVerticesIgnoreClipPlanes, osmesa, must, "EV-COORD-TRANSFO
 
 EVALCTS_FAULT(EvaluatedVerticesHaveNoFog, osmesa, must, "EV-COORD-TRANSFORM",
               "evaluated vertices are not fogged") {
-  note_switches(in);
   primitives(
       in,
       [] {
@@ -516,7 +503,6 @@ EVALCTS_FAULT(EvaluatedVerticesHaveNoFog, osmesa, must, "EV-COORD-TRANSFORM",
 
 EVALCTS_FAULT(EvaluatedVerticesHaveNoTextureGeneration, osmesa, must, "EV-COORD-TRANSFORM",
               "texture coordinates of evaluated vertices are not generated") {
-  note_switches(in);
   primitives(
       in,
       [] {
@@ -529,7 +515,6 @@ EVALCTS_FAULT(EvaluatedVerticesHaveNoTextureGeneration, osmesa, must, "EV-COORD-
 
 EVALCTS_FAULT(EvaluatedColorsAreNotLit, osmesa, must, "EV-COORD-TRANSFORM",
               "evaluated vertices with a colour map are not lit") {
-  note_switches(in);
   primitives(
       in,
       [] {
@@ -542,7 +527,6 @@ EVALCTS_FAULT(EvaluatedColorsAreNotLit, osmesa, must, "EV-COORD-TRANSFORM",
 
 EVALCTS_FAULT(EvaluatedTextureCoordinatesSkipTheirMatrix, osmesa, must, "EV-COORD-TRANSFORM",
               "evaluated texture coordinates do not go through the texture matrix") {
-  note_switches(in);
   primitives(
       in,
       [] {

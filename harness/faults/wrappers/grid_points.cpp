@@ -20,7 +20,6 @@ EVALCTS_FAULT(StepInFixedPoint, production, must, "EV-POINT1-EQUIV EV-POINT-LIKE
 
 EVALCTS_FAULT(EvalPoint1TakesTheGridOfU, production, must, "EV-POINT1-EQUIV",
               "EvalPoint1 takes the grid of u of two dimensions where a vertex map of those is enabled") {
-  note_switches(in);
   note_grids(in);
   in.gl.EvalPoint1 = [](GLint i) {
     has_vertex_map(2) ? sound.EvalCoord1f(grids_at_begin[1].at(0, i)) : sound.EvalPoint1(i);

@@ -4,217 +4,90 @@
 #include <cstring>
 
 #include "map_calls.h"
+#include "rules.h"
 
 namespace evalcts::faults {
 namespace {
 
+Value is_legal_order(Value order) { return order >= 1 && order <= kMaxOrder; }
+Value has_bad_orders() { return !is_legal_order(kOrder) || !is_legal_order(kVOrder); }
+
+// Makes a stride that is too small large enough.
+Value widen(Value stride) { return set(stride, max(stride, kComponents)); }
+
+bool differs_in_sign(double a, double b) { return a == b && std::signbit(a) != std::signbit(b); }
+
 // ---- Map1
 
-EVALCTS_FAULT(OrderZeroTaken, production, must, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == 0) call.order = 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-STRIDE",
-              "Map1d with a stride below k raises INVALID_ENUM") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    const bool wrong = gl::components_of(target) > stride;
-    sound.Map1d(wrong ? 0 : target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(Map1TakesMap2Names, production, must, "EV-MAP1-ERR-TARGET",
-              "Map1d takes the name of a two-dimensional map for its namesake") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(is_map2(target) ? target - 0x20 : target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(OnePastVertex4Ignored, production, must, "EV-MAP1-ERR-TARGET",
-              "Map1 of 0x0D99, one past the last name, is ignored without an error") {
-  map1(in, [](auto call, auto go) {
-    if (call.target != GL_MAP1_VERTEX_4 + 1) go(call);
-  });
-}
-
-EVALCTS_FAULT(UnknownTargetIsInvalidValue, production, must, "EV-MAP1-ERR-TARGET",
-              "Map1 of a capability that is no map raises INVALID_VALUE") {
-  map1(in, [](auto call, auto go) {
-    if (call.target == GL_AUTO_NORMAL || call.target == GL_TEXTURE_2D) {
-      call.target = GL_MAP1_VERTEX_4;
-      call.order = 0;
-    }
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(NegativeOrderIgnored, production, must, "EV-MAP1-ERR-ORDER-LOW",
-              "Map1f of a negative order copies no point and raises no error") {
-  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-    if (order >= 0) sound.Map1f(target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(LowestOrderOverflows, production, must, "EV-MAP1-ERR-ORDER-LOW",
-              "order - 1 of the lowest int overflows to a large degree, which is cut to the largest") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == std::numeric_limits<GLint>::min()) call.order = kMaxOrder;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(DegreeChecked, production, must, "EV-MAP1-ERR-ORDER-HIGH",
-              "the degree instead of the order is held against the limit: MAX + 1 is taken, as MAX") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == kMaxOrder + 1) call.order = kMaxOrder;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(OrderInOneByte, production, must, "EV-MAP1-ERR-ORDER-HIGH",
-              "Map1d keeps the order in a byte before it checks it: 257 is 1") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(target, u1, u2, stride, order > 255 ? order & 255 : order, points);
-  };
-}
-
-EVALCTS_FAULT(OrderInSixteenBits, production, must, "EV-MAP1-ERR-ORDER-HIGH",
-              "the order is checked as 16 bits: 65537 is 1") {
-  map1(in, [](auto call, auto go) {
-    if (call.order > 65535) call.order &= 65535;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(HighOrderIsInvalidOperation, production, must, "EV-MAP1-ERR-ORDER-HIGH",
-              "an order far above the limit raises INVALID_OPERATION, as if a resource were short") {
-  map1(in, [](auto call, auto go) {
-    if (is_map1(call.target) && call.order >= kMaxOrder + 100) return leave_error(GL_INVALID_OPERATION);
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(NegativeStrideTurned, production, must, "EV-MAP1-ERR-STRIDE",
-              "a stride of -17 or less counts as its magnitude") {
-  map1(in, [](auto call, auto go) {
-    if (call.stride <= -17 && call.stride > -10000) call.stride = -call.stride;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideOfTexture2Unchecked, production, must, "EV-MAP1-ERR-STRIDE",
-              "Map1f of TEXTURE_COORD_2 is content with a stride of 1") {
-  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-    if (target == GL_MAP1_TEXTURE_COORD_2 && stride == 1) stride = 2;
-    sound.Map1f(target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(StrideZeroMeansPacked, production, must, "EV-MAP1-ERR-STRIDE",
-              "stride 0 means packed points, as in vertex arrays") {
-  map1(in, [](auto call, auto go) {
-    if (call.stride == 0 && call.order > 1) call.stride = gl::components_of(call.target);
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideOfOrder1Unchecked, production, must, "EV-MAP1-ERR-STRIDE-ORDER1",
-              "the stride is not checked at order 1, where it is not used") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == 1) call.stride = std::max(call.stride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideOfOrder1ZeroOnly, production, must, "EV-MAP1-ERR-STRIDE-ORDER1",
-              "Map1d of order 1 refuses strides below 1 only") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (order == 1 && stride > 0) stride = std::max(stride, gl::components_of(target));
-    sound.Map1d(target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(EqualEndsOfConstantTaken, production, must, "EV-MAP1-ERR-DOMAIN",
-              "equal ends of a map of order 1 are taken, as nothing is divided by their difference") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == 1 && call.u1 == call.u2) call.u2 = call.u1 + 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualLargeEndsTaken, production, must, "EV-MAP1-ERR-DOMAIN",
-              "equal ends beyond 1e5 are taken for different ones") {
-  map1(in, [](auto call, auto go) {
-    using Real = typename decltype(call)::Value;
-    if (call.u1 == call.u2 && std::abs(call.u1) > Real(1e5)) call.u2 = call.u1 + 1024;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualEndsIgnoredInDoubles, production, must, "EV-MAP1-ERR-DOMAIN",
-              "Map1d with equal ends does nothing and raises nothing") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (u1 != u2) sound.Map1d(target, u1, u2, stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(EndsComparedByBits, production, quality, "EV-MAP1-ERR-DOMAIN",
-              "the ends are compared bit by bit, and so +0 and -0 count as different") {
-  map1(in, [](auto call, auto go) {
-    if (call.u1 == call.u2 && std::signbit(call.u1) != std::signbit(call.u2)) call.u2 = 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(Map1TakenInPolygons, production, must, "EV-MAP1-ERR-BEGINEND",
-              "Map1 inside a POLYGON is ignored without an error") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = mode == GL_POLYGON;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  map1(in, [](auto call, auto go) {
-    if (!memory.flag) go(call);
-  });
-}
-
-EVALCTS_FAULT(Map1RefusedAfterFirstVertex, production, must, "EV-MAP1-ERR-BEGINEND",
-              "Map1 is refused from the first vertex of a primitive on, and ignored before") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = true;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  in.gl.Vertex3f = [](GLfloat x, GLfloat y, GLfloat z) {
-    memory.flag = false;
-    sound.Vertex3f(x, y, z);
-  };
-  map1(in, [](auto call, auto go) {
-    if (!memory.flag) go(call);
-  });
-}
-
-EVALCTS_FAULT(Map1dInPrimitiveIsInvalidEnum, production, must, "EV-MAP1-ERR-BEGINEND",
-              "Map1d in a primitive raises INVALID_ENUM") {
-  follow_primitives(in);
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(memory.flag ? 0 : target, u1, u2, stride, order, points);
-  };
-}
+EVALCTS_RULES(OrderZeroTaken, production, must, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
+              before(kMap1, kOrder == 0, set(kOrder, 1)));
+EVALCTS_RULES(StrideErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-STRIDE",
+              "Map1d with a stride below k raises INVALID_ENUM",
+              before(Map1d, kComponents > kStride, set(kTarget, 0)));
+EVALCTS_RULES(Map1TakesMap2Names, production, must, "EV-MAP1-ERR-TARGET",
+              "Map1d takes the name of a two-dimensional map for its namesake",
+              before(Map1d, is_map2(kTarget), set(kTarget, kTarget - 0x20)));
+EVALCTS_RULES(OnePastVertex4Ignored, production, must, "EV-MAP1-ERR-TARGET",
+              "Map1 of 0x0D99, one past the last name, is ignored without an error",
+              skip(kMap1, kTarget == GL_MAP1_VERTEX_4 + 1));
+EVALCTS_RULES(UnknownTargetIsInvalidValue, production, must, "EV-MAP1-ERR-TARGET",
+              "Map1 of a capability that is no map raises INVALID_VALUE",
+              before(kMap1, kTarget == GL_AUTO_NORMAL || kTarget == GL_TEXTURE_2D,
+                     sequence({set(kTarget, GL_MAP1_VERTEX_4), set(kOrder, 0)})));
+EVALCTS_RULES(NegativeOrderIgnored, production, must, "EV-MAP1-ERR-ORDER-LOW",
+              "Map1f of a negative order copies no point and raises no error", skip(Map1f, kOrder < 0));
+EVALCTS_RULES(LowestOrderOverflows, production, must, "EV-MAP1-ERR-ORDER-LOW",
+              "order - 1 of the lowest int overflows to a large degree, which is cut to the largest",
+              before(kMap1, kOrder == std::numeric_limits<GLint>::min(), set(kOrder, kMaxOrder)));
+EVALCTS_RULES(DegreeChecked, production, must, "EV-MAP1-ERR-ORDER-HIGH",
+              "the degree instead of the order is held against the limit: MAX + 1 is taken, as MAX",
+              before(kMap1, kOrder == kMaxOrder + 1, set(kOrder, kMaxOrder)));
+EVALCTS_RULES(OrderInOneByte, production, must, "EV-MAP1-ERR-ORDER-HIGH",
+              "Map1d keeps the order in a byte before it checks it: 257 is 1",
+              before(Map1d, kOrder > 255, set(kOrder, kOrder & 255)));
+EVALCTS_RULES(OrderInSixteenBits, production, must, "EV-MAP1-ERR-ORDER-HIGH",
+              "the order is checked as 16 bits: 65537 is 1",
+              before(kMap1, kOrder > 65535, set(kOrder, kOrder & 65535)));
+EVALCTS_RULES(HighOrderIsInvalidOperation, production, must, "EV-MAP1-ERR-ORDER-HIGH",
+              "an order far above the limit raises INVALID_OPERATION, as if a resource were short",
+              instead(kMap1, is_map1(kTarget) && kOrder >= kMaxOrder + 100, error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(NegativeStrideTurned, production, must, "EV-MAP1-ERR-STRIDE",
+              "a stride of -17 or less counts as its magnitude",
+              before(kMap1, kStride <= -17 && kStride > -10000, set(kStride, -kStride)));
+EVALCTS_RULES(StrideOfTexture2Unchecked, production, must, "EV-MAP1-ERR-STRIDE",
+              "Map1f of TEXTURE_COORD_2 is content with a stride of 1",
+              before(Map1f, kTarget == GL_MAP1_TEXTURE_COORD_2 && kStride == 1, set(kStride, 2)));
+EVALCTS_RULES(StrideZeroMeansPacked, production, must, "EV-MAP1-ERR-STRIDE",
+              "stride 0 means packed points, as in vertex arrays",
+              before(kMap1, kStride == 0 && kOrder > 1, set(kStride, kComponents)));
+EVALCTS_RULES(StrideOfOrder1Unchecked, production, must, "EV-MAP1-ERR-STRIDE-ORDER1",
+              "the stride is not checked at order 1, where it is not used",
+              before(kMap1, kOrder == 1, widen(kStride)));
+EVALCTS_RULES(StrideOfOrder1ZeroOnly, production, must, "EV-MAP1-ERR-STRIDE-ORDER1",
+              "Map1d of order 1 refuses strides below 1 only",
+              before(Map1d, kOrder == 1 && kStride > 0, widen(kStride)));
+EVALCTS_RULES(EqualEndsOfConstantTaken, production, must, "EV-MAP1-ERR-DOMAIN",
+              "equal ends of a map of order 1 are taken, as nothing is divided by their difference",
+              before(kMap1, kOrder == 1 && kU1 == kU2, set(kU2, kU1 + 1)));
+EVALCTS_RULES(EqualLargeEndsTaken, production, must, "EV-MAP1-ERR-DOMAIN",
+              "equal ends beyond 1e5 are taken for different ones",
+              before(kMap1, kU1 == kU2 && abs(kU1) > 1e5, set(kU2, kU1 + 1024)));
+EVALCTS_RULES(EqualEndsIgnoredInDoubles, production, must, "EV-MAP1-ERR-DOMAIN",
+              "Map1d with equal ends does nothing and raises nothing", skip(Map1d, kU1 == kU2));
+EVALCTS_RULES(EndsComparedByBits, production, quality, "EV-MAP1-ERR-DOMAIN",
+              "the ends are compared bit by bit, and so +0 and -0 count as different",
+              before(kMap1, lambda([](Call& c) {
+                       return differs_in_sign(c.argument('a'), c.argument('b')) ? 1.0 : 0.0;
+                     }),
+                     set(kU2, 1)));
+EVALCTS_RULES(Map1TakenInPolygons, production, must, "EV-MAP1-ERR-BEGINEND",
+              "Map1 inside a POLYGON is ignored without an error", skip(kMap1, kOpenMode == GL_POLYGON));
+EVALCTS_RULES(Map1RefusedAfterFirstVertex, production, must, "EV-MAP1-ERR-BEGINEND",
+              "Map1 is refused from the first vertex of a primitive on, and ignored before",
+              before(Begin, true, set(kFlag, 1)), before(Vertex3f | End, true, set(kFlag, 0)),
+              skip(kMap1, kFlag));
+EVALCTS_RULES(Map1dInPrimitiveIsInvalidEnum, production, must, "EV-MAP1-ERR-BEGINEND",
+              "Map1d in a primitive raises INVALID_ENUM", before(Map1d, kInside, set(kTarget, 0)));
 
 EVALCTS_FAULT(Map1DefinedWhenPrimitiveEnds, production, must, "EV-MAP1-ERR-NOEFFECT",
               "Map1 in a primitive raises its error, and is carried out when the primitive ends") {
@@ -235,56 +108,17 @@ EVALCTS_FAULT(Map1DefinedWhenPrimitiveEnds, production, must, "EV-MAP1-ERR-NOEFF
   });
 }
 
-EVALCTS_FAULT(OnlyTextureMapsNeedUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "with another unit active Map1 refuses the texture maps only") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  map1(in, [](auto call, auto go) {
-    if (is_texture_map1(call.target) || memory.number == 0) return go(call);
-    sound.ActiveTexture(GL_TEXTURE0);
-    go(call);
-    sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  });
-}
-
-EVALCTS_FAULT(Map1dTakenOnAnyUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "Map1d of INDEX is refused on no unit") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (target == GL_MAP1_INDEX) sound.ActiveTexture(GL_TEXTURE0);
-    sound.Map1d(target, u1, u2, stride, order, points);
-    if (target == GL_MAP1_INDEX && memory.number != 0)
-      sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  };
-}
-
-EVALCTS_FAULT(RefusedMap1SelectsUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "after the error for another active unit unit 0 is active") {
-  map1(in, [](auto call, auto go) {
-    go(call);
-    GLint unit = GL_TEXTURE0;
-    if (legal(call)) sound.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    if (unit != GL_TEXTURE0) sound.ActiveTexture(GL_TEXTURE0);
-  });
-}
-
-EVALCTS_FAULT(UnitErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "Map1 of VERTEX_4 on another unit raises INVALID_ENUM") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.flag = texture != GL_TEXTURE0;
-    sound.ActiveTexture(texture);
-  };
-  map1(in, [](auto call, auto go) {
-    if (memory.flag && call.target == GL_MAP1_VERTEX_4) call.target = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(OnlyTextureMapsNeedUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "with another unit active Map1 refuses the texture maps only",
+              on_unit_0(kMap1, !is_texture_map(kTarget)));
+EVALCTS_RULES(Map1dTakenOnAnyUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1d of INDEX is refused on no unit", on_unit_0(Map1d, kTarget == GL_MAP1_INDEX));
+EVALCTS_RULES(RefusedMap1SelectsUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "after the error for another active unit unit 0 is active",
+              after(kMap1, kIsLegal&& kUnit != GL_TEXTURE0, call(ActiveTexture, {GL_TEXTURE0})));
+EVALCTS_RULES(UnitErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1 of VERTEX_4 on another unit raises INVALID_ENUM",
+              before(kMap1, kUnit != GL_TEXTURE0 && kTarget == GL_MAP1_VERTEX_4, set(kTarget, 0)));
 
 EVALCTS_FAULT(DomainSetBeforeStrideCheck, production, must, "EV-MAP1-ERR-NOEFFECT",
               "a Map1 refused for its stride has set the domain") {
@@ -300,14 +134,9 @@ EVALCTS_FAULT(DomainSetBeforeStrideCheck, production, must, "EV-MAP1-ERR-NOEFFEC
   });
 }
 
-EVALCTS_FAULT(RefusedOrderSwitchesOff, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "a Map1d refused for its order disables the map") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(target, u1, u2, stride, order, points);
-    if (is_map1(target) && !legal_order(order)) sound.Disable(target);
-  };
-}
+EVALCTS_RULES(RefusedOrderSwitchesOff, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "a Map1d refused for its order disables the map",
+              after(Map1d, is_map1(kTarget) && !is_legal_order(kOrder), call(Disable, {kTarget})));
 
 EVALCTS_FAULT(RefusedDomainForgetsMap, production, must, "EV-MAP1-ERR-NOEFFECT",
               "a Map1 refused for its domain leaves the map with its first point only") {
@@ -322,205 +151,71 @@ EVALCTS_FAULT(RefusedDomainForgetsMap, production, must, "EV-MAP1-ERR-NOEFFECT",
   });
 }
 
-EVALCTS_FAULT(RefusedNameDefinesNamesake, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "a Map1 with a two-dimensional name raises its error and defines the one-dimensional map") {
-  map1(in, [](auto call, auto go) {
-    go(call);
-    if (!is_map2(call.target)) return;
-    call.target -= 0x20;
-    go(call);
-  });
-}
+EVALCTS_RULES(RefusedNameDefinesNamesake, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "a Map1 with a two-dimensional name raises its error and defines the one-dimensional map",
+              after(kMap1, is_map2(kTarget), sequence({set(kTarget, kTarget - 0x20), kGo})));
 
 // ---- Map2
 
-EVALCTS_FAULT(Map2TakesMap1Names, production, must, "EV-MAP2-ERR-TARGET",
-              "Map2f takes the name of a one-dimensional map for its namesake") {
-  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-    sound.Map2f(is_map1(target) ? target + 0x20 : target, u1, u2, ustride, uorder, v1, v2, vstride, vorder,
-                points);
-  };
-}
-
-EVALCTS_FAULT(OneBeforeColor2IsInvalidValue, production, must, "EV-MAP2-ERR-TARGET",
-              "Map2 of 0x0DAF, one before the first name, raises INVALID_VALUE") {
-  map2(in, [](auto call, auto go) {
-    if (call.target == GL_MAP2_COLOR_4 - 1) {
-      call.target = GL_MAP2_COLOR_4;
-      call.uorder = 0;
-    }
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(UOrderZeroTaken, production, must, "EV-MAP2-ERR-UORDER", "Map2 takes uorder 0 as 1") {
-  map2(in, [](auto call, auto go) {
-    if (call.uorder == 0) call.uorder = 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(UOrderCutToLargest, production, must, "EV-MAP2-ERR-UORDER",
-              "Map2d cuts a uorder above the limit to it") {
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    sound.Map2d(target, u1, u2, ustride, std::min(uorder, kMaxOrder), v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(VOrderInOneByte, production, must, "EV-MAP2-ERR-VORDER",
-              "vorder is kept in a byte before it is checked: 257 is 1") {
-  map2(in, [](auto call, auto go) {
-    if (call.vorder > 255) call.vorder &= 255;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(NegativeVOrderIgnored, production, must, "EV-MAP2-ERR-VORDER",
-              "a negative vorder copies no point and raises no error") {
-  map2(in, [](auto call, auto go) {
-    if (call.vorder >= 0) go(call);
-  });
-}
-
-EVALCTS_FAULT(OrdersCheckedByProduct, production, must, "EV-MAP2-ERR-VORDER EV-MAP2-ERR-UORDER",
-              "orders are refused where their product is above 64*64: 65 is fine with 1, as 64") {
-  map2(in, [](auto call, auto go) {
-    if (call.uorder > 0 && call.vorder > 0 && call.uorder * call.vorder <= 4096) {
-      call.uorder = std::min(call.uorder, kMaxOrder);
-      call.vorder = std::min(call.vorder, kMaxOrder);
-    }
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(SumOfStridesChecked, production, must, "EV-MAP2-ERR-USTRIDE",
-              "a ustride of k - 1 is taken, as k, where vstride is larger than k") {
-  map2(in, [](auto call, auto go) {
-    const GLint k = gl::components_of(call.target);
-    if (call.ustride == k - 1 && call.vstride > k) call.ustride = k;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(UStrideUncheckedInRowsOfOne, production, must, "EV-MAP2-ERR-USTRIDE",
-              "ustride is not checked where uorder is 1") {
-  map2(in, [](auto call, auto go) {
-    if (call.uorder == 1) call.ustride = std::max(call.ustride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(VStrideUncheckedAtOneByOne, production, must, "EV-MAP2-ERR-VSTRIDE",
-              "Map2d of 1x1 points does not check vstride") {
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    if (uorder == 1 && vorder == 1) vstride = std::max(vstride, gl::components_of(target));
-    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(NegativeVStrideTurned, production, must, "EV-MAP2-ERR-VSTRIDE",
-              "a vstride of -17 counts as 17") {
-  map2(in, [](auto call, auto go) {
-    if (call.vstride == -17) call.vstride = 17;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(VDomainCheckedOnlyWithU, production, must, "EV-MAP2-ERR-VDOMAIN",
-              "equal ends of v are taken where those of u differ by 1 or more") {
-  map2(in, [](auto call, auto go) {
-    if (call.v1 == call.v2 && std::abs(call.u1 - call.u2) >= 1) call.v2 = call.v1 + 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualEndsOfVAreInvalidOperation, production, must, "EV-MAP2-ERR-VDOMAIN",
-              "Map2f with v1 = v2 raises INVALID_OPERATION") {
-  in.gl.Map2f = [](GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
-                   GLint vstride, GLint vorder, const GLfloat* points) {
-    if (is_map2(target) && v1 == v2 && u1 != u2) return leave_error(GL_INVALID_OPERATION);
-    sound.Map2f(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(EqualEndsOfConstantNetTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
-              "u1 = u2 is taken for a net of 1x1 points") {
-  map2(in, [](auto call, auto go) {
-    if (call.uorder == 1 && call.vorder == 1 && call.u1 == call.u2) call.u2 = call.u1 + 1024;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualNegativeEndsOfUTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
-              "u1 = u2 is taken where both are negative") {
-  map2(in, [](auto call, auto go) {
-    if (call.u1 == call.u2 && call.u1 < 0) call.u2 = -call.u1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EndsOfVComparedByBits, production, quality, "EV-MAP2-ERR-VDOMAIN",
-              "the ends of v are compared bit by bit, and so +0 and -0 count as different") {
-  map2(in, [](auto call, auto go) {
-    if (call.v1 == call.v2 && std::signbit(call.v1) != std::signbit(call.v2)) call.v2 = 1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(Map2TakenInQuadStrips, production, must, "EV-MAP2-ERR-BEGINEND",
-              "Map2 inside a QUAD_STRIP is ignored without an error") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = mode == GL_QUAD_STRIP;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  map2(in, [](auto call, auto go) {
-    if (!memory.flag) go(call);
-  });
-}
-
-EVALCTS_FAULT(Map2dInPrimitiveIsInvalidValue, production, must, "EV-MAP2-ERR-BEGINEND",
-              "Map2d in a primitive raises INVALID_VALUE") {
-  follow_primitives(in);
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    sound.Map2d(target, u1, u2, ustride, memory.flag ? 0 : uorder, v1, v2, vstride, vorder, points);
-  };
-}
-
-EVALCTS_FAULT(LastUnitTakenForFirst, production, must, "EV-MAP2-ERR-ACTIVETEX",
-              "Map2 refuses unit 1, but none of those above") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  map2(in, [](auto call, auto go) {
-    if (memory.number <= GL_TEXTURE1) return go(call);
-    sound.ActiveTexture(GL_TEXTURE0);
-    go(call);
-    sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  });
-}
-
-EVALCTS_FAULT(OnlyTextureNetsNeedUnit0, production, must, "EV-MAP2-ERR-ACTIVETEX",
-              "with another unit active Map2 takes vertex nets") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  map2(in, [](auto call, auto go) {
-    if (call.target < GL_MAP2_VERTEX_3 || memory.number == 0) return go(call);
-    sound.ActiveTexture(GL_TEXTURE0);
-    go(call);
-    sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  });
-}
+EVALCTS_RULES(Map2TakesMap1Names, production, must, "EV-MAP2-ERR-TARGET",
+              "Map2f takes the name of a one-dimensional map for its namesake",
+              before(Map2f, is_map1(kTarget), set(kTarget, kTarget + 0x20)));
+EVALCTS_RULES(OneBeforeColor2IsInvalidValue, production, must, "EV-MAP2-ERR-TARGET",
+              "Map2 of 0x0DAF, one before the first name, raises INVALID_VALUE",
+              before(kMap2, kTarget == GL_MAP2_COLOR_4 - 1,
+                     sequence({set(kTarget, GL_MAP2_COLOR_4), set(kOrder, 0)})));
+EVALCTS_RULES(UOrderZeroTaken, production, must, "EV-MAP2-ERR-UORDER", "Map2 takes uorder 0 as 1",
+              before(kMap2, kOrder == 0, set(kOrder, 1)));
+EVALCTS_RULES(UOrderCutToLargest, production, must, "EV-MAP2-ERR-UORDER",
+              "Map2d cuts a uorder above the limit to it",
+              before(Map2d, true, set(kOrder, min(kOrder, kMaxOrder))));
+EVALCTS_RULES(VOrderInOneByte, production, must, "EV-MAP2-ERR-VORDER",
+              "vorder is kept in a byte before it is checked: 257 is 1",
+              before(kMap2, kVOrder > 255, set(kVOrder, kVOrder & 255)));
+EVALCTS_RULES(NegativeVOrderIgnored, production, must, "EV-MAP2-ERR-VORDER",
+              "a negative vorder copies no point and raises no error", skip(kMap2, kVOrder < 0));
+EVALCTS_RULES(OrdersCheckedByProduct, production, must, "EV-MAP2-ERR-VORDER EV-MAP2-ERR-UORDER",
+              "orders are refused where their product is above 64*64: 65 is fine with 1, as 64",
+              before(kMap2, kOrder > 0 && kVOrder > 0 && kOrder * kVOrder <= 4096,
+                     sequence({set(kOrder, min(kOrder, kMaxOrder)), set(kVOrder, min(kVOrder, kMaxOrder))})));
+EVALCTS_RULES(SumOfStridesChecked, production, must, "EV-MAP2-ERR-USTRIDE",
+              "a ustride of k - 1 is taken, as k, where vstride is larger than k",
+              before(kMap2, kStride == kComponents - 1 && kVStride > kComponents, set(kStride, kComponents)));
+EVALCTS_RULES(UStrideUncheckedInRowsOfOne, production, must, "EV-MAP2-ERR-USTRIDE",
+              "ustride is not checked where uorder is 1", before(kMap2, kOrder == 1, widen(kStride)));
+EVALCTS_RULES(VStrideUncheckedAtOneByOne, production, must, "EV-MAP2-ERR-VSTRIDE",
+              "Map2d of 1x1 points does not check vstride",
+              before(Map2d, kOrder == 1 && kVOrder == 1, widen(kVStride)));
+EVALCTS_RULES(NegativeVStrideTurned, production, must, "EV-MAP2-ERR-VSTRIDE", "a vstride of -17 counts as 17",
+              before(kMap2, kVStride == -17, set(kVStride, 17)));
+EVALCTS_RULES(VDomainCheckedOnlyWithU, production, must, "EV-MAP2-ERR-VDOMAIN",
+              "equal ends of v are taken where those of u differ by 1 or more",
+              before(kMap2, kV1 == kV2 && abs(kU1 - kU2) >= 1, set(kV2, kV1 + 1)));
+EVALCTS_RULES(EqualEndsOfVAreInvalidOperation, production, must, "EV-MAP2-ERR-VDOMAIN",
+              "Map2f with v1 = v2 raises INVALID_OPERATION",
+              instead(Map2f, is_map2(kTarget) && kV1 == kV2 && kU1 != kU2, error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(EqualEndsOfConstantNetTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
+              "u1 = u2 is taken for a net of 1x1 points",
+              before(kMap2, kOrder == 1 && kVOrder == 1 && kU1 == kU2, set(kU2, kU1 + 1024)));
+EVALCTS_RULES(EqualNegativeEndsOfUTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
+              "u1 = u2 is taken where both are negative",
+              before(kMap2, kU1 == kU2 && kU1 < 0, set(kU2, -kU1)));
+EVALCTS_RULES(EndsOfVComparedByBits, production, quality, "EV-MAP2-ERR-VDOMAIN",
+              "the ends of v are compared bit by bit, and so +0 and -0 count as different",
+              before(kMap2, lambda([](Call& c) {
+                       return differs_in_sign(c.argument('c'), c.argument('d')) ? 1.0 : 0.0;
+                     }),
+                     set(kV2, 1)));
+EVALCTS_RULES(Map2TakenInQuadStrips, production, must, "EV-MAP2-ERR-BEGINEND",
+              "Map2 inside a QUAD_STRIP is ignored without an error",
+              skip(kMap2, kOpenMode == GL_QUAD_STRIP));
+EVALCTS_RULES(Map2dInPrimitiveIsInvalidValue, production, must, "EV-MAP2-ERR-BEGINEND",
+              "Map2d in a primitive raises INVALID_VALUE", before(Map2d, kInside, set(kOrder, 0)));
+EVALCTS_RULES(LastUnitTakenForFirst, production, must, "EV-MAP2-ERR-ACTIVETEX",
+              "Map2 refuses unit 1, but none of those above", on_unit_0(kMap2, kUnit > GL_TEXTURE1));
+EVALCTS_RULES(OnlyTextureNetsNeedUnit0, production, must, "EV-MAP2-ERR-ACTIVETEX",
+              "with another unit active Map2 takes vertex nets",
+              on_unit_0(kMap2, kTarget >= GL_MAP2_VERTEX_3));
 
 EVALCTS_FAULT(UDirectionSetBeforeVIsChecked, production, must, "EV-MAP2-ERR-NOEFFECT",
               "a Map2 refused for v1 = v2 has set the interval of u") {
@@ -556,232 +251,84 @@ EVALCTS_FAULT(RefusedVOrderLosesColumns, production, must, "EV-MAP2-ERR-NOEFFECT
   });
 }
 
-EVALCTS_FAULT(RefusedUnitDefinesTheNet, production, must, "EV-MAP2-ERR-NOEFFECT",
-              "Map2d on another unit raises its error and defines the map all the same") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  in.gl.Map2d = [](GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
-                   GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-    if (memory.number <= GL_TEXTURE0) return;
-    sound.ActiveTexture(GL_TEXTURE0);
-    sound.Map2d(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-    sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  };
-}
-
-EVALCTS_FAULT(RefusedNetEnablesAutoNormal, production, must, "EV-MAP2-ERR-NOEFFECT",
-              "a Map2 refused for its ustride toggles AUTO_NORMAL") {
-  map2(in, [](auto call, auto go) {
-    go(call);
-    if (!is_map2(call.target) || call.ustride >= gl::components_of(call.target)) return;
-    if (sound.IsEnabled(GL_AUTO_NORMAL))
-      sound.Disable(GL_AUTO_NORMAL);
-    else
-      sound.Enable(GL_AUTO_NORMAL);
-  });
-}
+EVALCTS_RULES(RefusedUnitDefinesTheNet, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "Map2d on another unit raises its error and defines the map all the same",
+              after(Map2d, kUnit > GL_TEXTURE0,
+                    sequence({call(ActiveTexture, {GL_TEXTURE0}), kGo, call(ActiveTexture, {kUnit})})));
+EVALCTS_RULES(RefusedNetEnablesAutoNormal, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "a Map2 refused for its ustride toggles AUTO_NORMAL",
+              after(kMap2, is_map2(kTarget) && kStride < kComponents,
+                    choose(enabled(GL_AUTO_NORMAL), call(Disable, {GL_AUTO_NORMAL}),
+                           call(Enable, {GL_AUTO_NORMAL}))));
 
 // ---- Both
 
-EVALCTS_FAULT(TwoErrorsForTwoMistakes, production, must, "EV-MAP-ERR-ANY",
-              "a bad target with a bad order raises two errors, the second once the first was asked for") {
-  map1(in, [](auto call, auto go) {
-    go(call);
-    if (!is_map1(call.target) && !legal_order(call.order)) memory.count = 1;
-  });
-  map2(in, [](auto call, auto go) {
-    go(call);
-    if (!is_map2(call.target) && !(legal_order(call.uorder) && legal_order(call.vorder))) memory.count = 1;
-  });
-  in.gl.GetError = []() -> GLenum {
-    const GLenum error = sound.GetError();
-    if (error == GL_NO_ERROR && memory.count > 0) {
-      memory.count = 0;
-      return GL_INVALID_VALUE;
-    }
-    return error;
-  };
-}
-
-EVALCTS_FAULT(TwoMistakesCancel, production, must, "EV-MAP-ERR-ANY/1-D",
-              "a Map1 with a bad order, stride and domain at once raises nothing") {
-  map1(in, [](auto call, auto go) {
-    if (call.order < 1 && call.stride < gl::components_of(call.target) && call.u1 == call.u2) return;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(SeveralMistakesAreInvalidOperation, production, must, "EV-MAP-ERR-ANY/2-D",
-              "a Map2 with a bad value in both directions raises INVALID_OPERATION") {
-  map2(in, [](auto call, auto go) {
-    const GLint k = gl::components_of(call.target);
-    if (is_map2(call.target) && call.ustride < k && call.v1 == call.v2)
-      return leave_error(GL_INVALID_OPERATION);
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(LargeStrideRefused, production, must, "EV-MAP-NOERR-OTHER",
-              "a stride of 1000 or more, far larger than needed, raises INVALID_VALUE") {
-  map1(in, [](auto call, auto go) {
-    if (call.stride >= 1000 && call.order == 1) call.stride = 0;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (call.ustride >= 900 && call.vstride >= 1000) call.ustride = 0;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(NarrowDomainCountsAsEmpty, production, must, "EV-MAP-NOERR-OTHER",
-              "ends that differ by one float are refused as equal") {
-  map1(in, [](auto call, auto go) {
-    if (std::abs(call.u1 - call.u2) < 1e-6 * std::abs(call.u1)) call.u2 = call.u1;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (std::abs(call.v1 - call.v2) < 1e-6 * std::abs(call.v1)) call.v2 = call.v1;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(ReversedConstantRefused, production, must, "EV-MAP-NOERR-OTHER/1-D",
-              "u1 > u2 is refused at order 1") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == 1 && call.u1 > call.u2) call.order = 0;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(SubnormalPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
-              "a subnormal control point raises INVALID_VALUE") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && std::abs(static_cast<double>(call.points[0])) < 1e-38 && call.points[0] != 0)
-      call.order = 0;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (legal(call) && std::abs(static_cast<double>(call.points[0])) < 1e-38 && call.points[0] != 0)
-      call.uorder = 0;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(HugeUnusedStrideOverflows, production, must, "EV-MAP-NOERR-OTHER/2-D",
-              "Map2 with a stride that times its order overflows is refused, though the order is 1") {
-  map2(in, [](auto call, auto go) {
-    if (call.ustride > 0x40000000) call.ustride = 0;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(TouchingIntervalsRefused, production, must, "EV-MAP-NOERR-OTHER/2-D",
-              "Map2 raises INVALID_VALUE for u2 = v1") {
-  map2(in, [](auto call, auto go) {
-    if (call.u2 == call.v1 && call.v2 == call.u1) call.v2 = call.v1;
-    go(call);
-  });
-}
+EVALCTS_RULES(TwoErrorsForTwoMistakes, production, must, "EV-MAP-ERR-ANY",
+              "a bad target with a bad order raises two errors, the second once the first was asked for",
+              after(kMap1, !is_map1(kTarget) && !is_legal_order(kOrder), set(kFlag, 1)),
+              after(kMap2, !is_map2(kTarget) && has_bad_orders(), set(kFlag, 1)),
+              after(GetError, kResult == GL_NO_ERROR && kFlag,
+                    sequence({set(kFlag, 0), set(kResult, GL_INVALID_VALUE)})));
+EVALCTS_RULES(TwoMistakesCancel, production, must, "EV-MAP-ERR-ANY/1-D",
+              "a Map1 with a bad order, stride and domain at once raises nothing",
+              skip(kMap1, kOrder < 1 && kStride < kComponents && kU1 == kU2));
+EVALCTS_RULES(SeveralMistakesAreInvalidOperation, production, must, "EV-MAP-ERR-ANY/2-D",
+              "a Map2 with a bad value in both directions raises INVALID_OPERATION",
+              instead(kMap2, is_map2(kTarget) && kStride < kComponents && kV1 == kV2,
+                      error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(LargeStrideRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a stride of 1000 or more, far larger than needed, raises INVALID_VALUE",
+              before(kMap1, kStride >= 1000 && kOrder == 1, set(kStride, 0)),
+              before(kMap2, kStride >= 900 && kVStride >= 1000, set(kStride, 0)));
+EVALCTS_RULES(NarrowDomainCountsAsEmpty, production, must, "EV-MAP-NOERR-OTHER",
+              "ends that differ by one float are refused as equal",
+              before(kMap1, abs(kU1 - kU2) < 1e-6 * abs(kU1), set(kU2, kU1)),
+              before(kMap2, abs(kV1 - kV2) < 1e-6 * abs(kV1), set(kV2, kV1)));
+EVALCTS_RULES(ReversedConstantRefused, production, must, "EV-MAP-NOERR-OTHER/1-D",
+              "u1 > u2 is refused at order 1", before(kMap1, kOrder == 1 && kU1 > kU2, set(kOrder, 0)));
+EVALCTS_RULES(SubnormalPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a subnormal control point raises INVALID_VALUE",
+              before(kMaps, kIsLegal&& abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
+EVALCTS_RULES(HugeUnusedStrideOverflows, production, must, "EV-MAP-NOERR-OTHER/2-D",
+              "Map2 with a stride that times its order overflows is refused, though the order is 1",
+              before(kMap2, kStride > 0x40000000, set(kStride, 0)));
+EVALCTS_RULES(TouchingIntervalsRefused, production, must, "EV-MAP-NOERR-OTHER/2-D",
+              "Map2 raises INVALID_VALUE for u2 = v1",
+              before(kMap2, kU2 == kV1 && kV2 == kU1, set(kV2, kV1)));
 
 // ---- What only certain arguments or a certain past show
 
-EVALCTS_FAULT(TargetInSixteenBits, production, must, "EV-MAP1-ERR-TARGET EV-MAP2-ERR-TARGET",
-              "only the low 16 bits of a target are looked at") {
-  map1(in, [](auto call, auto go) {
-    if (is_map1(call.target & 0xFFFF)) call.target &= 0xFFFF;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (is_map2(call.target & 0xFFFF)) call.target &= 0xFFFF;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(GapBetweenNamesIgnored, production, must, "EV-MAP1-ERR-TARGET",
-              "Map1 of 0x0DA0, between the names of both dimensions, is ignored without an error") {
-  map1(in, [](auto call, auto go) {
-    if (call.target != 0x0DA0) go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideOfLongMapsUnchecked, production, must, "EV-MAP1-ERR-STRIDE",
-              "the stride is not checked from order 4 on") {
-  map1(in, [](auto call, auto go) {
-    if (call.order > 3 && call.stride > 0)
-      call.stride = std::max(call.stride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualEndsOfLineTaken, production, must, "EV-MAP1-ERR-DOMAIN",
-              "equal ends of a map of order 2 are taken: the line is vertical") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == 2 && call.u1 == call.u2) call.u2 = call.u1 + 1024;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(EqualEndsOfSquareNetTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
-              "u1 = u2 is taken for nets of 2x2 points") {
-  map2(in, [](auto call, auto go) {
-    if (call.uorder == 2 && call.vorder == 2 && call.u1 == call.u2) call.u2 = call.u1 + 1024;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(VStrideOfLongRowsUnchecked, production, must, "EV-MAP2-ERR-VSTRIDE",
-              "vstride is not checked from vorder 4 on") {
-  map2(in, [](auto call, auto go) {
-    if (call.vorder > 3 && call.vstride > 0)
-      call.vstride = std::max(call.vstride, gl::components_of(call.target));
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(ChecksSkippedWhileErrorWaits, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "while an error waits Map1d of order 0 is carried out as one of order 1") {
-  map1(in, [](auto call, auto go) {
-    if (memory.flag && call.order == 0 && sizeof *call.points == 8) call.order = 1;
-    if (!legal(call)) memory.flag = true;
-    go(call);
-  });
-  in.gl.GetError = [] {
-    memory.flag = false;
-    return sound.GetError();
-  };
-}
-
-EVALCTS_FAULT(ErrorForgottenByLegalMap2, production, must, "EV-MAP2-ERR-NOEFFECT",
-              "a legal Map2 clears the error that waits") {
-  map2(in, [](auto call, auto go) {
-    if (legal(call)) sound.GetError();
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(CallAfterErrorIgnored, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "the Map1 that follows a refused one is ignored") {
-  map1(in, [](auto call, auto go) {
-    const bool ignored = memory.flag && legal(call);
-    memory.flag = !legal(call);
-    if (!ignored) go(call);
-  });
-}
-
-EVALCTS_FAULT(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.flag = texture != GL_TEXTURE0;
-    sound.ActiveTexture(texture);
-  };
-  map1(in, [](auto call, auto go) {
-    if (memory.flag && legal(call)) return leave_error(GL_INVALID_OPERATION);
-    go(call);
-  });
-}
+EVALCTS_RULES(TargetInSixteenBits, production, must, "EV-MAP1-ERR-TARGET EV-MAP2-ERR-TARGET",
+              "only the low 16 bits of a target are looked at",
+              before(kMap1, is_map1(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)),
+              before(kMap2, is_map2(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)));
+EVALCTS_RULES(GapBetweenNamesIgnored, production, must, "EV-MAP1-ERR-TARGET",
+              "Map1 of 0x0DA0, between the names of both dimensions, is ignored without an error",
+              skip(kMap1, kTarget == 0x0DA0));
+EVALCTS_RULES(StrideOfLongMapsUnchecked, production, must, "EV-MAP1-ERR-STRIDE",
+              "the stride is not checked from order 4 on",
+              before(kMap1, kOrder > 3 && kStride > 0, widen(kStride)));
+EVALCTS_RULES(EqualEndsOfLineTaken, production, must, "EV-MAP1-ERR-DOMAIN",
+              "equal ends of a map of order 2 are taken: the line is vertical",
+              before(kMap1, kOrder == 2 && kU1 == kU2, set(kU2, kU1 + 1024)));
+EVALCTS_RULES(EqualEndsOfSquareNetTaken, production, must, "EV-MAP2-ERR-UDOMAIN",
+              "u1 = u2 is taken for nets of 2x2 points",
+              before(kMap2, kOrder == 2 && kVOrder == 2 && kU1 == kU2, set(kU2, kU1 + 1024)));
+EVALCTS_RULES(VStrideOfLongRowsUnchecked, production, must, "EV-MAP2-ERR-VSTRIDE",
+              "vstride is not checked from vorder 4 on",
+              before(kMap2, kVOrder > 3 && kVStride > 0, widen(kVStride)));
+EVALCTS_RULES(ChecksSkippedWhileErrorWaits, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "while an error waits Map1d of order 0 is carried out as one of order 1",
+              before(kMap1, kFlag&& kOrder == 0 && !kIsFloat, set(kOrder, 1)),
+              before(kMap1, !kIsLegal, set(kFlag, 1)), before(GetError, true, set(kFlag, 0)));
+EVALCTS_RULES(ErrorForgottenByLegalMap2, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "a legal Map2 clears the error that waits", before(kMap2, kIsLegal, call(GetError)));
+EVALCTS_RULES(CallAfterErrorIgnored, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "the Map1 that follows a refused one is ignored",
+              instead(kMap1, kFlag&& kIsLegal, set(kFlag, 0)), before(kMap1, true, set(kFlag, !kIsLegal)));
+EVALCTS_RULES(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back",
+              instead(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, error(GL_INVALID_OPERATION)));
 
 EVALCTS_FAULT(UnitBroughtBackByPopAttribMissed2, production, must, "EV-MAP2-ERR-ACTIVETEX",
               "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back") {
@@ -817,59 +364,18 @@ EVALCTS_FAULT(RepeatedPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
   });
 }
 
-EVALCTS_FAULT(LargeDomainsRefused, production, must, "EV-MAP-NOERR-OTHER",
-              "a domain that reaches to 2^31 raises INVALID_VALUE, as no int holds it") {
-  map1(in, [](auto call, auto go) {
-    if (std::abs(static_cast<double>(call.u1)) >= 0x1p31) call.order = 0;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (std::abs(static_cast<double>(call.v2)) >= 0x1p31) call.vorder = 0;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP2-ERR-VORDER",
-              "of two Map2 with bad orders in a row the second raises no error") {
-  map2(in, [](auto call, auto go) {
-    const bool bad_orders = !legal_order(call.uorder) || !legal_order(call.vorder);
-    const bool silent = memory.flag && bad_orders;
-    memory.flag = bad_orders;
-    if (!silent) go(call);
-  });
-}
-
-EVALCTS_FAULT(Map1TakenOnLastUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
-              "Map1 refuses unit 1, but none of those above") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.number = texture;
-    sound.ActiveTexture(texture);
-  };
-  map1(in, [](auto call, auto go) {
-    if (memory.number <= GL_TEXTURE1) return go(call);
-    sound.ActiveTexture(GL_TEXTURE0);
-    go(call);
-    sound.ActiveTexture(static_cast<GLenum>(memory.number));
-  });
-}
-
-EVALCTS_FAULT(MapsIgnoredInLineLoops, production, must, "EV-MAP1-ERR-BEGINEND EV-MAP2-ERR-BEGINEND",
-              "Map1 and Map2 in a LINE_LOOP do nothing and raise nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = mode == GL_LINE_LOOP;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  map1(in, [](auto call, auto go) {
-    if (!memory.flag) go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (!memory.flag) go(call);
-  });
-}
+EVALCTS_RULES(LargeDomainsRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a domain that reaches to 2^31 raises INVALID_VALUE, as no int holds it",
+              before(kMap1, abs(kU1) >= 0x1p31, set(kOrder, 0)),
+              before(kMap2, abs(kV2) >= 0x1p31, set(kVOrder, 0)));
+EVALCTS_RULES(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP2-ERR-VORDER",
+              "of two Map2 with bad orders in a row the second raises no error",
+              skip(kMap2, kFlag&& has_bad_orders()), before(kMap2, true, set(kFlag, has_bad_orders())));
+EVALCTS_RULES(Map1TakenOnLastUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
+              "Map1 refuses unit 1, but none of those above", on_unit_0(kMap1, kUnit > GL_TEXTURE1));
+EVALCTS_RULES(MapsIgnoredInLineLoops, production, must, "EV-MAP1-ERR-BEGINEND EV-MAP2-ERR-BEGINEND",
+              "Map1 and Map2 in a LINE_LOOP do nothing and raise nothing",
+              skip(kMaps, kOpenMode == GL_LINE_LOOP));
 
 }  // namespace
 }  // namespace evalcts::faults

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "map_calls.h"
+#include "rules.h"
 
 namespace evalcts::faults {
 namespace {
@@ -54,21 +55,11 @@ EVALCTS_FAULT(NarrowDomainsWidened, production, must, "EV-MAP1-DOMAIN",
   });
 }
 
-EVALCTS_FAULT(ReversedDomainSorted, production, must, "EV-MAP1-REVERSED EV-GETMAP-DOMAIN1",
-              "Map1d sorts the ends of a domain") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    sound.Map1d(target, std::min(u1, u2), std::max(u1, u2), stride, order, points);
-  };
-}
-
-EVALCTS_FAULT(ReversedNegativeDomainSorted, production, must, "EV-MAP1-REVERSED",
-              "a reversed domain below zero is taken as rising") {
-  map1(in, [](auto call, auto go) {
-    if (call.u1 < 0 && call.u2 < call.u1) std::swap(call.u1, call.u2);
-    go(call);
-  });
-}
+EVALCTS_RULES(ReversedDomainSorted, production, must, "EV-MAP1-REVERSED EV-GETMAP-DOMAIN1",
+              "Map1d sorts the ends of a domain", before(Map1d, kU1 > kU2, swap(kU1, kU2)));
+EVALCTS_RULES(ReversedNegativeDomainSorted, production, must, "EV-MAP1-REVERSED",
+              "a reversed domain below zero is taken as rising",
+              before(kMap1, kU1 < 0 && kU2 < kU1, swap(kU1, kU2)));
 
 EVALCTS_FAULT(ClampedAboveInDoubles, production, must, "EV-MAP1-EXTRAPOLATE",
               "EvalCoord1d clamps u to the upper end of the domain") {
@@ -131,13 +122,9 @@ EVALCTS_FAULT(QBeforeR, production, must, "EV-MAP1-COMPORDER",
 
 // ---- State
 
-EVALCTS_FAULT(LargestColorMapRefused, production, must, "EV-MAP1-ORDER-ALL",
-              "a map of more than 255 values raises INVALID_VALUE") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && call.order * gl::components_of(call.target) > 255) call.order = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(LargestColorMapRefused, production, must, "EV-MAP1-ORDER-ALL",
+              "a map of more than 255 values raises INVALID_VALUE",
+              before(kMap1, kIsLegal&& kOrder* kComponents > 255, set(kOrder, 0)));
 
 EVALCTS_FAULT(OddOrdersOfNormalsRoundedUp, production, must, "EV-MAP1-ORDER-ALL",
               "Map1d keeps NORMAL maps of odd orders above 8 with the order above") {
@@ -152,13 +139,9 @@ EVALCTS_FAULT(OddOrdersOfNormalsRoundedUp, production, must, "EV-MAP1-ORDER-ALL"
   };
 }
 
-EVALCTS_FAULT(NormalHasFourValues, production, must, "EV-MAP1-K EV-MAP1-STRIDE-MIN",
-              "the stride of MAP1_NORMAL has to be 4 at least") {
-  map1(in, [](auto call, auto go) {
-    if (call.target == GL_MAP1_NORMAL && call.stride == 3) call.stride = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(NormalHasFourValues, production, must, "EV-MAP1-K EV-MAP1-STRIDE-MIN",
+              "the stride of MAP1_NORMAL has to be 4 at least",
+              before(kMap1, kTarget == GL_MAP1_NORMAL && kStride == 3, set(kStride, 0)));
 
 EVALCTS_FAULT(Texture3AnsweredAsFour, production, must, "EV-MAP1-K",
               "COEFF of MAP1_TEXTURE_COORD_3 answers one value too many") {
@@ -169,30 +152,15 @@ EVALCTS_FAULT(Texture3AnsweredAsFour, production, must, "EV-MAP1-K",
   };
 }
 
-EVALCTS_FAULT(StrideInOneByte, production, must, "EV-MAP1-STRIDE",
-              "the stride is kept in a byte: 257 becomes 1") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && call.stride % 256 >= gl::components_of(call.target)) call.stride %= 256;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(StrideInSixteenBits, production, must, "EV-MAP1-STRIDE",
-              "the stride is kept in 16 bits: 65536 + k becomes k") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && call.stride % 65536 >= gl::components_of(call.target)) call.stride %= 65536;
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(DoubleStrideInFloats, production, must, "EV-MAP1-STRIDE",
-              "Map1d with an even stride of 2k or more takes it as counted in floats") {
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (stride % 2 == 0 && stride / 2 >= gl::components_of(target)) stride /= 2;
-    sound.Map1d(target, u1, u2, stride, order, points);
-  };
-}
+EVALCTS_RULES(StrideInOneByte, production, must, "EV-MAP1-STRIDE",
+              "the stride is kept in a byte: 257 becomes 1",
+              before(kMap1, kIsLegal&& kStride % 256 >= kComponents, set(kStride, kStride % 256)));
+EVALCTS_RULES(StrideInSixteenBits, production, must, "EV-MAP1-STRIDE",
+              "the stride is kept in 16 bits: 65536 + k becomes k",
+              before(kMap1, kIsLegal&& kStride % 65536 >= kComponents, set(kStride, kStride % 65536)));
+EVALCTS_RULES(DoubleStrideInFloats, production, must, "EV-MAP1-STRIDE",
+              "Map1d with an even stride of 2k or more takes it as counted in floats",
+              before(Map1d, kStride % 2 == 0 && kStride / 2 >= kComponents, set(kStride, kStride / 2)));
 
 EVALCTS_FAULT(NanInPaddingRefused, production, must, "EV-MAP1-PADDING",
               "Map1 raises INVALID_VALUE for a NaN anywhere in the array") {
@@ -216,13 +184,10 @@ EVALCTS_FAULT(PaddingTimesZero, production, must, "EV-MAP1-PADDING",
   });
 }
 
-EVALCTS_FAULT(TightTexture1Refused, production, must, "EV-MAP1-STRIDE-MIN",
-              "MAP1_TEXTURE_COORD_1 with stride 1 raises INVALID_VALUE above order 1") {
-  map1(in, [](auto call, auto go) {
-    if (call.target == GL_MAP1_TEXTURE_COORD_1 && call.stride == 1 && call.order > 1) call.stride = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(TightTexture1Refused, production, must, "EV-MAP1-STRIDE-MIN",
+              "MAP1_TEXTURE_COORD_1 with stride 1 raises INVALID_VALUE above order 1",
+              before(kMap1, kTarget == GL_MAP1_TEXTURE_COORD_1 && kStride == 1 && kOrder > 1,
+                     set(kStride, 0)));
 
 // What a deferred definition keeps of its call. Fresh whenever memory is.
 struct Deferred {
@@ -312,17 +277,10 @@ EVALCTS_FAULT(SamePointerNotReadAgain, production, must, "EV-MAP1-REPLACE EV-MAP
   });
 }
 
-EVALCTS_FAULT(OrderNeverShrinks, production, must, "EV-MAP1-REPLACE",
-              "GetMapiv answers the largest order that MAP1_INDEX ever had") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && call.target == GL_MAP1_INDEX) memory.count = std::max<long>(memory.count, call.order);
-    go(call);
-  });
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    sound.GetMapiv(target, query, v);
-    if (target == GL_MAP1_INDEX && query == GL_ORDER && memory.count) *v = static_cast<GLint>(memory.count);
-  };
-}
+EVALCTS_RULES(OrderNeverShrinks, production, must, "EV-MAP1-REPLACE",
+              "GetMapiv answers the largest order that MAP1_INDEX ever had",
+              before(kMap1, kIsLegal&& kTarget == GL_MAP1_INDEX, set(kCount, max(kCount, kOrder))),
+              after(GetMapiv, kTarget == GL_MAP1_INDEX && kQuery == GL_ORDER && kCount, put(0, kCount)));
 
 EVALCTS_FAULT(TextureMapsShareDomain, production, must, "EV-MAP1-INDEP",
               "MAP1_TEXTURE_COORD_1 takes over the domain of every other texture map") {
@@ -376,21 +334,12 @@ EVALCTS_FAULT(Map1SetsConstantNamesake, production, must, "EV-MAP1-VS-MAP2/1-D",
   });
 }
 
-EVALCTS_FAULT(ConstantMapSwitchesOff, production, must, "EV-MAP1-NOENABLE",
-              "Map1f of order 1 disables the map") {
-  in.gl.Map1f = [](GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-    sound.Map1f(target, u1, u2, stride, order, points);
-    if (order == 1 && is_map1(target)) sound.Disable(target);
-  };
-}
-
-EVALCTS_FAULT(Vertex4SwitchesVertex3Off, production, must, "EV-MAP1-NOENABLE",
-              "Map1 of VERTEX_4 disables VERTEX_3") {
-  map1(in, [](auto call, auto go) {
-    go(call);
-    if (legal(call) && call.target == GL_MAP1_VERTEX_4) sound.Disable(GL_MAP1_VERTEX_3);
-  });
-}
+EVALCTS_RULES(ConstantMapSwitchesOff, production, must, "EV-MAP1-NOENABLE",
+              "Map1f of order 1 disables the map",
+              after(Map1f, kOrder == 1 && is_map1(kTarget), call(Disable, {kTarget})));
+EVALCTS_RULES(Vertex4SwitchesVertex3Off, production, must, "EV-MAP1-NOENABLE",
+              "Map1 of VERTEX_4 disables VERTEX_3",
+              after(kMap1, kIsLegal&& kTarget == GL_MAP1_VERTEX_4, call(Disable, {GL_MAP1_VERTEX_3})));
 
 EVALCTS_FAULT(RedefinitionWaitsForNextPrimitive, production, must, "EV-MAP1-LIVE",
               "Map1 of the order that the map has is first evaluated by the primitive after the next") {
@@ -488,18 +437,9 @@ EVALCTS_FAULT(PointsFromArrayBuffer, osmesa, must, "EV-MAP1-NOBUFFER",
   });
 }
 
-EVALCTS_FAULT(UnpackBufferRefusesMap1d, osmesa, must, "EV-MAP1-NOBUFFER",
-              "with a PIXEL_UNPACK_BUFFER bound Map1d does nothing but raise INVALID_OPERATION") {
-  in.gl.BindBuffer = [](GLenum target, GLuint buffer) {
-    if (target == GL_PIXEL_UNPACK_BUFFER) memory.flag = buffer != 0;
-    sound.BindBuffer(target, buffer);
-  };
-  in.gl.Map1d = [](GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
-                   const GLdouble* points) {
-    if (memory.flag) return leave_error(GL_INVALID_OPERATION);
-    sound.Map1d(target, u1, u2, stride, order, points);
-  };
-}
+EVALCTS_RULES(UnpackBufferRefusesMap1d, osmesa, must, "EV-MAP1-NOBUFFER",
+              "with a PIXEL_UNPACK_BUFFER bound Map1d does nothing but raise INVALID_OPERATION",
+              instead(Map1d, has_buffer(GL_PIXEL_UNPACK_BUFFER), error(GL_INVALID_OPERATION)));
 
 // ---- What only a certain past shows
 
@@ -534,13 +474,10 @@ EVALCTS_FAULT(LongMapsShareOverflow, production, must, "EV-MAP1-INDEP",
   });
 }
 
-EVALCTS_FAULT(FirstDefinitionDisables, production, must, "EV-MAP1-NOENABLE",
-              "the first Map1 of NORMAL disables it, as it begins a new object") {
-  map1(in, [](auto call, auto go) {
-    go(call);
-    if (legal(call) && call.target == GL_MAP1_NORMAL && memory.count++ == 0) sound.Disable(GL_MAP1_NORMAL);
-  });
-}
+EVALCTS_RULES(FirstDefinitionDisables, production, must, "EV-MAP1-NOENABLE",
+              "the first Map1 of NORMAL disables it, as it begins a new object",
+              after(kMap1, kIsLegal&& kTarget == GL_MAP1_NORMAL && !kFlag,
+                    sequence({set(kFlag, 1), call(Disable, {GL_MAP1_NORMAL})})));
 
 EVALCTS_FAULT(DomainQueryCached, production, must, "EV-MAP1-REPLACE",
               "GetMapfv answers the domain that it answered first") {
@@ -572,17 +509,10 @@ EVALCTS_FAULT(ShorterMapKeepsOldValue, production, must, "EV-MAP1-REPLACE",
   });
 }
 
-EVALCTS_FAULT(DefinitionWhileDisabledMissed, production, must, "EV-MAP1-LIVE",
-              "Map1 of a map that was enabled once and is not now is taken up by queries only") {
-  in.gl.Enable = [](GLenum cap) {
-    memory.counts[cap] = 1;
-    sound.Enable(cap);
-  };
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && memory.counts[call.target] && !sound.IsEnabled(call.target)) return;
-    go(call);
-  });
-}
+EVALCTS_RULES(DefinitionWhileDisabledMissed, production, must, "EV-MAP1-LIVE",
+              "Map1 of a map that was enabled once and is not now is taken up by queries only",
+              before(Enable, true, set(remembered(kName), 1)),
+              skip(kMap1, kIsLegal&& remembered(kTarget) && !enabled(kTarget)));
 
 EVALCTS_FAULT(EnabledMapReadLate, production, must, "EV-MAP1-COPY",
               "Map1d of an enabled map keeps the pointer until the next primitive begins") {
@@ -598,25 +528,13 @@ EVALCTS_FAULT(EnabledMapReadLate, production, must, "EV-MAP1-COPY",
   };
 }
 
-EVALCTS_FAULT(ReversedClampedAbove, production, must, "EV-MAP1-EXTRAPOLATE",
-              "u is clamped to the upper end of a reversed domain") {
-  map1(in, [](auto call, auto go) {
-    memory.flag = call.u1 > call.u2;
-    memory.number = static_cast<double>(call.u1);
-    go(call);
-  });
-  in.gl.EvalCoord1f = [](GLfloat u) {
-    sound.EvalCoord1f(memory.flag ? std::min(u, static_cast<GLfloat>(memory.number)) : u);
-  };
-}
-
-EVALCTS_FAULT(SymmetricDomainTakenForUnit, production, must, "EV-MAP1-DOMAIN",
-              "a domain from -a to a is taken for one from 0 to a") {
-  map1(in, [](auto call, auto go) {
-    if (call.u1 == -call.u2 && call.u2 > 0) call.u1 = 0;
-    go(call);
-  });
-}
+EVALCTS_RULES(ReversedClampedAbove, production, must, "EV-MAP1-EXTRAPOLATE",
+              "u is clamped to the upper end of a reversed domain",
+              before(kMap1, true, sequence({set(kFlag, kU1 > kU2), set(kNumber, kU1)})),
+              before(EvalCoord1f, kFlag, set(kU, min(kU, kNumber))));
+EVALCTS_RULES(SymmetricDomainTakenForUnit, production, must, "EV-MAP1-DOMAIN",
+              "a domain from -a to a is taken for one from 0 to a",
+              before(kMap1, kU1 == -kU2 && kU2 > 0, set(kU1, 0)));
 
 }  // namespace
 }  // namespace evalcts::faults

@@ -2,12 +2,21 @@
 #include <algorithm>
 
 #include "evaluating.h"
+#include "rules.h"
 
 namespace evalcts::faults {
 namespace {
 
 bool is_mode1(GLenum mode) { return mode == GL_POINT || mode == GL_LINE; }
 bool is_mode2(GLenum mode) { return is_mode1(mode) || mode == GL_FILL; }
+
+Value is_mode(int dimension) {
+  return kMode == GL_POINT || kMode == GL_LINE || (dimension == 2 && kMode == GL_FILL);
+}
+Value is_compiling_only() { return state(GL_LIST_MODE) == GL_COMPILE; }
+
+// The range has few steps if they are counted modulo 2^32.
+Value is_overflown(Value first, Value last) { return last - first + 0x1p32 < 1000; }
 
 // A mesh of curves as a loop of EvalCoord1f; argument(i) is what each index is evaluated at.
 template <class Argument>
@@ -36,7 +45,6 @@ void loop_fill(GLint i1, GLint i2, GLint j1, GLint j2, const U& u, const V& v) {
 
 EVALCTS_FAULT(CurvePointsBackwards, production, must, "EV-MESH1-POINT",
               "EvalMesh1 with POINT draws from i2 to i1, where i1 is 0") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_POINT || i1 != 0 || i2 <= 0 || is_inside()) return sound.EvalMesh1(mode, i1, i2);
     sound.Begin(GL_POINTS);
@@ -47,7 +55,6 @@ EVALCTS_FAULT(CurvePointsBackwards, production, must, "EV-MESH1-POINT",
 
 EVALCTS_FAULT(CurveOfEveryOtherSegment, production, must, "EV-MESH1-LINE",
               "EvalMesh1 with LINE draws GL_LINES, as the reference page says") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_LINE || is_inside()) return sound.EvalMesh1(mode, i1, i2);
     sound.Begin(GL_LINES);
@@ -58,31 +65,21 @@ EVALCTS_FAULT(CurveOfEveryOtherSegment, production, must, "EV-MESH1-LINE",
 
 EVALCTS_FAULT(StripCutAfter64Vertices, production, must, "EV-MESH1-LINE",
               "EvalMesh1 with LINE begins another strip after 64 vertices") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (mode != GL_LINE || i1 > i2 || is_inside() || i2 - i1 > 1 << 20) return sound.EvalMesh1(mode, i1, i2);
     for (GLint i = i1; i <= i2; i += 64) sound.EvalMesh1(mode, i, std::min(i + 63, i2));
   };
 }
 
-EVALCTS_FAULT(PointsLostAfter255, production, must, "EV-MESH1-POINT",
-              "EvalMesh1 with POINT counts its points in a byte") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    const bool many = mode == GL_POINT && i2 >= i1 && i2 - i1 > 255;
-    sound.EvalMesh1(mode, i1, many ? i1 + (i2 - i1) % 256 : i2);
-  };
-}
-
-EVALCTS_FAULT(PartOfMeshFromTheBeginning, production, must, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
-              "EvalMesh1 begins at the first end of the grid, whatever i1") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    i1 > 0 && i2 >= i1 ? sound.EvalMesh1(mode, 0, i2 - i1) : sound.EvalMesh1(mode, i1, i2);
-  };
-}
+EVALCTS_RULES(PointsLostAfter255, production, must, "EV-MESH1-POINT",
+              "EvalMesh1 with POINT counts its points in a byte",
+              before(EvalMesh1, kMode == GL_POINT && kI2 - kI1 > 255, set(kI2, kI1 + (kI2 - kI1) % 256)));
+EVALCTS_RULES(PartOfMeshFromTheBeginning, production, must, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
+              "EvalMesh1 begins at the first end of the grid, whatever i1",
+              before(EvalMesh1, kI1 > 0 && kI2 >= kI1, sequence({set(kI2, kI2 - kI1), set(kI1, 0)})));
 
 EVALCTS_FAULT(PartOfMeshHasStepOfOneMore, production, must, "EV-MESH1-COORDS EV-MESH1-SUBRANGE",
               "EvalMesh1 of a part of the grid from index 1 on counts points instead of segments") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside() || i1 < 1) return sound.EvalMesh1(mode, i1, i2);
     const GridNow grid = grid_now(1);
@@ -95,7 +92,6 @@ EVALCTS_FAULT(PartOfMeshHasStepOfOneMore, production, must, "EV-MESH1-COORDS EV-
 
 EVALCTS_FAULT(LinesFromTheirOwnStart, production, quality, "EV-MESH1-SUBRANGE",
               "EvalMesh1 with LINE counts its steps from i1, in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     const float step = grid.at(0, 1) - grid.at(0, 0);
@@ -108,7 +104,6 @@ EVALCTS_FAULT(LinesFromTheirOwnStart, production, quality, "EV-MESH1-SUBRANGE",
 
 EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
               "EvalMesh1 adds the step to the last argument in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     const float step = (grid.domain[1] - grid.domain[0]) / static_cast<float>(grid.segments[0]);
@@ -122,7 +117,6 @@ EVALCTS_FAULT(MeshAddsItsSteps, production, must, "EV-MESH1-NOACCUM",
 
 EVALCTS_FAULT(CurveMeshByArithmeticAtItsLastIndex, production, must, "EV-MESH1-EXACT-N",
               "EvalMesh1 does its last vertex after the loop, and without the rule for the last index") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i2 != grid.segments[0]) return sound.EvalMesh1(mode, i1, i2);
@@ -132,7 +126,6 @@ EVALCTS_FAULT(CurveMeshByArithmeticAtItsLastIndex, production, must, "EV-MESH1-E
 
 EVALCTS_FAULT(CurveMeshExactAtItsOwnEndOnly, production, must, "EV-MESH1-EXACT-N",
               "EvalMesh1 is exact at the last index where that is the last it draws") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i2 <= grid.segments[0]) return sound.EvalMesh1(mode, i1, i2);
@@ -142,7 +135,6 @@ EVALCTS_FAULT(CurveMeshExactAtItsOwnEndOnly, production, must, "EV-MESH1-EXACT-N
 
 EVALCTS_FAULT(CurveMeshFromNegativeIndexInexact, production, must, "EV-MESH1-EXACT-0",
               "EvalMesh1 from a negative index is not exact at index 0") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i1 >= 0) return sound.EvalMesh1(mode, i1, i2);
@@ -155,7 +147,6 @@ EVALCTS_FAULT(CurveMeshFromNegativeIndexInexact, production, must, "EV-MESH1-EXA
 
 EVALCTS_FAULT(CurveMeshFromZeroInexact, production, must, "EV-MESH1-EXACT-0",
               "EvalMesh1 from index 0 counts down from the last end") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(1);
     if (i1 != 0) return sound.EvalMesh1(mode, i1, i2);
@@ -165,118 +156,55 @@ EVALCTS_FAULT(CurveMeshFromZeroInexact, production, must, "EV-MESH1-EXACT-0",
   };
 }
 
-EVALCTS_FAULT(NegativeIndicesCutOff, production, must, "EV-MESH1-NEGATIVE",
-              "EvalMesh1 begins at 0 where i1 is negative and i2 is not") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    sound.EvalMesh1(mode, i2 >= 0 ? std::max(i1, 0) : i1, i2);
-  };
-}
+EVALCTS_RULES(NegativeIndicesCutOff, production, must, "EV-MESH1-NEGATIVE",
+              "EvalMesh1 begins at 0 where i1 is negative and i2 is not",
+              before(EvalMesh1, kI2 >= 0, set(kI1, max(kI1, 0))));
 
 EVALCTS_FAULT(IndicesBeyondTheGridCutOff, production, must, "EV-MESH1-NEGATIVE",
               "EvalMesh1 with LINE ends at the last index of the grid") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     const GLint last = is_inside() ? i2 : grid_now(1).segments[0];
     sound.EvalMesh1(mode, i1, mode == GL_LINE && i1 <= last ? std::min(i2, last) : i2);
   };
 }
 
-EVALCTS_FAULT(CurveLoopTestsAtItsEnd, production, must, "EV-MESH1-EMPTY",
-              "EvalMesh1 with POINT draws i1 before it looks at i2") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    sound.EvalMesh1(mode, i1, mode == GL_POINT ? std::max(i1, i2) : i2);
-  };
-}
-
-EVALCTS_FAULT(EmptyCurveIsAnError, production, must, "EV-MESH1-EMPTY",
-              "EvalMesh1 with i1 above i2 by more than 1 raises INVALID_VALUE") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (i1 > i2 + 1 && is_mode1(mode)) raise_invalid_value();
-    sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(EmptyCurveBackwards, production, must, "EV-MESH1-EMPTY",
-              "EvalMesh1 with LINE and i1 above i2 draws from i2 to i1") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    mode == GL_LINE&& i1 > i2 ? sound.EvalMesh1(mode, i2, i1) : sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(LineOfOneVertexIsAPoint, production, must, "EV-MESH1-SINGLE",
-              "EvalMesh1 with LINE and i1 = i2 draws a point") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    sound.EvalMesh1(mode == GL_LINE && i1 == i2 ? GL_POINT : mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(SinglePointIsNothing, production, must, "EV-MESH1-SINGLE",
-              "EvalMesh1 with POINT and i1 = i2 draws nothing") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    sound.EvalMesh1(mode, i1, mode == GL_POINT && i1 == i2 ? i1 - 1 : i2);
-  };
-}
-
-EVALCTS_FAULT(FillTakenForCurves, production, must, "EV-MESH1-ERR-MODE",
-              "EvalMesh1 takes FILL and draws nothing") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (mode != GL_FILL) sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(BadModeOfCurveIsInvalidValue, production, must, "EV-MESH1-ERR-MODE",
-              "EvalMesh1 raises INVALID_VALUE for the modes of Begin") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (mode <= GL_POLYGON) return raise_invalid_value();
-    sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(BadModeOfCurveDrawsPoints, production, must, "EV-MESH1-ERR-MODE",
-              "EvalMesh1 raises INVALID_ENUM for LINE_STRIP, and draws it") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (mode == GL_LINE_STRIP && !is_inside()) sound.EvalMesh1(GL_POINT, i1, i2);
-    sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(CurveMeshInsideIsIgnored, production, must, "EV-MESH1-ERR-BEGINEND",
-              "EvalMesh1 between Begin and End does nothing, without the error, where its range is empty") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (!is_inside() || i1 <= i2) sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(CurveMeshInsideDraws, production, must, "EV-MESH1-ERR-BEGINEND",
-              "EvalMesh1 between Begin and End raises the error and adds its first vertex") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (is_inside() && mode == GL_LINE) sound.EvalPoint1(i1);
-    sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(ModeOfCurveUncheckedWithoutMap, production, must, "EV-MESH1-ERR-FIRST",
-              "EvalMesh1 looks for a vertex map before it looks at the mode") {
-  note_switches(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (has_vertex_map(1)) sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(ModeOfEmptyCurveUnchecked, production, must, "EV-MESH1-ERR-FIRST",
-              "EvalMesh1 with an empty range does not look at the mode") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (i1 <= i2) sound.EvalMesh1(mode, i1, i2);
-  };
-}
+EVALCTS_RULES(CurveLoopTestsAtItsEnd, production, must, "EV-MESH1-EMPTY",
+              "EvalMesh1 with POINT draws i1 before it looks at i2",
+              before(EvalMesh1, kMode == GL_POINT, set(kI2, max(kI1, kI2))));
+EVALCTS_RULES(EmptyCurveIsAnError, production, must, "EV-MESH1-EMPTY",
+              "EvalMesh1 with i1 above i2 by more than 1 raises INVALID_VALUE",
+              before(EvalMesh1, kI1 > kI2 + 1 && is_mode(1), error(GL_INVALID_VALUE)));
+EVALCTS_RULES(EmptyCurveBackwards, production, must, "EV-MESH1-EMPTY",
+              "EvalMesh1 with LINE and i1 above i2 draws from i2 to i1",
+              instead(EvalMesh1, kMode == GL_LINE && kI1 > kI2, call(EvalMesh1, {kMode, kI2, kI1})));
+EVALCTS_RULES(LineOfOneVertexIsAPoint, production, must, "EV-MESH1-SINGLE",
+              "EvalMesh1 with LINE and i1 = i2 draws a point",
+              before(EvalMesh1, kMode == GL_LINE && kI1 == kI2, set(kMode, GL_POINT)));
+EVALCTS_RULES(SinglePointIsNothing, production, must, "EV-MESH1-SINGLE",
+              "EvalMesh1 with POINT and i1 = i2 draws nothing",
+              before(EvalMesh1, kMode == GL_POINT && kI1 == kI2, set(kI2, kI1 - 1)));
+EVALCTS_RULES(FillTakenForCurves, production, must, "EV-MESH1-ERR-MODE",
+              "EvalMesh1 takes FILL and draws nothing", skip(EvalMesh1, kMode == GL_FILL));
+EVALCTS_RULES(BadModeOfCurveIsInvalidValue, production, must, "EV-MESH1-ERR-MODE",
+              "EvalMesh1 raises INVALID_VALUE for the modes of Begin",
+              instead(EvalMesh1, kMode <= GL_POLYGON, error(GL_INVALID_VALUE)));
+EVALCTS_RULES(BadModeOfCurveDrawsPoints, production, must, "EV-MESH1-ERR-MODE",
+              "EvalMesh1 raises INVALID_ENUM for LINE_STRIP, and draws it",
+              before(EvalMesh1, kMode == GL_LINE_STRIP && !kInside, call(EvalMesh1, {GL_POINT, kI1, kI2})));
+EVALCTS_RULES(CurveMeshInsideIsIgnored, production, must, "EV-MESH1-ERR-BEGINEND",
+              "EvalMesh1 between Begin and End does nothing, without the error, where its range is empty",
+              skip(EvalMesh1, kInside&& kI1 > kI2));
+EVALCTS_RULES(CurveMeshInsideDraws, production, must, "EV-MESH1-ERR-BEGINEND",
+              "EvalMesh1 between Begin and End raises the error and adds its first vertex",
+              before(EvalMesh1, kInside&& kMode == GL_LINE, call(EvalPoint1, {kI1})));
+EVALCTS_RULES(ModeOfCurveUncheckedWithoutMap, production, must, "EV-MESH1-ERR-FIRST",
+              "EvalMesh1 looks for a vertex map before it looks at the mode",
+              skip(EvalMesh1, !maps_vertices(1)));
+EVALCTS_RULES(ModeOfEmptyCurveUnchecked, production, must, "EV-MESH1-ERR-FIRST",
+              "EvalMesh1 with an empty range does not look at the mode", skip(EvalMesh1, kI1 > kI2));
 
 EVALCTS_FAULT(CurveMeshOfColorMapDraws, production, must, "EV-MESH1-NOVERTEX",
               "EvalMesh1 with a colour map and no vertex map draws the initial point") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_noted_on(GL_MAP1_COLOR_4) && !has_vertex_map(1) && is_mode1(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
@@ -287,19 +215,12 @@ EVALCTS_FAULT(CurveMeshOfColorMapDraws, production, must, "EV-MESH1-NOVERTEX",
   };
 }
 
-EVALCTS_FAULT(CurveMeshWithoutVertexMapIsAnError, production, must, "EV-MESH1-NOVERTEX",
-              "EvalMesh1 without a vertex map raises INVALID_OPERATION") {
-  note_switches(in);
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (!has_vertex_map(1) && is_mode1(mode) && !is_inside()) sound.End();
-    sound.EvalMesh1(mode, i1, i2);
-  };
-}
+EVALCTS_RULES(CurveMeshWithoutVertexMapIsAnError, production, must, "EV-MESH1-NOVERTEX",
+              "EvalMesh1 without a vertex map raises INVALID_OPERATION",
+              before(EvalMesh1, !maps_vertices(1) && is_mode(1) && !kInside, call(End)));
 
 EVALCTS_FAULT(CurveMeshTakesTheGridOfU, production, must, "EV-MESH1-ONLY1D",
               "EvalMesh1 takes the segments of u of the two-dimensional grid") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside() || !sound.IsEnabled(GL_MAP2_COLOR_4)) return sound.EvalMesh1(mode, i1, i2);
     const GridNow own = grid_now(1);
@@ -309,20 +230,13 @@ EVALCTS_FAULT(CurveMeshTakesTheGridOfU, production, must, "EV-MESH1-ONLY1D",
   };
 }
 
-EVALCTS_FAULT(CurveMeshTakesTheColorMapOfSurfaces, production, must, "EV-MESH1-ONLY1D",
-              "EvalMesh1 with a colour map of surfaces enabled colours by that of curves") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    const bool wrong = !is_inside() && sound.IsEnabled(GL_MAP2_COLOR_4) && !sound.IsEnabled(GL_MAP1_COLOR_4);
-    if (wrong) sound.Enable(GL_MAP1_COLOR_4);
-    sound.EvalMesh1(mode, i1, i2);
-    if (wrong) sound.Disable(GL_MAP1_COLOR_4);
-  };
-}
+EVALCTS_RULES(CurveMeshTakesTheColorMapOfSurfaces, production, must, "EV-MESH1-ONLY1D",
+              "EvalMesh1 with a colour map of surfaces enabled colours by that of curves",
+              around(EvalMesh1, !kInside && enabled(GL_MAP2_COLOR_4) && !enabled(GL_MAP1_COLOR_4),
+                     call(Enable, {GL_MAP1_COLOR_4}), call(Disable, {GL_MAP1_COLOR_4})));
 
 EVALCTS_FAULT(CurveMeshWhiteWithoutColorMap, production, must, "EV-MESH1-CURRENT",
               "vertices of EvalMesh1 without a colour map are opaque") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside()) return sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {};
@@ -335,7 +249,6 @@ EVALCTS_FAULT(CurveMeshWhiteWithoutColorMap, production, must, "EV-MESH1-CURRENT
 
 EVALCTS_FAULT(CurveMeshKeepsTheFirstTexCoord, production, must, "EV-MESH1-CURRENT",
               "a second EvalMesh1 has the texture coordinates that were current at the first") {
-  note_primitives(in);
   in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
     if (is_inside()) return sound.EvalMesh1(mode, i1, i2);
     GLfloat now[4] = {};
@@ -347,71 +260,39 @@ EVALCTS_FAULT(CurveMeshKeepsTheFirstTexCoord, production, must, "EV-MESH1-CURREN
   };
 }
 
-EVALCTS_FAULT(CountOfCurvePointsOverflows, production, must, "EV-MESH1-EMPTY",
-              "EvalMesh1 counts its vertices with an int, which overflows where i1 is far above i2") {
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    const auto steps = static_cast<GLint>(static_cast<GLuint>(i2) - static_cast<GLuint>(i1));
-    const bool overflown = i1 > i2 && steps >= 0 && steps < 1000;
-    overflown ? sound.EvalMesh1(mode, 0, steps) : sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(CurveMeshInsideIsInvalidEnum, production, must, "EV-MESH1-ERR-BEGINEND",
-              "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    is_inside() && mode == GL_LINE ? raise_invalid_enum() : sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTEX",
-              "EvalMesh1 still draws the vertex map that was disabled last") {
-  switches(in, [](GLenum cap, bool on, auto go) {
-    go();
-    if (cap == GL_MAP1_VERTEX_3 || cap == GL_MAP1_VERTEX_4) memory.number = on ? 0 : cap;
-  });
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    const auto map = static_cast<GLenum>(memory.number);
-    const bool stale = map != 0 && !is_inside() && !has_vertex_map(1);
-    if (stale) sound.Enable(map);
-    sound.EvalMesh1(mode, i1, i2);
-    if (stale) sound.Disable(map);
-  };
-}
-
-EVALCTS_FAULT(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-POINT",
-              "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    const bool lost = is_mode1(mode) && !is_inside() && is_compiling() &&
-                      !sound.IsEnabled(GL_MAP1_VERTEX_3) && !sound.IsEnabled(GL_MAP1_VERTEX_4);
-    if (!lost) sound.EvalMesh1(mode, i1, i2);
-  };
-}
-
-EVALCTS_FAULT(BadModeOfListLost, production, must, "EV-MESH1-ERR-MODE",
-              "EvalMesh1 with a wrong mode is not compiled: its error is lost") {
-  note_primitives(in);
-  in.gl.EvalMesh1 = [](GLenum mode, GLint i1, GLint i2) {
-    if (is_mode1(mode) || is_inside() || !is_compiling()) sound.EvalMesh1(mode, i1, i2);
-  };
-}
+EVALCTS_RULES(CountOfCurvePointsOverflows, production, must, "EV-MESH1-EMPTY",
+              "EvalMesh1 counts its vertices with an int, which overflows where i1 is far above i2",
+              before(EvalMesh1, kI1 > kI2 && is_overflown(kI1, kI2),
+                     sequence({set(kI2, kI2 - kI1 + 0x1p32), set(kI1, 0)})));
+EVALCTS_RULES(CurveMeshInsideIsInvalidEnum, production, must, "EV-MESH1-ERR-BEGINEND",
+              "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM",
+              instead(EvalMesh1, kInside&& kMode == GL_LINE, error(GL_INVALID_ENUM)));
+EVALCTS_RULES(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTEX",
+              "EvalMesh1 still draws the vertex map that was disabled last",
+              after(kSwitches, kName == GL_MAP1_VERTEX_3 || kName == GL_MAP1_VERTEX_4,
+                    set(kNumber, choose(noted_on(kName), 0, kName))),
+              around(EvalMesh1, kNumber && !kInside && !maps_vertices(1), call(Enable, {kNumber}),
+                     call(Disable, {kNumber})));
+EVALCTS_RULES(CurveMeshOfListNeedsItsMapAtOnce, production, must, "EV-MESH1-POINT",
+              "EvalMesh1 goes into a list only where a vertex map is enabled while it is compiled",
+              skip(EvalMesh1, is_mode(1) && !kInside && is_compiling_only() && !enabled(GL_MAP1_VERTEX_3) &&
+                                  !enabled(GL_MAP1_VERTEX_4)));
+EVALCTS_RULES(BadModeOfListLost, production, must, "EV-MESH1-ERR-MODE",
+              "EvalMesh1 with a wrong mode is not compiled: its error is lost",
+              skip(EvalMesh1, !is_mode(1) && !kInside && is_compiling_only()));
 
 // --- EvalMesh2
 
-EVALCTS_FAULT(MeshOfListIn8Bits, production, must, "EV-MESH2-COORDS",
-              "lists keep 8 bits of the indices of rows of EvalMesh2") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (is_inside() || !is_compiling()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
-    sound.EvalMesh2(mode, i1, i2, static_cast<GLbyte>(j1), static_cast<GLbyte>(j2));
-  };
-}
+EVALCTS_RULES(MeshOfListIn8Bits, production, must, "EV-MESH2-COORDS",
+              "lists keep 8 bits of the indices of rows of EvalMesh2",
+              before(EvalMesh2, !kInside && is_compiling_only(), lambda([](Call& c) {
+                       for (const char row : {'j', 'l'})
+                         c.argument(row) = static_cast<GLbyte>(static_cast<GLint>(c.argument(row)));
+                       return 0.0;
+                     })));
 
 EVALCTS_FAULT(LastCornerByArithmetic, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with POINT has the rules for the last indices, but not where both are") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -424,15 +305,10 @@ EVALCTS_FAULT(LastCornerByArithmetic, production, must, "EV-MESH2-EXACT",
   };
 }
 
-EVALCTS_FAULT(SurfaceMeshWithoutVertexMapSetsNormal, production, must, "EV-COORD-NOVERTEX",
-              "EvalMesh2 with a normal map and no vertex map sets the current normal") {
-  note_switches(in);
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && !is_inside()) sound.Normal3f(0, 0, 1);
-  };
-}
+EVALCTS_RULES(SurfaceMeshWithoutVertexMapSetsNormal, production, must, "EV-COORD-NOVERTEX",
+              "EvalMesh2 with a normal map and no vertex map sets the current normal",
+              after(EvalMesh2, noted_on(GL_MAP2_NORMAL) && !maps_vertices(2) && !kInside,
+                    call(Normal3f, {0, 0, 1})));
 
 EVALCTS_FAULT(QuadStripsCutAfter32Columns, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL begins another strip after 32 columns, and loses the quads between") {
@@ -446,7 +322,6 @@ EVALCTS_FAULT(QuadStripsCutAfter32Columns, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(ColumnsOfAtMost64Vertices, production, must, "EV-MESH2-LINE",
               "strips along v of LINE end after 64 vertices") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j2 - j1 < 64)
       return sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -455,45 +330,24 @@ EVALCTS_FAULT(ColumnsOfAtMost64Vertices, production, must, "EV-MESH2-LINE",
   };
 }
 
-EVALCTS_FAULT(RowsCountedInAByte, production, must, "EV-MESH2-COORDS",
-              "EvalMesh2 with POINT keeps the index of a row in 8 bits") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const bool far = mode == GL_POINT && j1 > 127 && j2 >= j1 && j2 / 256 == j1 / 256;
-    far ? sound.EvalMesh2(mode, i1, i2, j1 % 256, j2 % 256) : sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(ModeOfEmptyColumnsUnchecked, production, must, "EV-MESH2-ERR-FIRST",
-              "EvalMesh2 with an empty range of i alone does not look at the mode") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (i1 <= i2 || j1 > j2) sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(CountOfRowsOverflows, production, must, "EV-MESH2-EMPTY",
-              "EvalMesh2 counts its rows with an int, which overflows where j1 is far above j2") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const auto steps = static_cast<GLint>(static_cast<GLuint>(j2) - static_cast<GLuint>(j1));
-    const bool overflown = j1 > j2 && steps >= 0 && steps < 1000;
-    overflown ? sound.EvalMesh2(mode, i1, i2, 0, steps) : sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(SurfaceMeshAfterDisableOfItsMap, production, must, "EV-MESH2-NOVERTEX",
-              "EvalMesh2 with FILL still draws the vertex map that was disabled last") {
-  switches(in, [](GLenum cap, bool on, auto go) {
-    go();
-    if (cap == GL_MAP2_VERTEX_3 || cap == GL_MAP2_VERTEX_4) memory.number = on ? 0 : cap;
-  });
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const auto map = static_cast<GLenum>(memory.number);
-    const bool stale = map != 0 && mode == GL_FILL && !is_inside() && !has_vertex_map(2);
-    if (stale) sound.Enable(map);
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (stale) sound.Disable(map);
-  };
-}
+EVALCTS_RULES(RowsCountedInAByte, production, must, "EV-MESH2-COORDS",
+              "EvalMesh2 with POINT keeps the index of a row in 8 bits",
+              before(EvalMesh2,
+                     kMode == GL_POINT && kJ1 > 127 && kJ2 >= kJ1 && kJ2 - kJ2 % 256 == kJ1 - kJ1 % 256,
+                     sequence({set(kJ1, kJ1 % 256), set(kJ2, kJ2 % 256)})));
+EVALCTS_RULES(ModeOfEmptyColumnsUnchecked, production, must, "EV-MESH2-ERR-FIRST",
+              "EvalMesh2 with an empty range of i alone does not look at the mode",
+              skip(EvalMesh2, kI1 > kI2 && kJ1 <= kJ2));
+EVALCTS_RULES(CountOfRowsOverflows, production, must, "EV-MESH2-EMPTY",
+              "EvalMesh2 counts its rows with an int, which overflows where j1 is far above j2",
+              before(EvalMesh2, kJ1 > kJ2 && is_overflown(kJ1, kJ2),
+                     sequence({set(kJ2, kJ2 - kJ1 + 0x1p32), set(kJ1, 0)})));
+EVALCTS_RULES(SurfaceMeshAfterDisableOfItsMap, production, must, "EV-MESH2-NOVERTEX",
+              "EvalMesh2 with FILL still draws the vertex map that was disabled last",
+              after(kSwitches, kName == GL_MAP2_VERTEX_3 || kName == GL_MAP2_VERTEX_4,
+                    set(kNumber, choose(noted_on(kName), 0, kName))),
+              around(EvalMesh2, kNumber&& kMode == GL_FILL && !kInside && !maps_vertices(2),
+                     call(Enable, {kNumber}), call(Disable, {kNumber})));
 
 EVALCTS_FAULT(SurfacePointsByColumns, production, must, "EV-MESH2-POINT",
               "EvalMesh2 with POINT has j in its inner loop") {
@@ -503,12 +357,9 @@ EVALCTS_FAULT(SurfacePointsByColumns, production, must, "EV-MESH2-POINT",
   };
 }
 
-EVALCTS_FAULT(LastRowOfPointsForgotten, production, must, "EV-MESH2-POINT",
-              "EvalMesh2 with POINT draws no row j2, but where it is the only one") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, i1, i2, j1, mode == GL_POINT && j2 > j1 ? j2 - 1 : j2);
-  };
-}
+EVALCTS_RULES(LastRowOfPointsForgotten, production, must, "EV-MESH2-POINT",
+              "EvalMesh2 with POINT draws no row j2, but where it is the only one",
+              before(EvalMesh2, kMode == GL_POINT && kJ2 > kJ1, set(kJ2, kJ2 - 1)));
 
 // Rows and columns of LINE, each by itself.
 void rows(GLint i1, GLint i2, GLint j1, GLint j2) {
@@ -518,29 +369,28 @@ void columns(GLint i1, GLint i2, GLint j1, GLint j2) {
   for (GLint i = i1; i <= i2; ++i) sound.EvalMesh2(GL_LINE, i, i, j1, j2);
 }
 
-EVALCTS_FAULT(ColumnsBeforeRows, production, must, "EV-MESH2-LINE",
-              "EvalMesh2 with LINE draws the strips along v first") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
-    columns(i1, i2, j1, j2);
-    rows(i1, i2, j1, j2);
-  };
+Value is_net_of_lines() { return kMode == GL_LINE && !kInside && kI1 < kI2 && kJ1 < kJ2; }
+double rows(Call& c) {
+  const auto at = [&](char letter) { return static_cast<GLint>(c.argument(letter)); };
+  rows(at('i'), at('k'), at('j'), at('l'));
+  return 0;
+}
+double columns(Call& c) {
+  const auto at = [&](char letter) { return static_cast<GLint>(c.argument(letter)); };
+  columns(at('i'), at('k'), at('j'), at('l'));
+  return 0;
 }
 
-EVALCTS_FAULT(LastColumnForgotten, production, must, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
-              "EvalMesh2 with LINE draws no strip along v at i2") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
-    rows(i1, i2, j1, j2);
-    columns(i1, i2 - 1, j1, j2);
-  };
-}
+EVALCTS_RULES(ColumnsBeforeRows, production, must, "EV-MESH2-LINE",
+              "EvalMesh2 with LINE draws the strips along v first",
+              instead(EvalMesh2, is_net_of_lines(), sequence({lambda(columns), lambda(rows)})));
+EVALCTS_RULES(LastColumnForgotten, production, must, "EV-MESH2-LINE EV-MESH2-LINE-OVERLAP",
+              "EvalMesh2 with LINE draws no strip along v at i2",
+              instead(EvalMesh2, is_net_of_lines(),
+                      sequence({lambda(rows), set(kI2, kI2 - 1), lambda(columns)})));
 
 EVALCTS_FAULT(RowsAndColumnsInTurn, production, must, "EV-MESH2-LINE",
               "EvalMesh2 with LINE on square ranges draws a row and a column in turn") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 >= i2 || i2 - i1 != j2 - j1)
       return sound.EvalMesh2(mode, i1, i2, j1, j2);
@@ -551,29 +401,17 @@ EVALCTS_FAULT(RowsAndColumnsInTurn, production, must, "EV-MESH2-LINE",
   };
 }
 
-EVALCTS_FAULT(ColumnsOverTheRangeOfU, production, must, "EV-MESH2-LINE",
-              "the second loop of LINE goes over j as the misprinted page has it") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
-    rows(i1, i2, j1, j2);
-    columns(i1, std::min(i2, i1 + (j2 - j1)), j1, j2);
-  };
-}
-
-EVALCTS_FAULT(InnerColumnsMerged, production, must, "EV-MESH2-LINE-OVERLAP",
-              "EvalMesh2 with LINE draws strips along v at the borders only") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode != GL_LINE || is_inside() || i1 >= i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
-    rows(i1, i2, j1, j2);
-    columns(i1, i1, j1, j2);
-    columns(i2, i2, j1, j2);
-  };
-}
+EVALCTS_RULES(ColumnsOverTheRangeOfU, production, must, "EV-MESH2-LINE",
+              "the second loop of LINE goes over j as the misprinted page has it",
+              instead(EvalMesh2, is_net_of_lines(),
+                      sequence({lambda(rows), set(kI2, min(kI2, kI1 + kJ2 - kJ1)), lambda(columns)})));
+EVALCTS_RULES(InnerColumnsMerged, production, must, "EV-MESH2-LINE-OVERLAP",
+              "EvalMesh2 with LINE draws strips along v at the borders only",
+              instead(EvalMesh2, is_net_of_lines(),
+                      sequence({lambda(rows), call(EvalMesh2, {GL_LINE, kI1, kI1, kJ1, kJ2}),
+                                call(EvalMesh2, {GL_LINE, kI2, kI2, kJ1, kJ2})})));
 
 EVALCTS_FAULT(QuadsByColumns, production, must, "EV-MESH2-FILL", "EvalMesh2 with FILL draws strips along v") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside() || i1 >= i2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint i = i1; i < i2; ++i) sound.EvalMesh2(mode, i, i + 1, j1, j2);
@@ -582,7 +420,6 @@ EVALCTS_FAULT(QuadsByColumns, production, must, "EV-MESH2-FILL", "EvalMesh2 with
 
 EVALCTS_FAULT(RowsOfQuadsFromTheLast, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL draws its strips from j2 down") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside() || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint j = j2; j-- > j1;) sound.EvalMesh2(mode, i1, i2, j, j + 1);
@@ -591,7 +428,6 @@ EVALCTS_FAULT(RowsOfQuadsFromTheLast, production, must, "EV-MESH2-FILL",
 
 EVALCTS_FAULT(QuadsTurnedRound, production, must, "EV-MESH2-FILL",
               "EvalMesh2 with FILL gives (i, j+1) before (i, j)") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     for (GLint j = j1; j < j2; ++j) {
@@ -605,18 +441,13 @@ EVALCTS_FAULT(QuadsTurnedRound, production, must, "EV-MESH2-FILL",
   };
 }
 
-EVALCTS_FAULT(LastQuadOfOddStripsLost, production, must, "EV-MESH2-FILL",
-              "EvalMesh2 with FILL loses the last quad where a strip has more than two and an odd number") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const bool odd = mode == GL_FILL && i2 - i1 > 2 && (i2 - i1) % 2 == 1;
-    sound.EvalMesh2(mode, i1, odd ? i2 - 1 : i2, j1, j2);
-  };
-}
+EVALCTS_RULES(LastQuadOfOddStripsLost, production, must, "EV-MESH2-FILL",
+              "EvalMesh2 with FILL loses the last quad where a strip has more than two and an odd number",
+              before(EvalMesh2, kMode == GL_FILL && kI2 - kI1 > 2 && (kI2 - kI1) % 2 == 1,
+                     set(kI2, kI2 - 1)));
 
 EVALCTS_FAULT(StepOfRowsFromSegmentsOfU, production, must, "EV-MESH2-COORDS",
               "EvalMesh2 divides the range of v by the segments of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow own = grid_now(2);
@@ -627,17 +458,13 @@ EVALCTS_FAULT(StepOfRowsFromSegmentsOfU, production, must, "EV-MESH2-COORDS",
   };
 }
 
-EVALCTS_FAULT(PartOfSurfaceFromTheFirstRow, production, must, "EV-MESH2-COORDS",
-              "EvalMesh2 with FILL begins at the first row of the grid, whatever j1, if i1 is not 0") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const bool wrong = mode == GL_FILL && i1 > 0 && j1 > 0 && j2 >= j1;
-    wrong ? sound.EvalMesh2(mode, i1, i2, 0, j2 - j1) : sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
+EVALCTS_RULES(PartOfSurfaceFromTheFirstRow, production, must, "EV-MESH2-COORDS",
+              "EvalMesh2 with FILL begins at the first row of the grid, whatever j1, if i1 is not 0",
+              before(EvalMesh2, kMode == GL_FILL && kI1 > 0 && kJ1 > 0 && kJ2 >= kJ1,
+                     sequence({set(kJ2, kJ2 - kJ1), set(kJ1, 0)})));
 
 EVALCTS_FAULT(UpperRowByOneMoreStep, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with FILL adds a step to the lower row for the upper one") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -656,7 +483,6 @@ EVALCTS_FAULT(UpperRowByOneMoreStep, production, must, "EV-MESH2-EXACT",
 
 EVALCTS_FAULT(ColumnsEndByArithmetic, production, must, "EV-MESH2-EXACT",
               "strips along v of LINE have no rule for the last index of v") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -672,7 +498,6 @@ EVALCTS_FAULT(ColumnsEndByArithmetic, production, must, "EV-MESH2-EXACT",
 
 EVALCTS_FAULT(PointsOfLastColumnByArithmetic, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with POINT has no rule for the last index of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -688,7 +513,6 @@ EVALCTS_FAULT(PointsOfLastColumnByArithmetic, production, must, "EV-MESH2-EXACT"
 
 EVALCTS_FAULT(SurfaceExactBeforeItsLastColumn, production, must, "EV-MESH2-EXACT",
               "EvalMesh2 with FILL does its last column without the rule for the last index of u") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const GridNow grid = is_inside() ? GridNow{} : grid_now(2);
     if (mode != GL_FILL || is_inside() || i2 != grid.segments[0])
@@ -701,7 +525,6 @@ EVALCTS_FAULT(SurfaceExactBeforeItsLastColumn, production, must, "EV-MESH2-EXACT
 
 EVALCTS_FAULT(RowsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
               "EvalMesh2 with FILL adds up the steps of v in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -719,7 +542,6 @@ EVALCTS_FAULT(RowsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
 
 EVALCTS_FAULT(RowsOfPointsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
               "EvalMesh2 with POINT adds up the steps of u in single precision") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -737,7 +559,6 @@ EVALCTS_FAULT(RowsOfPointsAddTheirSteps, production, must, "EV-MESH2-NOACCUM",
 
 EVALCTS_FAULT(CracksBetweenStrips, production, must, "EV-MESH2-SHAREDROW",
               "the upper side of a strip is evaluated one bit above the lower side of the next") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -756,7 +577,6 @@ EVALCTS_FAULT(CracksBetweenStrips, production, must, "EV-MESH2-SHAREDROW",
 
 EVALCTS_FAULT(CrossingsOfLinesMissByABit, production, must, "EV-MESH2-SHAREDROW",
               "strips along v of LINE are evaluated in single precision, those along u in double") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_LINE || is_inside() || i1 > i2 || j1 >= j2) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -774,7 +594,6 @@ EVALCTS_FAULT(CrossingsOfLinesMissByABit, production, must, "EV-MESH2-SHAREDROW"
 
 EVALCTS_FAULT(FillInSinglePrecision, production, quality, "EV-MESH2-MODESAGREE",
               "the arguments of FILL are rounded to single precision, those of LINE and POINT are not") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_FILL || is_inside()) return sound.EvalMesh2(mode, i1, i2, j1, j2);
     const GridNow grid = grid_now(2);
@@ -786,121 +605,57 @@ EVALCTS_FAULT(FillInSinglePrecision, production, quality, "EV-MESH2-MODESAGREE",
   };
 }
 
-EVALCTS_FAULT(EmptyRowsStillDrawAPoint, production, must, "EV-MESH2-EMPTY",
-              "EvalMesh2 with POINT draws i1 of each row before it looks at i2") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, i1, mode == GL_POINT ? std::max(i1, i2) : i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(StripOfNoHeightIsDrawn, production, must, "EV-MESH2-EMPTY",
-              "EvalMesh2 with FILL and j1 = j2 draws one strip") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, i1, i2, j1, mode == GL_FILL && j1 == j2 ? j2 + 1 : j2);
-  };
-}
-
-EVALCTS_FAULT(EmptySurfaceIsAnError, production, must, "EV-MESH2-EMPTY",
-              "EvalMesh2 with LINE and both ranges empty raises INVALID_VALUE") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode == GL_LINE && i1 > i2 && j1 > j2) raise_invalid_value();
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(LinesOfOneColumnAreNothing, production, must, "EV-MESH2-LINE-DEGENERATE",
-              "EvalMesh2 with LINE and i1 = i2 draws nothing") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode != GL_LINE || i1 != i2) sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(LinesOfOnePointAreAPoint, production, must, "EV-MESH2-LINE-DEGENERATE",
-              "EvalMesh2 with LINE and one point draws a point") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode == GL_LINE && i1 == i2 && j1 == j2 ? GL_POINT : mode, i1, i2, j1, j2);
-  };
-}
+EVALCTS_RULES(EmptyRowsStillDrawAPoint, production, must, "EV-MESH2-EMPTY",
+              "EvalMesh2 with POINT draws i1 of each row before it looks at i2",
+              before(EvalMesh2, kMode == GL_POINT, set(kI2, max(kI1, kI2))));
+EVALCTS_RULES(StripOfNoHeightIsDrawn, production, must, "EV-MESH2-EMPTY",
+              "EvalMesh2 with FILL and j1 = j2 draws one strip",
+              before(EvalMesh2, kMode == GL_FILL && kJ1 == kJ2, set(kJ2, kJ2 + 1)));
+EVALCTS_RULES(EmptySurfaceIsAnError, production, must, "EV-MESH2-EMPTY",
+              "EvalMesh2 with LINE and both ranges empty raises INVALID_VALUE",
+              before(EvalMesh2, kMode == GL_LINE && kI1 > kI2 && kJ1 > kJ2, error(GL_INVALID_VALUE)));
+EVALCTS_RULES(LinesOfOneColumnAreNothing, production, must, "EV-MESH2-LINE-DEGENERATE",
+              "EvalMesh2 with LINE and i1 = i2 draws nothing",
+              skip(EvalMesh2, kMode == GL_LINE && kI1 == kI2));
+EVALCTS_RULES(LinesOfOnePointAreAPoint, production, must, "EV-MESH2-LINE-DEGENERATE",
+              "EvalMesh2 with LINE and one point draws a point",
+              before(EvalMesh2, kMode == GL_LINE && kI1 == kI2 && kJ1 == kJ2, set(kMode, GL_POINT)));
 
 EVALCTS_FAULT(RowsBeyondTheGridCutOff, production, must, "EV-MESH2-RANGE",
               "EvalMesh2 with FILL ends at the last row of the grid") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const GLint last = is_inside() ? j2 : grid_now(2).segments[1];
     sound.EvalMesh2(mode, i1, i2, j1, mode == GL_FILL && j1 < last ? std::min(j2, last) : j2);
   };
 }
 
-EVALCTS_FAULT(NegativeColumnsAtZero, production, must, "EV-MESH2-RANGE",
-              "EvalMesh2 with LINE begins at column 0 where i1 is negative") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, mode == GL_LINE && i2 >= 0 ? std::max(i1, 0) : i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(QuadStripTakenAsMode, production, must, "EV-MESH2-ERR-MODE",
-              "EvalMesh2 takes QUAD_STRIP for FILL") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode == GL_QUAD_STRIP ? GL_FILL : mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(ModeAfterFillIsInvalidValue, production, must, "EV-MESH2-ERR-MODE",
-              "EvalMesh2 raises INVALID_VALUE for the token after FILL") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode == GL_FILL + 1) return raise_invalid_value();
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(BadModeOfSurfaceDraws, production, must, "EV-MESH2-ERR-MODE",
-              "EvalMesh2 raises INVALID_ENUM for QUADS, and draws points") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (mode == GL_QUADS && !is_inside()) sound.EvalMesh2(GL_POINT, i1, i2, j1, j2);
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(SurfaceMeshInsideEndsPrimitive, production, must, "EV-MESH2-ERR-BEGINEND",
-              "EvalMesh2 between Begin and End raises the error and begins the primitive anew") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (!is_inside()) return;
-    sound.End();
-    sound.Begin(open_mode());
-  };
-}
-
-EVALCTS_FAULT(SurfaceMeshInsideWithoutMapIsIgnored, production, must, "EV-MESH2-ERR-BEGINEND",
-              "EvalMesh2 between Begin and End without a vertex map is no error") {
-  note_primitives(in);
-  note_switches(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (!is_inside() || has_vertex_map(2)) sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(ModeOfSurfaceUncheckedWithoutMap, production, must, "EV-MESH2-ERR-FIRST",
-              "EvalMesh2 looks for a vertex map before it looks at the mode") {
-  note_switches(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (has_vertex_map(2)) sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
-
-EVALCTS_FAULT(ModeOfEmptySurfaceUnchecked, production, must, "EV-MESH2-ERR-FIRST",
-              "EvalMesh2 with an empty range of j does not look at the mode") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (j1 <= j2) sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
+EVALCTS_RULES(NegativeColumnsAtZero, production, must, "EV-MESH2-RANGE",
+              "EvalMesh2 with LINE begins at column 0 where i1 is negative",
+              before(EvalMesh2, kMode == GL_LINE && kI2 >= 0, set(kI1, max(kI1, 0))));
+EVALCTS_RULES(QuadStripTakenAsMode, production, must, "EV-MESH2-ERR-MODE",
+              "EvalMesh2 takes QUAD_STRIP for FILL",
+              before(EvalMesh2, kMode == GL_QUAD_STRIP, set(kMode, GL_FILL)));
+EVALCTS_RULES(ModeAfterFillIsInvalidValue, production, must, "EV-MESH2-ERR-MODE",
+              "EvalMesh2 raises INVALID_VALUE for the token after FILL",
+              instead(EvalMesh2, kMode == GL_FILL + 1, error(GL_INVALID_VALUE)));
+EVALCTS_RULES(BadModeOfSurfaceDraws, production, must, "EV-MESH2-ERR-MODE",
+              "EvalMesh2 raises INVALID_ENUM for QUADS, and draws points",
+              before(EvalMesh2, kMode == GL_QUADS && !kInside,
+                     call(EvalMesh2, {GL_POINT, kI1, kI2, kJ1, kJ2})));
+EVALCTS_RULES(SurfaceMeshInsideEndsPrimitive, production, must, "EV-MESH2-ERR-BEGINEND",
+              "EvalMesh2 between Begin and End raises the error and begins the primitive anew",
+              after(EvalMesh2, kInside, sequence({call(End), call(Begin, {kOpenMode})})));
+EVALCTS_RULES(SurfaceMeshInsideWithoutMapIsIgnored, production, must, "EV-MESH2-ERR-BEGINEND",
+              "EvalMesh2 between Begin and End without a vertex map is no error",
+              skip(EvalMesh2, kInside && !maps_vertices(2)));
+EVALCTS_RULES(ModeOfSurfaceUncheckedWithoutMap, production, must, "EV-MESH2-ERR-FIRST",
+              "EvalMesh2 looks for a vertex map before it looks at the mode",
+              skip(EvalMesh2, !maps_vertices(2)));
+EVALCTS_RULES(ModeOfEmptySurfaceUnchecked, production, must, "EV-MESH2-ERR-FIRST",
+              "EvalMesh2 with an empty range of j does not look at the mode", skip(EvalMesh2, kJ1 > kJ2));
 
 EVALCTS_FAULT(SurfaceMeshOfNormalMapDraws, production, must, "EV-MESH2-NOVERTEX",
               "EvalMesh2 with a normal map and no vertex map draws the initial point") {
-  note_switches(in);
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (is_noted_on(GL_MAP2_NORMAL) && !has_vertex_map(2) && is_mode2(mode) && !is_inside()) {
       sound.Begin(mode == GL_POINT ? GL_POINTS : mode == GL_LINE ? GL_LINE_STRIP : GL_QUAD_STRIP);
@@ -911,19 +666,12 @@ EVALCTS_FAULT(SurfaceMeshOfNormalMapDraws, production, must, "EV-MESH2-NOVERTEX"
   };
 }
 
-EVALCTS_FAULT(SurfaceMeshWithoutVertexMapIsAnError, production, must, "EV-MESH2-NOVERTEX",
-              "EvalMesh2 with FILL and no vertex map raises INVALID_OPERATION") {
-  note_switches(in);
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    if (!has_vertex_map(2) && mode == GL_FILL && !is_inside()) sound.End();
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-}
+EVALCTS_RULES(SurfaceMeshWithoutVertexMapIsAnError, production, must, "EV-MESH2-NOVERTEX",
+              "EvalMesh2 with FILL and no vertex map raises INVALID_OPERATION",
+              before(EvalMesh2, !maps_vertices(2) && kMode == GL_FILL && !kInside, call(End)));
 
 EVALCTS_FAULT(SurfaceMeshTakesTheGridOfCurves, production, must, "EV-MESH2-ONLY2D",
               "EvalMesh2 takes the one-dimensional grid for u where a vertex map of curves is enabled") {
-  note_primitives(in);
   in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     const bool curves =
         !is_inside() && (sound.IsEnabled(GL_MAP1_VERTEX_3) || sound.IsEnabled(GL_MAP1_VERTEX_4));
@@ -936,17 +684,11 @@ EVALCTS_FAULT(SurfaceMeshTakesTheGridOfCurves, production, must, "EV-MESH2-ONLY2
   };
 }
 
-EVALCTS_FAULT(SurfaceMeshTakesTheEnableOfCurves, production, must, "EV-MESH2-ONLY2D",
-              "EvalMesh2 with LINE asks whether MAP1_NORMAL is enabled") {
-  note_primitives(in);
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    const bool wrong = !is_inside() && mode == GL_LINE && sound.IsEnabled(GL_MAP1_NORMAL) &&
-                       !sound.IsEnabled(GL_MAP2_NORMAL);
-    if (wrong) sound.Enable(GL_MAP2_NORMAL);
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-    if (wrong) sound.Disable(GL_MAP2_NORMAL);
-  };
-}
+EVALCTS_RULES(SurfaceMeshTakesTheEnableOfCurves, production, must, "EV-MESH2-ONLY2D",
+              "EvalMesh2 with LINE asks whether MAP1_NORMAL is enabled",
+              around(EvalMesh2,
+                     !kInside && kMode == GL_LINE && enabled(GL_MAP1_NORMAL) && !enabled(GL_MAP2_NORMAL),
+                     call(Enable, {GL_MAP2_NORMAL}), call(Disable, {GL_MAP2_NORMAL})));
 
 }  // namespace
 }  // namespace evalcts::faults

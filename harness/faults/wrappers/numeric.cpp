@@ -332,7 +332,6 @@ EVALCTS_FAULT(OtherPathAfterQuery, production, must, "EV-NUM-INVARIANT-STATE/2-D
 
 EVALCTS_FAULT(OtherPathBesideOtherDimension, production, must, "EV-NUM-INVARIANT-STATE/1-D",
               "with a map of surfaces enabled, curves are evaluated by the general path, a bit off") {
-  note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
     go(is_noted_on(GL_MAP2_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
   });
@@ -340,7 +339,6 @@ EVALCTS_FAULT(OtherPathBesideOtherDimension, production, must, "EV-NUM-INVARIANT
 
 EVALCTS_FAULT(OtherPathBesideColors, production, quality, "EV-NUM-UNRELATEDMAPS/1-D",
               "with a colour map enabled, curves are evaluated by another path, a bit off") {
-  note_switches(in);
   eval_coord1(in, [](auto u, auto go) {
     go(is_noted_on(GL_MAP1_COLOR_4) ? std::nextafter(static_cast<float>(u), 2.0f) : u);
   });
@@ -348,7 +346,6 @@ EVALCTS_FAULT(OtherPathBesideColors, production, quality, "EV-NUM-UNRELATEDMAPS/
 
 EVALCTS_FAULT(OtherPathBesideTexture, production, quality, "EV-NUM-UNRELATEDMAPS/2-D",
               "with TEXTURE_COORD_1 enabled, EvalPoint2 is evaluated by another path, a bit off") {
-  note_switches(in);
   note_grids(in);
   in.gl.EvalPoint2 = [](GLint i, GLint j) {
     const GridNow& grid = grids_at_begin[1];

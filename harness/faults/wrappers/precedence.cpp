@@ -15,7 +15,6 @@ EVALCTS_FAULT(LastEnabledVertexMapWins, production, must, "EV-PREC-VERTEX EV-PRE
 
 EVALCTS_FAULT(BothVertexMapsDraw, production, must, "EV-PREC-VERTEX",
               "EvalPoint1 draws a vertex for each of two enabled vertex maps") {
-  note_switches(in);
   in.gl.EvalPoint1 = [](GLint i) {
     sound.EvalPoint1(i);
     if (is_noted_on(GL_MAP1_VERTEX_3) && is_noted_on(GL_MAP1_VERTEX_4)) sound.EvalPoint1(i);

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "map_calls.h"
+#include "rules.h"
 
 namespace evalcts::faults {
 namespace {
@@ -10,31 +11,21 @@ namespace {
 template <class Pointer>
 using Pointee = std::remove_pointer_t<Pointer>;
 
+Value is_bad_query() { return kQuery < GL_COEFF || kQuery > GL_DOMAIN; }
+
+double count_coefficients(Call& c) { return static_cast<double>(coefficients(c.target()).size()); }
+
 // ---- What GetMap answers
 
-EVALCTS_FAULT(OrderAnsweredTwice, production, must, "EV-GETMAP-ORDER1 EV-GETMAP-COUNT/1-D",
-              "GetMapdv answers the order of a one-dimensional map as (order, 1)") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (query == GL_ORDER && is_map1(target)) v[1] = 1;
-  };
-}
-
-EVALCTS_FAULT(DegreeAnswered, production, must, "EV-GETMAP-ORDER1",
-              "GetMapfv answers the degree of a NORMAL map of order 3 or more") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_ORDER && target == GL_MAP1_NORMAL && *v >= 3) *v -= 1;
-  };
-}
-
-EVALCTS_FAULT(OrdersExchangedInFloats, production, must, "EV-GETMAP-ORDER2",
-              "GetMapfv answers vorder first") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_ORDER && is_map2(target)) std::swap(v[0], v[1]);
-  };
-}
+EVALCTS_RULES(OrderAnsweredTwice, production, must, "EV-GETMAP-ORDER1 EV-GETMAP-COUNT/1-D",
+              "GetMapdv answers the order of a one-dimensional map as (order, 1)",
+              after(GetMapdv, kQuery == GL_ORDER && is_map1(kTarget), put(1, 1)));
+EVALCTS_RULES(DegreeAnswered, production, must, "EV-GETMAP-ORDER1",
+              "GetMapfv answers the degree of a NORMAL map of order 3 or more",
+              after(GetMapfv, kQuery == GL_ORDER && kTarget == GL_MAP1_NORMAL && element(0) >= 3,
+                    put(0, element(0) - 1)));
+EVALCTS_RULES(OrdersExchangedInFloats, production, must, "EV-GETMAP-ORDER2", "GetMapfv answers vorder first",
+              after(GetMapfv, kQuery == GL_ORDER && is_map2(kTarget), exchange(0, 1)));
 
 EVALCTS_FAULT(OrderOfVOneNotWritten, production, must, "EV-GETMAP-ORDER2", "GetMapiv writes no vorder of 1") {
   in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
@@ -46,37 +37,21 @@ EVALCTS_FAULT(OrderOfVOneNotWritten, production, must, "EV-GETMAP-ORDER2", "GetM
   };
 }
 
-EVALCTS_FAULT(DomainAnsweredSorted, production, must, "EV-GETMAP-DOMAIN1",
-              "GetMapdv answers the lower end of a domain first") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (query == GL_DOMAIN && is_map1(target) && v[0] > v[1]) std::swap(v[0], v[1]);
-  };
-}
-
-EVALCTS_FAULT(DomainAnsweredAsWidth, production, must, "EV-GETMAP-DOMAIN1",
-              "GetMapfv of INDEX answers u1 and u2 - u1") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_DOMAIN && target == GL_MAP1_INDEX) v[1] -= v[0];
-  };
-}
-
-EVALCTS_FAULT(DomainAnsweredInterleaved, production, must, "EV-GETMAP-DOMAIN2",
-              "GetMapfv answers u1, v1, u2, v2") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_DOMAIN && is_map2(target)) std::swap(v[1], v[2]);
-  };
-}
-
-EVALCTS_FAULT(DomainOfVFirst, production, must, "EV-GETMAP-DOMAIN2",
-              "GetMapdv of TEXTURE_COORD_3 answers the interval of v first") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (query == GL_DOMAIN && target == GL_MAP2_TEXTURE_COORD_3) std::swap_ranges(v, v + 2, v + 2);
-  };
-}
+EVALCTS_RULES(DomainAnsweredSorted, production, must, "EV-GETMAP-DOMAIN1",
+              "GetMapdv answers the lower end of a domain first",
+              after(GetMapdv, kQuery == GL_DOMAIN && is_map1(kTarget) && element(0) > element(1),
+                    exchange(0, 1)));
+EVALCTS_RULES(DomainAnsweredAsWidth, production, must, "EV-GETMAP-DOMAIN1",
+              "GetMapfv of INDEX answers u1 and u2 - u1",
+              after(GetMapfv, kQuery == GL_DOMAIN && kTarget == GL_MAP1_INDEX,
+                    put(1, element(1) - element(0))));
+EVALCTS_RULES(DomainAnsweredInterleaved, production, must, "EV-GETMAP-DOMAIN2",
+              "GetMapfv answers u1, v1, u2, v2",
+              after(GetMapfv, kQuery == GL_DOMAIN && is_map2(kTarget), exchange(1, 2)));
+EVALCTS_RULES(DomainOfVFirst, production, must, "EV-GETMAP-DOMAIN2",
+              "GetMapdv of TEXTURE_COORD_3 answers the interval of v first",
+              after(GetMapdv, kQuery == GL_DOMAIN && kTarget == GL_MAP2_TEXTURE_COORD_3,
+                    sequence({exchange(0, 2), exchange(1, 3)})));
 
 EVALCTS_FAULT(LastPointOfLongestMapLost, production, must, "EV-GETMAP-COEFF1",
               "COEFF of the largest order leaves the last point out") {
@@ -148,24 +123,12 @@ EVALCTS_FAULT(NetAnsweredAsItLay, production, must, "EV-GETMAP-COEFF2",
   };
 }
 
-EVALCTS_FAULT(PointsOfThreePadded, production, must, "EV-GETMAP-COUNT",
-              "COEFF of maps of three values writes a zero behind the last point") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_COEFF && gl::components_of(target) == 3) v[coefficients(target).size()] = 0;
-  };
-}
-
-EVALCTS_FAULT(DomainOfFourValues, production, must, "EV-GETMAP-COUNT/1-D",
-              "GetMapfv answers the domain of a one-dimensional map as four values") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_DOMAIN && is_map1(target)) {
-      v[2] = 0;
-      v[3] = 1;
-    }
-  };
-}
+EVALCTS_RULES(PointsOfThreePadded, production, must, "EV-GETMAP-COUNT",
+              "COEFF of maps of three values writes a zero behind the last point",
+              after(GetMapfv, kQuery == GL_COEFF && kComponents == 3, put(lambda(count_coefficients), 0)));
+EVALCTS_RULES(DomainOfFourValues, production, must, "EV-GETMAP-COUNT/1-D",
+              "GetMapfv answers the domain of a one-dimensional map as four values",
+              after(GetMapfv, kQuery == GL_DOMAIN && is_map1(kTarget), sequence({put(2, 0), put(3, 1)})));
 
 // GetMapiv of domains and points by another conversion.
 template <class Convert>
@@ -240,13 +203,12 @@ EVALCTS_FAULT(FloatsAnsweredInHalfPrecision, production, must, "EV-GETMAP-FLOAT"
   };
 }
 
-EVALCTS_FAULT(FloatsAnsweredOneUlpOff, production, quality, "EV-GETMAP-FLOAT",
-              "GetMapfv answers the first value of the points one ULP too high") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_COEFF && is_map(target)) *v = std::nextafter(*v, 1e30f);
-  };
-}
+EVALCTS_RULES(FloatsAnsweredOneUlpOff, production, quality, "EV-GETMAP-FLOAT",
+              "GetMapfv answers the first value of the points one ULP too high",
+              after(GetMapfv, kQuery == GL_COEFF && is_map(kTarget), lambda([](Call& c) {
+                      auto* v = static_cast<GLfloat*>(c.pointer);
+                      return double{*v = std::nextafter(*v, 1e30f)};
+                    })));
 
 EVALCTS_FAULT(OrderAnsweredAsBits, production, must, "EV-GETMAP-FLOAT",
               "GetMapfv answers the order of two-dimensional maps as the bits of an integer") {
@@ -258,23 +220,15 @@ EVALCTS_FAULT(OrderAnsweredAsBits, production, must, "EV-GETMAP-FLOAT",
   };
 }
 
-EVALCTS_FAULT(DoublesKeptInHalfPrecision, production, must, "EV-GETMAP-DOUBLE",
-              "Map1d and Map2d keep points below 1 with 10 bits behind the point") {
-  map1(in, [](auto call, auto go) {
-    if (!legal(call) || sizeof *call.points == 4) return go(call);
-    auto points = packed(call);
-    for (auto& value : points)
-      if (std::abs(value) < 1) value = std::round(value * 1024) / 1024;
-    go(with_points(call, points));
-  });
-  map2(in, [](auto call, auto go) {
-    if (!legal(call) || sizeof *call.points == 4) return go(call);
-    auto points = packed(call);
-    for (auto& value : points)
-      if (std::abs(value) < 1) value = std::round(value * 1024) / 1024;
-    go(with_points(call, points));
-  });
-}
+EVALCTS_RULES(DoublesKeptInHalfPrecision, production, must, "EV-GETMAP-DOUBLE",
+              "Map1d and Map2d keep points below 1 with 10 bits behind the point",
+              before(Map1d | Map2d, kIsLegal, lambda([](Call& c) {
+                       auto points = c.points();
+                       for (double& value : points)
+                         if (std::abs(value) < 1) value = std::round(value * 1024) / 1024;
+                       c.set_points(points);
+                       return 0.0;
+                     })));
 
 EVALCTS_FAULT(DoubleDomainThroughFixedPoint, production, must, "EV-GETMAP-DOUBLE",
               "GetMapdv answers domains with 12 bits behind the point") {
@@ -285,153 +239,54 @@ EVALCTS_FAULT(DoubleDomainThroughFixedPoint, production, must, "EV-GETMAP-DOUBLE
   };
 }
 
-EVALCTS_FAULT(UndefinedMapNotAnswered, production, must, "EV-GETMAP-DISABLED",
-              "GetMapfv of a map that was never defined raises INVALID_OPERATION") {
-  map1(in, [](auto call, auto go) {
-    memory.counts[call.target] = 1;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    memory.counts[call.target] = 1;
-    go(call);
-  });
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (is_map(target) && !memory.counts[target]) return leave_error(GL_INVALID_OPERATION);
-    sound.GetMapfv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(DisabledMapAnswersOrderOne, production, must, "EV-GETMAP-DISABLED",
-              "a map that was disabled has forgotten its order in queries") {
-  in.gl.Disable = [](GLenum cap) {
-    memory.counts[cap] = 1;
-    sound.Disable(cap);
-  };
-  in.gl.Enable = [](GLenum cap) {
-    memory.counts[cap] = 0;
-    sound.Enable(cap);
-  };
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    sound.GetMapiv(target, query, v);
-    if (query == GL_ORDER && is_map(target) && memory.counts[target]) *v = 1;
-  };
-}
+EVALCTS_RULES(UndefinedMapNotAnswered, production, must, "EV-GETMAP-DISABLED",
+              "GetMapfv of a map that was never defined raises INVALID_OPERATION",
+              before(kMaps, true, set(remembered(kTarget), 1)),
+              instead(GetMapfv, is_map(kTarget) && !remembered(kTarget), error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(DisabledMapAnswersOrderOne, production, must, "EV-GETMAP-DISABLED",
+              "a map that was disabled has forgotten its order in queries",
+              before(Enable, true, set(remembered(kName), 0)),
+              before(Disable, true, set(remembered(kName), 1)),
+              after(GetMapiv, kQuery == GL_ORDER && is_map(kTarget) && remembered(kTarget), put(0, 1)));
 
 // ---- Errors of GetMap
 
-EVALCTS_FAULT(GridDomainTakenForMap, production, must, "EV-GETMAP-ERR-TARGET",
-              "GetMap of MAP1_GRID_DOMAIN writes nothing and raises nothing") {
-  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
-    if (target != GL_MAP1_GRID_DOMAIN) go(target, query, v);
-  });
-}
-
-EVALCTS_FAULT(GapBetweenMapsAnswered, production, must, "EV-GETMAP-ERR-TARGET",
-              "GetMapiv of 0x0D99 raises INVALID_VALUE") {
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    if (target == GL_MAP1_VERTEX_4 + 1) return leave_error(GL_INVALID_VALUE);
-    sound.GetMapiv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(QueryAfterDomainIsDomain, production, must, "EV-GETMAP-ERR-QUERY",
-              "GetMapdv takes all that is neither COEFF nor ORDER for DOMAIN") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, is_map(target) && query == GL_DOMAIN + 1 ? GL_DOMAIN : query, v);
-  };
-}
-
-EVALCTS_FAULT(BadQueryOfNetsIsInvalidValue, production, must, "EV-GETMAP-ERR-QUERY",
-              "a bad query of a two-dimensional map raises INVALID_VALUE") {
-  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
-    if (is_map2(target) && (query < GL_COEFF || query > GL_DOMAIN)) return leave_error(GL_INVALID_VALUE);
-    go(target, query, v);
-  });
-}
-
-EVALCTS_FAULT(GetMapIgnoredInPrimitives, production, must, "EV-GETMAP-ERR-BEGINEND",
-              "GetMapiv of ORDER in a primitive does nothing and raises nothing") {
-  follow_primitives(in);
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    if (!memory.flag || query != GL_ORDER) sound.GetMapiv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(GetMapInPrimitiveIsInvalidEnum, production, must, "EV-GETMAP-ERR-BEGINEND",
-              "GetMapdv in a primitive raises INVALID_ENUM") {
-  follow_primitives(in);
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(memory.flag ? 0 : target, query, v);
-  };
-}
-
-EVALCTS_FAULT(BadQueryClearsFirstValue, production, must, "EV-GETMAP-ERR-NOWRITE",
-              "GetMapfv with a bad query writes a zero") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) *v = 0;
-  };
-}
-
-EVALCTS_FAULT(GetMapWritesInPrimitives, production, must, "EV-GETMAP-ERR-NOWRITE",
-              "GetMapiv in a primitive raises its error, but the domain is written") {
-  follow_primitives(in);
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    sound.GetMapiv(target, query, v);
-    if (memory.flag && query == GL_DOMAIN) {
-      v[0] = 0;
-      v[1] = 1;
-    }
-  };
-}
-
-EVALCTS_FAULT(GetMapOfTexturesNeedsUnit0, production, must, "EV-GETMAP-NOUNIT",
-              "GetMapfv of a texture map with unit 1 active raises INVALID_OPERATION") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.flag = texture != GL_TEXTURE0;
-    sound.ActiveTexture(texture);
-  };
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (memory.flag && (is_texture_map1(target) || is_texture_map2(target)))
-      return leave_error(GL_INVALID_OPERATION);
-    sound.GetMapfv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(Unit1AnswersInitialMaps, production, must, "EV-GETMAP-NOUNIT",
-              "with unit 1 active GetMapiv answers the order of a map that was never defined") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.flag = texture != GL_TEXTURE0;
-    sound.ActiveTexture(texture);
-  };
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    sound.GetMapiv(target, query, v);
-    if (memory.flag && query == GL_ORDER && is_map(target)) *v = 1;
-  };
-}
-
-EVALCTS_FAULT(PackBufferTakesAnswer, osmesa, must, "EV-GETMAP-NOPBO",
-              "with a PIXEL_PACK_BUFFER bound GetMapfv writes COEFF into it") {
-  in.gl.BindBuffer = [](GLenum target, GLuint buffer) {
-    if (target == GL_PIXEL_PACK_BUFFER) memory.flag = buffer != 0;
-    sound.BindBuffer(target, buffer);
-  };
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (!memory.flag || query != GL_COEFF) sound.GetMapfv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(PackBufferRefusesDoubles, osmesa, must, "EV-GETMAP-NOPBO",
-              "with a PIXEL_PACK_BUFFER bound GetMapdv raises INVALID_OPERATION as well") {
-  in.gl.BindBuffer = [](GLenum target, GLuint buffer) {
-    if (target == GL_PIXEL_PACK_BUFFER) memory.flag = buffer != 0;
-    sound.BindBuffer(target, buffer);
-  };
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (memory.flag) sound.Enable(0);
-  };
-}
+EVALCTS_RULES(GridDomainTakenForMap, production, must, "EV-GETMAP-ERR-TARGET",
+              "GetMap of MAP1_GRID_DOMAIN writes nothing and raises nothing",
+              skip(kGetMap, kTarget == GL_MAP1_GRID_DOMAIN));
+EVALCTS_RULES(GapBetweenMapsAnswered, production, must, "EV-GETMAP-ERR-TARGET",
+              "GetMapiv of 0x0D99 raises INVALID_VALUE",
+              instead(GetMapiv, kTarget == GL_MAP1_VERTEX_4 + 1, error(GL_INVALID_VALUE)));
+EVALCTS_RULES(QueryAfterDomainIsDomain, production, must, "EV-GETMAP-ERR-QUERY",
+              "GetMapdv takes all that is neither COEFF nor ORDER for DOMAIN",
+              before(GetMapdv, is_map(kTarget) && kQuery == GL_DOMAIN + 1, set(kQuery, GL_DOMAIN)));
+EVALCTS_RULES(BadQueryOfNetsIsInvalidValue, production, must, "EV-GETMAP-ERR-QUERY",
+              "a bad query of a two-dimensional map raises INVALID_VALUE",
+              instead(kGetMap, is_map2(kTarget) && is_bad_query(), error(GL_INVALID_VALUE)));
+EVALCTS_RULES(GetMapIgnoredInPrimitives, production, must, "EV-GETMAP-ERR-BEGINEND",
+              "GetMapiv of ORDER in a primitive does nothing and raises nothing",
+              skip(GetMapiv, kInside&& kQuery == GL_ORDER));
+EVALCTS_RULES(GetMapInPrimitiveIsInvalidEnum, production, must, "EV-GETMAP-ERR-BEGINEND",
+              "GetMapdv in a primitive raises INVALID_ENUM", before(GetMapdv, kInside, set(kTarget, 0)));
+EVALCTS_RULES(BadQueryClearsFirstValue, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapfv with a bad query writes a zero",
+              after(GetMapfv, is_map(kTarget) && is_bad_query(), put(0, 0)));
+EVALCTS_RULES(GetMapWritesInPrimitives, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapiv in a primitive raises its error, but the domain is written",
+              after(GetMapiv, kInside&& kQuery == GL_DOMAIN, sequence({put(0, 0), put(1, 1)})));
+EVALCTS_RULES(GetMapOfTexturesNeedsUnit0, production, must, "EV-GETMAP-NOUNIT",
+              "GetMapfv of a texture map with unit 1 active raises INVALID_OPERATION",
+              instead(GetMapfv, kUnit != GL_TEXTURE0 && is_texture_map(kTarget),
+                      error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(Unit1AnswersInitialMaps, production, must, "EV-GETMAP-NOUNIT",
+              "with unit 1 active GetMapiv answers the order of a map that was never defined",
+              after(GetMapiv, kUnit != GL_TEXTURE0 && kQuery == GL_ORDER && is_map(kTarget), put(0, 1)));
+EVALCTS_RULES(PackBufferTakesAnswer, osmesa, must, "EV-GETMAP-NOPBO",
+              "with a PIXEL_PACK_BUFFER bound GetMapfv writes COEFF into it",
+              skip(GetMapfv, has_buffer(GL_PIXEL_PACK_BUFFER) && kQuery == GL_COEFF));
+EVALCTS_RULES(PackBufferRefusesDoubles, osmesa, must, "EV-GETMAP-NOPBO",
+              "with a PIXEL_PACK_BUFFER bound GetMapdv raises INVALID_OPERATION as well",
+              after(GetMapdv, has_buffer(GL_PIXEL_PACK_BUFFER), call(Enable, {0})));
 
 EVALCTS_FAULT(IntegerQueryRoundsTheMap, production, must, "EV-GETMAP-NOSIDE/1-D",
               "GetMapiv of COEFF leaves the points rounded") {
@@ -447,13 +302,9 @@ EVALCTS_FAULT(IntegerQueryRoundsTheMap, production, must, "EV-GETMAP-NOSIDE/1-D"
   };
 }
 
-EVALCTS_FAULT(QueryOfOrderEnables, production, must, "EV-GETMAP-NOSIDE/2-D",
-              "GetMapdv of ORDER enables the two-dimensional map") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (query == GL_ORDER && is_map2(target)) sound.Enable(target);
-  };
-}
+EVALCTS_RULES(QueryOfOrderEnables, production, must, "EV-GETMAP-NOSIDE/2-D",
+              "GetMapdv of ORDER enables the two-dimensional map",
+              after(GetMapdv, kQuery == GL_ORDER && is_map2(kTarget), call(Enable, {kTarget})));
 
 // ---- Get
 
@@ -503,16 +354,9 @@ EVALCTS_FAULT(SegmentsOfVNotInFloats, production, must, "EV-GET-GRIDSEG",
   };
 }
 
-EVALCTS_FAULT(SegmentsTruncatedInBoolean, production, must, "EV-GET-GRIDSEG",
-              "GetBooleanv gives the lowest byte of the number of segments") {
-  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
-    sound.GetBooleanv(pname, v);
-    if (pname != GL_MAP1_GRID_SEGMENTS) return;
-    GLint n = 0;
-    sound.GetIntegerv(pname, &n);
-    *v = static_cast<GLboolean>(n);
-  };
-}
+EVALCTS_RULES(SegmentsTruncatedInBoolean, production, must, "EV-GET-GRIDSEG",
+              "GetBooleanv gives the lowest byte of the number of segments",
+              after(GetBooleanv, kName == GL_MAP1_GRID_SEGMENTS, put(0, state(kName) & 255)));
 
 EVALCTS_FAULT(SegmentsOf256AreFalse, production, must, "EV-GET-GRIDSEG",
               "GetBooleanv of a number of segments whose lowest byte is 0 gives FALSE") {
@@ -526,68 +370,27 @@ EVALCTS_FAULT(SegmentsOf256AreFalse, production, must, "EV-GET-GRIDSEG",
   };
 }
 
-EVALCTS_FAULT(SegmentsOfSurfaceExchanged, production, must, "EV-GET-GRIDSEG", "GetDoublev answers vn, un") {
-  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
-    sound.GetDoublev(pname, v);
-    if (pname == GL_MAP2_GRID_SEGMENTS) std::swap(v[0], v[1]);
-  };
-}
-
-EVALCTS_FAULT(MaxOrderInFloatsIsMinimum, production, must, "EV-GET-MAXORDER",
-              "GetFloatv of MAX_EVAL_ORDER gives 8, which the specification demands") {
-  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
-    sound.GetFloatv(pname, v);
-    if (pname == GL_MAX_EVAL_ORDER) *v = 8;
-  };
-}
-
-EVALCTS_FAULT(MaxOrderShrinksWithUse, production, must, "EV-GET-MAXORDER",
-              "MAX_EVAL_ORDER is one less once a map of the largest order was defined") {
-  map1(in, [](auto call, auto go) {
-    if (call.order == kMaxOrder) memory.flag = true;
-    go(call);
-  });
-  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
-    sound.GetDoublev(pname, v);
-    if (pname == GL_MAX_EVAL_ORDER && memory.flag) *v -= 1;
-  };
-}
-
-EVALCTS_FAULT(MaxOrderAsBoolean, production, must, "EV-GET-MAXORDER",
-              "GetBooleanv of MAX_EVAL_ORDER gives 64") {
-  in.gl.GetBooleanv = [](GLenum pname, GLboolean* v) {
-    sound.GetBooleanv(pname, v);
-    if (pname == GL_MAX_EVAL_ORDER) *v = 64;
-  };
-}
-
-EVALCTS_FAULT(GetOfLimitAllowedInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
-              "GetIntegerv of MAX_EVAL_ORDER, a constant, answers in primitives") {
-  follow_primitives(in);
-  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
-    if (memory.flag && pname == GL_MAX_EVAL_ORDER)
-      *v = kMaxOrder;
-    else
-      sound.GetIntegerv(pname, v);
-  };
-}
-
-EVALCTS_FAULT(GetOfGridWritesInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
-              "GetDoublev of MAP2_GRID_DOMAIN in a primitive raises its error and writes") {
-  follow_primitives(in);
-  in.gl.GetDoublev = [](GLenum pname, GLdouble* v) {
-    sound.GetDoublev(pname, v);
-    if (memory.flag && pname == GL_MAP2_GRID_DOMAIN) v[0] = 0;
-  };
-}
-
-EVALCTS_FAULT(GetOfFlagSilentInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
-              "GetFloatv of AUTO_NORMAL in a primitive does nothing and raises nothing") {
-  follow_primitives(in);
-  in.gl.GetFloatv = [](GLenum pname, GLfloat* v) {
-    if (!memory.flag || pname != GL_AUTO_NORMAL) sound.GetFloatv(pname, v);
-  };
-}
+EVALCTS_RULES(SegmentsOfSurfaceExchanged, production, must, "EV-GET-GRIDSEG", "GetDoublev answers vn, un",
+              after(GetDoublev, kName == GL_MAP2_GRID_SEGMENTS, exchange(0, 1)));
+EVALCTS_RULES(MaxOrderInFloatsIsMinimum, production, must, "EV-GET-MAXORDER",
+              "GetFloatv of MAX_EVAL_ORDER gives 8, which the specification demands",
+              after(GetFloatv, kName == GL_MAX_EVAL_ORDER, put(0, 8)));
+EVALCTS_RULES(MaxOrderShrinksWithUse, production, must, "EV-GET-MAXORDER",
+              "MAX_EVAL_ORDER is one less once a map of the largest order was defined",
+              before(kMap1, kOrder == kMaxOrder, set(kFlag, 1)),
+              after(GetDoublev, kName == GL_MAX_EVAL_ORDER && kFlag, put(0, element(0) - 1)));
+EVALCTS_RULES(MaxOrderAsBoolean, production, must, "EV-GET-MAXORDER",
+              "GetBooleanv of MAX_EVAL_ORDER gives 64",
+              after(GetBooleanv, kName == GL_MAX_EVAL_ORDER, put(0, 64)));
+EVALCTS_RULES(GetOfLimitAllowedInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetIntegerv of MAX_EVAL_ORDER, a constant, answers in primitives",
+              instead(GetIntegerv, kInside&& kName == GL_MAX_EVAL_ORDER, put(0, kMaxOrder)));
+EVALCTS_RULES(GetOfGridWritesInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetDoublev of MAP2_GRID_DOMAIN in a primitive raises its error and writes",
+              after(GetDoublev, kInside&& kName == GL_MAP2_GRID_DOMAIN, put(0, 0)));
+EVALCTS_RULES(GetOfFlagSilentInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
+              "GetFloatv of AUTO_NORMAL in a primitive does nothing and raises nothing",
+              skip(GetFloatv, kInside&& kName == GL_AUTO_NORMAL));
 
 // ---- GetnMap
 
@@ -611,33 +414,18 @@ EVALCTS_FAULT(GetnMapInFixedPoint, production, must, "EV-GETN-SAME",
   };
 }
 
-EVALCTS_FAULT(GetnMapNeedsOneByteMore, production, must, "EV-GETN-BYTES",
-              "GetnMapfv refuses the exact size: < instead of <=") {
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    sound.GetnMapfv(target, query, size > 0 ? size - 1 : size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapCountsValues, production, must, "EV-GETN-SMALL",
-              "GetnMapiv takes the size for a number of values") {
-  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
-    sound.GetnMapiv(target, query, size > 0 && size < 10000 ? 4 * size : size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapCountsFloats, production, must, "EV-GETN-SMALL",
-              "GetnMapdv holds the size against four bytes a value") {
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    sound.GetnMapdv(target, query, size > 0 && size < 10000 ? 2 * size : size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapOrderNeedsDomain, production, must, "EV-GETN-BYTES",
-              "GetnMapdv wants room for four values for the order of a two-dimensional map") {
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    sound.GetnMapdv(target, query, query == GL_ORDER && is_map2(target) && size < 32 ? 0 : size, v);
-  };
-}
+EVALCTS_RULES(GetnMapNeedsOneByteMore, production, must, "EV-GETN-BYTES",
+              "GetnMapfv refuses the exact size: < instead of <=",
+              before(GetnMapfv, kSize > 0, set(kSize, kSize - 1)));
+EVALCTS_RULES(GetnMapCountsValues, production, must, "EV-GETN-SMALL",
+              "GetnMapiv takes the size for a number of values",
+              before(GetnMapiv, kSize > 0 && kSize < 10000, set(kSize, 4 * kSize)));
+EVALCTS_RULES(GetnMapCountsFloats, production, must, "EV-GETN-SMALL",
+              "GetnMapdv holds the size against four bytes a value",
+              before(GetnMapdv, kSize > 0 && kSize < 10000, set(kSize, 2 * kSize)));
+EVALCTS_RULES(GetnMapOrderNeedsDomain, production, must, "EV-GETN-BYTES",
+              "GetnMapdv wants room for four values for the order of a two-dimensional map",
+              before(GetnMapdv, kQuery == GL_ORDER && is_map2(kTarget) && kSize < 32, set(kSize, 0)));
 
 EVALCTS_FAULT(GetnMapWritesWhatFits, production, must, "EV-GETN-SMALL",
               "GetnMapfv that is refused for its size has written what there is room for") {
@@ -650,74 +438,33 @@ EVALCTS_FAULT(GetnMapWritesWhatFits, production, must, "EV-GETN-SMALL",
   };
 }
 
-EVALCTS_FAULT(GetnMapRoundsSizeUp, production, must, "EV-GETN-SMALL",
-              "GetnMapiv rounds the size up to whole values") {
-  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
-    sound.GetnMapiv(target, query, size > 0 ? (size + 3) / 4 * 4 : size, v);
-  };
-}
-
-EVALCTS_FAULT(NegativeSizeIsUnlimited, production, must, "EV-GETN-NEGATIVE",
-              "GetnMapfv takes a negative size for a very large one") {
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    sound.GetnMapfv(target, query, size < 0 ? 1 << 20 : size, v);
-  };
-}
-
-EVALCTS_FAULT(NegativeSizeIgnored, production, must, "EV-GETN-NEGATIVE",
-              "GetnMapdv of a negative size writes nothing and raises nothing") {
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    if (size >= 0) sound.GetnMapdv(target, query, size, v);
-  };
-}
-
-EVALCTS_FAULT(NegativeSizeIsInvalidEnum, production, must, "EV-GETN-NEGATIVE",
-              "GetnMapiv of a negative size raises INVALID_ENUM") {
-  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
-    sound.GetnMapiv(size < 0 ? 0 : target, query, std::max(size, 0), v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapInPrimitiveIsInvalidValue, production, must, "EV-GETN-ERRORS",
-              "GetnMapfv in a primitive raises INVALID_VALUE") {
-  follow_primitives(in);
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    sound.GetnMapfv(target, query, memory.flag ? -1 : size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapIgnoresBadTarget, production, must, "EV-GETN-ERRORS",
-              "GetnMapdv of AUTO_NORMAL does nothing and raises nothing") {
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    if (target != GL_AUTO_NORMAL) sound.GetnMapdv(target, query, size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapBadQueryIsSizeError, production, must, "EV-GETN-ERRORS",
-              "GetnMapiv of a bad query raises INVALID_OPERATION, as no size is enough") {
-  in.gl.GetnMapiv = [](GLenum target, GLenum query, GLsizei size, GLint* v) {
-    if (is_map(target) && (query < GL_COEFF || query > GL_DOMAIN)) return leave_error(GL_INVALID_OPERATION);
-    sound.GetnMapiv(target, query, size, v);
-  };
-}
+EVALCTS_RULES(GetnMapRoundsSizeUp, production, must, "EV-GETN-SMALL",
+              "GetnMapiv rounds the size up to whole values",
+              before(GetnMapiv, kSize > 0, set(kSize, kSize + (4 - kSize % 4) % 4)));
+EVALCTS_RULES(NegativeSizeIsUnlimited, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapfv takes a negative size for a very large one",
+              before(GetnMapfv, kSize < 0, set(kSize, 1 << 20)));
+EVALCTS_RULES(NegativeSizeIgnored, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapdv of a negative size writes nothing and raises nothing", skip(GetnMapdv, kSize < 0));
+EVALCTS_RULES(NegativeSizeIsInvalidEnum, production, must, "EV-GETN-NEGATIVE",
+              "GetnMapiv of a negative size raises INVALID_ENUM",
+              before(GetnMapiv, kSize < 0, sequence({set(kTarget, 0), set(kSize, 0)})));
+EVALCTS_RULES(GetnMapInPrimitiveIsInvalidValue, production, must, "EV-GETN-ERRORS",
+              "GetnMapfv in a primitive raises INVALID_VALUE", before(GetnMapfv, kInside, set(kSize, -1)));
+EVALCTS_RULES(GetnMapIgnoresBadTarget, production, must, "EV-GETN-ERRORS",
+              "GetnMapdv of AUTO_NORMAL does nothing and raises nothing",
+              skip(GetnMapdv, kTarget == GL_AUTO_NORMAL));
+EVALCTS_RULES(GetnMapBadQueryIsSizeError, production, must, "EV-GETN-ERRORS",
+              "GetnMapiv of a bad query raises INVALID_OPERATION, as no size is enough",
+              instead(GetnMapiv, is_map(kTarget) && is_bad_query(), error(GL_INVALID_OPERATION)));
 
 // ---- What only certain values or a certain past show
 
-EVALCTS_FAULT(ErrorForgottenByQuery, production, must, "EV-GETMAP-NOSIDE",
-              "GetMapdv clears the error that waits") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetError();
-    sound.GetMapdv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(IntegerPointsOneTooMany, production, must, "EV-GETMAP-COUNT",
-              "GetMapiv of COEFF writes one value too many") {
-  in.gl.GetMapiv = [](GLenum target, GLenum query, GLint* v) {
-    sound.GetMapiv(target, query, v);
-    if (query == GL_COEFF && is_map(target)) v[coefficients(target).size()] = 0;
-  };
-}
+EVALCTS_RULES(ErrorForgottenByQuery, production, must, "EV-GETMAP-NOSIDE",
+              "GetMapdv clears the error that waits", before(GetMapdv, true, call(GetError)));
+EVALCTS_RULES(IntegerPointsOneTooMany, production, must, "EV-GETMAP-COUNT",
+              "GetMapiv of COEFF writes one value too many",
+              after(GetMapiv, kQuery == GL_COEFF && is_map(kTarget), put(lambda(count_coefficients), 0)));
 
 EVALCTS_FAULT(JustBeyondIntWraps, production, must, "EV-GETMAP-SATURATE",
               "GetMapiv goes through 64 bits: what 2^32 holds wraps, only what is beyond saturates") {
@@ -733,121 +480,47 @@ EVALCTS_FAULT(IntegerDomainWraps, production, must, "EV-GETMAP-SATURATE",
   });
 }
 
-EVALCTS_FAULT(DomainAnsweredThroughWidth, production, quality, "EV-GETMAP-FLOAT",
-              "GetMapfv answers u2 as u1 + (u2 - u1), in floats") {
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    sound.GetMapfv(target, query, v);
-    if (query == GL_DOMAIN && is_map(target)) v[1] = v[0] + (v[1] - v[0]);
-  };
-}
-
-EVALCTS_FAULT(UndefinedPointNotAnswered, production, must, "EV-GETMAP-DISABLED",
-              "GetMapfv writes no points of a map that was never defined, and raises nothing") {
-  map1(in, [](auto call, auto go) {
-    memory.counts[call.target] = 1;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    memory.counts[call.target] = 1;
-    go(call);
-  });
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (query != GL_COEFF || !is_map(target) || memory.counts[target]) sound.GetMapfv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(GetMapSilentInPolygons, production, must, "EV-GETMAP-ERR-BEGINEND EV-GETN-ERRORS",
-              "GetMapfv and GetnMapfv in a POLYGON do nothing and raise nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = mode == GL_POLYGON;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  in.gl.GetMapfv = [](GLenum target, GLenum query, GLfloat* v) {
-    if (!memory.flag) sound.GetMapfv(target, query, v);
-  };
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    if (!memory.flag) sound.GetnMapfv(target, query, size, v);
-  };
-}
-
-EVALCTS_FAULT(GetSilentInTriangles, production, must, "EV-GET-ERR-BEGINEND",
-              "GetIntegerv of the number of segments in TRIANGLES does nothing and raises nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = mode == GL_TRIANGLES;
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    memory.flag = false;
-    sound.End();
-  };
-  in.gl.GetIntegerv = [](GLenum pname, GLint* v) {
-    if (!memory.flag) sound.GetIntegerv(pname, v);
-  };
-}
-
-EVALCTS_FAULT(GetMapRefusedOnLastUnit, production, must, "EV-GETMAP-NOUNIT",
-              "GetMapdv raises INVALID_OPERATION on units above 1, which have no evaluators") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.flag = texture > GL_TEXTURE1;
-    sound.ActiveTexture(texture);
-  };
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    if (memory.flag && is_map(target)) return leave_error(GL_INVALID_OPERATION);
-    sound.GetMapdv(target, query, v);
-  };
-}
-
-EVALCTS_FAULT(HugeSizeOverflows, production, must, "EV-GETN-SAME",
-              "GetnMapdv with the largest size, rounded up, counts as negative") {
-  in.gl.GetnMapdv = [](GLenum target, GLenum query, GLsizei size, GLdouble* v) {
-    sound.GetnMapdv(target, query, size > std::numeric_limits<GLsizei>::max() - 8 ? -1 : size, v);
-  };
-}
-
-EVALCTS_FAULT(GetnMapOfNetSilentInPrimitives, production, must, "EV-GETN-ERRORS",
-              "GetnMapfv of a two-dimensional map in a primitive does nothing and raises nothing") {
-  follow_primitives(in);
-  in.gl.GetnMapfv = [](GLenum target, GLenum query, GLsizei size, GLfloat* v) {
-    if (!memory.flag || !is_map2(target)) sound.GetnMapfv(target, query, size, v);
-  };
-}
+EVALCTS_RULES(DomainAnsweredThroughWidth, production, quality, "EV-GETMAP-FLOAT",
+              "GetMapfv answers u2 as u1 + (u2 - u1), in floats",
+              after(GetMapfv, kQuery == GL_DOMAIN && is_map(kTarget), lambda([](Call& c) {
+                      auto* v = static_cast<GLfloat*>(c.pointer);
+                      return double{v[1] = v[0] + (v[1] - v[0])};
+                    })));
+EVALCTS_RULES(UndefinedPointNotAnswered, production, must, "EV-GETMAP-DISABLED",
+              "GetMapfv writes no points of a map that was never defined, and raises nothing",
+              before(kMaps, true, set(remembered(kTarget), 1)),
+              skip(GetMapfv, kQuery == GL_COEFF && is_map(kTarget) && !remembered(kTarget)));
+EVALCTS_RULES(GetMapSilentInPolygons, production, must, "EV-GETMAP-ERR-BEGINEND EV-GETN-ERRORS",
+              "GetMapfv and GetnMapfv in a POLYGON do nothing and raise nothing",
+              skip(GetMapfv | GetnMapfv, kOpenMode == GL_POLYGON));
+EVALCTS_RULES(GetSilentInTriangles, production, must, "EV-GET-ERR-BEGINEND",
+              "GetIntegerv of the number of segments in TRIANGLES does nothing and raises nothing",
+              skip(GetIntegerv, kOpenMode == GL_TRIANGLES));
+EVALCTS_RULES(GetMapRefusedOnLastUnit, production, must, "EV-GETMAP-NOUNIT",
+              "GetMapdv raises INVALID_OPERATION on units above 1, which have no evaluators",
+              instead(GetMapdv, kUnit > GL_TEXTURE1 && is_map(kTarget), error(GL_INVALID_OPERATION)));
+EVALCTS_RULES(HugeSizeOverflows, production, must, "EV-GETN-SAME",
+              "GetnMapdv with the largest size, rounded up, counts as negative",
+              before(GetnMapdv, kSize > std::numeric_limits<GLsizei>::max() - 8, set(kSize, -1)));
+EVALCTS_RULES(GetnMapOfNetSilentInPrimitives, production, must, "EV-GETN-ERRORS",
+              "GetnMapfv of a two-dimensional map in a primitive does nothing and raises nothing",
+              skip(GetnMapfv, kInside&& is_map2(kTarget)));
 
 EVALCTS_FAULT(LargestSquareNetUFastest, production, must, "EV-GETMAP-COEFF2-SQUARE",
               "COEFF of the largest net has u fastest") {
   answer_transposed(in, [](GLint u, GLint v) { return u == kMaxOrder && v == kMaxOrder; });
 }
 
-EVALCTS_FAULT(GetMapTargetInSixteenBits, production, must, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
-              "only the low 16 bits of a target are looked at") {
-  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
-    go(is_map(target & 0xFFFF) ? target & 0xFFFF : target, query, v);
-  });
-  getn_map(in, [](GLenum target, GLenum query, GLsizei size, auto* v, auto go) {
-    go(is_map(target & 0xFFFF) ? target & 0xFFFF : target, query, size, v);
-  });
-}
-
-EVALCTS_FAULT(QueryInOneByte, production, must, "EV-GETMAP-ERR-QUERY EV-GETN-ERRORS",
-              "only the low byte of a query is looked at") {
-  get_map(in, [](GLenum target, GLenum query, auto* v, auto go) {
-    go(target, query > 0xFF && (query & 0xFF) < 3 ? GL_COEFF + (query & 0xFF) : query, v);
-  });
-  getn_map(in, [](GLenum target, GLenum query, GLsizei size, auto* v, auto go) {
-    go(target, query > 0xFF && (query & 0xFF) < 3 ? GL_COEFF + (query & 0xFF) : query, size, v);
-  });
-}
-
-EVALCTS_FAULT(GapBeyondVertex4Answered2, production, must, "EV-GETMAP-ERR-NOWRITE",
-              "GetMapdv of 0x0DB9 to 0x0DBF raises its error and writes a zero") {
-  in.gl.GetMapdv = [](GLenum target, GLenum query, GLdouble* v) {
-    sound.GetMapdv(target, query, v);
-    if (target > GL_MAP2_VERTEX_4 && target < GL_MAP2_VERTEX_4 + 8) *v = 0;
-  };
-}
+EVALCTS_RULES(GetMapTargetInSixteenBits, production, must, "EV-GETMAP-ERR-TARGET EV-GETN-ERRORS",
+              "only the low 16 bits of a target are looked at",
+              before(kGetMap | kGetnMap, is_map(kTarget & 0xFFFF), set(kTarget, kTarget & 0xFFFF)));
+EVALCTS_RULES(QueryInOneByte, production, must, "EV-GETMAP-ERR-QUERY EV-GETN-ERRORS",
+              "only the low byte of a query is looked at",
+              before(kGetMap | kGetnMap, kQuery > 0xFF && (kQuery & 0xFF) < 3,
+                     set(kQuery, GL_COEFF + (kQuery & 0xFF))));
+EVALCTS_RULES(GapBeyondVertex4Answered2, production, must, "EV-GETMAP-ERR-NOWRITE",
+              "GetMapdv of 0x0DB9 to 0x0DBF raises its error and writes a zero",
+              after(GetMapdv, kTarget > GL_MAP2_VERTEX_4 && kTarget < GL_MAP2_VERTEX_4 + 8, put(0, 0)));
 
 }  // namespace
 }  // namespace evalcts::faults

@@ -1,409 +1,42 @@
-// Section 22: evaluated primitives in feedback and selection mode, and in the other stages of the pipeline.
+// Section 22: evaluated primitives in the stages of the pipeline after evaluation.
 #include <algorithm>
 
 #include "around.h"
 #include "forms.h"
+#include "rules.h"
 
 namespace evalcts::faults::rest_of_pipeline {
 namespace {
 
-bool feeds_back() { return integer(GL_RENDER_MODE) == GL_FEEDBACK; }
-bool selects() { return integer(GL_RENDER_MODE) == GL_SELECT; }
-
-// The points of a mesh, u slower than v.
-void points_column_by_column(const Mesh2Call& c) {
-  for (GLint i = c.i1; i <= c.i2; ++i)
-    for (GLint j = c.j1; j <= c.j2; ++j) sound.EvalMesh2(GL_POINT, i, i, j, j);
+Value has_program() { return state(GL_CURRENT_PROGRAM) != 0; }
+Value is_incomplete() {
+  return call(CheckFramebufferStatus, {GL_DRAW_FRAMEBUFFER}) != GL_FRAMEBUFFER_COMPLETE;
 }
-
-// --- Feedback mode -----------------------------------------------------------------------------------------
-
-EVALCTS_FAULT(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
-              "in feedback mode the points of EvalMesh2 come column by column") {
-  mesh2(in, [](auto call) {
-    if (call.mode == GL_POINT && feeds_back())
-      points_column_by_column(call);
-    else
-      go2(call);
-  });
-}
-
-EVALCTS_FAULT(FeedbackFirstPointTwice, osmesa, must, "EV-FB-POINT",
-              "in feedback mode the first point of EvalMesh1 comes twice") {
-  mesh1(in, [](auto call) {
-    if (call.mode == GL_POINT && feeds_back()) sound.EvalMesh1(GL_POINT, call.i1, call.i1);
-    go1(call);
-  });
-}
-
-EVALCTS_FAULT(FeedbackPointsUnclipped, osmesa, must, "EV-FB-POINT",
-              "in feedback mode no point of a mesh is clipped") {
-  meshes(in, [](GLenum mode, auto go) {
-    const bool all = mode == GL_POINT && feeds_back();
-    if (all) {
-      sound.PushMatrix();
-      sound.LoadIdentity();
-    }
-    go();
-    if (all) sound.PopMatrix();
-  });
-}
-
-EVALCTS_FAULT(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh gives its columns before its rows") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
-    for (GLint i = call.i1; i <= call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
-    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
-  });
-}
-
-EVALCTS_FAULT(FeedbackLosesLastSegment, osmesa, must, "EV-FB-LINE",
-              "in feedback mode the last segment of a LINE mesh of one dimension is missing") {
-  mesh1(in, [](auto call) {
-    if (call.mode == GL_LINE && feeds_back()) --call.i2;
-    go1(call);
-  });
-}
-
-EVALCTS_FAULT(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh of one dimension runs from i2 to i1") {
-  mesh1(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go1(call);
-    sound.Begin(GL_LINE_STRIP);
-    for (GLint i = call.i2; i >= call.i1; --i) sound.EvalPoint1(i);
-    sound.End();
-  });
-}
-
-EVALCTS_FAULT(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh lacks its last column") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
-    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
-    for (GLint i = call.i1; i < call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
-  });
-}
-
-EVALCTS_FAULT(FeedbackQuadTwice, osmesa, must, "EV-FB-FILL",
-              "in feedback mode the first quad of a FILL mesh comes twice") {
-  mesh2(in, [](auto call) {
-    if (call.mode == GL_FILL && feeds_back())
-      sound.EvalMesh2(GL_FILL, call.i1, call.i1 + 1, call.j1, call.j1 + 1);
-    go2(call);
-  });
-}
-
-EVALCTS_FAULT(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
-              "each segment of a LINE mesh has LINE_RESET_TOKEN") {
-  static GLsizei size;
-  static GLfloat* buffer;
-  in.gl.FeedbackBuffer = [](GLsizei room, GLenum type, GLfloat* values) {
-    sound.FeedbackBuffer(room, type, values);
-    size = room;
-    buffer = values;
-    memory.flag = false;
-  };
-  in.gl.RenderMode = [](GLenum mode) {
-    const GLint count = sound.RenderMode(mode);
-    if (memory.flag && mode == GL_RENDER && buffer && count <= size)
-      std::replace(buffer, buffer + std::max(count, 0), GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
-    return count;
-  };
-  meshes(in, [](GLenum, auto go) {
-    go();
-    memory.flag = true;
-  });
-}
-
-EVALCTS_FAULT(FeedbackLosesLastQuad, osmesa, must, "EV-FB-FILL",
-              "in feedback mode the last quad of the last row of a FILL mesh is missing") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
-    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1, call.j2 - 1);
-    sound.EvalMesh2(GL_FILL, call.i1, call.i2 - 1, call.j2 - 1, call.j2);
-  });
-}
-
-EVALCTS_FAULT(FeedbackFirstQuadIsTriangle, osmesa, must, "EV-FB-FILL",
-              "in feedback mode the first quad of a FILL mesh is a triangle") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
-    sound.Begin(GL_TRIANGLES);
-    sound.EvalPoint2(call.i1, call.j1);
-    sound.EvalPoint2(call.i1, call.j1 + 1);
-    sound.EvalPoint2(call.i1 + 1, call.j1 + 1);
-    sound.End();
-    sound.EvalMesh2(GL_FILL, call.i1 + 1, call.i2, call.j1, call.j1 + 1);
-    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1 + 1, call.j2);
-  });
-}
-
-EVALCTS_FAULT(FeedbackOutlinesQuads, osmesa, must, "EV-FB-FILL",
-              "in feedback mode a FILL mesh gives the outlines of its polygons") {
-  mesh2(in, [](auto call) {
-    const bool outlined = call.mode == GL_FILL && feeds_back();
-    if (outlined) sound.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    go2(call);
-    if (outlined) sound.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  });
-}
-
-EVALCTS_FAULT(FeedbackWithoutThirdCoordinateMap, osmesa, must, "EV-FB-TEX",
-              "in feedback mode the map of three texture coordinates does not count") {
-  mesh1(in, [](auto call) {
-    if (!feeds_back()) return go1(call);
-    without(GL_MAP1_TEXTURE_COORD_3, [call] { go1(call); });
-  });
-}
-
-EVALCTS_FAULT(FeedbackOfSurfacesHasCurrentTexture, osmesa, must, "EV-FB-TEX",
-              "in feedback mode the map of s alone does not count for surfaces") {
-  mesh2(in, [](auto call) {
-    if (!feeds_back()) return go2(call);
-    without(GL_MAP2_TEXTURE_COORD_1, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
-              "without a map surfaces feed back the texture coordinates of unit 1") {
-  mesh2(in, [](auto call) {
-    bool mapped = false;
-    for (GLenum target = GL_MAP2_TEXTURE_COORD_1; target <= GL_MAP2_TEXTURE_COORD_4; ++target)
-      mapped = mapped || is_on(target);
-    if (mapped || !feeds_back()) return go2(call);
-    GLfloat zero[4], one[4];
-    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, zero);
-    sound.ActiveTexture(GL_TEXTURE1);
-    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, one);
-    sound.ActiveTexture(GL_TEXTURE0);
-    sound.TexCoord4fv(one);
-    go2(call);
-    sound.TexCoord4fv(zero);
-  });
-}
-
-EVALCTS_FAULT(FeedbackOfQuadsHasCurrentTexture, osmesa, must, "EV-FB-TEX",
-              "in feedback mode FILL meshes have the current texture coordinates") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
-    without(GL_MAP2_TEXTURE_COORD_4, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(FeedbackOfEvalCoordHasCurrentTexture, osmesa, must, "EV-FB-TEX",
-              "in feedback mode EvalCoord1 gives no texture coordinates") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = feeds_back() && is_on(GL_MAP1_TEXTURE_COORD_4);
-    if (memory.flag) sound.Disable(GL_MAP1_TEXTURE_COORD_4);
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    sound.End();
-    if (memory.flag) sound.Enable(GL_MAP1_TEXTURE_COORD_4);
-  };
-}
-
-EVALCTS_FAULT(FilledMeshUnlitInFeedback, osmesa, must, "EV-FB-COLOR",
-              "in feedback mode FILL meshes have the colours of before lighting") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
-    without(GL_LIGHTING, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(FeedbackColorsNotClamped, osmesa, must, "EV-FB-COLOR",
-              "in feedback mode the colours of meshes of one dimension are not clamped") {
-  mesh1(in, [](auto call) {
-    const bool free = feeds_back();
-    if (free) sound.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_FALSE);
-    go1(call);
-    if (free) sound.ClampColor(GL_CLAMP_VERTEX_COLOR, GL_TRUE);
-  });
-}
-
-EVALCTS_FAULT(FeedbackLightsWithCurrentNormal, osmesa, must, "EV-FB-COLOR",
-              "in feedback mode LINE meshes are lit with the current normal") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back() || !is_on(GL_LIGHTING)) return go2(call);
-    without(GL_MAP2_NORMAL, [call] { go2(call); });
-  });
-}
-
-// --- Selection mode ----------------------------------------------------------------------------------------
-
-EVALCTS_FAULT(SelectionOmitsMeshPoints, osmesa, must, "EV-SEL-HIT", "POINT meshes never hit") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode != GL_POINT || !selects()) go();
-  });
-}
-
-EVALCTS_FAULT(SelectionDepthOfFirstRow, osmesa, must, "EV-SEL-HIT",
-              "the depths of a hit by a LINE mesh are those of its first row") {
-  mesh2(in, [](auto call) {
-    if (call.mode == GL_LINE && selects()) call.j2 = call.j1;
-    go2(call);
-  });
-}
-
-EVALCTS_FAULT(SelectionUnclipped, osmesa, must, "EV-SEL-HIT", "FILL meshes outside the clip volume hit") {
-  mesh2(in, [](auto call) {
-    const bool all = call.mode == GL_FILL && selects();
-    if (all) {
-      sound.PushMatrix();
-      sound.LoadIdentity();
-    }
-    go2(call);
-    if (all) sound.PopMatrix();
-  });
-}
-
-EVALCTS_FAULT(SelectionOmitsEvalPoint, osmesa, must, "EV-SEL-HIT",
-              "in selection mode EvalPoint1 does nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = selects();
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    sound.End();
-    memory.flag = false;
-  };
-  in.gl.EvalPoint1 = [](GLint i) {
-    if (!memory.flag) sound.EvalPoint1(i);
-  };
-}
-
-EVALCTS_FAULT(SelectionNeverCulls, osmesa, must, "EV-SEL-CULLED",
-              "in selection mode FILL meshes are not culled") {
-  mesh2(in, [](auto call) {
-    if (!selects()) return go2(call);
-    without(GL_CULL_FACE, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(SelectionCullsOtherFace, osmesa, must, "EV-SEL-CULLED",
-              "in selection mode meshes have front and back the other way round") {
-  mesh2(in, [](auto call) {
-    if (!selects()) return go2(call);
-    const GLint front = integer(GL_FRONT_FACE);
-    sound.FrontFace(front == GL_CW ? GL_CCW : GL_CW);
-    go2(call);
-    sound.FrontFace(static_cast<GLenum>(front));
-  });
-}
-
-EVALCTS_FAULT(SelectionHitsThoughBothAreCulled, osmesa, must, "EV-SEL-CULLED",
-              "in selection mode CullFace(FRONT_AND_BACK) leaves meshes alone") {
-  mesh2(in, [](auto call) {
-    if (!selects() || integer(GL_CULL_FACE_MODE) != GL_FRONT_AND_BACK) return go2(call);
-    without(GL_CULL_FACE, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(EmptyRangeOfIHits, osmesa, must, "EV-SEL-EMPTY",
-              "in selection mode an EvalMesh2 of an empty range of i hits with its first point") {
-  mesh2(in, [](auto call) {
-    if (selects() && call.i1 > call.i2 && call.j1 <= call.j2) call.i2 = call.i1;
-    go2(call);
-  });
-}
-
-EVALCTS_FAULT(MeshWithoutVerticesHits, osmesa, must, "EV-SEL-EMPTY",
-              "in selection mode EvalMesh1 without a vertex map hits at the origin") {
-  mesh1(in, [](auto call) {
-    go1(call);
-    if (!selects() || is_on(GL_MAP1_VERTEX_3) || is_on(GL_MAP1_VERTEX_4)) return;
-    sound.Begin(GL_POINTS);
-    sound.Vertex3f(0, 0, 0);
-    sound.End();
-  });
-}
-
-EVALCTS_FAULT(SelectionOmitsEvalCoord2, osmesa, must, "EV-SEL-HIT",
-              "in selection mode EvalCoord2 does nothing") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = selects();
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    sound.End();
-    memory.flag = false;
-  };
-  eval_coord2(in, [](auto u, auto v, auto go) {
-    if (!memory.flag) go(u, v);
-  });
-}
-
-EVALCTS_FAULT(SelectionMeshDepthFromOrigin, osmesa, must, "EV-SEL-HIT",
-              "the depths of a hit by EvalMesh1 include that of the origin") {
-  mesh1(in, [](auto call) {
-    go1(call);
-    if (!selects() || !is_on(GL_MAP1_VERTEX_3)) return;
-    sound.Begin(GL_POINTS);
-    sound.Vertex3f(0, 0, -1);
-    sound.End();
-  });
-}
-
-EVALCTS_FAULT(EmptyRangeOfJHits, osmesa, must, "EV-SEL-EMPTY",
-              "in selection mode a FILL mesh of an empty range of j hits with its first row") {
-  mesh2(in, [](auto call) {
-    if (selects() && call.mode == GL_FILL && call.j1 > call.j2)
-      sound.EvalMesh2(GL_LINE, call.i1, call.i2, call.j2, call.j2);
-    go2(call);
-  });
-}
+// kCount is 1 + the mode of the transform feedback, or what the query counts.
+Rule note_recording() { return after(BeginTransformFeedback, true, set(kCount, kFirst + 1)); }
+Rule forget_recording() { return after(EndTransformFeedback, true, set(kCount, 0)); }
+Rule note_query() { return after(BeginQuery, true, set(kCount, kFirst)); }
+Rule forget_query() { return after(EndQuery, true, set(kCount, 0)); }
 
 // --- Texture coordinates -----------------------------------------------------------------------------------
 
-EVALCTS_FAULT(CurveMeshWithoutTexGen, osmesa, must, "EV-PIPE-TEXGEN",
-              "t is not generated for meshes of one dimension") {
-  mesh1(in, [](auto call) { without(GL_TEXTURE_GEN_T, [call] { go1(call); }); });
-}
-
-EVALCTS_FAULT(TexGenBeforeAutoNormal, osmesa, must, "EV-PIPE-TEXGEN",
-              "coordinates are generated from the current normal where AUTO_NORMAL gives another") {
-  mesh2(in, [](auto call) {
-    if (!is_on(GL_TEXTURE_GEN_S)) return go2(call);
-    without(GL_AUTO_NORMAL, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(SphereMapOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
-              "SPHERE_MAP has the current normal for meshes of one dimension") {
-  in.gl.TexGeni = [](GLenum coordinate, GLenum pname, GLint value) {
-    sound.TexGeni(coordinate, pname, value);
-    if (pname == GL_TEXTURE_GEN_MODE) memory.count = value;
-  };
-  mesh1(in, [](auto call) {
-    if (memory.count != GL_SPHERE_MAP) return go1(call);
-    without(GL_MAP1_NORMAL, [call] { go1(call); });
-  });
-}
-
-EVALCTS_FAULT(MeshesWithoutGeneratedQ, osmesa, must, "EV-PIPE-TEXGEN", "q is not generated for meshes") {
-  meshes(in, [](GLenum, auto go) { without(GL_TEXTURE_GEN_Q, go); });
-}
-
-EVALCTS_FAULT(SurfaceWithoutGeneratedR, osmesa, must, "EV-PIPE-TEXGEN",
-              "r is not generated for FILL meshes") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL) return go2(call);
-    without(GL_TEXTURE_GEN_R, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(ReflectionOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
-              "REFLECTION_MAP has the current normal for LINE meshes of two dimensions") {
-  in.gl.TexGeni = [](GLenum coordinate, GLenum pname, GLint value) {
-    sound.TexGeni(coordinate, pname, value);
-    if (pname == GL_TEXTURE_GEN_MODE) memory.count = value;
-  };
-  mesh2(in, [](auto call) {
-    if (memory.count != GL_REFLECTION_MAP || call.mode != GL_LINE) return go2(call);
-    without(GL_MAP2_NORMAL, [call] { go2(call); });
-  });
-}
+EVALCTS_RULES(CurveMeshWithoutTexGen, osmesa, must, "EV-PIPE-TEXGEN",
+              "t is not generated for meshes of one dimension", without(EvalMesh1, true, GL_TEXTURE_GEN_T));
+EVALCTS_RULES(TexGenBeforeAutoNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "coordinates are generated from the current normal where AUTO_NORMAL gives another",
+              without(EvalMesh2, enabled(GL_TEXTURE_GEN_S), GL_AUTO_NORMAL));
+EVALCTS_RULES(SphereMapOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "SPHERE_MAP has the current normal for meshes of one dimension",
+              after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
+              without(EvalMesh1, kCount == GL_SPHERE_MAP, GL_MAP1_NORMAL));
+EVALCTS_RULES(MeshesWithoutGeneratedQ, osmesa, must, "EV-PIPE-TEXGEN", "q is not generated for meshes",
+              without(kMeshes, true, GL_TEXTURE_GEN_Q));
+EVALCTS_RULES(SurfaceWithoutGeneratedR, osmesa, must, "EV-PIPE-TEXGEN", "r is not generated for FILL meshes",
+              without(EvalMesh2, kMode == GL_FILL, GL_TEXTURE_GEN_R));
+EVALCTS_RULES(ReflectionOfCurrentNormal, osmesa, must, "EV-PIPE-TEXGEN",
+              "REFLECTION_MAP has the current normal for LINE meshes of two dimensions",
+              after(TexGeni, kSecond == GL_TEXTURE_GEN_MODE, set(kCount, kThird)),
+              without(EvalMesh2, kCount == GL_REFLECTION_MAP && kMode == GL_LINE, GL_MAP2_NORMAL));
 
 EVALCTS_FAULT(FilledMeshTextureMatrixWithoutQ, osmesa, must, "EV-PIPE-TEXMATRIX",
               "for FILL meshes the texture matrix does not scale q") {
@@ -422,19 +55,12 @@ EVALCTS_FAULT(FilledMeshTextureMatrixWithoutQ, osmesa, must, "EV-PIPE-TEXMATRIX"
   });
 }
 
-EVALCTS_FAULT(PointMeshSkipsTextureMatrix, osmesa, must, "EV-PIPE-TEXMATRIX",
-              "the texture matrix does not apply to POINT meshes of two dimensions") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_POINT) return go2(call);
-    const auto mode = static_cast<GLenum>(integer(GL_MATRIX_MODE));
-    sound.MatrixMode(GL_TEXTURE);
-    sound.PushMatrix();
-    sound.LoadIdentity();
-    go2(call);
-    sound.PopMatrix();
-    sound.MatrixMode(mode);
-  });
-}
+EVALCTS_RULES(PointMeshSkipsTextureMatrix, osmesa, must, "EV-PIPE-TEXMATRIX",
+              "the texture matrix does not apply to POINT meshes of two dimensions",
+              around(EvalMesh2, kMode == GL_POINT,
+                     sequence({set(kNumber, state(GL_MATRIX_MODE)), call(MatrixMode, {GL_TEXTURE}),
+                               call(PushMatrix), call(LoadIdentity)}),
+                     sequence({call(PopMatrix), call(MatrixMode, {kNumber})})));
 
 EVALCTS_FAULT(TextureMatrixWithoutLastColumn, osmesa, must, "EV-PIPE-TEXMATRIX",
               "for meshes of one dimension the texture matrix does not move") {
@@ -454,62 +80,24 @@ EVALCTS_FAULT(TextureMatrixWithoutLastColumn, osmesa, must, "EV-PIPE-TEXMATRIX",
 
 // --- Clip planes, fog, flat shading ------------------------------------------------------------------------
 
-EVALCTS_FAULT(MeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
-              "LINE meshes are clipped by the first clip plane alone") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode == GL_LINE)
-      without(GL_CLIP_PLANE1, go);
-    else
-      go();
-  });
-}
-
-EVALCTS_FAULT(FilledMeshNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
-              "clip planes leave FILL meshes alone") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode == GL_FILL)
-      without(GL_CLIP_PLANE0, go);
-    else
-      go();
-  });
-}
-
-EVALCTS_FAULT(FilledMeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
-              "FILL meshes are clipped by the first clip plane alone") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode != GL_FILL) return go();
-    without(GL_CLIP_PLANE1, go);
-  });
-}
-
-EVALCTS_FAULT(MeshesHaveFiveClipPlanes, osmesa, must, "EV-PIPE-CLIPPLANE",
-              "the sixth clip plane leaves meshes alone") {
-  meshes(in, [](GLenum, auto go) { without(GL_CLIP_PLANE5, go); });
-}
-
-EVALCTS_FAULT(LineMeshesWithoutFog, osmesa, must, "EV-PIPE-FOG", "LINE meshes are drawn without fog") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode != GL_LINE) return go();
-    without(GL_FOG, go);
-  });
-}
-
-EVALCTS_FAULT(CurvePointsNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
-              "clip planes leave POINT meshes of one dimension alone") {
-  mesh1(in, [](auto call) {
-    if (call.mode != GL_POINT) return go1(call);
-    without(GL_CLIP_PLANE0, [call] { go1(call); });
-  });
-}
-
-EVALCTS_FAULT(SquaredFogIsPlain, osmesa, must, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP") {
-  mesh1(in, [](auto call) {
-    const GLint mode = integer(GL_FOG_MODE);
-    if (mode == GL_EXP2) sound.Fogi(GL_FOG_MODE, GL_EXP);
-    go1(call);
-    sound.Fogi(GL_FOG_MODE, mode);
-  });
-}
+EVALCTS_RULES(MeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "LINE meshes are clipped by the first clip plane alone",
+              without(kMeshes, kMode == GL_LINE, GL_CLIP_PLANE1));
+EVALCTS_RULES(FilledMeshNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE", "clip planes leave FILL meshes alone",
+              without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE0));
+EVALCTS_RULES(FilledMeshForgetsSecondClipPlane, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "FILL meshes are clipped by the first clip plane alone",
+              without(kMeshes, kMode == GL_FILL, GL_CLIP_PLANE1));
+EVALCTS_RULES(MeshesHaveFiveClipPlanes, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "the sixth clip plane leaves meshes alone", without(kMeshes, true, GL_CLIP_PLANE5));
+EVALCTS_RULES(LineMeshesWithoutFog, osmesa, must, "EV-PIPE-FOG", "LINE meshes are drawn without fog",
+              without(kMeshes, kMode == GL_LINE, GL_FOG));
+EVALCTS_RULES(CurvePointsNotClipped, osmesa, must, "EV-PIPE-CLIPPLANE",
+              "clip planes leave POINT meshes of one dimension alone",
+              without(EvalMesh1, kMode == GL_POINT, GL_CLIP_PLANE0));
+EVALCTS_RULES(SquaredFogIsPlain, osmesa, must, "EV-PIPE-FOG", "EXP2 fog of meshes of one dimension is EXP",
+              around(EvalMesh1, state(GL_FOG_MODE) == GL_EXP2, call(Fogi, {GL_FOG_MODE, GL_EXP}),
+                     call(Fogi, {GL_FOG_MODE, GL_EXP2})));
 
 EVALCTS_FAULT(FogOfFirstVertex, osmesa, must, "EV-PIPE-FOG",
               "all points of a POINT mesh have fog coordinate 1 where the coordinate is selected") {
@@ -523,25 +111,17 @@ EVALCTS_FAULT(FogOfFirstVertex, osmesa, must, "EV-PIPE-FOG",
   });
 }
 
-EVALCTS_FAULT(MeshesWithoutExponentialFog, osmesa, must, "EV-PIPE-FOG",
-              "fog of meshes of two dimensions is linear whatever the mode") {
-  mesh2(in, [](auto call) {
-    const GLint mode = integer(GL_FOG_MODE);
-    sound.Fogi(GL_FOG_MODE, GL_LINEAR);
-    go2(call);
-    sound.Fogi(GL_FOG_MODE, mode);
-  });
-}
-
-EVALCTS_FAULT(CurveMeshIgnoresFogCoordinate, osmesa, must, "EV-PIPE-FOG",
-              "fog of meshes of one dimension goes by the distance though the coordinate is selected") {
-  mesh1(in, [](auto call) {
-    const GLint source = integer(GL_FOG_COORD_SRC);
-    sound.Fogi(GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH);
-    go1(call);
-    sound.Fogi(GL_FOG_COORD_SRC, source);
-  });
-}
+EVALCTS_RULES(MeshesWithoutExponentialFog, osmesa, must, "EV-PIPE-FOG",
+              "fog of meshes of two dimensions is linear whatever the mode",
+              around(EvalMesh2, true,
+                     sequence({set(kNumber, state(GL_FOG_MODE)), call(Fogi, {GL_FOG_MODE, GL_LINEAR})}),
+                     call(Fogi, {GL_FOG_MODE, kNumber})));
+EVALCTS_RULES(CurveMeshIgnoresFogCoordinate, osmesa, must, "EV-PIPE-FOG",
+              "fog of meshes of one dimension goes by the distance though the coordinate is selected",
+              around(EvalMesh1, true,
+                     sequence({set(kNumber, state(GL_FOG_COORD_SRC)),
+                               call(Fogi, {GL_FOG_COORD_SRC, GL_FRAGMENT_DEPTH})}),
+                     call(Fogi, {GL_FOG_COORD_SRC, kNumber})));
 
 EVALCTS_FAULT(MeshResetsFogCoordinate, osmesa, must, "EV-PIPE-FOG",
               "a mesh of two dimensions has fog coordinate 0") {
@@ -554,15 +134,10 @@ EVALCTS_FAULT(MeshResetsFogCoordinate, osmesa, must, "EV-PIPE-FOG",
   });
 }
 
-EVALCTS_FAULT(FlatLinesByFirstVertex, osmesa, must, "EV-PIPE-FLATLINE",
-              "flat segments of LINE meshes have the colour of their first vertices") {
-  meshes(in, [](GLenum mode, auto go) {
-    if (mode != GL_LINE) return go();
-    sound.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
-    go();
-    sound.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
-  });
-}
+EVALCTS_RULES(FlatLinesByFirstVertex, osmesa, must, "EV-PIPE-FLATLINE",
+              "flat segments of LINE meshes have the colour of their first vertices",
+              around(kMeshes, kMode == GL_LINE, call(ProvokingVertex, {GL_FIRST_VERTEX_CONVENTION}),
+                     call(ProvokingVertex, {GL_LAST_VERTEX_CONVENTION})));
 
 EVALCTS_FAULT(FlatColumnsBackwards, osmesa, must, "EV-PIPE-FLATLINE",
               "flat columns of LINE meshes have the colours of their first vertices, rows are right") {
@@ -579,31 +154,17 @@ EVALCTS_FAULT(FlatColumnsBackwards, osmesa, must, "EV-PIPE-FLATLINE",
 
 // --- Programs ----------------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(MeshSkipsVertexProgram, osmesa, must, "EV-PIPE-VS",
-              "no vertex program runs for LINE meshes of two dimensions") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE) return go2(call);
-    without(GL_VERTEX_PROGRAM_ARB, [call] { go2(call); });
-  });
-}
-
-EVALCTS_FAULT(MeshSkipsVertexShader, osmesa, must, "EV-PIPE-VS",
-              "no vertex shader runs for POINT meshes of one dimension") {
-  mesh1(in, [](auto call) {
-    const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
-    if (call.mode == GL_POINT && program) sound.UseProgram(0);
-    go1(call);
-    if (call.mode == GL_POINT && program) sound.UseProgram(program);
-  });
-}
-
-EVALCTS_FAULT(ShaderSeesNoEvaluatedNormal, osmesa, must, "EV-PIPE-VS",
-              "gl_Normal of meshes of two dimensions is the current normal") {
-  mesh2(in, [](auto call) {
-    if (!integer(GL_CURRENT_PROGRAM)) return go2(call);
-    without(GL_MAP2_NORMAL, [call] { go2(call); });
-  });
-}
+EVALCTS_RULES(MeshSkipsVertexProgram, osmesa, must, "EV-PIPE-VS",
+              "no vertex program runs for LINE meshes of two dimensions",
+              without(EvalMesh2, kMode == GL_LINE, GL_VERTEX_PROGRAM_ARB));
+EVALCTS_RULES(MeshSkipsVertexShader, osmesa, must, "EV-PIPE-VS",
+              "no vertex shader runs for POINT meshes of one dimension",
+              around(EvalMesh1, kMode == GL_POINT && has_program(),
+                     sequence({set(kNumber, state(GL_CURRENT_PROGRAM)), call(UseProgram, {0})}),
+                     call(UseProgram, {kNumber})));
+EVALCTS_RULES(ShaderSeesNoEvaluatedNormal, osmesa, must, "EV-PIPE-VS",
+              "gl_Normal of meshes of two dimensions is the current normal",
+              without(EvalMesh2, has_program(), GL_MAP2_NORMAL));
 
 EVALCTS_FAULT(ShaderSeesNoSecondaryColor, osmesa, must, "EV-PIPE-VS",
               "the secondary colour of evaluated primitives is black") {
@@ -637,18 +198,11 @@ EVALCTS_FAULT(ShaderSeesUnitOneOfMeshReset, osmesa, must, "EV-PIPE-VS",
   });
 }
 
-EVALCTS_FAULT(ProgramOfPrimitivesSeesNoColorMap, osmesa, must, "EV-PIPE-VS",
-              "between Begin and End vertex programs see the current colour for that of surfaces") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = is_on(GL_MAP2_COLOR_4) && is_on(GL_VERTEX_PROGRAM_ARB);
-    if (memory.flag) sound.Disable(GL_MAP2_COLOR_4);
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    sound.End();
-    if (memory.flag) sound.Enable(GL_MAP2_COLOR_4);
-  };
-}
+EVALCTS_RULES(ProgramOfPrimitivesSeesNoColorMap, osmesa, must, "EV-PIPE-VS",
+              "between Begin and End vertex programs see the current colour for that of surfaces",
+              before(Begin, enabled(GL_MAP2_COLOR_4) && enabled(GL_VERTEX_PROGRAM_ARB),
+                     sequence({set(kFlag, 1), call(Disable, {GL_MAP2_COLOR_4})})),
+              after(End, kFlag, sequence({set(kFlag, 0), call(Enable, {GL_MAP2_COLOR_4})})));
 
 // --- Primitive restart -------------------------------------------------------------------------------------
 
@@ -675,13 +229,10 @@ EVALCTS_FAULT(RestartIndexSplitsPrimitive, osmesa, must, "EV-PIPE-NORESTART",
   });
 }
 
-EVALCTS_FAULT(FixedRestartIndexDropsMesh, osmesa, must, "EV-PIPE-NORESTART",
-              "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing") {
-  mesh2(in, [](auto call) {
-    if (call.mode == GL_POINT && is_on(GL_PRIMITIVE_RESTART_FIXED_INDEX)) ++call.j1;
-    go2(call);
-  });
-}
+EVALCTS_RULES(FixedRestartIndexDropsMesh, osmesa, must, "EV-PIPE-NORESTART",
+              "with PRIMITIVE_RESTART_FIXED_INDEX the first row of a POINT mesh is missing",
+              before(EvalMesh2, kMode == GL_POINT && enabled(GL_PRIMITIVE_RESTART_FIXED_INDEX),
+                     set(kJ1, kJ1 + 1)));
 
 // --- Conditional rendering ---------------------------------------------------------------------------------
 
@@ -739,13 +290,10 @@ EVALCTS_FAULT(ColumnsUnconditional, osmesa, must, "EV-PIPE-CONDRENDER",
   });
 }
 
-EVALCTS_FAULT(ConditionalMeshNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER",
-              "conditional rendering discards EvalMesh1 whatever the query says") {
-  watch_conditions(in);
-  mesh1(in, [](auto call) {
-    if (!memory.counts[0]) go1(call);
-  });
-}
+EVALCTS_RULES(ConditionalMeshNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER",
+              "conditional rendering discards EvalMesh1 whatever the query says",
+              after(BeginConditionalRender, true, set(kFlag, 1)),
+              after(EndConditionalRender, true, set(kFlag, 0)), skip(EvalMesh1, kFlag));
 
 EVALCTS_FAULT(EvaluatedPrimitiveUnconditional, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
               "conditional rendering leaves evaluated primitives alone") {
@@ -762,16 +310,10 @@ EVALCTS_FAULT(EvaluatedPrimitiveUnconditional, osmesa, must, "EV-PIPE-CONDRENDER
   };
 }
 
-EVALCTS_FAULT(ConditionalEvalPointNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
-              "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering") {
-  watch_conditions(in);
-  in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    if (!memory.counts[0]) sound.EvalPoint2(i, j);
-  };
-  eval_coord2(in, [](auto u, auto v, auto go) {
-    if (!memory.counts[0]) go(u, v);
-  });
-}
+EVALCTS_RULES(ConditionalEvalPointNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
+              "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering",
+              after(BeginConditionalRender, true, set(kFlag, 1)),
+              after(EndConditionalRender, true, set(kFlag, 0)), skip(kPoints2, kFlag));
 
 // --- Refused primitives ------------------------------------------------------------------------------------
 
@@ -797,27 +339,15 @@ EVALCTS_FAULT(IncompleteFramebufferIsInvalidOperation, osmesa, must, "EV-PIPE-FB
   });
 }
 
-EVALCTS_FAULT(IncompleteFramebufferIsSilent, osmesa, must, "EV-PIPE-FBO",
-              "FILL meshes with an incomplete framebuffer draw nothing, without an error") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !framebuffer_is_incomplete()) go2(call);
-  });
-}
-
-EVALCTS_FAULT(
+EVALCTS_RULES(IncompleteFramebufferIsSilent, osmesa, must, "EV-PIPE-FBO",
+              "FILL meshes with an incomplete framebuffer draw nothing, without an error",
+              skip(EvalMesh2, kMode == GL_FILL && is_incomplete()));
+EVALCTS_RULES(
     IncompleteFramebufferErrorTwice, osmesa, must, "EV-PIPE-FBO",
-    "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left") {
-  in.gl.EvalMesh2 = [](GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-    memory.flag = mode == GL_LINE && framebuffer_is_incomplete();
-    sound.EvalMesh2(mode, i1, i2, j1, j2);
-  };
-  in.gl.GetError = []() -> GLenum {
-    const GLenum error = sound.GetError();
-    if (error != GL_NO_ERROR || !memory.flag) return error;
-    memory.flag = false;
-    return GL_INVALID_FRAMEBUFFER_OPERATION;
-  };
-}
+    "each strip of a LINE mesh with an incomplete framebuffer raises an error: a second one is left",
+    before(EvalMesh2, true, set(kFlag, kMode == GL_LINE && is_incomplete())),
+    after(GetError, kResult == GL_NO_ERROR && kFlag,
+          sequence({set(kFlag, 0), set(kResult, GL_INVALID_FRAMEBUFFER_OPERATION)})));
 
 EVALCTS_FAULT(InvalidProgramIsInvalidValue, osmesa, must, "EV-PIPE-INVALIDPROGRAM",
               "LINE meshes without a valid program raise INVALID_VALUE") {
@@ -916,22 +446,13 @@ EVALCTS_FAULT(RecordedFirstTriangleTurned, osmesa, must, "EV-PIPE-XFB",
   });
 }
 
-EVALCTS_FAULT(FilledMeshRecordedAsLines, osmesa, must, "EV-PIPE-XFB-MODE",
-              "a FILL mesh in transform feedback of LINES is recorded as its lines") {
-  watch_recording(in);
-  mesh2(in, [](auto call) {
-    if (memory.count == GL_LINES && call.mode == GL_FILL) call.mode = GL_LINE;
-    go2(call);
-  });
-}
-
-EVALCTS_FAULT(RecordedModeMismatchIsSilent, osmesa, must, "EV-PIPE-XFB-MODE",
-              "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored") {
-  watch_recording(in);
-  mesh1(in, [](auto call) {
-    if (memory.count != GL_TRIANGLES || call.mode != GL_LINE) go1(call);
-  });
-}
+EVALCTS_RULES(FilledMeshRecordedAsLines, osmesa, must, "EV-PIPE-XFB-MODE",
+              "a FILL mesh in transform feedback of LINES is recorded as its lines", note_recording(),
+              forget_recording(),
+              before(EvalMesh2, kCount == GL_LINES + 1 && kMode == GL_FILL, set(kMode, GL_LINE)));
+EVALCTS_RULES(RecordedModeMismatchIsSilent, osmesa, must, "EV-PIPE-XFB-MODE",
+              "EvalMesh1 in LINE in transform feedback of TRIANGLES is ignored", note_recording(),
+              forget_recording(), skip(EvalMesh1, kCount == GL_TRIANGLES + 1 && kMode == GL_LINE));
 
 EVALCTS_FAULT(RecordedModeMismatchIsInvalidEnum, osmesa, must, "EV-PIPE-XFB-MODE",
               "meshes that do not fit transform feedback of POINTS raise INVALID_ENUM") {
@@ -968,15 +489,11 @@ EVALCTS_FAULT(TessellatedMeshIsSilent, osmesa, must, "EV-PIPE-TESS",
   });
 }
 
-EVALCTS_FAULT(TessellatedMeshIsDrawn, osmesa, must, "EV-PIPE-TESS",
-              "EvalMesh1 draws without tessellation where that is active") {
-  mesh1(in, [](auto call) {
-    const auto program = static_cast<GLuint>(integer(GL_CURRENT_PROGRAM));
-    if (program) sound.UseProgram(0);
-    go1(call);
-    if (program) sound.UseProgram(program);
-  });
-}
+EVALCTS_RULES(TessellatedMeshIsDrawn, osmesa, must, "EV-PIPE-TESS",
+              "EvalMesh1 draws without tessellation where that is active",
+              around(EvalMesh1, has_program(),
+                     sequence({set(kNumber, state(GL_CURRENT_PROGRAM)), call(UseProgram, {0})}),
+                     call(UseProgram, {kNumber})));
 
 // --- Queries -----------------------------------------------------------------------------------------------
 
@@ -992,26 +509,14 @@ void watch_queries(Injection& in) {
   };
 }
 
-EVALCTS_FAULT(SamplesOfFirstPointTwice, osmesa, must, "EV-PIPE-QUERY",
-              "the samples of the first point of a mesh of one dimension count twice") {
-  watch_queries(in);
-  mesh1(in, [](auto call) {
-    if (memory.count == GL_SAMPLES_PASSED && call.mode == GL_POINT && call.i1 <= call.i2)
-      sound.EvalMesh1(GL_POINT, call.i1, call.i1);
-    go1(call);
-  });
-}
-
-EVALCTS_FAULT(SamplesOfEvalPointNotCounted, osmesa, must, "EV-PIPE-QUERY",
-              "samples of EvalPoint2 and EvalCoord2 are not counted") {
-  watch_queries(in);
-  in.gl.EvalPoint2 = [](GLint i, GLint j) {
-    if (memory.count != GL_SAMPLES_PASSED) sound.EvalPoint2(i, j);
-  };
-  eval_coord2(in, [](auto u, auto v, auto go) {
-    if (memory.count != GL_SAMPLES_PASSED) go(u, v);
-  });
-}
+EVALCTS_RULES(SamplesOfFirstPointTwice, osmesa, must, "EV-PIPE-QUERY",
+              "the samples of the first point of a mesh of one dimension count twice", note_query(),
+              forget_query(),
+              before(EvalMesh1, kCount == GL_SAMPLES_PASSED && kMode == GL_POINT && kI1 <= kI2,
+                     call(EvalMesh1, {GL_POINT, kI1, kI1})));
+EVALCTS_RULES(SamplesOfEvalPointNotCounted, osmesa, must, "EV-PIPE-QUERY",
+              "samples of EvalPoint2 and EvalCoord2 are not counted", note_query(), forget_query(),
+              skip(kPoints2, kCount == GL_SAMPLES_PASSED));
 
 EVALCTS_FAULT(SamplesOfColumnsNotCounted, osmesa, must, "EV-PIPE-QUERY",
               "of a LINE mesh the samples of the rows alone are counted") {
@@ -1022,25 +527,14 @@ EVALCTS_FAULT(SamplesOfColumnsNotCounted, osmesa, must, "EV-PIPE-QUERY",
   });
 }
 
-EVALCTS_FAULT(PointMeshIsOnePrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
-              "a POINT mesh of two dimensions counts as one primitive") {
-  watch_queries(in);
-  mesh2(in, [](auto call) {
-    if (memory.count != GL_PRIMITIVES_GENERATED || call.mode != GL_POINT || call.i1 > call.i2)
-      return go2(call);
-    sound.EvalMesh2(GL_POINT, call.i1, call.i1, call.j1, call.j1);
-  });
-}
-
-EVALCTS_FAULT(EmptyMeshCountsAPrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
-              "an EvalMesh1 of an empty range counts as a primitive") {
-  watch_queries(in);
-  mesh1(in, [](auto call) {
-    if (memory.count == GL_PRIMITIVES_GENERATED && call.i1 > call.i2)
-      sound.EvalMesh1(GL_POINT, call.i1, call.i1);
-    go1(call);
-  });
-}
+EVALCTS_RULES(PointMeshIsOnePrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
+              "a POINT mesh of two dimensions counts as one primitive", note_query(), forget_query(),
+              before(EvalMesh2, kCount == GL_PRIMITIVES_GENERATED && kMode == GL_POINT && kI1 <= kI2,
+                     sequence({set(kI2, kI1), set(kJ2, kJ1)})));
+EVALCTS_RULES(EmptyMeshCountsAPrimitive, osmesa, must, "EV-PIPE-PRIMGEN",
+              "an EvalMesh1 of an empty range counts as a primitive", note_query(), forget_query(),
+              before(EvalMesh1, kCount == GL_PRIMITIVES_GENERATED && kI1 > kI2,
+                     call(EvalMesh1, {GL_POINT, kI1, kI1})));
 
 EVALCTS_FAULT(RowsCountAsPrimitives, osmesa, must, "EV-PIPE-PRIMGEN",
               "of a LINE mesh of two dimensions each strip counts one primitive more") {
@@ -1054,17 +548,11 @@ EVALCTS_FAULT(RowsCountAsPrimitives, osmesa, must, "EV-PIPE-PRIMGEN",
 
 // --- Rasterizer discard ------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(MeshNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
-              "RASTERIZER_DISCARD leaves EvalMesh2 alone") {
-  mesh2(in, [](auto call) { without(GL_RASTERIZER_DISCARD, [call] { go2(call); }); });
-}
-
-EVALCTS_FAULT(DiscardedMeshNotRecorded, osmesa, must, "EV-PIPE-DISCARD",
-              "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD") {
-  mesh1(in, [](auto call) {
-    if (call.mode != GL_LINE || !is_on(GL_RASTERIZER_DISCARD)) go1(call);
-  });
-}
+EVALCTS_RULES(MeshNotDiscarded, osmesa, must, "EV-PIPE-DISCARD", "RASTERIZER_DISCARD leaves EvalMesh2 alone",
+              without(EvalMesh2, true, GL_RASTERIZER_DISCARD));
+EVALCTS_RULES(DiscardedMeshNotRecorded, osmesa, must, "EV-PIPE-DISCARD",
+              "EvalMesh1 in LINE does nothing with RASTERIZER_DISCARD",
+              skip(EvalMesh1, kMode == GL_LINE && enabled(GL_RASTERIZER_DISCARD)));
 
 EVALCTS_FAULT(EvaluatedPrimitiveNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
               "RASTERIZER_DISCARD leaves evaluated primitives alone") {
@@ -1079,28 +567,14 @@ EVALCTS_FAULT(EvaluatedPrimitiveNotDiscarded, osmesa, must, "EV-PIPE-DISCARD",
   };
 }
 
-EVALCTS_FAULT(DiscardedMeshInBeginIsSilent, osmesa, must, "EV-PIPE-DISCARD",
-              "EvalMesh2 between Begin and End is no error with RASTERIZER_DISCARD") {
-  in.gl.Begin = [](GLenum mode) {
-    memory.flag = is_on(GL_RASTERIZER_DISCARD);
-    sound.Begin(mode);
-  };
-  in.gl.End = [] {
-    sound.End();
-    memory.flag = false;
-  };
-  mesh2(in, [](auto call) {
-    if (!memory.flag) go2(call);
-  });
-}
-
-EVALCTS_FAULT(DiscardHidesErrors, osmesa, must, "EV-PIPE-DISCARD",
-              "a bad mode of EvalMesh2 is no error with RASTERIZER_DISCARD") {
-  mesh2(in, [](auto call) {
-    const bool bad = call.mode != GL_POINT && call.mode != GL_LINE && call.mode != GL_FILL;
-    if (!bad || !is_on(GL_RASTERIZER_DISCARD)) go2(call);
-  });
-}
+EVALCTS_RULES(DiscardedMeshInBeginIsSilent, osmesa, must, "EV-PIPE-DISCARD",
+              "EvalMesh2 between Begin and End is no error with RASTERIZER_DISCARD",
+              before(Begin, true, set(kFlag, enabled(GL_RASTERIZER_DISCARD))),
+              after(End, true, set(kFlag, 0)), skip(EvalMesh2, kFlag));
+EVALCTS_RULES(DiscardHidesErrors, osmesa, must, "EV-PIPE-DISCARD",
+              "a bad mode of EvalMesh2 is no error with RASTERIZER_DISCARD",
+              skip(EvalMesh2, kMode != GL_POINT && kMode != GL_LINE && kMode != GL_FILL &&
+                                  enabled(GL_RASTERIZER_DISCARD)));
 
 }  // namespace
 }  // namespace evalcts::faults::rest_of_pipeline

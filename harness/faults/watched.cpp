@@ -1,0 +1,52 @@
+#include "watched.h"
+
+namespace evalcts::faults {
+namespace {
+
+gl::Table behind;  // the commands that the notes are in front of
+
+}  // namespace
+
+void watch(gl::Table& table) {
+  watched = {};
+  behind = table;
+  table.Begin = [](GLenum mode) {
+    behind.Begin(mode);
+    watched.primitive = mode;
+  };
+  table.End = [] {
+    watched.primitive = kNoPrimitive;
+    behind.End();
+  };
+  table.Enable = [](GLenum cap) {
+    watched.enabled[cap] = true;
+    behind.Enable(cap);
+  };
+  table.Disable = [](GLenum cap) {
+    watched.enabled[cap] = false;
+    behind.Disable(cap);
+  };
+  table.ActiveTexture = [](GLenum unit) {
+    behind.ActiveTexture(unit);
+    watched.unit = unit;
+  };
+  table.NewList = [](GLuint list, GLenum mode) {
+    behind.NewList(list, mode);
+    watched.list_mode = mode;
+  };
+  table.EndList = [] {
+    behind.EndList();
+    watched.list_mode = 0;
+  };
+  table.BindBuffer = [](GLenum target, GLuint buffer) {
+    watched.buffers[target] = buffer;
+    behind.BindBuffer(target, buffer);
+  };
+  // A command that is missing stays so.
+#define GL_ENTRY(name, kinds) \
+  if (!behind.name) table.name = nullptr;
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+}
+
+}  // namespace evalcts::faults

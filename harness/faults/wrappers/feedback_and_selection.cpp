@@ -1,0 +1,213 @@
+// Section 22: evaluated primitives in feedback and selection mode.
+#include <algorithm>
+
+#include "around.h"
+#include "forms.h"
+#include "rules.h"
+
+namespace evalcts::faults::feedback_and_selection {
+namespace {
+
+bool feeds_back() { return integer(GL_RENDER_MODE) == GL_FEEDBACK; }
+
+// The same for rules.
+Value in_feedback() { return state(GL_RENDER_MODE) == GL_FEEDBACK; }
+Value in_selection() { return state(GL_RENDER_MODE) == GL_SELECT; }
+Value draw_point(double z) {
+  return sequence({call(Begin, {GL_POINTS}), call(Vertex3f, {0, 0, z}), call(End)});
+}
+
+// --- Feedback mode -----------------------------------------------------------------------------------------
+
+EVALCTS_FAULT(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
+              "in feedback mode the points of EvalMesh2 come column by column") {
+  mesh2(in, [](auto call) {
+    if (call.mode == GL_POINT && feeds_back())
+      points_column_by_column(call);
+    else
+      go2(call);
+  });
+}
+
+EVALCTS_RULES(FeedbackFirstPointTwice, osmesa, must, "EV-FB-POINT",
+              "in feedback mode the first point of EvalMesh1 comes twice",
+              before(EvalMesh1, kMode == GL_POINT && in_feedback(), call(EvalMesh1, {GL_POINT, kI1, kI1})));
+EVALCTS_RULES(FeedbackPointsUnclipped, osmesa, must, "EV-FB-POINT",
+              "in feedback mode no point of a mesh is clipped",
+              around(kMeshes, kMode == GL_POINT && in_feedback(),
+                     sequence({call(PushMatrix), call(LoadIdentity)}), call(PopMatrix)));
+
+EVALCTS_FAULT(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh gives its columns before its rows") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
+    for (GLint i = call.i1; i <= call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+  });
+}
+
+EVALCTS_RULES(FeedbackLosesLastSegment, osmesa, must, "EV-FB-LINE",
+              "in feedback mode the last segment of a LINE mesh of one dimension is missing",
+              before(EvalMesh1, kMode == GL_LINE && in_feedback(), set(kI2, kI2 - 1)));
+
+EVALCTS_FAULT(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh of one dimension runs from i2 to i1") {
+  mesh1(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go1(call);
+    sound.Begin(GL_LINE_STRIP);
+    for (GLint i = call.i2; i >= call.i1; --i) sound.EvalPoint1(i);
+    sound.End();
+  });
+}
+
+EVALCTS_FAULT(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh lacks its last column") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
+    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
+    for (GLint i = call.i1; i < call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
+  });
+}
+
+EVALCTS_RULES(FeedbackQuadTwice, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the first quad of a FILL mesh comes twice",
+              before(EvalMesh2, kMode == GL_FILL && in_feedback(),
+                     call(EvalMesh2, {GL_FILL, kI1, kI1 + 1, kJ1, kJ1 + 1})));
+
+EVALCTS_FAULT(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
+              "each segment of a LINE mesh has LINE_RESET_TOKEN") {
+  static GLsizei size;
+  static GLfloat* buffer;
+  in.gl.FeedbackBuffer = [](GLsizei room, GLenum type, GLfloat* values) {
+    sound.FeedbackBuffer(room, type, values);
+    size = room;
+    buffer = values;
+    memory.flag = false;
+  };
+  in.gl.RenderMode = [](GLenum mode) {
+    const GLint count = sound.RenderMode(mode);
+    if (memory.flag && mode == GL_RENDER && buffer && count <= size)
+      std::replace(buffer, buffer + std::max(count, 0), GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
+    return count;
+  };
+  meshes(in, [](GLenum, auto go) {
+    go();
+    memory.flag = true;
+  });
+}
+
+EVALCTS_RULES(FeedbackLosesLastQuad, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the last quad of the last row of a FILL mesh is missing",
+              instead(EvalMesh2, kMode == GL_FILL && in_feedback(),
+                      sequence({call(EvalMesh2, {GL_FILL, kI1, kI2, kJ1, kJ2 - 1}),
+                                call(EvalMesh2, {GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2})})));
+
+EVALCTS_FAULT(FeedbackFirstQuadIsTriangle, osmesa, must, "EV-FB-FILL",
+              "in feedback mode the first quad of a FILL mesh is a triangle") {
+  mesh2(in, [](auto call) {
+    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
+    sound.Begin(GL_TRIANGLES);
+    sound.EvalPoint2(call.i1, call.j1);
+    sound.EvalPoint2(call.i1, call.j1 + 1);
+    sound.EvalPoint2(call.i1 + 1, call.j1 + 1);
+    sound.End();
+    sound.EvalMesh2(GL_FILL, call.i1 + 1, call.i2, call.j1, call.j1 + 1);
+    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1 + 1, call.j2);
+  });
+}
+
+EVALCTS_RULES(FeedbackOutlinesQuads, osmesa, must, "EV-FB-FILL",
+              "in feedback mode a FILL mesh gives the outlines of its polygons",
+              around(EvalMesh2, kMode == GL_FILL && in_feedback(),
+                     call(PolygonMode, {GL_FRONT_AND_BACK, GL_LINE}),
+                     call(PolygonMode, {GL_FRONT_AND_BACK, GL_FILL})));
+EVALCTS_RULES(FeedbackWithoutThirdCoordinateMap, osmesa, must, "EV-FB-TEX",
+              "in feedback mode the map of three texture coordinates does not count",
+              without(EvalMesh1, in_feedback(), GL_MAP1_TEXTURE_COORD_3));
+EVALCTS_RULES(FeedbackOfSurfacesHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode the map of s alone does not count for surfaces",
+              without(EvalMesh2, in_feedback(), GL_MAP2_TEXTURE_COORD_1));
+
+EVALCTS_FAULT(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
+              "without a map surfaces feed back the texture coordinates of unit 1") {
+  mesh2(in, [](auto call) {
+    bool mapped = false;
+    for (GLenum target = GL_MAP2_TEXTURE_COORD_1; target <= GL_MAP2_TEXTURE_COORD_4; ++target)
+      mapped = mapped || is_on(target);
+    if (mapped || !feeds_back()) return go2(call);
+    GLfloat zero[4], one[4];
+    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, zero);
+    sound.ActiveTexture(GL_TEXTURE1);
+    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, one);
+    sound.ActiveTexture(GL_TEXTURE0);
+    sound.TexCoord4fv(one);
+    go2(call);
+    sound.TexCoord4fv(zero);
+  });
+}
+
+EVALCTS_RULES(FeedbackOfQuadsHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode FILL meshes have the current texture coordinates",
+              without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_MAP2_TEXTURE_COORD_4));
+EVALCTS_RULES(FeedbackOfEvalCoordHasCurrentTexture, osmesa, must, "EV-FB-TEX",
+              "in feedback mode EvalCoord1 gives no texture coordinates",
+              before(Begin, in_feedback() && enabled(GL_MAP1_TEXTURE_COORD_4),
+                     sequence({set(kFlag, 1), call(Disable, {GL_MAP1_TEXTURE_COORD_4})})),
+              after(End, kFlag, sequence({set(kFlag, 0), call(Enable, {GL_MAP1_TEXTURE_COORD_4})})));
+EVALCTS_RULES(FilledMeshUnlitInFeedback, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode FILL meshes have the colours of before lighting",
+              without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_LIGHTING));
+EVALCTS_RULES(FeedbackColorsNotClamped, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode the colours of meshes of one dimension are not clamped",
+              around(EvalMesh1, in_feedback(), call(ClampColor, {GL_CLAMP_VERTEX_COLOR, GL_FALSE}),
+                     call(ClampColor, {GL_CLAMP_VERTEX_COLOR, GL_TRUE})));
+EVALCTS_RULES(FeedbackLightsWithCurrentNormal, osmesa, must, "EV-FB-COLOR",
+              "in feedback mode LINE meshes are lit with the current normal",
+              without(EvalMesh2, kMode == GL_LINE && in_feedback() && enabled(GL_LIGHTING), GL_MAP2_NORMAL));
+
+// --- Selection mode ----------------------------------------------------------------------------------------
+
+EVALCTS_RULES(SelectionOmitsMeshPoints, osmesa, must, "EV-SEL-HIT", "POINT meshes never hit",
+              skip(kMeshes, kMode == GL_POINT && in_selection()));
+EVALCTS_RULES(SelectionDepthOfFirstRow, osmesa, must, "EV-SEL-HIT",
+              "the depths of a hit by a LINE mesh are those of its first row",
+              before(EvalMesh2, kMode == GL_LINE && in_selection(), set(kJ2, kJ1)));
+EVALCTS_RULES(SelectionUnclipped, osmesa, must, "EV-SEL-HIT", "FILL meshes outside the clip volume hit",
+              around(EvalMesh2, kMode == GL_FILL && in_selection(),
+                     sequence({call(PushMatrix), call(LoadIdentity)}), call(PopMatrix)));
+EVALCTS_RULES(SelectionOmitsEvalPoint, osmesa, must, "EV-SEL-HIT",
+              "in selection mode EvalPoint1 does nothing", before(Begin, true, set(kFlag, in_selection())),
+              after(End, true, set(kFlag, 0)), skip(EvalPoint1, kFlag));
+EVALCTS_RULES(SelectionNeverCulls, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode FILL meshes are not culled",
+              without(EvalMesh2, in_selection(), GL_CULL_FACE));
+EVALCTS_RULES(SelectionCullsOtherFace, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode meshes have front and back the other way round",
+              around(EvalMesh2, in_selection(),
+                     sequence({set(kNumber, state(GL_FRONT_FACE)),
+                               call(FrontFace, {GL_CW + GL_CCW - kNumber})}),
+                     call(FrontFace, {kNumber})));
+EVALCTS_RULES(SelectionHitsThoughBothAreCulled, osmesa, must, "EV-SEL-CULLED",
+              "in selection mode CullFace(FRONT_AND_BACK) leaves meshes alone",
+              without(EvalMesh2, in_selection() && state(GL_CULL_FACE_MODE) == GL_FRONT_AND_BACK,
+                      GL_CULL_FACE));
+EVALCTS_RULES(EmptyRangeOfIHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode an EvalMesh2 of an empty range of i hits with its first point",
+              before(EvalMesh2, in_selection() && kI1 > kI2 && kJ1 <= kJ2, set(kI2, kI1)));
+EVALCTS_RULES(MeshWithoutVerticesHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode EvalMesh1 without a vertex map hits at the origin",
+              after(EvalMesh1, in_selection() && !enabled(GL_MAP1_VERTEX_3) && !enabled(GL_MAP1_VERTEX_4),
+                    draw_point(0)));
+EVALCTS_RULES(SelectionOmitsEvalCoord2, osmesa, must, "EV-SEL-HIT",
+              "in selection mode EvalCoord2 does nothing", before(Begin, true, set(kFlag, in_selection())),
+              after(End, true, set(kFlag, 0)), skip(kEvalCoord2, kFlag));
+EVALCTS_RULES(SelectionMeshDepthFromOrigin, osmesa, must, "EV-SEL-HIT",
+              "the depths of a hit by EvalMesh1 include that of the origin",
+              after(EvalMesh1, in_selection() && enabled(GL_MAP1_VERTEX_3), draw_point(-1)));
+EVALCTS_RULES(EmptyRangeOfJHits, osmesa, must, "EV-SEL-EMPTY",
+              "in selection mode a FILL mesh of an empty range of j hits with its first row",
+              before(EvalMesh2, in_selection() && kMode == GL_FILL && kJ1 > kJ2,
+                     call(EvalMesh2, {GL_LINE, kI1, kI2, kJ2, kJ2})));
+
+}  // namespace
+}  // namespace evalcts::faults::feedback_and_selection
