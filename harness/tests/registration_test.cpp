@@ -14,18 +14,18 @@ struct Size {
 };
 const std::vector<Size> kSizes = {{"small", 1}, {"large", 9}};
 const std::vector<GLenum> kTargets = {GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4};
-std::string seen;
+std::string played_so_far;
 
-EVALCTS_TEST(Sample, Plain, quality, "EV-A", "EV-B/1-D")(Test&) { seen += "plain "; };
+EVALCTS_TEST(Sample, Plain, quality, "EV-A", "EV-B/1-D")(Test&) { played_so_far += "plain "; };
 EVALCTS_TEST(Sample, Sizes, must, "EV-A",
              combine(kTargets).combine(kSizes).filter([](GLenum target, const Size& size) {
                return target == GL_MAP1_NORMAL || size.value == 9;
              }))
-(Test&, GLenum, const Size& size) { seen += size.name + " "; };
+(Test&, GLenum, const Size& size) { played_so_far += size.name + " "; };
 EVALCTS_TEST(Sample, Expanded, must, "EV-A", combine(kSizes).expand([](const Size& size) {
   return std::vector<Size>{{"again", size.value + 1}};
 }))
-(Test&, const Size&, const Size& more) { seen += std::to_string(more.value) + " "; };
+(Test&, const Size&, const Size& more) { played_so_far += std::to_string(more.value) + " "; };
 EVALCTS_TEST(Sample, Map1Delivered, must, "EV-MAP1-BEZIER", by(gl::curve_deliveries()))(Test&){};
 
 std::vector<TestInfo> named(const std::string& start) {
@@ -42,14 +42,14 @@ std::vector<std::string> names_of(const std::vector<TestInfo>& tests) {
 }
 
 std::string played(const std::vector<TestInfo>& tests) {
-  seen.clear();
+  played_so_far.clear();
   Subject subject;
   for (const TestInfo& info : tests) {
     TestRecord record;
     Test test(subject, record);
     info.body(test);
   }
-  return seen;
+  return played_so_far;
 }
 
 TEST(Registration, OfATestWithoutParameters) {
@@ -89,7 +89,9 @@ TEST(Registration, OneTestForEachDelivery) {
     const auto found = std::ranges::find(tests, name, &TestInfo::name);
     ASSERT_NE(found, tests.end()) << name;
     EXPECT_EQ(found->requirements.front(), delivery.lifted ? "EV-MAP2-BEZIER" : "EV-MAP1-BEZIER") << name;
-    if (delivery.is_plain()) EXPECT_EQ(found->from, Depth::quick) << name;
+    if (delivery.is_plain()) {
+      EXPECT_EQ(found->from, Depth::quick) << name;
+    }
   }
 }
 
