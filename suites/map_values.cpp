@@ -20,7 +20,7 @@ namespace evalcts::suite_map_values {
 EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
              combine(visible_targets()).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
-  gl::Case c(fmt::format("orders 1 to MAX, {} form" ? "d" : "f"));
+  gl::Case c("orders 1 to the largest");
   enable_visibly(c, target);
   for (int order = 1; order <= t.max_order(); ++order) {
     define(c, random_map(t, target, order));
