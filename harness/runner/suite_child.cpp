@@ -11,11 +11,10 @@
 
 namespace evalcts {
 
-using Clock = std::chrono::steady_clock;
-
 namespace {
+using Clock = std::chrono::steady_clock;
 constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it does then decides nothing
-}
+}  // namespace
 
 std::string describe(const ChildRun& run, const Limits& limits) {
   if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
