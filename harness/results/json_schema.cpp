@@ -31,15 +31,16 @@ std::string JsonSchema::complaint(const json& value) const {
   valijson::Validator().validate(parsed_->schema, NlohmannJsonAdapter(value), &results);
   valijson::ValidationResults::Error error;
   if (!results.popError(error)) return ": not valid";
-  // The innermost violation comes first. Its context is "<root>", "[map]", "[points]", "[0]".
-  std::string place;
+  // The innermost violation comes first. Its context is "<root>", "[map]", "[points]", "[0]"; from
+  // valijson 1.1 on, names are in quotes: "[\"map\"]".
+  json::json_pointer place;
   for (std::size_t i = 1; i < error.context.size(); ++i) {
-    const std::string& step = error.context[i];
-    place += '/' + step.substr(1, step.size() - 2);
+    const std::string step = error.context[i].substr(1, error.context[i].size() - 2);
+    place.push_back(step.starts_with('"') ? json::parse(step).get<std::string>() : step);
   }
-  std::string given = value.at(json::json_pointer(place)).dump();
+  std::string given = value.at(place).dump();
   if (given.size() > 60) given = given.substr(0, 57) + "...";
-  return fmt::format("{}: {}: {}", place, error.description, given);
+  return fmt::format("{}: {}: {}", place.to_string(), error.description, given);
 }
 
 }  // namespace evalcts
