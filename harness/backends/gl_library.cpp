@@ -1,8 +1,7 @@
 #include <algorithm>
+#include <initializer_list>
 #include <map>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "context_maker.h"
@@ -132,18 +131,14 @@ class GlLibrary final : public Implementation {
   // A layer may look for the context below it when it is loaded.
   void load() {
     if (library_.empty()) {
-      table_ = gl::load_table({[this](const char* command) { return contexts_->exported(command); },
-                               [this, robust = has_robustness()](const char* command) -> void* {
-                                 // libglvnd makes up glGetnMapfv where the driver has glGetnMapfvARB only.
-                                 const std::string_view name(command);
-                                 const bool made_up =
-                                     robust && name.starts_with("glGetnMap") && !name.ends_with("ARB");
-                                 return made_up ? nullptr : contexts_->address_of(command);
-                               }});
+      const auto exported = [this](const char* command) { return contexts_->exported(command); };
+      const auto address_of = [this](const char* command) { return contexts_->address_of(command); };
+      table_ = gl::load_table({exported, address_of}, advertised_by({exported, address_of}));
     } else {
       const SharedLibrary library(library_);
       // What it merely depends on is not under test.
-      table_ = gl::load_table({[&](const char* command) { return library.exported(command); }});
+      const auto exported = [&](const char* command) { return library.exported(command); };
+      table_ = gl::load_table({exported}, advertised_by({exported}));
       library_ = library.path();
     }
     if (contexts_->makes_several()) {
@@ -159,15 +154,24 @@ class GlLibrary final : public Implementation {
     loaded_ = true;
   }
 
-  bool has_robustness() const {
-    void* address = contexts_->exported("glGetString");
-    if (!address) address = contexts_->address_of("glGetString");
-    if (!address) return false;
-    const GLubyte* extensions = reinterpret_cast<decltype(&::glGetString)>(address)(GL_EXTENSIONS);
-    std::istringstream words(extensions ? reinterpret_cast<const char*>(extensions) : "");
-    for (std::string word; words >> word;)
-      if (word == "GL_ARB_robustness") return true;
-    return false;
+  // Of the current context.
+  static gl::Advertised advertised_by(std::initializer_list<gl::AddressOf> sources) {
+    const auto find = [&]<class Command>(Command*& command, const char* name) {
+      for (const gl::AddressOf& source : sources)
+        if (!command) command = reinterpret_cast<Command*>(source(name));
+    };
+    decltype(&::glGetString) get_string = nullptr;
+    decltype(&::glGetError) get_error = nullptr;
+    find(get_string, "glGetString");
+    find(get_error, "glGetError");
+    if (!get_string) return {};
+    const auto text = [&](GLenum name) {
+      const GLubyte* const answer = get_string(name);
+      return answer ? std::string(reinterpret_cast<const char*>(answer)) : std::string();
+    };
+    const gl::Advertised advertised = gl::parse_advertised(text(GL_VERSION), text(GL_EXTENSIONS));
+    if (get_error) get_error();  // a core profile has no GL_EXTENSIONS
+    return advertised;
   }
 
   std::string name_;

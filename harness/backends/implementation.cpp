@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <sstream>
 
 #include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
@@ -151,14 +150,6 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
                     version, gl::error_name(trace.error(error))));
 }
 
-void read_version(const std::string& version, ImplementationInfo& info) {
-  // "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11)
-  std::istringstream text(version);
-  char dot = 0;
-  text >> info.major >> dot >> info.minor;
-  if (!text || dot != '.') info.major = info.minor = 0;
-}
-
 }  // namespace
 
 ImplementationInfo inquire(Implementation& implementation) {
@@ -179,7 +170,10 @@ ImplementationInfo inquire(Implementation& implementation) {
   if (info.version.empty())
     throw CannotStart(
         "glGetString(GL_VERSION) answers nothing: the context is not current or the library is broken");
-  read_version(info.version, info);
+  const gl::Advertised advertised = gl::parse_advertised(info.version, string_of(GL_EXTENSIONS));
+  info.major = advertised.version / 10;
+  info.minor = advertised.version % 10;
+  info.extensions.insert(advertised.extensions.begin(), advertised.extensions.end());
 
   const auto integer_of = [&](GLenum name, GLint otherwise) {
     GLint value = otherwise;
@@ -189,8 +183,6 @@ ImplementationInfo inquire(Implementation& implementation) {
   info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, 0);
   info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
 
-  std::istringstream extensions(string_of(GL_EXTENSIONS));
-  for (std::string extension; extensions >> extension;) info.extensions.insert(extension);
   info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&
                   (integer_of(GL_CONTEXT_FLAGS, 0) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
   if (table.GetError)

@@ -1,6 +1,8 @@
 #include <evalcts/gl/table.h>
 
 #include <array>
+#include <sstream>
+#include <utility>
 
 namespace evalcts::gl {
 namespace {
@@ -16,11 +18,54 @@ constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
 #undef GL_ENTRY
 }};
 
-const char* other_name(std::string_view name) {
-  if (name == "glGetnMapfv") return "glGetnMapfvARB";
-  if (name == "glGetnMapdv") return "glGetnMapdvARB";
-  if (name == "glGetnMapiv") return "glGetnMapivARB";
-  return nullptr;
+// Commands that an extension had before they became part of the GL.
+struct Promotion {
+  std::string_view beginning;  // of the names of the commands
+  int since;                   // 10 * major + minor
+  std::string_view extension;
+  std::string_view suffix;
+};
+
+constexpr Promotion kPromotions[] = {
+    {"glActiveTexture", 13, "GL_ARB_multitexture", "ARB"},
+    {"glMultiTexCoord", 13, "GL_ARB_multitexture", "ARB"},
+    {"glSecondaryColor", 14, "GL_EXT_secondary_color", "EXT"},
+    {"glFogCoord", 14, "GL_EXT_fog_coord", "EXT"},
+    {"glGenBuffers", 15, "GL_ARB_vertex_buffer_object", "ARB"},
+    {"glBindBuffer", 15, "GL_ARB_vertex_buffer_object", "ARB"},
+    {"glBufferData", 15, "GL_ARB_vertex_buffer_object", "ARB"},
+    {"glGetBufferSubData", 15, "GL_ARB_vertex_buffer_object", "ARB"},
+    {"glDeleteBuffers", 15, "GL_ARB_vertex_buffer_object", "ARB"},
+    {"glGenQueries", 15, "GL_ARB_occlusion_query", "ARB"},
+    {"glBeginQuery", 15, "GL_ARB_occlusion_query", "ARB"},
+    {"glEndQuery", 15, "GL_ARB_occlusion_query", "ARB"},
+    {"glGetQueryObjectuiv", 15, "GL_ARB_occlusion_query", "ARB"},
+    {"glDeleteQueries", 15, "GL_ARB_occlusion_query", "ARB"},
+    {"glVertexAttrib", 20, "GL_ARB_vertex_program", "ARB"},
+    {"glGetVertexAttrib", 20, "GL_ARB_vertex_program", "ARB"},
+    {"glClampColor", 30, "GL_ARB_color_buffer_float", "ARB"},
+    {"glTransformFeedbackVaryings", 30, "GL_EXT_transform_feedback", "EXT"},
+    {"glBindBufferBase", 30, "GL_EXT_transform_feedback", "EXT"},
+    {"glBeginTransformFeedback", 30, "GL_EXT_transform_feedback", "EXT"},
+    {"glEndTransformFeedback", 30, "GL_EXT_transform_feedback", "EXT"},
+    {"glGenFramebuffers", 30, "GL_EXT_framebuffer_object", "EXT"},
+    {"glBindFramebuffer", 30, "GL_EXT_framebuffer_object", "EXT"},
+    {"glCheckFramebufferStatus", 30, "GL_EXT_framebuffer_object", "EXT"},
+    {"glDeleteFramebuffers", 30, "GL_EXT_framebuffer_object", "EXT"},
+    {"glBeginConditionalRender", 30, "GL_NV_conditional_render", "NV"},
+    {"glEndConditionalRender", 30, "GL_NV_conditional_render", "NV"},
+    {"glPrimitiveRestartIndex", 31, "GL_NV_primitive_restart", "NV"},
+    {"glProvokingVertex", 32, "GL_EXT_provoking_vertex", "EXT"},
+    {"glGetDebugMessageLog", 43, "GL_ARB_debug_output", "ARB"},
+    {"glGetnMap", 45, "GL_ARB_robustness", "ARB"},
+};
+
+// The last row counts: "glBindBufferBase" begins with "glBindBuffer", too.
+const Promotion* promotion_of(std::string_view name) {
+  const Promotion* last = nullptr;
+  for (const Promotion& promotion : kPromotions)
+    if (name.starts_with(promotion.beginning)) last = &promotion;
+  return last;
 }
 
 }  // namespace
@@ -42,21 +87,37 @@ bool has(const Table& table, EntryPoint entry) {
   return false;
 }
 
-Table load_table(std::initializer_list<AddressOf> sources) {
-  // Names of the same command; the second one before it became part of the GL.
-  const auto address = [&](const char* name, const char* other) -> void* {
+Advertised parse_advertised(const std::string& version, const std::string& extensions) {
+  Advertised advertised;
+  // "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11)
+  std::istringstream text(version);
+  int major = 0, minor = 0;
+  char dot = 0;
+  if (text >> major >> dot >> minor && dot == '.') advertised.version = 10 * major + minor;
+  std::istringstream words(extensions);
+  for (std::string word; words >> word;) advertised.extensions.insert(word);
+  return advertised;
+}
+
+Table load_table(std::initializer_list<AddressOf> sources, const Advertised& advertised) {
+  const auto address = [&](const char* name) -> void* {
+    std::string names[] = {name, ""};
+    if (const Promotion* const promotion = promotion_of(name)) {
+      names[1] = std::string(name) + std::string(promotion->suffix);
+      if (advertised.version < promotion->since && advertised.extensions.contains(promotion->extension))
+        std::swap(names[0], names[1]);
+    }
     for (const AddressOf& source : sources)
-      for (const char* const candidate : {name, other})
-        if (candidate)
-          if (void* const found = source(candidate)) return found;
+      for (const std::string& candidate : names)
+        if (!candidate.empty())
+          if (void* const found = source(candidate.c_str())) return found;
     return nullptr;
   };
   Table table;
   // No library has the commands of contexts.h, whatever a get-proc-address function says.
   const auto is_ours = [](std::string_view name) { return name.ends_with("EVALCTS"); };
 #define GL_ENTRY(name, kinds) \
-  if (!is_ours(#name))        \
-    table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name, other_name("gl" #name)));
+  if (!is_ours(#name)) table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name));
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   return table;

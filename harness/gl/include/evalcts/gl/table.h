@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include <evalcts/gl/contexts.h>
@@ -45,10 +47,20 @@ bool has(const Table& table, EntryPoint entry);
 
 using AddressOf = std::function<void*(const char* name)>;
 
-// Fills a table by name ("glMap1f" -> address or null) from the first source that has the command under its
-// name or the one that it had as an extension. To be asked first are symbols that a library exports: a
-// get-proc-address function makes up an address for any name, so a non-null address proves nothing, and
-// implementations are probed for effect afterwards.
-Table load_table(std::initializer_list<AddressOf> sources);
+// The version (10 * major + minor; 0: unknown) and the extensions that a GL advertises.
+struct Advertised {
+  int version = 0;
+  std::set<std::string, std::less<>> extensions;
+};
+// Parses the answers to GetString(GL_VERSION) and GetString(GL_EXTENSIONS).
+Advertised parse_advertised(const std::string& version, const std::string& extensions);
+
+// Fills a table by name ("glMap1f" -> address or null) from the first source that has the command, under its
+// own name or that of the extension that it comes from. If the version is too low for the command and the
+// extension is advertised, the extension's name is tried first: a get-proc-address function makes up an
+// address for any name, so that the core name would be found without any effect. Sources that do not make up
+// addresses (symbols that a library exports) have to come first for the same reason, and implementations are
+// probed for effect afterwards.
+Table load_table(std::initializer_list<AddressOf> sources, const Advertised& advertised = {});
 
 }  // namespace evalcts::gl
