@@ -96,7 +96,7 @@ void evaluate_inside(gl::Case& c, const Map2& map, int steps = 4) {
 }
 
 void expect_normals(Test& t, const std::string& identity, const std::vector<Map2>& maps,
-                    Attributes required = kPosition | kNormal) {
+                    Attributes required = kNormal) {
   gl::Case c(identity);
   set_current_values(c);
   c.Enable(GL_AUTO_NORMAL);
@@ -113,7 +113,7 @@ struct Lengths {
   const char* name;
   Attributes required;
 };
-constexpr Lengths kLengths[] = {{"UNIT", kPosition | kNormal | kUnitNormal}, {"SHADER", kPosition | kNormal}};
+constexpr Lengths kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 }  // namespace
 
@@ -132,7 +132,7 @@ EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliv
     for (const float u : {0.0f, 0.25f, 0.5f, 1.0f})
       for (const float v : {0.0f, 0.375f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
     c.End();
-    t.expect_emission(c, kPosition | kNormal);
+    t.expect_emission(c, kNormal);
   }
 };
 
@@ -153,7 +153,7 @@ void expect_with(Test& t, const std::string& identity, const std::vector<std::pa
     for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
     c.End();
   }
-  t.expect_emission(c, kPosition | kNormal);
+  t.expect_emission(c, kNormal);
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_di
     c.Begin(GL_POINTS);
     for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord1f(u);
     c.End();
-    t.expect_emission(c, kPosition | kNormal);
+    t.expect_emission(c, kNormal);
   }
 };
 
@@ -217,7 +217,7 @@ EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, must, "EV-AUTON-VERTEX4WINS"
     for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 0.5f * u + 0.125f);
     c.End();
   }
-  t.expect_emission(c, kPosition | kNormal);
+  t.expect_emission(c, kNormal);
 };
 
 EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, must, "EV-AUTON-NOVERTEX",
@@ -265,7 +265,7 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CU
   c.Begin(GL_POINTS);
   c.EvalCoord2f(0.25f, 0.5f);
   c.End();
-  t.expect_emission(c, kPosition | kNormal);
+  t.expect_emission(c, kNormal);
 };
 
 // --- Direction and length --------------------------------------------------------------------------------
@@ -328,8 +328,7 @@ EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_de
   wide.u2 = 100;
   wide.v2 = 0.125;
   maps.push_back(wide);
-  expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps,
-                 kPosition | kNormal | kUnitNormal);
+  expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps, kNormal | kUnitNormal);
 };
 
 // A patch of 10 by 10 over [0,1] x [0,1] has a normal of length 100 there.
@@ -344,7 +343,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER",
         if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
       maps.push_back(map);
     }
-  expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kPosition | kNormal | kShaderNormal);
+  expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kNormal | kShaderNormal);
 };
 
 // --- Everything else stays -------------------------------------------------------------------------------
@@ -410,7 +409,7 @@ EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshMod
     c.EvalMesh2(mode.mode, 0, 4, 0, 3);
     c.Disable(patch.target);
   }
-  t.expect_emission(c, kPosition | kNormal);
+  t.expect_emission(c, kNormal);
 };
 
 namespace {

@@ -5,6 +5,12 @@
 
 namespace evalcts {
 
+Attributes Capture::shown_of(Attributes wanted) const {
+  const Attributes shown = wanted & (attributes() | inexact_attributes());
+  const bool other_normals = wanted & ~shown & (kUnitNormal | kShaderNormal);
+  return shown & kAllAttributes & ~(other_normals ? kNormal : 0u);
+}
+
 std::vector<std::unique_ptr<Capture>> all_captures() {
   std::vector<std::unique_ptr<Capture>> captures;
   captures.push_back(make_sink());

@@ -2,11 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts {
+namespace {
+
+std::vector<ObservedVertex> vertices_of(const Observation& observation) {
+  std::vector<ObservedVertex> vertices;
+  for (const ObservedPrimitive& primitive : observation.primitives)
+    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  return vertices;
+}
+
+}  // namespace
 
 Control make_control(const ControlOptions& options) {
   Control control;
@@ -46,9 +57,7 @@ std::string try_control(const Capture& capture, Implementation& implementation, 
 }
 
 std::string compare(const Control& control, const Observation& observation, Attributes attributes) {
-  std::vector<ObservedVertex> seen;
-  for (const ObservedPrimitive& primitive : observation.primitives)
-    seen.insert(seen.end(), primitive.vertices.begin(), primitive.vertices.end());
+  const std::vector<ObservedVertex> seen = vertices_of(observation);
   if (seen.size() != control.vertices.size())
     return fmt::format("the control of {} explicit vertices came back as {}", control.vertices.size(),
                        seen.size());
@@ -64,6 +73,29 @@ std::string compare(const Control& control, const Observation& observation, Attr
       return fmt::format("explicit vertex {} of the control came back changed", i);
   }
   return {};
+}
+
+std::optional<double> measure_color_error(const Capture& capture, Implementation& implementation) {
+  constexpr double kLargest = 1.0 / 63;
+  const Control control = make_control({});
+  std::vector<ObservedVertex> seen;
+  try {
+    seen = vertices_of(capture.observe(implementation, control.commands, {kColor, control.vertices.size()}));
+  } catch (const NotObservable&) {
+    return {};
+  } catch (const gl::MissingEntryPoint&) {
+    return {};
+  }
+  if (seen.size() != control.vertices.size()) return {};
+  double largest = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double error =
+          std::abs(static_cast<double>(seen[i].color[k]) - static_cast<double>(control.vertices[i].color[k]));
+      if (!(error <= kLargest)) return {};
+      largest = std::max(largest, error);
+    }
+  return 2 * largest;
 }
 
 }  // namespace evalcts

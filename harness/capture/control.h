@@ -1,6 +1,8 @@
 // The control that each capture has to reproduce before it is trusted: explicit vertices with known values.
 #pragma once
 
+#include <optional>
+
 #include <evalcts/capture/capture.h>
 #include <evalcts/gl/case.h>
 
@@ -28,5 +30,9 @@ std::string compare(const Control& control, const Observation& observation, Attr
 // Capture::observe does.
 std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
                         Attributes attributes);
+
+// Returns twice the largest error of the control's colours, if that is small enough for a quantiser of at
+// least 6 bits.
+std::optional<double> measure_color_error(const Capture& capture, Implementation& implementation);
 
 }  // namespace evalcts

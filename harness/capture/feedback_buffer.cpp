@@ -68,7 +68,9 @@ class FeedbackBuffer final : public Capture {
     unclamp_ = false;
     for (const Attribute attribute : {kTextureCoordinate0, kPosition, kNormal, kColor})
       if (reproduces({}, attribute)) attributes_ |= attribute;
-    if (attributes_ == 0) throw NotObservable("feedback mode does not give explicit vertices back unchanged");
+    if (!(attributes_ & kColor)) color_error_ = measure_color_error(*this, implementation);
+    if (attributes_ == 0 && !color_error_)
+      throw NotObservable("feedback mode does not give explicit vertices back unchanged");
 
     if (attributes_ & kNormal) attributes_ |= kUnitNormal;
     if (attributes_ & kPosition) {
@@ -82,6 +84,7 @@ class FeedbackBuffer final : public Capture {
   }
 
   Attributes attributes() const override { return attributes_; }
+  Attributes inexact_attributes() const override { return color_error_ ? kColor : 0u; }
   bool loses_nonpositive_w() const override { return keep_w_; }
   bool loses_vertices_beyond_float() const override { return true; }  // 0 * infinity is clipped
 
@@ -103,7 +106,10 @@ class FeedbackBuffer final : public Capture {
     if (wanted & kPosition) pass(TextureCoordinatesHold::position, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::normal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
+    // A control asks for what is not proved yet. Of anything else that came along nothing is known.
+    observation->attributes &= attributes_ | inexact_attributes() | wanted;
     observation->clamped_colors = !unclamp_;
+    observation->color_error = color_error_.value_or(0);
     return *observation;
   }
 
@@ -197,6 +203,7 @@ class FeedbackBuffer final : public Capture {
   bool keep_w_ = true;
   bool unclamp_ = false;
   Attributes attributes_ = 0;
+  std::optional<double> color_error_;  // if colours come back inexact
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace evalcts::cli {
 // Exit codes.
 inline constexpr int kNothingUnexpected = 0;
 inline constexpr int kUnexpected = 1;  // a fail, crash or timeout
-inline constexpr int kWrongUse = 2;    // or something that was asked for cannot be started, read or written
+inline constexpr int kWrongUse = 2;    // or what was asked for cannot be started, read, written or observed
 inline constexpr int kOwnFault = 3;    // a fault of evalcts itself
 
 // How evalcts was called.
@@ -42,5 +43,12 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name, std::vector<
                             const std::string& description);
 // --shard K/N
 CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& description);
+// --allow-unobserved
+CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow);
+
+// Prints to standard error, and returns true, if less than half of the `asked` things ("tests") could be
+// observed on the implementation.
+bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
+                          const char* things);
 
 }  // namespace evalcts::cli

@@ -66,6 +66,21 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
   });
 }
 
+CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
+  return app.add_flag("--allow-unobserved", allow,
+                      "exit code 0 even if most of what was asked for cannot be observed");
+}
+
+bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
+                          const char* things) {
+  if (2 * observed >= asked) return false;
+  std::cerr << fmt::format(
+      "evalcts: {}: only {} of {} {} could be observed: this is no pass. 'evalcts run --verbose' says why; "
+      "with --allow-unobserved the exit code is 0\n",
+      implementation, observed, asked, things);
+  return true;
+}
+
 int command_line(int argc, char** argv, bool only_parse) {
   CLI::App app{"evalcts: conformance test suite and reference oracle for OpenGL evaluators", "evalcts"};
   app.formatter(help_formatter());

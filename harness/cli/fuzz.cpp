@@ -27,6 +27,7 @@ struct FuzzOptions {
   double seconds = 0;  // 0: no limit
   int length = 120;    // commands of a program, about
   bool fresh_contexts = false;
+  bool allow_unobserved = false;
   std::optional<int> jobs;
   std::string output;  // empty: the usual folder
 };
@@ -77,10 +78,10 @@ int fuzz(const FuzzOptions& options) {
                         cause.program, cause.cause, cause.finding.failure.message, cause.file);
   }
   text += fmt::format(
-      "{}: seed {}: {} programs ({} of them seen in full), {} commands in {:.1f} s; {} causes, {} of them "
-      "new\n",
-      request.name, request.seed, hunt.programs, hunt.judged, hunt.commands, hunt.seconds, hunt.causes.size(),
-      unexpected);
+      "{}: seed {}: {} programs ({} judged, {} of them in full), {} commands in {:.1f} s; {} causes, {} of "
+      "them new\n",
+      request.name, request.seed, hunt.programs, hunt.judged, hunt.in_full, hunt.commands, hunt.seconds,
+      hunt.causes.size(), unexpected);
   if (hunt.not_repeated)
     text +=
         fmt::format("{} programs differed in a shared context only, not behind the programs before them\n",
@@ -92,7 +93,10 @@ int fuzz(const FuzzOptions& options) {
     return kWrongUse;
   }
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
-  return unexpected > 0 ? kUnexpected : interrupted ? kWrongUse : kNothingUnexpected;
+  if (unexpected > 0) return kUnexpected;
+  if (!options.allow_unobserved && warn_if_mostly_unobserved(request.name, hunt.judged, hunt.programs, "programs"))
+    return kWrongUse;
+  return interrupted ? kWrongUse : kNothingUnexpected;
 }
 
 std::function<int()> define_fuzz(CLI::App& app, const Call&) {
@@ -110,6 +114,7 @@ std::function<int()> define_fuzz(CLI::App& app, const Call&) {
   app.add_option("--jobs", options->jobs, "processes side by side (default: one for each core)")
       ->check(CLI::Range(1, 256));
   app.add_option("--output", options->output, "folder for what is found");
+  add_allow_unobserved(app, options->allow_unobserved);
   return [options] { return fuzz(*options); };
 }
 

@@ -45,6 +45,7 @@ struct RunOptions {
   bool write_baseline = false;
   bool strict = false;
   bool reuse_context = false;
+  bool allow_unobserved = false;
   std::vector<std::string> interpretations;  // NAME=READING
   std::string shard;                         // "K/N"; empty: all
   std::optional<std::uint32_t> shuffle;      // seed of the order in which the tests run
@@ -59,8 +60,9 @@ struct RunOptions {
 
 namespace fs = std::filesystem;
 
-int exit_code_of(const RunResult& result, bool named, bool strict) {
-  if (!result.has_started()) return named ? kWrongUse : kNothingUnexpected;
+int exit_code_of(const RunResult& result, const RunOptions& options) {
+  if (!result.has_started()) return options.names_implementations() ? kWrongUse : kNothingUnexpected;
+  const bool strict = options.strict;
   int code = kNothingUnexpected;
   for (const TestRecord& test : result.tests) {
     if (test.verdict == Verdict::kInternalError) return kOwnFault;
@@ -68,6 +70,12 @@ int exit_code_of(const RunResult& result, bool named, bool strict) {
     if (strict && test.is_unexpected_pass()) code = kUnexpected;
   }
   if (strict && !result.stale_baseline_entries.empty()) code = kUnexpected;
+  const auto count = [&](Verdict verdict) { return result.counts[static_cast<std::size_t>(verdict)]; };
+  const std::uint64_t supported = result.total() - count(Verdict::kNotSupported);
+  if (code == kNothingUnexpected && !options.allow_unobserved &&
+      warn_if_mostly_unobserved(result.implementation.name, supported - count(Verdict::kNotObservable),
+                                supported, "tests"))
+    code = kWrongUse;
   return code;
 }
 
@@ -271,7 +279,7 @@ int run(const RunOptions& options, const std::string& shard) {
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
                                                            options.verbose, screen_of(STDOUT_FILENO).lines) +
                                      "\n");
-      code = std::max(code, exit_code_of(result, options.names_implementations(), options.strict));
+      code = std::max(code, exit_code_of(result, options));
       if (result.status == RunStatus::kInterrupted) code = std::max(code, kWrongUse);
       results.push_back(std::move(result));
     }
@@ -318,6 +326,7 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
                  "interpretations'; may be repeated");
   app.add_flag("--reuse-context", options->reuse_context,
                "a second pass over one shared context, for defects that depend on history");
+  add_allow_unobserved(app, options->allow_unobserved);
   add_shard(app, options->shard, "K/N: every N-th of the tests, from the K-th on; N machines play them all");
   app.add_option("--shuffle", options->shuffle,
                  "run the tests in a random order (GoogleTest keeps those of a suite together): its "

@@ -196,7 +196,8 @@ Judged judge_program(const Subject& subject, const gl::Case& program, const Spec
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
   if (record.verdict == Verdict::kInternalError)
     throw std::logic_error(fmt::format("{}: {}", program.identity(), record.message));
-  if (record.verdict != Verdict::kFail) return {{}, record.verdict == Verdict::kPass};
+  const bool passed = record.verdict == Verdict::kPass;
+  if (record.verdict != Verdict::kFail) return {{}, passed, passed && record.unobserved.empty()};
   const Failure& failure = record.failures.front();
   return {Finding{program, failure, cause_of(program, failure.what), requirement_of(program, failure.what)}};
 }
@@ -309,7 +310,7 @@ class Player {
   }
 
   void report_progress() {
-    report_(CampaignProgress{programs_, judged_, commands_, not_repeated_});
+    report_(CampaignProgress{programs_, judged_, in_full_, commands_, not_repeated_});
     reported_ = Clock::now();
   }
 
@@ -327,6 +328,7 @@ class Player {
     const Judged outcome =
         shares ? shared_->judge(program, specified) : judge_program(subject_, program, specified);
     judged_ += outcome.judged;
+    in_full_ += outcome.in_full;
     commands_ += program.commands().size();
     std::optional<Finding> found = outcome.finding;
     if (found && shares) found = repeated(program, specified);
@@ -461,7 +463,7 @@ class Player {
   const int max_order_;
   const Clock::time_point begin_ = Clock::now();
   Clock::time_point reported_ = begin_;
-  std::uint64_t programs_ = 0, judged_ = 0, commands_ = 0, not_repeated_ = 0;
+  std::uint64_t programs_ = 0, judged_ = 0, in_full_ = 0, commands_ = 0, not_repeated_ = 0;
   std::vector<std::string> causes_;        // that have been seen
   std::unique_ptr<SharedContext> shared_;  // may be null
 };

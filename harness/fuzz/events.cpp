@@ -47,11 +47,9 @@ struct EventWriter {
     return {{"event", "finding"}, {"number", found.number}, {"finding", to_json(found.finding)}};
   }
   json operator()(const CampaignProgress& progress) const {
-    return {{"event", "progress"},
-            {"programs", progress.programs},
-            {"judged", progress.judged},
-            {"commands", progress.commands},
-            {"not_repeated", progress.not_repeated}};
+    return {{"event", "progress"},           {"programs", progress.programs},
+            {"judged", progress.judged},     {"in_full", progress.in_full},
+            {"commands", progress.commands}, {"not_repeated", progress.not_repeated}};
   }
 };
 
@@ -70,8 +68,8 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
     if (kind == "smaller") return FindingShrank{finding_from(event.at("finding"))};
     if (kind == "finding") return FindingMade{event.at("number"), finding_from(event.at("finding"))};
     if (kind == "progress")
-      return CampaignProgress{event.at("programs"), event.at("judged"), event.at("commands"),
-                              event.at("not_repeated")};
+      return CampaignProgress{event.at("programs"), event.at("judged"), event.at("in_full"),
+                              event.at("commands"), event.at("not_repeated")};
   } catch (const json::exception&) {
   } catch (const std::invalid_argument&) {
   }

@@ -163,6 +163,7 @@ class Hunter {
       hunt_.programs += now->programs - lane.played.programs;
       hunt_.commands += now->commands - lane.played.commands;
       hunt_.judged += now->judged - lane.played.judged;
+      hunt_.in_full += now->in_full - lane.played.in_full;
       hunt_.not_repeated += now->not_repeated - lane.played.not_repeated;
       lane.played = *now;
     }

@@ -66,6 +66,10 @@ class VertexJudge {
     if (!(options_.attributes & observation_.attributes & attribute)) return;
     measured_ = options_.measured & attribute;
     const bool clamped = attribute == kColor && observation_.clamped_colors;
+    const double capture_error = attribute == kColor ? observation_.color_error : 0;
+    // What the capture adds is not the library's.
+    if (capture_error > 0 && options_.level == Level::quality) return;
+    if (capture_error > 0) measured_ = false;
     for (std::size_t i = 0; i < got.size(); ++i) {
       const auto what = [&] {
         const std::string number = attribute == kTextureCoordinate0 || attribute == kTextureCoordinatesOther
@@ -74,16 +78,17 @@ class VertexJudge {
         return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
       };
       if (const auto* given = std::get_if<float>(&expected[i])) {
-        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i]);
+        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], capture_error);
       } else {
-        evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped);
+        evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped, capture_error);
       }
     }
   }
 
   template <class What>
-  void given_value(const What& what, float expected, float got) {
+  void given_value(const What& what, float expected, float got, double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
+    if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
     Mismatch mismatch;
     mismatch.what = what();
     mismatch.message = fmt::format("{} is {}, but no map supplies it: {} was given", mismatch.what, text(got),
@@ -96,12 +101,14 @@ class VertexJudge {
                        : std::numeric_limits<double>::infinity();
     mismatch.condition_aware = std::numeric_limits<double>::infinity();
     mismatch.got = static_cast<double>(got);
-    mismatch.lowest = mismatch.highest = static_cast<double>(expected);
+    mismatch.lowest = static_cast<double>(expected) - capture_error;
+    mismatch.highest = static_cast<double>(expected) + capture_error;
     judgement_.mismatches.push_back(std::move(mismatch));
   }
 
   template <class What>
-  void evaluated_value(const What& what, const Sample& sample, float got, bool clamped) {
+  void evaluated_value(const What& what, const Sample& sample, float got, bool clamped,
+                       double capture_error) {
     const Component component = sample;
     Accuracy& accuracy = judgement_.accuracy;
     if (!reference::is_finite(component)) {
@@ -123,8 +130,9 @@ class VertexJudge {
       return;
     }
     measure(what, sample, exact, magnitude, got);
-    const Rational bound = options_.level == Level::quality ? reference::quality_bound(component)
-                                                            : reference::acceptance_bound(component);
+    const Rational bound = (options_.level == Level::quality ? reference::quality_bound(component)
+                                                             : reference::acceptance_bound(component)) +
+                           Rational(capture_error);
     if (!reference::is_within(got, exact, bound) && !(clamped && within_clamped(got, exact, bound)))
       judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got, clamped));
   }
@@ -357,11 +365,16 @@ std::string disagreement(const Seen& a, const Seen& b) {
     const auto found = second.find(index);
     if (found == second.end()) return fmt::format("only one capture saw vertex {}", index);
     const ObservedVertex* const other = found->second;
+    const double color_error = a.observation.color_error + b.observation.color_error;
+    const auto same_color = [&](float x, float y) {
+      return same_value(clamp(x), clamp(y)) ||
+             std::abs(static_cast<double>(clamp(x)) - static_cast<double>(clamp(y))) <= color_error;
+    };
     const char* differs = nullptr;
     if ((both & kPosition) && !same(one->position, other->position)) differs = "position";
     if (both & kColor)
       for (std::size_t k = 0; k < 4; ++k)
-        if (!same_value(clamp(one->color[k]), clamp(other->color[k]))) differs = "colour";
+        if (!same_color(one->color[k], other->color[k])) differs = "colour";
     if ((both & kNormal) && !same(one->normal, other->normal)) differs = "normal";
     for (std::size_t unit = 0; unit < std::min(a.observation.units, b.observation.units); ++unit)
       if ((both & (unit == 0 ? kTextureCoordinate0 : kTextureCoordinatesOther)) &&

@@ -106,6 +106,7 @@ TestRecord read_test(const JsonObject& in) {
   in.each_object("failures", [&](const JsonObject& item) { out.failures.push_back(read_failure(item)); });
   Failure of_test = read_failure(in);  // the same fields stand at the level of the test
   out.capture = of_test.capture;
+  out.unobserved = in.text("unobserved");
   of_test.message.clear();
   const bool says_something =
       !of_test.expected.empty() || !of_test.captured.empty() || !of_test.calls.empty();

@@ -71,6 +71,7 @@ json to_json(const TestRecord& test) {
   out["failures"] = json::array();
   for (const Failure& failure : test.failures) out["failures"].push_back(to_json(failure));
   set(out, "capture", test.capture);
+  set(out, "unobserved", test.unobserved);
   if (!test.failures.empty()) {
     // The first failing case stands for the test.
     const Failure& first = test.failures.front();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -66,6 +67,8 @@ bool uses_lists(const gl::Case& script) {
   return std::ranges::any_of(
       script.commands(), [](const gl::Command& command) { return command.entry == gl::EntryPoint::NewList; });
 }
+
+Attributes all_shown(const Capture& capture) { return capture.attributes() | capture.inexact_attributes(); }
 
 gl::Check at_most_written(gl::Ref query, std::size_t count) {
   return {.answer = {.of = gl::Answer::Of::written, .command = query},
@@ -281,19 +284,38 @@ Played Test::play(const gl::Case& written) {
   return played;
 }
 
-std::vector<const Capture*> Test::captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
-                                               std::size_t most) const {
+const Capture& Test::capture_for(Attributes required, PrimitiveKinds kinds) const {
+  for (std::size_t i = 0; i < subject_.captures->size(); ++i) {
+    const Capture* const capture = subject_.captures->at(i);
+    if (capture && capture->takes(kinds) && (capture->attributes() & required) == required) return *capture;
+  }
+  throw NotObservable(fmt::format("no capture of this implementation shows {}", describe(required)));
+}
+
+std::vector<const Capture*> Test::captures_showing(Attributes required, PrimitiveKinds kinds,
+                                                   bool nonpositive_w, std::size_t most) const {
   std::vector<const Capture*> captures;
-  for (std::size_t i = 0; i < subject_.captures->size() && captures.size() < most; ++i) {
-    const Capture* capture = subject_.captures->at(i);
-    if (!capture) continue;
-    if (nonpositive_w && capture->loses_nonpositive_w()) continue;
-    if (!capture->takes(kinds)) continue;
-    if ((capture->attributes() & required) == required) captures.push_back(capture);
+  const auto is_usable = [&](const Capture& capture) {
+    return !(nonpositive_w && capture.loses_nonpositive_w()) && capture.takes(kinds);
+  };
+  const Attributes wanted = required & kAllAttributes;
+  Attributes shown = 0;
+  for (std::size_t i = 0; i < subject_.captures->size(); ++i) {
+    if (shown == wanted && captures.size() >= most) break;  // the next one might have to be proved
+    const Capture* const capture = subject_.captures->at(i);
+    if (!capture || !is_usable(*capture)) continue;
+    const Attributes of_this = capture->shown_of(required);
+    if (std::popcount(of_this) > std::popcount(shown)) {
+      captures = {capture};
+      shown = of_this;
+    } else if (of_this != 0 && (of_this & shown) == shown) {
+      captures.push_back(capture);
+    }
   }
   if (captures.empty())
     throw NotObservable(fmt::format("no capture of this implementation shows {}{}", describe(required),
                                     nonpositive_w ? " of vertices with w <= 0" : ""));
+  if (captures.size() > most) captures.resize(most);
   return captures;
 }
 
@@ -344,7 +366,7 @@ void Test::note_lists(const gl::Case& script, const Capture& capture, Attributes
   // In a reproduction they are beyond doubt, and the control is not the case.
   if (!uses_lists(script) || subject_.reproduction) return;
   // Where vertices are astray nothing else of them is right.
-  lists_in_doubt_ = {script, &capture, (judged | kPosition) & capture.attributes()};
+  lists_in_doubt_ = {script, &capture, (judged | kPosition) & all_shown(capture)};
 }
 
 // Where a case through display lists fails, the same with explicit vertices has to be right: otherwise the
@@ -397,9 +419,9 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   };
   std::vector<Look> looks;
   const std::size_t most = cross_checked(prediction) ? subject_.captures->size() : 1;
-  for (const Capture* capture : captures_for(required, kinds, prediction.has_nonpositive_w(), most)) {
+  for (const Capture* capture : captures_showing(required, kinds, prediction.has_nonpositive_w(), most)) {
     // The first shows all it can; the others cross-check what the test is about.
-    const Attributes wanted = looks.empty() ? capture->attributes() : required;
+    const Attributes wanted = looks.empty() ? all_shown(*capture) : capture->shown_of(required);
     Topology topology = topology_of(prediction, *capture);
     // The explicit primitives are not the case.
     if (looks.empty() && subject_.reproduction) subject_.reproduction->begin_case();
@@ -439,8 +461,9 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
       if (mismatch.of == Mismatch::Of::vertices)
         throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
                                         capture->name(), mismatch.message));
-  note_lists(script, *capture, capture->attributes());
-  fail_each(script, *capture, {capture->attributes(), room, kinds}, observation,
+  unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
+  note_lists(script, *capture, all_shown(*capture));
+  fail_each(script, *capture, {all_shown(*capture), room, kinds}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
@@ -551,6 +574,7 @@ void Test::run(const std::function<void(Test&)>& body) {
     record_.message = "no case of the test has a command that goes into a display list";
   }
   std::sort(record_.mismatches.begin(), record_.mismatches.end());
+  if (unobserved_) record_.unobserved = describe(unobserved_);
   record_.cases = cases_;
   record_.failed_cases = failed_cases_;
 }

@@ -420,7 +420,7 @@ TEST_F(FuzzCommand, ProductionHoldsOut) {
     std::ofstream(folder_ / file) << "{}";
   const Outcome outcome = fuzz({"--implementation", "production", "--programs", "40", "--seed", "5"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("seed 5: 40 programs (40 of them seen in full)"), std::string::npos)
+  EXPECT_NE(outcome.text.find("seed 5: 40 programs (40 judged, 40 of them in full)"), std::string::npos)
       << outcome.text;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.json"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "fuzz-production-1.c"));

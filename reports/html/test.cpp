@@ -37,7 +37,7 @@ data failure_view(const Failure& failure, const Failure* above) {
   add_row(rows, "Exact", failure.exact, true);
   add_row(rows, "ULP", failure.ulp ? number(failure.ulp) : "");
   add_row(rows, "Condition-aware", failure.condition_aware ? number(failure.condition_aware) : "");
-  add_row(rows, "CaptureRecord", failure.capture);
+  add_row(rows, "Capture", failure.capture);
   out.set("rows", rows);
   const bool said = above && !failure.calls.empty() && failure.calls == above->calls;
   out.set("calls_above", said);
@@ -57,6 +57,7 @@ std::string facts_of(const TestRecord& test, bool with_time) {
   if (test.failed_cases && *test.failed_cases > test.failures.size() && !test.failures.empty()) {
     facts.push_back(fmt::format("{} recorded", test.failures.size()));
   }
+  if (!test.unobserved.empty()) facts.push_back("not observed: " + test.unobserved);
   if (test.seed) facts.push_back(fmt::format("seed {}", *test.seed));
   if (test.seconds && with_time) facts.push_back(fmt::format("{:.3f} s", *test.seconds));
   return join(facts, ", ");

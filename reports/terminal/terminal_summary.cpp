@@ -169,6 +169,13 @@ void write_head(Screen& screen, const RunResult& record) {
       counts.push_back(fmt::format("{} {}", record.counts[i], text_of(static_cast<Verdict>(i)).word));
   }
   screen.list(count(record.total(), "test"), counts);
+
+  std::map<std::string, std::size_t> unobserved;  // passes by what they are without
+  for (const TestRecord& test : record.tests)
+    if (test.verdict == Verdict::kPass && !test.unobserved.empty()) ++unobserved[test.unobserved];
+  for (const auto& [attributes, tests] : unobserved)
+    screen.line(fmt::format("  {} of these passes without {}: no capture shows it", tests, attributes),
+                Colour::kYellow);
 }
 
 // What decided nothing, one line for each verdict and reason.

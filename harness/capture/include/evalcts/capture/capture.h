@@ -30,8 +30,16 @@ class Capture {
   // observe().
   virtual void prove(Implementation& implementation, const ImplementationInfo& info) = 0;
 
-  // What it can observe; valid after prove().
+  // The attributes that it reproduces bit for bit; valid after prove().
   virtual Attributes attributes() const = 0;
+
+  // Further attributes, which it reproduces up to an error that observations state
+  // (Observation::color_error); valid after prove().
+  virtual Attributes inexact_attributes() const { return 0; }
+
+  // Those of the wanted attributes of a vertex that observations show, exact or not. A kind of normals
+  // (kUnitNormal, kShaderNormal) that is wanted but not shown leaves no normals.
+  Attributes shown_of(Attributes wanted) const;
 
   // Whether vertices with w <= 0 are lost on the way; valid after prove().
   virtual bool loses_nonpositive_w() const { return false; }

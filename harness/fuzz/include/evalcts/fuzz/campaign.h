@@ -49,7 +49,8 @@ gl::Case with_commands_of(const gl::Table& table, const gl::Case& program);
 // itself.
 struct Judged {
   std::optional<Finding> finding;
-  bool judged = true;  // false: not all of it could be seen
+  bool judged = true;   // at least some of what it does could be observed
+  bool in_full = true;  // all of it could
 };
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified,
                      Look look = Look::all);

@@ -28,7 +28,8 @@ struct FindingMade {
 // Totals since the campaign started.
 struct CampaignProgress {
   std::uint64_t programs = 0;
-  std::uint64_t judged = 0;  // those of which everything could be seen
+  std::uint64_t judged = 0;   // those of which something could be observed
+  std::uint64_t in_full = 0;  // those of which everything could
   std::uint64_t commands = 0;
   std::uint64_t not_repeated = 0;  // those that differed in the shared context only
 };

@@ -41,9 +41,10 @@ struct Cause {
 };
 
 struct Hunt {
-  std::uint64_t programs = 0, judged = 0, commands = 0;  // judged: all that they do could be seen
-  std::uint64_t not_repeated = 0;                        // that differed in a shared context only
-  std::uint64_t slow = 0;                                // that took too long, but not once more
+  std::uint64_t programs = 0, commands = 0;
+  std::uint64_t judged = 0, in_full = 0;  // programs of which something, or everything, could be observed
+  std::uint64_t not_repeated = 0;         // that differed in a shared context only
+  std::uint64_t slow = 0;                 // that took too long, but not once more
   double seconds = 0;
   std::vector<Cause> causes;  // in the order of their first programs
   std::string cannot_start;   // why nothing was played; else empty

@@ -65,6 +65,7 @@ struct ObservedPrimitive {
 struct Observation {
   Attributes attributes = 0;    // those that hold observed values
   bool clamped_colors = false;  // colours were clamped to [0,1] on the way
+  double color_error = 0;       // largest absolute error that the capture itself may add to a colour
   std::size_t units = 1;        // texture units observed
   GLenum error = GL_NO_ERROR;   // what the case itself left behind
   bool error_observed = true;   // false: the implementation has no GetError

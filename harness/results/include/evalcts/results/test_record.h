@@ -53,6 +53,7 @@ struct TestRecord {
   std::vector<std::string> mismatches;  // sorted identities of all that is wrong, "case: what"
   std::vector<Failure> failures;        // the first few, in full
   std::string capture;                  // the first that was used; empty if none was
+  std::string unobserved;               // attributes that the test is about, but no capture shows
   std::optional<Accuracy> accuracy;
   std::map<std::string, std::string> readings;  // of ambiguous texts, that the implementation follows
 

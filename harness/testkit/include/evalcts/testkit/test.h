@@ -135,8 +135,9 @@ class Test {
 
   // Observes what the case emits through the first capture that can see it (in one test of 32, at
   // thorough depth in all, through the others as well: they have to agree), and judges it against the
-  // executable specification at the level of the test. `required` attributes must be observed, or the test is
-  // not-observable; further ones are judged where a capture shows them.
+  // executable specification at the level of the test. All attributes that the capture shows are judged.
+  // Those of the `required` ones that no capture shows are recorded as unobserved; if none is shown, the test
+  // is not-observable.
   void expect_emission(const gl::Case& script, Attributes required);
   // The same with a prediction that is at hand. Not through a delivery. Unless `measured`, the accuracy of
   // what is judged, which takes longer than the verdict, is not recorded.
@@ -177,12 +178,12 @@ class Test {
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       bool measured);
   bool cross_checked(const Prediction& prediction) const;
-  const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const {
-    return *captures_for(required, kinds, false, 1).front();
-  }
-  // At least one, at most `most`. Throws NotObservable.
-  std::vector<const Capture*> captures_for(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
-                                           std::size_t most) const;
+  // The first capture that shows all of these attributes exactly. Throws NotObservable.
+  const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const;
+  // The capture that shows most of the required attributes, and up to `most` - 1 more that show the same.
+  // Throws NotObservable.
+  std::vector<const Capture*> captures_showing(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
+                                               std::size_t most) const;
   void note_capture(const Capture& capture);
   // A failure for each mismatch that `judge` finds in what the capture saw of the case.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
@@ -204,6 +205,7 @@ class Test {
   std::optional<gl::Delivery> delivery_;
   bool lists_used_ = false;
   std::optional<Listed> lists_in_doubt_;  // until explicit vertices come right out of them
+  Attributes unobserved_ = 0;             // of those that the test is about
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };
