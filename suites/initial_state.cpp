@@ -72,6 +72,7 @@ void expect_initial_order(Test& t, GLenum target, const std::vector<double>& ord
 
 EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
 (Test& t) {
+  t.require_initial_state();
   gl::Case c("all 18 enables");
   std::vector<gl::Ref> is, get;
   for (const GLenum target : all_targets()) {
@@ -85,6 +86,7 @@ EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
 
 EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF")
 (Test& t) {
+  t.require_initial_state();
   gl::Case c("AUTO_NORMAL");
   const gl::Ref is = c.IsEnabled(GL_AUTO_NORMAL);
   const gl::Ref get = c.GetBooleanv(GL_AUTO_NORMAL, gl::out<GLboolean>(1));
@@ -95,16 +97,19 @@ EVALCTS_TEST(InitialState, AutoNormalDisabled, must, "EV-INIT-AUTON-OFF")
 
 EVALCTS_TEST(InitialState, OrderOf1D, must, "EV-INIT-ORDER1")
 (Test& t) {
+  t.require_initial_state();
   for (const GLenum target : gl::kMap1Targets) expect_initial_order(t, target, {1});
 };
 
 EVALCTS_TEST(InitialState, OrderOf2D, must, "EV-INIT-ORDER2")
 (Test& t) {
+  t.require_initial_state();
   for (const GLenum target : gl::kMap2Targets) expect_initial_order(t, target, {1, 1});
 };
 
 EVALCTS_TEST(InitialState, VertexPoint, must, "EV-INIT-COEFF-VERTEX")
 (Test& t) {
+  t.require_initial_state();
   expect_initial_points(t, {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4});
 };
 
@@ -119,6 +124,7 @@ EVALCTS_TEST(InitialState, IndexPoint, must, "EV-INIT-COEFF-INDEX")
 
 EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX")
 (Test& t) {
+  t.require_initial_state();
   t.require(1, 1);
   expect_initial_points(t, {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                             GL_MAP1_TEXTURE_COORD_4, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2,
@@ -127,6 +133,7 @@ EVALCTS_TEST(InitialState, TexturePoint, must, "EV-INIT-COEFF-TEX")
 
 EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN")
 (Test& t) {
+  t.require_initial_state();
   for (const GLenum target : all_targets()) {
     const bool two = gl::token_name(target).find("MAP2") != std::string::npos;
     gl::Case c(label(target));
@@ -141,6 +148,7 @@ EVALCTS_TEST(InitialState, Domain, quality, "EV-INIT-DOMAIN")
 
 EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1")
 (Test& t) {
+  t.require_initial_state();
   gl::Case c("MAP1_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2));
   const gl::Ref real = c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
@@ -154,6 +162,7 @@ EVALCTS_TEST(InitialState, Grid1, must, "EV-INIT-GRID1")
 
 EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2")
 (Test& t) {
+  t.require_initial_state();
   gl::Case c("MAP2_GRID");
   const gl::Ref domain = c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4));
   const gl::Ref real = c.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4));
@@ -167,6 +176,7 @@ EVALCTS_TEST(InitialState, Grid2, must, "EV-INIT-GRID2")
 
 EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
 (Test& t) {
+  t.require_initial_state();
   for (const GLenum vertex : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4}) {
     gl::Case c(label(vertex));
     c.Enable(vertex);
@@ -179,6 +189,7 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
 
 EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visible_targets2()))
 (Test& t, GLenum target) {
+  t.require_initial_state();
   if (is_texture_map(target)) t.require(1, 1);
   gl::Case c(label(target));
   set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
@@ -193,6 +204,7 @@ EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visibl
 // Every other map as well: its initial constant, on a vertex map that was never defined either.
 EVALCTS_TEST(InitialState, EvaluableWith, must, "EV-INIT-EVALUABLE", combine(visible_targets()))
 (Test& t, GLenum target) {
+  t.require_initial_state();
   if (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) t.require(1, 1);
   gl::Case c(label(target));
   set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
@@ -206,6 +218,7 @@ EVALCTS_TEST(InitialState, EvaluableWith, must, "EV-INIT-EVALUABLE", combine(vis
 
 EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
 (Test& t) {
+  t.require_initial_state();
   gl::Case limit("MAX_EVAL_ORDER");
   const gl::Ref query = limit.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
   Played played = t.play(limit);
@@ -230,7 +243,8 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
 // The same value serves two dimensions, and u as well as v.
 EVALCTS_TEST(InitialState, MaxEvalOrder2, must, "EV-INIT-MAXORDER/2-D", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
-  const int max = t.max_order();
+  t.require_initial_state();
+  const int max = t.order_limit();
   gl::Case c("MAX x MAX, MAX x 2, 2 x MAX, and one more");
   std::vector<gl::Ref> accepted, defined, refused;
   const std::pair<int, int> orders[] = {{max, max}, {max, 2}, {2, max}};

@@ -145,7 +145,7 @@ Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, const Layout& l
 
 std::vector<int> orders_too_high(const Test& t) {
   constexpr int kBeyond = 0x10001;
-  const int limit = std::max(t.gl().max_eval_order, 8);
+  const int limit = t.order_limit();
   if (limit >= kBeyond)
     throw NotObservable(fmt::format("MAX_EVAL_ORDER is {}: no order above it can be tried", limit));
   std::vector<int> orders;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include <evalcts/backends/refused_queries.h>
 #include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
 #include "context_maker.h"
@@ -150,13 +151,38 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
                     version, gl::error_name(trace.error(error))));
 }
 
+// True if state survives its context, as in a layer with one state for all of them, or without any contexts.
+bool state_survives_context(Implementation& implementation) {
+  constexpr GLint kSegments = 7;
+  constexpr GLenum kMap = GL_MAP1_NORMAL;
+  const auto has_commands = [](const gl::Table& gl) {
+    return gl.MapGrid1f && gl.GetIntegerv && gl.Enable && gl.Disable && gl.IsEnabled;
+  };
+  {
+    const std::unique_ptr<Context> first = implementation.create_context();
+    if (!has_commands(first->table())) return false;
+    first->table().MapGrid1f(kSegments, 0.25f, 0.75f);
+    first->table().Enable(kMap);
+  }
+  const std::unique_ptr<Context> second = implementation.create_context();
+  const gl::Table& gl = second->table();
+  GLint segments = 0;
+  gl.GetIntegerv(GL_MAP1_GRID_SEGMENTS, &segments);
+  const bool survives = segments == kSegments || gl.IsEnabled(kMap) == GL_TRUE;
+  gl.MapGrid1f(1, 0, 1);
+  gl.Disable(kMap);
+  if (gl.GetError)
+    for (int i = 0; i < 16 && gl.GetError() != GL_NO_ERROR; ++i) continue;
+  return survives;
+}
+
 }  // namespace
 
 ImplementationInfo inquire(Implementation& implementation) {
   ImplementationInfo info;
   info.name = implementation.name();
   info.library = implementation.library();
-  const std::unique_ptr<Context> context = implementation.create_context();
+  std::unique_ptr<Context> context = implementation.create_context();
   const gl::Table& table = context->table();
 
   const auto string_of = [&](GLenum name) -> std::string {
@@ -189,6 +215,9 @@ ImplementationInfo inquire(Implementation& implementation) {
     for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) continue;
 
   require_an_effect(table, info.library.empty() ? "the library" : info.library, info.version);
+  context.reset();
+  info.shares_state = state_survives_context(implementation);
+  info.refused_queries = find_refused_queries(implementation);
   return info;
 }
 

@@ -403,11 +403,9 @@ class ReusedContext final : public Implementation {
   std::string name() const override { return inner_.name(); }
   std::string library() const override { return inner_.library(); }
   std::unique_ptr<Context> create_context() override {
-    if (shared_) {
-      shared_->restore();
-    } else {
-      shared_.emplace(inner_.create_context(), info_, programs_);
-    }
+    const bool is_first = !shared_;
+    if (is_first) shared_.emplace(inner_.create_context(), info_, programs_);
+    if (!is_first || info_.shares_state) shared_->restore();
     return std::make_unique<Handle>(*shared_);
   }
 

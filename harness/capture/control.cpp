@@ -75,6 +75,20 @@ std::string compare(const Control& control, const Observation& observation, Attr
   return {};
 }
 
+Attributes confirm_attributes(const Capture& capture, Implementation& implementation,
+                              const ControlOptions& options, Attributes attributes) {
+  Attributes confirmed = 0;
+  for (const Attribute attribute : {kTextureCoordinate0, kPosition, kNormal, kColor}) {
+    if (!(attributes & attribute)) continue;
+    try {
+      if (try_control(capture, implementation, options, attribute).empty()) confirmed |= attribute;
+    } catch (const NotObservable&) {
+    } catch (const gl::MissingEntryPoint&) {
+    }
+  }
+  return confirmed;
+}
+
 std::optional<double> measure_color_error(const Capture& capture, Implementation& implementation) {
   constexpr double kLargest = 1.0 / 63;
   const Control control = make_control({});

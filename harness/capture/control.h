@@ -31,6 +31,10 @@ std::string compare(const Control& control, const Observation& observation, Attr
 std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
                         Attributes attributes);
 
+// Returns those of the attributes that the capture reproduces; none if it does not work at all.
+Attributes confirm_attributes(const Capture& capture, Implementation& implementation,
+                              const ControlOptions& options, Attributes attributes);
+
 // Returns twice the largest error of the control's colours, if that is small enough for a quantiser of at
 // least 6 bits.
 std::optional<double> measure_color_error(const Capture& capture, Implementation& implementation);

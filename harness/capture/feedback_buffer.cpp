@@ -55,19 +55,12 @@ class FeedbackBuffer final : public Capture {
   std::string name() const override { return "FeedbackBuffer"; }
 
   void prove(Implementation& implementation, const ImplementationInfo& info) override {
-    const auto reproduces = [&](const ControlOptions& options, Attributes attributes) {
-      try {
-        return try_control(*this, implementation, options, attributes).empty();
-      } catch (const NotObservable&) {
-        return false;
-      } catch (const gl::MissingEntryPoint&) {
-        return false;
-      }
+    const auto reproduces = [&](const ControlOptions& options, Attribute attribute) {
+      return confirm_attributes(*this, implementation, options, attribute) != 0;
     };
     keep_w_ = true;
     unclamp_ = false;
-    for (const Attribute attribute : {kTextureCoordinate0, kPosition, kNormal, kColor})
-      if (reproduces({}, attribute)) attributes_ |= attribute;
+    attributes_ = confirm_attributes(*this, implementation, {}, kAllAttributes);
     if (!(attributes_ & kColor)) color_error_ = measure_color_error(*this, implementation);
     if (attributes_ == 0 && !color_error_)
       throw NotObservable("feedback mode does not give explicit vertices back unchanged");

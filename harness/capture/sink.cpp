@@ -1,4 +1,6 @@
 // Vertices straight out of an evaluator in this process.
+#include <optional>
+
 #include "control.h"
 
 namespace evalcts {
@@ -21,9 +23,10 @@ class Sink final : public Capture {
     } catch (const gl::MissingEntryPoint&) {
       // An evaluator without explicit vertices: nothing lies between it and us that could change them.
     }
-    if (!wrong.empty()) throw NotObservable(wrong);
+    if (!wrong.empty()) keep_what_is_confirmed(implementation, wrong);
   }
-  Attributes attributes() const override { return attributes_; }
+  Attributes attributes() const override { return attributes_ & ~inexact_attributes(); }
+  Attributes inexact_attributes() const override { return color_error_ ? kColor : 0u; }
 
   Observation observe(Implementation& implementation, const gl::Case& script,
                       const Wanted& wanted) const override {
@@ -37,6 +40,8 @@ class Sink final : public Capture {
       observation.error_observed = false;
     }
     observation.attributes = attributes_;
+    observation.clamped_colors = clamps_;
+    observation.color_error = color_error_.value_or(0);
     observation.units = kTextureUnits;
     observation.primitives = context->take_emitted();
     observation.overflow = observation.vertex_count() > wanted.most_vertices;
@@ -44,7 +49,25 @@ class Sink final : public Capture {
   }
 
  private:
+  void keep_what_is_confirmed(Implementation& implementation, const std::string& wrong) {
+    const Attributes offered = attributes_;
+    Attributes confirmed = confirm_attributes(*this, implementation, {true, true}, offered);
+    if ((offered & kColor) && !(confirmed & kColor)) {
+      clamps_ = true;
+      confirmed |= confirm_attributes(*this, implementation, {.negative_w = true}, kColor);
+      if (!(confirmed & kColor)) color_error_ = measure_color_error(*this, implementation);
+      if (color_error_) confirmed |= kColor;
+    }
+    if (confirmed == 0) throw NotObservable(wrong);
+    if (confirmed & kNormal) confirmed |= kUnitNormal;
+    // The control is of unit 0.
+    if (confirmed & kTextureCoordinate0) confirmed |= offered & kTextureCoordinatesOther;
+    attributes_ = confirmed;
+  }
+
   Attributes attributes_ = 0;
+  bool clamps_ = false;
+  std::optional<double> color_error_;  // if colours come back inexact
 };
 
 }  // namespace

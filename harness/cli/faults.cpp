@@ -19,6 +19,7 @@ struct FaultsOptions {
   std::string filter;  // empty: all
   std::string shard;   // "K/N"; empty: all
   bool complete = false;
+  bool legal = false;
   double seconds_per_test = 20;
   std::optional<int> jobs;
   std::string output;  // empty: the usual folder
@@ -26,10 +27,72 @@ struct FaultsOptions {
 
 namespace fs = std::filesystem;
 
+// Mistakes of different kinds that real evaluators have made, for `--legal`.
+constexpr const char* kTypicalFaults =
+    "OrderZeroTaken:DegreeAnswered:StrideInOneByte:SinglePointReadLate:ReversedDomainSorted:"
+    "SymmetricDomainTakenForUnit:ReversedVSorted:WideNetsTransposed:ColorWaitsForEnd:"
+    "CurveMeshAfterDisableOfItsMap";
+
+// Variations instead of faults.
+int legal(const FaultsOptions& options, const fs::path& output) {
+  std::vector<faults::ListedFault> chosen =
+      matching(faults::list_faults(places().faulty_suite_program, "--list-variations"), options.filter);
+  if (chosen.empty()) {
+    std::cerr << fmt::format("evalcts: no variation matches '{}'\n", options.filter);
+    return kWrongUse;
+  }
+  if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
+  const fs::path scratch = output / "scratch-variations";
+  fs::remove_all(scratch);
+  fs::create_directory(scratch);
+  stop_when_asked();
+  ProgressLine line;
+  const std::vector<faults::TriedVariation> tried = faults::try_variations(
+      {.suite_program = places().faulty_suite_program,
+       .faults = matching(faults::list_faults(places().faulty_suite_program), kTypicalFaults),
+       .tests = list_tests(places().suite_program),
+       .jobs = options.jobs.value_or(usual_jobs()),
+       .seconds_per_test = options.seconds_per_test,
+       .scratch = scratch},
+      chosen, [&](std::size_t done, const std::string& variation) {
+        line.show("variations", fmt::format("{} of {}, {}", done, chosen.size(), variation));
+      });
+  fs::remove_all(scratch);
+  write_atomically(output / "variations.md", faults::as_markdown(tried));
+
+  std::string text;
+  std::size_t good = 0, not_tried = 0;
+  for (const faults::TriedVariation& each : tried) {
+    const std::string& name = each.variation.name;
+    if (!each.reason.empty()) {
+      ++not_tried;
+      text += fmt::format("not tried: {}: {}\n", name, each.reason);
+      continue;
+    }
+    good += each.is_good();
+    text += fmt::format("{}: {} pass ({} of them in part), {} not observable, {} false alarms\n", name,
+                        each.passed, each.passed_in_part, each.unobserved, each.alarms.size());
+    for (const faults::FalseAlarm& alarm : each.alarms)
+      text +=
+          fmt::format("  false alarm: {} {}: {}\n", text_of(alarm.verdict).word, alarm.test, alarm.message);
+    for (const faults::DetectionBehind& detection : each.detections)
+      if (detection.outcome == faults::DetectionBehind::Outcome::kSurvives)
+        text += fmt::format("  survives: {}: it is visible, but no test detects it\n", detection.fault);
+  }
+  text += fmt::format(
+      "{} variations: {} without a false alarm and with all visible faults detected, {} not "
+      "tried\nTable: {}\n",
+      tried.size(), good, not_tried, (output / "variations.md").string());
+  line.print(text);
+  if (interrupted) return kWrongUse;
+  return good + not_tried == tried.size() ? kNothingUnexpected : kUnexpected;
+}
+
 int faults(const FaultsOptions& options) {
   using faults::FaultOutcome;
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts faults");
+  if (options.legal) return legal(options, output);
 
   std::vector<faults::ListedFault> chosen =
       matching(faults::list_faults(places().faulty_suite_program), options.filter);
@@ -105,6 +168,10 @@ std::function<int()> define_faults(CLI::App& app, const Call&) {
                "exit code 1 where a requirement that tests decide has no fault that was tried, too")
       ->excludes("--filter")
       ->excludes("--shard");
+  app.add_flag("--legal", options->legal,
+               "conforming variations instead of faults: no test may fail on one, and typical faults behind "
+               "it have to be detected")
+      ->excludes("--complete");
   app.add_option("--timeout", options->seconds_per_test, "seconds for each test")->check(CLI::PositiveNumber);
   app.add_option("--jobs", options->jobs, "faults side by side (default: one for each core)")
       ->check(CLI::Range(1, 256));
@@ -117,7 +184,8 @@ std::function<int()> define_faults(CLI::App& app, const Call&) {
 const Command kFaultsCommand = {
     "faults", "break one rule at a time on purpose: does the suite catch it? (the tests of the tests)",
     R"(  $ evalcts faults
-  $ evalcts faults --filter 'Grid*' --jobs 2)",
+  $ evalcts faults --filter 'Grid*' --jobs 2
+  $ evalcts faults --legal                        # on conforming libraries, none may fail)",
     define_faults};
 
 }  // namespace evalcts::cli

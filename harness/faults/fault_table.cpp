@@ -14,13 +14,13 @@
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/suite_child.h>
+#include "suite_runs.h"
 
 namespace evalcts::faults {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLook = 0.01;   // seconds between two looks at a child
 constexpr int kMostDeaths = 20;  // of one run without a fault
 
 // True if a test that names `named` decides `wanted`: the same, or a half of it.
@@ -126,28 +126,9 @@ class Trial {
   // the first failure.
   ChildRun play(const ListedFault& fault, const std::string& label, Depth depth,
                 const std::vector<std::string>& tests) const {
-    const fs::path list = request_.scratch / (label + ".txt"), events = request_.scratch / (label + ".jsonl");
-    std::ofstream stream(list);
-    for (const std::string& test : tests) stream << test << '\n';
-    if (!stream.flush()) throw std::runtime_error(fmt::format("cannot write '{}'", list.string()));
-    fs::remove(events);
-    std::vector<std::string> command = {request_.suite_program.string(),
-                                        "--depth",
-                                        name_of(depth),
-                                        "--tests",
-                                        list.string(),
-                                        "--records",
-                                        events.string(),
-                                        "--die-with-parent",
-                                        "--gtest_brief=1"};
-    if (fault.arguments.empty())
-      command.insert(command.end(), {"--implementation", fault.implementation});
-    else
-      command.insert(command.end(), fault.arguments.begin(), fault.arguments.end());
-    if (label == fault.name) command.insert(command.end(), {"--fault", label, "--gtest_fail_fast"});
-    SuiteChild child(command, events, request_.scratch / (label + ".log"), {request_.seconds_per_test});
-    while (!child.look(kLook)) continue;
-    return child.run();
+    std::vector<std::string> arguments = arguments_of(fault);
+    if (label == fault.name) arguments.insert(arguments.end(), {"--fault", label, "--gtest_fail_fast"});
+    return play_in_child(request_, label, arguments, depth, tests);
   }
 
   const TableRequest& request_;
@@ -180,13 +161,13 @@ std::vector<TriedFault> try_faults(
   return all;
 }
 
-std::vector<ListedFault> list_faults(const fs::path& program) {
+std::vector<ListedFault> list_faults(const fs::path& program, const std::string& question) {
   if (!fs::exists(program))
     throw CannotStart(fmt::format(
         "'{}' is missing. In a checkout ./evalcts faults builds it; what is installed has no faults",
         program.string()));
   const fs::path file = fs::temp_directory_path() / fmt::format("evalcts-faults-{}.json", getpid());
-  ChildProcess child({program.string(), "--list-faults", file.string()}, "");
+  ChildProcess child({program.string(), question, file.string()}, "");
   const std::optional<Ending> ending = child.wait(60);
   std::optional<std::vector<ListedFault>> faults = parse_faults(read_file(file));
   fs::remove(file);

@@ -1,5 +1,6 @@
 // The suite program with faults: the implementation under test has the one that --fault names, and is the one
-// of fault.h that --base names. --list-faults FILE writes all faults as JSON.
+// of fault.h that --base names; the variation that --variation names stands in front of both. --list-faults
+// FILE and --list-variations FILE write all of them as JSON.
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include <evalcts/suite/suite_main.h>
 #include "fault.h"
 #include "repaired_osmesa.h"
+#include "variation.h"
 
 namespace {
 
@@ -54,16 +56,40 @@ void list_faults(const char* file) {
   std::ofstream(file) << faults::to_text(all);
 }
 
+void list_variations(const char* file) {
+  std::vector<faults::ListedFault> all;
+  for (const variations::Variation& variation : variations::all_variations()) {
+    std::istringstream violated{std::string(variation.violates)};
+    all.push_back({std::string(variation.name),
+                   std::string(variation.implementation),
+                   arguments_of(variation.implementation),
+                   Level::must,
+                   {std::istream_iterator<std::string>(violated), {}},
+                   std::string(variation.what),
+                   "variation"});
+  }
+  std::ofstream(file) << faults::to_text(all);
+}
+
+// What stands in front of the implementation that the other arguments name, innermost first; may be empty.
+struct Layers {
+  std::string base, fault, variation;
+};
+
 std::unique_ptr<Implementation> wrapped(std::unique_ptr<Implementation> implementation,
-                                        const std::string& base, const std::string& fault) {
-  if (base == faults::kRepairedOSMesa) implementation = faults::repaired_osmesa(std::move(implementation));
-  return fault.empty() ? std::move(implementation) : faults::with_fault(std::move(implementation), fault);
+                                        const Layers& layers) {
+  if (layers.base == faults::kRepairedOSMesa)
+    implementation = faults::repaired_osmesa(std::move(implementation));
+  if (!layers.fault.empty()) implementation = faults::with_fault(std::move(implementation), layers.fault);
+  if (!layers.variation.empty())
+    implementation = variations::with_variation(std::move(implementation), layers.variation);
+  return implementation;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string fault, base;
+  Layers layers;
   std::vector<char*> rest;  // what the suite program itself knows
   for (int i = 0; i < argc; ++i) {
     const bool has_value = i + 1 < argc;
@@ -71,17 +97,23 @@ int main(int argc, char** argv) {
       list_faults(argv[i + 1]);
       return 0;
     }
+    if (has_value && std::strcmp(argv[i], "--list-variations") == 0) {
+      list_variations(argv[i + 1]);
+      return 0;
+    }
     if (has_value && std::strcmp(argv[i], "--fault") == 0)
-      fault = argv[++i];
+      layers.fault = argv[++i];
     else if (has_value && std::strcmp(argv[i], "--base") == 0)
-      base = argv[++i];
+      layers.base = argv[++i];
+    else if (has_value && std::strcmp(argv[i], "--variation") == 0)
+      layers.variation = argv[++i];
     else
       rest.push_back(argv[i]);
   }
   rest.push_back(nullptr);
-  if (base == faults::kOSMesa30) setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
+  if (layers.base == faults::kOSMesa30) setenv("MESA_GL_VERSION_OVERRIDE", "3.0", 1);
   return suite_main(static_cast<int>(rest.size()) - 1, rest.data(),
                     [&](std::unique_ptr<Implementation> implementation) {
-                      return wrapped(std::move(implementation), base, fault);
+                      return wrapped(std::move(implementation), layers);
                     });
 }

@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include <evalcts/backends/gl_environment.h>
+#include <evalcts/backends/refused_queries.h>
 #include <evalcts/backends/reused_context.h>
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
@@ -347,6 +348,9 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (!options.answer.empty()) answer(options, cannot_start_text(exception.what()));
       throw;
     }
+    if (!program.subject.info.refused_queries.empty())
+      program.implementation =
+          without_queries(std::move(program.implementation), program.subject.info.refused_queries);
     program.subject.implementation = program.implementation.get();
     program.subject.depth = depth_named(options.depth).value_or(Depth::full);
     program.subject.seed = options.seed;
@@ -366,14 +370,17 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
                                        : to_text(prove_one(program)));
       return 0;
     }
-    program.captures = std::make_unique<Captures>(*program.implementation, program.subject.info,
+    const bool shares_state = program.subject.info.shares_state;
+    if (shares_state) program.reused = reuse_context(*program.implementation, program.subject.info);
+    program.captures = std::make_unique<Captures>(shares_state ? *program.reused : *program.implementation,
+                                                  program.subject.info,
                                                   options.captures_given ? &options.captures : nullptr);
     program.subject.captures = program.captures.get();
-    if (options.reuse_context) {
+    if (options.reuse_context && !shares_state) {
       program.captures->prove_all();
       program.reused = reuse_context(*program.implementation, program.subject.info);
-      program.subject.implementation = program.reused.get();
     }
+    if (program.reused) program.subject.implementation = program.reused.get();
     if (!options.reproduce.empty()) {
       program.reproduction =
           std::make_unique<Reproduction>(*program.subject.implementation, options.reproduce);

@@ -12,6 +12,7 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/explicit_vertices.h>
+#include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/control_case.h>
 #include <evalcts/results/hash.h>
@@ -155,7 +156,18 @@ std::vector<double> Played::written_values(gl::Ref query) const {
   return values;
 }
 
+void Played::require_answer(gl::Ref query) const {
+  const gl::Command& asked = command(query);
+  if (asked.entry != gl::EntryPoint::GetBooleanv && asked.entry != gl::EntryPoint::GetIntegerv &&
+      asked.entry != gl::EntryPoint::GetFloatv && asked.entry != gl::EntryPoint::GetDoublev)
+    return;
+  const auto name = static_cast<GLenum>(std::get<std::int64_t>(asked.arguments.at(0)));
+  if (test_.gl().refused_queries.contains(name))
+    throw NotObservable(fmt::format("the query of {} is rejected", gl::token_name(name)));
+}
+
 void Played::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
+  require_answer(query);
   const std::vector<double> all = all_values(trace_, query);
   const std::size_t written = trace_.written(query);
   const std::string call = gl::to_c(command(query), 4);
@@ -196,6 +208,7 @@ void Played::expect_same(gl::Ref before, gl::Ref after) {
 
 void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
                     const std::string& captured) {
+  if (!holds) require_answer(command);
   if (!holds)
     fail({.rule = gl::Check::Rule::unlike, .answer = {.command = command}, .recorded = {command}}, message,
          expected, captured);
@@ -204,6 +217,12 @@ void Played::expect(bool holds, gl::Ref command, const std::string& message, con
 // --- Test ------------------------------------------------------------------------------------------------
 
 int Test::max_order() const { return std::clamp(subject_.info.max_eval_order, 8, 64); }
+
+int Test::order_limit() const {
+  if (subject_.info.max_eval_order == 0)
+    throw NotObservable("MAX_EVAL_ORDER is not answered, so that no order is known to be too high");
+  return std::max(subject_.info.max_eval_order, 8);
+}
 
 Depth Test::depth() const {
   if (subject_.depth == Depth::full && delivery_ && !delivery_->is_plain()) return Depth::quick;
@@ -227,6 +246,11 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
   if (!or_extension.empty() && subject_.info.extensions.count(or_extension)) return;
   throw NotSupported(
       fmt::format("needs GL {}.{}{}{}", major, minor, or_extension.empty() ? "" : " or ", or_extension));
+}
+
+void Test::require_initial_state() const {
+  if (subject_.info.shares_state)
+    throw NotObservable("all contexts have one state, which is restored by calls");
 }
 
 // Every test at thorough depth; otherwise one in 32, the same ones each time, and not those of many

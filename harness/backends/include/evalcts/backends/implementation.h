@@ -80,9 +80,11 @@ std::unique_ptr<Implementation> open_implementation(const ImplementationOptions&
 struct ImplementationInfo {
   std::string name, library, vendor, renderer, version;
   int major = 0, minor = 0;
-  GLint max_eval_order = 0;
+  GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
+  std::set<GLenum> refused_queries;  // see refused_queries.h
+  bool shares_state = false;         // what one context sets is set in the next one, too
   bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
 
   bool at_least(int wanted_major, int wanted_minor) const {

@@ -1,6 +1,7 @@
 // The requirement-by-fault table: the suite is run against each injected fault, and has to detect it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -71,6 +72,41 @@ std::vector<TriedFault> try_faults(
     const TableRequest& request,
     const std::function<void(std::size_t done, const std::string& fault)>& progress);
 
+// One test that fails on a conforming implementation.
+struct FalseAlarm {
+  std::string test;
+  Verdict verdict = Verdict::kFail;
+  std::string message;
+};
+
+// What becomes of a typical fault behind a variation.
+struct DetectionBehind {
+  std::string fault;
+  enum class Outcome { kDetected, kSurvives, kNotVisible } outcome = Outcome::kNotVisible;
+  std::string test;  // the first that detected it
+};
+
+struct TriedVariation {
+  ListedFault variation;
+  std::string reason;                                            // why it was not tried; empty: it was
+  std::uint64_t passed = 0, passed_in_part = 0, unobserved = 0;  // tests; in part: also counted as passed
+  std::vector<FalseAlarm> alarms;
+  std::vector<DetectionBehind> detections;
+
+  bool is_good() const;  // no alarm, and no fault that is visible survives
+};
+
+// Runs all tests against each variation, at quick depth, and the tests of each fault with that fault behind
+// the variation. A test that does not pass on the implementation without variation says nothing. A fault is
+// visible behind a variation if some test of its requirements, that fails with the fault alone, passes with
+// the variation alone.
+std::vector<TriedVariation> try_variations(
+    const TableRequest& request, const std::vector<ListedFault>& variations,
+    const std::function<void(std::size_t done, const std::string& variation)>& progress);
+
+// The variations for people.
+std::string as_markdown(const std::vector<TriedVariation>& variations);
+
 // The table for these faults. `decided`: the requirements that tests decide, in order.
 FaultTable make_table(std::vector<TriedFault> faults, const std::vector<std::string>& decided);
 
@@ -84,8 +120,9 @@ std::string to_text(const FaultTable& table);
 std::string to_text(const std::vector<ListedFault>& faults);
 std::optional<std::vector<ListedFault>> parse_faults(const std::string& text);
 
-// The answer of the suite program with faults. Throws CannotStart if there is no such program, else
-// std::runtime_error.
-std::vector<ListedFault> list_faults(const std::filesystem::path& suite_program);
+// The answer of the suite program with faults, to "--list-faults" or "--list-variations". Throws CannotStart
+// if there is no such program, else std::runtime_error.
+std::vector<ListedFault> list_faults(const std::filesystem::path& suite_program,
+                                     const std::string& question = "--list-faults");
 
 }  // namespace evalcts::faults

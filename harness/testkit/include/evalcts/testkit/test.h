@@ -95,6 +95,8 @@ class Played {
   gl::Ref as_delivered(gl::Ref command) const {
     return {delivered_.positions.at(static_cast<std::size_t>(command.index))};
   }
+  // Throws NotObservable if the command is a query that the implementation does not answer.
+  void require_answer(gl::Ref query) const;
   const gl::Command& command(gl::Ref written) const {
     return delivered_.script.commands().at(static_cast<std::size_t>(as_delivered(written).index));
   }
@@ -110,8 +112,12 @@ class Test {
   Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record) {}
 
   const ImplementationInfo& gl() const { return subject_.info; }
-  // The largest order, or 8 where the implementation claims less (EV-INIT-MAXORDER is a test of its own).
+  // An order that has to be accepted, as large as possible: MAX_EVAL_ORDER up to 64, or 8 if the
+  // implementation claims less (EV-INIT-MAXORDER is a test of its own) or does not answer.
   int max_order() const;
+  // The order beyond which all are rejected. Throws NotObservable if MAX_EVAL_ORDER is not answered: then it
+  // may be any from 8 on.
+  int order_limit() const;
   // At full depth quick for all deliveries but the plain ones: what remains to be shown there is that they do
   // the same.
   Depth depth() const;
@@ -122,6 +128,9 @@ class Test {
 
   // Throws NotSupported below the version unless the extension is advertised.
   void require(int major, int minor, const std::string& or_extension = {}) const;
+
+  // Throws NotObservable if the state that a case begins with was restored by calls.
+  void require_initial_state() const;
 
   // From now on each case goes through this delivery.
   void deliver_by(const gl::Delivery& delivery) { delivery_ = delivery; }

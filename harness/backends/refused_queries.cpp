@@ -1,0 +1,119 @@
+#include <evalcts/backends/refused_queries.h>
+
+#include <utility>
+
+namespace evalcts {
+namespace {
+
+constexpr GLenum kQueried[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COLOR,
+                               GL_CURRENT_NORMAL,     GL_CURRENT_TEXTURE_COORDS,
+                               GL_CURRENT_INDEX,      GL_CURRENT_SECONDARY_COLOR,
+                               GL_CURRENT_FOG_COORD,  GL_CURRENT_RASTER_POSITION,
+                               GL_EDGE_FLAG,          GL_ACTIVE_TEXTURE,
+                               GL_COLOR_CLEAR_VALUE,  GL_LIST_BASE,
+                               GL_LIST_INDEX,         GL_LIST_MODE,
+                               GL_MATRIX_MODE,        GL_RENDER_MODE,
+                               GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH,
+                               GL_MAX_LIST_NESTING,   GL_SHADE_MODEL,
+                               GL_POINT_SIZE,         GL_LINE_WIDTH,
+                               GL_FOG_MODE,           GL_VIEWPORT};
+
+// The state of the one context that is played on.
+struct Filter {
+  static inline gl::Table inner;
+  static inline std::set<GLenum> names;
+  static inline bool inside = false;  // between Begin and End every query raises an error
+
+  static bool drops(GLenum name) { return !inside && names.contains(name); }
+
+  static void install(gl::Table& table) {
+    inner = table;
+    inside = false;
+    if (inner.Begin)
+      table.Begin = [](GLenum mode) {
+        inner.Begin(mode);
+        inside = mode <= GL_POLYGON;
+      };
+    if (inner.End)
+      table.End = [] {
+        inner.End();
+        inside = false;
+      };
+    if (inner.GetBooleanv)
+      table.GetBooleanv = [](GLenum name, GLboolean* values) {
+        if (!drops(name)) inner.GetBooleanv(name, values);
+      };
+    if (inner.GetIntegerv)
+      table.GetIntegerv = [](GLenum name, GLint* values) {
+        if (!drops(name)) inner.GetIntegerv(name, values);
+      };
+    if (inner.GetFloatv)
+      table.GetFloatv = [](GLenum name, GLfloat* values) {
+        if (!drops(name)) inner.GetFloatv(name, values);
+      };
+    if (inner.GetDoublev)
+      table.GetDoublev = [](GLenum name, GLdouble* values) {
+        if (!drops(name)) inner.GetDoublev(name, values);
+      };
+  }
+};
+
+class FilteredContext final : public Context {
+ public:
+  explicit FilteredContext(std::unique_ptr<Context> inner)
+      : inner_(std::move(inner)), table_(inner_->table()) {
+    Filter::install(table_);
+  }
+  const gl::Table& table() const override { return table_; }
+  bool has_sink() const override { return inner_->has_sink(); }
+  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
+  std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }
+
+ private:
+  std::unique_ptr<Context> inner_;
+  gl::Table table_;
+};
+
+class Filtered final : public Implementation {
+ public:
+  explicit Filtered(std::unique_ptr<Implementation> inner) : inner_(std::move(inner)) {}
+  std::string name() const override { return inner_->name(); }
+  std::string library() const override { return inner_->library(); }
+  std::unique_ptr<Context> create_context() override {
+    return std::make_unique<FilteredContext>(inner_->create_context());
+  }
+  // Idle contexts play no case.
+  std::unique_ptr<Context> create_beside() override { return inner_->create_beside(); }
+
+ private:
+  std::unique_ptr<Implementation> inner_;
+};
+
+}  // namespace
+
+std::set<GLenum> find_refused_queries(Implementation& implementation) {
+  const std::unique_ptr<Context> context = implementation.create_context();
+  const gl::Table& table = context->table();
+  if (!table.GetFloatv || !table.GetError) return {};
+  const auto drain = [&] {
+    bool any = false;
+    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) any = true;
+    return any;
+  };
+  drain();
+  std::set<GLenum> refused;
+  for (const GLenum name : kQueried) {
+    GLfloat values[16] = {};
+    table.GetFloatv(name, values);
+    if (drain()) refused.insert(name);
+  }
+  return refused;
+}
+
+std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,
+                                                const std::set<GLenum>& names) {
+  Filter::names = names;
+  return std::make_unique<Filtered>(std::move(inner));
+}
+
+}  // namespace evalcts

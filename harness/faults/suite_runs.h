@@ -1,0 +1,21 @@
+// Runs of the suite program with faults or variations.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <evalcts/faults/fault_table.h>
+#include <evalcts/runner/suite_child.h>
+
+namespace evalcts::faults {
+
+// The arguments that make the suite program open the implementation of the fault.
+std::vector<std::string> arguments_of(const ListedFault& fault);
+
+// Plays the tests, in this order, in one child with these arguments; it ends early if a test kills it. Files
+// in the scratch folder begin with the label.
+ChildRun play_in_child(const TableRequest& request, const std::string& label,
+                       const std::vector<std::string>& arguments, Depth depth,
+                       const std::vector<std::string>& tests);
+
+}  // namespace evalcts::faults

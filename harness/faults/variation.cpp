@@ -1,0 +1,119 @@
+#include "variation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace evalcts::variations {
+namespace {
+
+std::vector<Variation>& registered() {
+  static std::vector<Variation> all;
+  return all;
+}
+
+// Notes what the variations ask for, in front of their own commands.
+
+void note(gl::Table& table) {
+  static gl::Table varied;
+  varied = table;
+  if (table.Begin)
+    table.Begin = [](GLenum mode) {
+      varied.Begin(mode);
+      remembered.inside = true;
+    };
+  if (table.End)
+    table.End = [] {
+      varied.End();
+      remembered.inside = false;
+    };
+  if (table.NewList)
+    table.NewList = [](GLuint list, GLenum mode) {
+      varied.NewList(list, mode);
+      remembered.compiling = true;
+    };
+  if (table.EndList)
+    table.EndList = [] {
+      varied.EndList();
+      remembered.compiling = false;
+    };
+}
+
+class VariedContext final : public Context {
+ public:
+  VariedContext(std::shared_ptr<Context> inner, const Variation& variation) : inner_(std::move(inner)) {
+    remembered = {};
+    unvaried = table_ = inner_->table();
+    Varied varied{table_};
+    variation.vary(varied);
+    emitted_ = varied.emitted;
+    note(table_);
+  }
+
+  const gl::Table& table() const override { return table_; }
+  bool has_sink() const override { return inner_->has_sink(); }
+  Attributes emitted_attributes() const override { return inner_->emitted_attributes(); }
+  std::vector<ObservedPrimitive> take_emitted() override {
+    std::vector<ObservedPrimitive> primitives = inner_->take_emitted();
+    if (emitted_) emitted_(primitives);
+    return primitives;
+  }
+
+ private:
+  std::shared_ptr<Context> inner_;
+  gl::Table table_;
+  void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
+};
+
+class VariedImplementation final : public Implementation {
+ public:
+  VariedImplementation(std::unique_ptr<Implementation> inner, const Variation& variation)
+      : inner_(std::move(inner)), variation_(variation) {
+    gl::Table unused;
+    Varied varied{unused};
+    variation.vary(varied);
+    one_state_ = varied.one_state;
+  }
+
+  std::string name() const override { return inner_->name(); }
+  std::string library() const override { return inner_->library(); }
+  std::unique_ptr<Context> create_context() override {
+    if (!only_) {
+      std::shared_ptr<Context> made = inner_->create_context();
+      if (one_state_) only_ = made;
+      return std::make_unique<VariedContext>(std::move(made), variation_);
+    }
+    return std::make_unique<VariedContext>(only_, variation_);
+  }
+  std::unique_ptr<Context> create_beside() override { return one_state_ ? nullptr : inner_->create_beside(); }
+
+ private:
+  std::unique_ptr<Implementation> inner_;
+  const Variation& variation_;
+  bool one_state_ = false;
+  std::shared_ptr<Context> only_;
+};
+
+}  // namespace
+
+VariationRegistration::VariationRegistration(const Variation& variation) {
+  registered().push_back(variation);
+}
+
+const std::vector<Variation>& all_variations() {
+  static const std::vector<Variation> sorted = [] {
+    std::vector<Variation> all = registered();
+    std::ranges::sort(all, {}, &Variation::name);
+    return all;
+  }();
+  return sorted;
+}
+
+std::unique_ptr<Implementation> with_variation(std::unique_ptr<Implementation> inner, std::string_view name) {
+  const auto found = std::ranges::find(all_variations(), name, &Variation::name);
+  if (found == all_variations().end()) throw CannotStart(fmt::format("there is no variation '{}'", name));
+  return std::make_unique<VariedImplementation>(std::move(inner), *found);
+}
+
+}  // namespace evalcts::variations

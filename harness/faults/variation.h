@@ -1,0 +1,63 @@
+// Variations: the inverse of faults. Each makes an implementation differ from those that the suite was
+// developed with, in a way that the specification permits or that is not about evaluators. No test may fail
+// on one, and faults behind it have to be detected as far as they are visible.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <evalcts/backends/implementation.h>
+#include <evalcts/gl/table.h>
+
+namespace evalcts::variations {
+
+// What a variation may change. Entry points are plain functions: a variation sets lambdas without a capture,
+// which call `unvaried`.
+struct Varied {
+  gl::Table& gl;
+  void (*emitted)(std::vector<ObservedPrimitive>&) = nullptr;  // for implementations with a sink
+  bool one_state = false;                                      // all contexts are one, which keeps its state
+};
+
+struct Variation {
+  std::string_view name;
+  std::string_view implementation;  // that it is put in front of
+  std::string_view what;            // the difference, in words
+  std::string_view violates;        // requirements that it does not keep, with blanks between; mostly empty
+  void (*vary)(Varied&);
+};
+
+// The entry points without the variation.
+inline gl::Table unvaried;
+
+// What the wrappers of the active variation remember of the context; as here in a fresh one.
+struct Remembered {
+  GLfloat* feedback = nullptr;
+  GLsizei feedback_size = 0;
+  bool inside = false;         // between Begin and End
+  bool compiling = false;      // between NewList and EndList
+  GLenum error = GL_NO_ERROR;  // of the variation itself, not asked for yet
+  std::uint32_t random = 1;
+};
+inline Remembered remembered;
+
+// By name.
+const std::vector<Variation>& all_variations();
+
+// Throws CannotStart if there is no such variation.
+std::unique_ptr<Implementation> with_variation(std::unique_ptr<Implementation> inner, std::string_view name);
+
+struct VariationRegistration {
+  explicit VariationRegistration(const Variation& variation);
+};
+
+// EVALCTS_VARIATION(NoLists, "dropin", "there are no display lists", "") { v.gl.NewList = nullptr; }
+#define EVALCTS_VARIATION(name, implementation, what, violates)                  \
+  static void name(::evalcts::variations::Varied& v);                            \
+  static const ::evalcts::variations::VariationRegistration name##_registration{ \
+      {#name, implementation, what, violates, name}};                            \
+  static void name(::evalcts::variations::Varied& v)
+
+}  // namespace evalcts::variations

@@ -1,0 +1,219 @@
+// Runs of the suite against variations, and against typical faults behind them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <evalcts/runner/interruption.h>
+#include "suite_runs.h"
+
+namespace evalcts::faults {
+namespace {
+
+constexpr int kMostDeathsOfOne = 60;  // of one implementation
+constexpr Depth kPlayedDepth = Depth::quick;
+
+using Verdicts = std::map<std::string, TestRecord>;
+
+class VariationTrial {
+ public:
+  explicit VariationTrial(const TableRequest& request) : request_(request) {
+    for (const ListedTest& test : request.tests) {
+      if (test.from > kPlayedDepth) continue;
+      all_.push_back(test.name);
+      requirements_[test.name] = test.requirements;
+    }
+  }
+
+  TriedVariation try_variation(const ListedFault& variation) {
+    TriedVariation result;
+    result.variation = variation;
+    const Verdicts& unvaried = unmodified(variation);
+    if (unvaried.empty()) {
+      result.reason = fmt::format("{} does not start", variation.implementation);
+      return result;
+    }
+    const std::vector<std::string> varied_arguments = {"--variation", variation.name};
+    const Verdicts varied = play_all(variation, variation.name, varied_arguments, all_);
+    for (const auto& [name, record] : varied) {
+      result.passed += record.verdict == Verdict::kPass;
+      result.passed_in_part += record.verdict == Verdict::kPass && !record.unobserved.empty();
+      result.unobserved += record.verdict == Verdict::kNotObservable;
+      if (record.is_bad() && !unvaried.at(name).is_bad() && !is_violated(variation, name))
+        result.alarms.push_back({name, record.verdict, record.message});
+    }
+    for (const ListedFault& fault : request_.faults) {
+      if (interrupted) break;
+      result.detections.push_back(detect(variation, fault, varied));
+    }
+    return result;
+  }
+
+ private:
+  DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
+    // What shows the fault by itself, and passes in full with the variation alone.
+    std::vector<std::string> tests;
+    for (const auto& [name, record] : with_fault(variation, fault)) {
+      const auto found = varied.find(name);
+      if (record.is_bad() && !unmodified(variation).at(name).is_bad() && found != varied.end() &&
+          found->second.verdict == Verdict::kPass && found->second.unobserved.empty())
+        tests.push_back(name);
+    }
+    DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, ""};
+    if (tests.empty()) return detection;
+    detection.outcome = DetectionBehind::Outcome::kSurvives;
+    for (const auto& [name, record] : play_all(variation, variation.name + "-" + fault.name,
+                                               {"--fault", fault.name, "--variation", variation.name}, tests))
+      if (detection.test.empty() && record.is_bad()) {
+        detection.outcome = DetectionBehind::Outcome::kDetected;
+        detection.test = name;
+      }
+    return detection;
+  }
+
+  // True if the test names one of the requirements of the fault, or that the variation violates.
+  bool is_violated(const ListedFault& fault, const std::string& test) const {
+    return std::ranges::any_of(requirements_.at(test), [&](const std::string& named) {
+      return std::ranges::any_of(fault.requirements, [&](const std::string& wanted) {
+        return named == wanted || named.starts_with(wanted + "/");
+      });
+    });
+  }
+
+  std::vector<std::string> tests_of(const ListedFault& fault) const {
+    std::vector<std::string> names;
+    std::ranges::copy_if(all_, std::back_inserter(names),
+                         [&](const std::string& test) { return is_violated(fault, test); });
+    return names;
+  }
+
+  const Verdicts& unmodified(const ListedFault& variation) {
+    return kept("unmodified-" + variation.implementation,
+                [&] { return play_all(variation, "unmodified-" + variation.implementation, {}, all_); });
+  }
+
+  // On the implementation that the variation is for, without the variation.
+  const Verdicts& with_fault(const ListedFault& variation, const ListedFault& fault) {
+    const std::string label = variation.implementation + "-" + fault.name;
+    return kept(label, [&] { return play_all(variation, label, {"--fault", fault.name}, tests_of(fault)); });
+  }
+
+  // The first to ask finds out, the others wait for it.
+  template <class Find>
+  const Verdicts& kept(const std::string& label, Find find) {
+    std::shared_ptr<Kept> entry;
+    {
+      const std::lock_guard lock(mutex_);
+      std::shared_ptr<Kept>& place = kept_[label];
+      if (!place) place = std::make_shared<Kept>();
+      entry = place;
+    }
+    std::call_once(entry->once, [&] { entry->verdicts = find(); });
+    return entry->verdicts;
+  }
+
+  Verdicts play_all(const ListedFault& variation, const std::string& label,
+                    const std::vector<std::string>& more, std::vector<std::string> left) const {
+    std::vector<std::string> arguments = arguments_of(variation);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Verdicts verdicts;
+    for (int deaths = 0; !left.empty() && deaths < kMostDeathsOfOne && !interrupted; ++deaths) {
+      const ChildRun run = play_in_child(request_, label, arguments, kPlayedDepth, left);
+      if (run.records.empty() && run.in_flight.empty()) break;
+      verdicts.insert(run.records.begin(), run.records.end());
+      if (!run.in_flight.empty()) {
+        TestRecord& record = verdicts[run.in_flight];
+        record.name = run.in_flight;
+        record.verdict = run.hung ? Verdict::kTimeout : Verdict::kCrash;
+        record.message = describe(run.ending);
+      }
+      std::erase_if(left, [&](const std::string& name) { return verdicts.contains(name); });
+    }
+    for (const std::string& name : left) {
+      if (verdicts.empty() || interrupted) break;
+      verdicts[name].verdict = Verdict::kInternalError;
+      verdicts[name].message = "not run: too many tests before it ended the process";
+    }
+    return verdicts;
+  }
+
+  struct Kept {
+    std::once_flag once;
+    Verdicts verdicts;
+  };
+
+  const TableRequest& request_;
+  std::vector<std::string> all_;  // tests
+  std::map<std::string, std::vector<std::string>> requirements_;
+  std::mutex mutex_;  // for kept_
+  std::map<std::string, std::shared_ptr<Kept>> kept_;
+};
+
+std::string alarms_of(const TriedVariation& tried) {
+  if (!tried.reason.empty()) return "not tried: " + tried.reason;
+  std::string text = tried.alarms.empty() ? "none" : "";
+  for (const FalseAlarm& alarm : tried.alarms)
+    text += fmt::format("{}**{}** {}", text.empty() ? "" : ", ", text_of(alarm.verdict).word, alarm.test);
+  return text;
+}
+
+}  // namespace
+
+bool TriedVariation::is_good() const {
+  return alarms.empty() && std::ranges::none_of(detections, [](const DetectionBehind& each) {
+           return each.outcome == DetectionBehind::Outcome::kSurvives;
+         });
+}
+
+std::vector<TriedVariation> try_variations(
+    const TableRequest& request, const std::vector<ListedFault>& variations,
+    const std::function<void(std::size_t done, const std::string& variation)>& progress) {
+  VariationTrial trial(request);
+  std::vector<std::optional<TriedVariation>> results(variations.size());
+  std::atomic<std::size_t> next = 0, done = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < variations.size() && !interrupted;) {
+      progress(done, variations[i].name);
+      results[i] = trial.try_variation(variations[i]);
+      ++done;
+    }
+  };
+  std::vector<std::jthread> workers;
+  for (int i = 0; i < request.jobs; ++i) workers.emplace_back(work);
+  workers.clear();
+  std::vector<TriedVariation> all;
+  for (std::optional<TriedVariation>& result : results)
+    if (result) all.push_back(*std::move(result));
+  return all;
+}
+
+std::string as_markdown(const std::vector<TriedVariation>& variations) {
+  std::string text =
+      "# Variations\n\nConforming implementations that differ from those that the suite was developed with, "
+      "and what the tests say of them, at quick depth. No test may fail. Typical faults behind a variation "
+      "have to be detected as far as they are visible. Tests of requirements that a variation violates may "
+      "fail.\n\n"
+      "| variation | in front of | passes | in part | not observable | false alarms | faults detected | not "
+      "visible | surviving |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const TriedVariation& tried : variations) {
+    std::map<DetectionBehind::Outcome, std::string> faults;
+    for (const DetectionBehind& each : tried.detections) {
+      std::string& names = faults[each.outcome];
+      names += (names.empty() ? "" : " ") + each.fault;
+    }
+    text += fmt::format(
+        "| {}: {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", tried.variation.name, tried.variation.what,
+        tried.variation.implementation, tried.passed, tried.passed_in_part, tried.unobserved,
+        alarms_of(tried), faults[DetectionBehind::Outcome::kDetected],
+        faults[DetectionBehind::Outcome::kNotVisible], faults[DetectionBehind::Outcome::kSurvives]);
+  }
+  return text;
+}
+
+}  // namespace evalcts::faults

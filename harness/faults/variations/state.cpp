@@ -1,0 +1,306 @@
+// Variations in what a library has, what it answers, and in the state behind its contexts.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <type_traits>
+#include <utility>
+
+#include "variation.h"
+
+namespace evalcts::variations {
+namespace {
+
+// --- Errors of the variation itself ------------------------------------------------------------------------
+
+// GetError gives the error of the variation first. Between Begin and End it is no query.
+void keep_own_errors(Varied& v) {
+  v.gl.GetError = [] {
+    if (remembered.inside || remembered.error == GL_NO_ERROR) return unvaried.GetError();
+    return std::exchange(remembered.error, static_cast<GLenum>(GL_NO_ERROR));
+  };
+}
+
+void raise_own(GLenum error) {
+  if (remembered.error == GL_NO_ERROR) remembered.error = error;
+}
+
+// --- Queries -----------------------------------------------------------------------------------------------
+
+// Sets the four Get commands to lambdas that treat some names in another way. `Answer` has a static function
+// bool answer(GLenum pname, T* values): true if nothing is left to do.
+template <class Answer>
+void vary_queries(Varied& v) {
+  v.gl.GetBooleanv = [](GLenum name, GLboolean* values) {
+    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetBooleanv(name, values);
+  };
+  v.gl.GetIntegerv = [](GLenum name, GLint* values) {
+    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetIntegerv(name, values);
+  };
+  v.gl.GetFloatv = [](GLenum name, GLfloat* values) {
+    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetFloatv(name, values);
+  };
+  v.gl.GetDoublev = [](GLenum name, GLdouble* values) {
+    if (remembered.inside || !Answer::answer(name, values)) unvaried.GetDoublev(name, values);
+  };
+}
+
+struct RefuseMaxOrder {
+  template <class T>
+  static bool answer(GLenum name, T*) {
+    if (name != GL_MAX_EVAL_ORDER) return false;
+    raise_own(GL_INVALID_ENUM);
+    return true;
+  }
+};
+EVALCTS_VARIATION(MaxOrderUnanswered, "dropin", "the query of MAX_EVAL_ORDER is rejected",
+                  "EV-INIT-MAXORDER EV-GET-MAXORDER") {
+  keep_own_errors(v);
+  vary_queries<RefuseMaxOrder>(v);
+}
+
+constexpr GLint kSmallestMaxOrder = 8;
+
+struct AnswerEight {
+  template <class T>
+  static bool answer(GLenum name, T* values) {
+    if (name != GL_MAX_EVAL_ORDER) return false;
+    if constexpr (std::is_same_v<T, GLboolean>)
+      *values = GL_TRUE;
+    else
+      *values = static_cast<T>(kSmallestMaxOrder);
+    return true;
+  }
+};
+// An order beyond the limit becomes one that is rejected with the same error.
+GLint limited(GLint order) { return order > kSmallestMaxOrder ? 0 : order; }
+
+EVALCTS_VARIATION(MaxOrderEight, "production", "MAX_EVAL_ORDER is 8, as small as it may be", "") {
+  vary_queries<AnswerEight>(v);
+  v.gl.Map1f = [](GLenum t, GLfloat u1, GLfloat u2, GLint s, GLint o, const GLfloat* p) {
+    unvaried.Map1f(t, u1, u2, s, limited(o), p);
+  };
+  v.gl.Map1d = [](GLenum t, GLdouble u1, GLdouble u2, GLint s, GLint o, const GLdouble* p) {
+    unvaried.Map1d(t, u1, u2, s, limited(o), p);
+  };
+  v.gl.Map2f = [](GLenum t, GLfloat u1, GLfloat u2, GLint us, GLint uo, GLfloat v1, GLfloat v2, GLint vs,
+                  GLint vo, const GLfloat* p) {
+    unvaried.Map2f(t, u1, u2, us, limited(uo), v1, v2, vs, limited(vo), p);
+  };
+  v.gl.Map2d = [](GLenum t, GLdouble u1, GLdouble u2, GLint us, GLint uo, GLdouble v1, GLdouble v2, GLint vs,
+                  GLint vo, const GLdouble* p) {
+    unvaried.Map2d(t, u1, u2, us, limited(uo), v1, v2, vs, limited(vo), p);
+  };
+}
+
+struct RefuseOthers {
+  template <class T>
+  static bool answer(GLenum name, T*) {
+    switch (name) {
+      case GL_CURRENT_RASTER_POSITION:
+      case GL_CURRENT_RASTER_COLOR:
+      case GL_CURRENT_INDEX:
+      case GL_EDGE_FLAG:
+      case GL_LIST_BASE:
+      case GL_LIST_INDEX:
+      case GL_LIST_MODE:
+      case GL_MATRIX_MODE:
+      case GL_LINE_WIDTH:
+      case GL_POINT_SIZE:
+      case GL_SHADE_MODEL:
+        raise_own(GL_INVALID_ENUM);
+        return true;
+      default:
+        return false;
+    }
+  }
+};
+EVALCTS_VARIATION(QueriesRefused, "dropin", "queries of state that is not about evaluators are rejected",
+                  "") {
+  keep_own_errors(v);
+  vary_queries<RefuseOthers>(v);
+}
+
+EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no multitexture", "") {
+  struct One {
+    static bool is_limit(GLenum name) {
+      return name == GL_MAX_TEXTURE_UNITS || name == GL_MAX_TEXTURE_COORDS;
+    }
+  };
+  v.gl.GetIntegerv = [](GLenum name, GLint* values) {
+    if (!remembered.inside && One::is_limit(name))
+      *values = 1;
+    else
+      unvaried.GetIntegerv(name, values);
+  };
+}
+
+// --- Versions and missing commands -------------------------------------------------------------------------
+
+void remove_since_1_2(gl::Table& table) {
+#define REMOVE(name) table.name = nullptr
+  REMOVE(ActiveTexture);
+  REMOVE(MultiTexCoord1f);
+  REMOVE(MultiTexCoord2f);
+  REMOVE(MultiTexCoord3f);
+  REMOVE(MultiTexCoord4f);
+  REMOVE(MultiTexCoord1d);
+  REMOVE(MultiTexCoord2d);
+  REMOVE(MultiTexCoord3d);
+  REMOVE(MultiTexCoord4d);
+  REMOVE(MultiTexCoord1fv);
+  REMOVE(MultiTexCoord2fv);
+  REMOVE(MultiTexCoord3fv);
+  REMOVE(MultiTexCoord4fv);
+  REMOVE(MultiTexCoord1dv);
+  REMOVE(MultiTexCoord2dv);
+  REMOVE(MultiTexCoord3dv);
+  REMOVE(MultiTexCoord4dv);
+  REMOVE(SecondaryColor3f);
+  REMOVE(FogCoordf);
+  REMOVE(VertexAttrib4f);
+  REMOVE(GetVertexAttribfv);
+  REMOVE(GetStringi);
+  REMOVE(GetnMapfv);
+  REMOVE(GetnMapdv);
+  REMOVE(GetnMapiv);
+  REMOVE(ClampColor);
+  REMOVE(CreateShader);
+  REMOVE(ShaderSource);
+  REMOVE(CompileShader);
+  REMOVE(CreateProgram);
+  REMOVE(LinkProgram);
+  REMOVE(UseProgram);
+  REMOVE(TransformFeedbackVaryings);
+  REMOVE(BeginTransformFeedback);
+  REMOVE(EndTransformFeedback);
+  REMOVE(GenBuffers);
+  REMOVE(BindBuffer);
+  REMOVE(BufferData);
+  REMOVE(BindBufferBase);
+  REMOVE(GenQueries);
+  REMOVE(BeginQuery);
+  REMOVE(EndQuery);
+  REMOVE(BeginConditionalRender);
+  REMOVE(EndConditionalRender);
+  REMOVE(PrimitiveRestartIndex);
+  REMOVE(PatchParameteri);
+  REMOVE(ProvokingVertex);
+  REMOVE(GenFramebuffers);
+  REMOVE(BindFramebuffer);
+  REMOVE(CheckFramebufferStatus);
+  REMOVE(BindProgramARB);
+  REMOVE(ProgramStringARB);
+  REMOVE(BindProgramNV);
+  REMOVE(LoadProgramNV);
+  REMOVE(GetDebugMessageLog);
+#undef REMOVE
+}
+
+template <int tenths>
+void set_version(Varied& v) {
+  v.gl.GetString = [](GLenum name) -> const GLubyte* {
+    static constexpr char kVersion[] = {'0' + tenths / 10, '.', '0' + tenths % 10, '\0'};
+    if (name == GL_VERSION) return reinterpret_cast<const GLubyte*>(kVersion);
+    if (name == GL_EXTENSIONS) return reinterpret_cast<const GLubyte*>("");
+    return unvaried.GetString(name);
+  };
+}
+
+EVALCTS_VARIATION(Version11, "dropin", "the GL is 1.1, without any extension", "") {
+  set_version<11>(v);
+  remove_since_1_2(v.gl);
+}
+EVALCTS_VARIATION(Version15, "dropin", "the GL is 1.5, without any extension", "") { set_version<15>(v); }
+
+EVALCTS_VARIATION(NoLists, "dropin", "there are no display lists", "") {
+  v.gl.NewList = nullptr;
+  v.gl.EndList = nullptr;
+  v.gl.CallList = nullptr;
+  v.gl.CallLists = nullptr;
+  v.gl.ListBase = nullptr;
+  v.gl.GenLists = nullptr;
+  v.gl.IsList = nullptr;
+  v.gl.DeleteLists = nullptr;
+}
+
+EVALCTS_VARIATION(NoAttributeStack, "dropin", "there is no attribute stack", "") {
+  v.gl.PushAttrib = nullptr;
+  v.gl.PopAttrib = nullptr;
+}
+
+EVALCTS_VARIATION(NoDoubles, "dropin", "the commands with doubles are missing", "EV-API-ENTRY") {
+  v.gl.Map1d = nullptr;
+  v.gl.Map2d = nullptr;
+  v.gl.MapGrid1d = nullptr;
+  v.gl.MapGrid2d = nullptr;
+  v.gl.EvalCoord1d = nullptr;
+  v.gl.EvalCoord2d = nullptr;
+  v.gl.EvalCoord1dv = nullptr;
+  v.gl.EvalCoord2dv = nullptr;
+  v.gl.GetMapdv = nullptr;
+}
+
+// --- Contexts ----------------------------------------------------------------------------------------------
+
+EVALCTS_VARIATION(OneStateInProcess, "production", "all contexts have one state", "") { v.one_state = true; }
+EVALCTS_VARIATION(OneState, "dropin", "all contexts have one state", "") { v.one_state = true; }
+
+// --- What is outside evaluators
+// ------------------------------------------------------------------------------
+
+EVALCTS_VARIATION(NoisyOutput, "production", "each EvalCoord writes to standard output and standard error",
+                  "") {
+  v.gl.EvalCoord1f = [](GLfloat u) {
+    std::printf("EvalCoord1f %g\n", static_cast<double>(u));
+    std::fprintf(stderr, "{\"event\": \"EvalCoord1f\"}\n");
+    unvaried.EvalCoord1f(u);
+  };
+}
+
+EVALCTS_VARIATION(Slow, "dropin", "each GetError takes a millisecond", "") {
+  v.gl.GetError = [] {
+    const timespec millisecond{0, 1000000};
+    nanosleep(&millisecond, nullptr);
+    return unvaried.GetError();
+  };
+}
+
+bool empty_primitive;
+
+// Every command that may emit a vertex.
+#define EACH_VERTEX(APPLY)                                                                                   \
+  APPLY(Vertex2f)                                                                                            \
+  APPLY(Vertex2d) APPLY(Vertex3f) APPLY(Vertex3d) APPLY(Vertex4f) APPLY(Vertex4d) APPLY(Vertex2fv)           \
+      APPLY(Vertex3fv) APPLY(Vertex4fv) APPLY(Vertex2dv) APPLY(Vertex3dv) APPLY(Vertex4dv)                   \
+          APPLY(EvalCoord1f) APPLY(EvalCoord1d) APPLY(EvalCoord1fv) APPLY(EvalCoord1dv) APPLY(EvalCoord2f)   \
+              APPLY(EvalCoord2d) APPLY(EvalCoord2fv) APPLY(EvalCoord2dv) APPLY(EvalPoint1) APPLY(EvalPoint2) \
+                  APPLY(CallList) APPLY(CallLists)
+
+template <auto command>
+struct NotingVertex;
+template <class... Arguments, void (*gl::Table::*command)(Arguments...)>
+struct NotingVertex<command> {
+  static void call(Arguments... arguments) {
+    empty_primitive = false;
+    (unvaried.*command)(arguments...);
+  }
+};
+
+EVALCTS_VARIATION(EmptyPrimitiveInListCrashes, "dropin",
+                  "Begin and End with nothing between them crash while a list is compiled", "") {
+  empty_primitive = false;
+  v.gl.Begin = [](GLenum mode) {
+    empty_primitive = true;
+    unvaried.Begin(mode);
+  };
+  v.gl.End = [] {
+    if (empty_primitive && remembered.compiling) std::abort();
+    unvaried.End();
+  };
+#define NOTE(name) v.gl.name = NotingVertex<&gl::Table::name>::call;
+  EACH_VERTEX(NOTE)
+#undef NOTE
+}
+
+}  // namespace
+}  // namespace evalcts::variations
