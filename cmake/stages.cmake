@@ -22,6 +22,9 @@ evalcts_stage(stability 21600 python3 harness/tests/stability.py $<TARGET_FILE:e
 # Every fault is caught by a test of each requirement that it breaks, and every requirement that tests decide has one.
 evalcts_stage(faults 21600 $<TARGET_FILE:evalcts> faults --complete --output ${CMAKE_BINARY_DIR}/faults)
 
+# No test fails on a conforming library that differs from those at hand, and typical faults are detected behind it.
+evalcts_stage(legal 21600 $<TARGET_FILE:evalcts> faults --legal --output ${CMAKE_BINARY_DIR}/legal)
+
 # The pages in the distribution's browser. Selenium is a package of the distribution's Python, which need not be the
 # first on the PATH.
 if(TARGET evalcts_reports_write_pages)

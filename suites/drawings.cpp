@@ -247,6 +247,11 @@ void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& con
   expect_like_explicit(played, in_order_of(plain, with_plain_lines(seen)), plain);
 }
 
+void expect_meshes_like_explicit(Picture& picture, const Picture& control) {
+  for (std::size_t i = 0; i < picture.parts.size(); ++i)
+    expect_mesh_like_explicit(picture.played, picture.parts[i], control.parts.at(i));
+}
+
 void expect_drawn_like_explicit(Played& played, const Drawing& drawing, const Part& seen,
                                 const Part& control) {
   if (drawing.primitive != GL_QUAD_STRIP) {

@@ -76,6 +76,8 @@ gl::Case without_edge_flags(const gl::Case& commands);
 
 // Feedback of one EvalMesh2 in POINT or LINE: its points or lines are those of the control, in any order.
 void expect_mesh_like_explicit(Played& played, const Part& seen, const Part& control);
+// All parts of the picture are.
+void expect_meshes_like_explicit(Picture& picture, const Picture& control);
 
 // Feedback: points and lines are like those of the control, one for one, those of EvalMesh2 in any order. Of
 // polygons the vertices are: how quads are decomposed is free.

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kOutcomeNames[] = {"caught", "survives", "not-tried"};
+constexpr const char* kOutcomeNames[] = {"detected", "survives", "not-tried"};
 
 json to_json(const ListedFault& fault) {
   return {{"name", fault.name},
@@ -25,7 +25,7 @@ json to_json(const ListedFault& fault) {
 }
 
 json to_json(const Detection& detection) {
-  json out = {{"id", detection.requirement}, {"caught", detection.detected}};
+  json out = {{"id", detection.requirement}, {"detected", detection.detected}};
   if (detection.detected)
     out.update({{"test", detection.test},
                 {"test_level", name_of(detection.test_level)},
@@ -95,7 +95,7 @@ std::string to_text(const FaultTable& table) {
   }
   for (const FaultTable::Row& row : table.requirements)
     requirements.push_back({{"id", row.requirement}, {"faults", row.faults}});
-  return json{{"format", "evalcts-faults-1"},
+  return json{{"format", "evalcts-faults-2"},
               {"status", table.is_complete ? "complete" : "interrupted"},
               {"faults", faults},
               {"requirements", requirements}}

@@ -206,15 +206,9 @@ namespace {
 
 // Drops definitions of maps of higher orders: not known to be accepted, and not known to be rejected.
 gl::Case without_orders_above(const gl::Case& program, int limit) {
-  const auto exceeds = [&](const gl::Command& command, std::size_t argument) {
-    return std::get<std::int64_t>(command.arguments[argument]) > limit;
-  };
   gl::Case left(program.identity());
-  for (const gl::Command& command : program.commands()) {
-    const bool one = command.entry == EntryPoint::Map1f || command.entry == EntryPoint::Map1d;
-    const bool two = command.entry == EntryPoint::Map2f || command.entry == EntryPoint::Map2d;
-    if (!((one || two) && exceeds(command, 4)) && !(two && exceeds(command, 8))) left.add(command);
-  }
+  for (const gl::Command& command : program.commands())
+    if (gl::largest_order(command) <= limit) left.add(command);
   return left;
 }
 

@@ -1,4 +1,5 @@
 #include <evalcts/gl/case.h>
+#include <algorithm>
 
 namespace evalcts::gl {
 
@@ -26,6 +27,22 @@ int Case::append(const Case& other) {
     commands_.push_back(std::move(command));
   }
   return shift;
+}
+
+std::int64_t largest_order(const Command& command) {
+  const auto order = [&](std::size_t argument) {
+    return std::get<std::int64_t>(command.arguments[argument]);
+  };
+  switch (command.entry) {
+    case EntryPoint::Map1f:
+    case EntryPoint::Map1d:
+      return order(4);
+    case EntryPoint::Map2f:
+    case EntryPoint::Map2d:
+      return std::max(order(4), order(8));
+    default:
+      return 0;
+  }
 }
 
 }  // namespace evalcts::gl

@@ -127,6 +127,7 @@ void Played::fail(gl::Check check, const std::string& message, const std::string
 void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
   const GLenum got = trace_.error(get_error);
   if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
+  if (get_error.index > 0) require_answer({get_error.index - 1});
   std::string expected;
   for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
   const std::string captured = gl::error_name(got);
@@ -275,6 +276,11 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
     std::iota(delivered.positions.begin(), delivered.positions.end(), 0);
   }
   lists_used_ = lists_used_ || uses_lists(delivered.script);
+  if (gl().max_eval_order == 0 &&
+      std::ranges::any_of(delivered.script.commands(), [&](const gl::Command& command) {
+        return gl::largest_order(command) > max_order();
+      }))
+    throw NotObservable("MAX_EVAL_ORDER is not answered, so that no order above 8 is known to be accepted");
   if (gl().no_error && may_raise_an_error(delivered.script, max_order()))
     throw NotSupported("a no-error context, in which what raises an error is undefined");
   if (subject_.before_case) subject_.before_case(delivered.script);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -53,6 +54,49 @@ TEST_F(Faults, OneThatNoTestOfItsRequirementNoticesSurvives) {
   EXPECT_EQ(result.outcome, FaultOutcome::kSurvives);
   EXPECT_TRUE(result.detections.at(0).detected);
   EXPECT_FALSE(result.detections.at(1).detected);
+}
+
+// The tests whose names begin with one of these, against one variation, with one fault behind it.
+TriedVariation try_variation(const fs::path& scratch, const char* name,
+                             const std::vector<std::string>& violates,
+                             const std::vector<std::string>& beginnings, const ListedFault& behind) {
+  std::vector<ListedTest> tests = list_tests(SUITE_PROGRAM);
+  std::erase_if(tests, [&](const ListedTest& test) {
+    return std::ranges::none_of(beginnings,
+                                [&](const std::string& begin) { return test.name.starts_with(begin); });
+  });
+  return try_variations(
+             {.suite_program = FAULTY_SUITE_PROGRAM, .faults = {behind}, .tests = tests, .scratch = scratch},
+             {fault(name, violates)}, [](std::size_t, const std::string&) {})
+      .at(0);
+}
+
+TEST_F(Faults, FaultBehindAVariationIsDetected) {
+  const ListedFault reversed = fault("ReversedDomainSorted", {"EV-MAP1-REVERSED"});
+  const TriedVariation tried = try_variation(scratch_, "NoNegativeZero", {}, {"Map1Values."}, reversed);
+  EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
+  EXPECT_GT(tried.passed, 0u);
+  EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kDetected);
+  EXPECT_TRUE(tried.detections.at(0).test.starts_with("Map1Values."));
+}
+
+TEST_F(Faults, VariationWithoutColoursPassesInPart) {
+  const ListedFault alpha = fault("AlphaOfTheFirstVertex", {"EV-ATTR-COLOR"});
+  const TriedVariation tried =
+      try_variation(scratch_, "PositionOnly", {}, {"Map1Values.", "Attributes."}, alpha);
+  EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
+  EXPECT_GT(tried.passed_in_part, 0u);
+  EXPECT_GT(tried.unobserved, 0u);
+  EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kNotVisible);
+}
+
+TEST_F(Faults, TestThatFailsOnAVariationIsAFalseAlarm) {
+  const ListedFault none = fault("OrderZeroTaken", {});
+  const std::vector<std::string> points = {"Mesh2.Points"};
+  const TriedVariation alarming = try_variation(scratch_, "MeshesBackwards", {}, points, none);
+  EXPECT_FALSE(alarming.is_good());
+  EXPECT_TRUE(alarming.alarms.at(0).test.starts_with("Mesh2.Points"));
+  EXPECT_TRUE(try_variation(scratch_, "MeshesBackwards", {"EV-MESH2-POINT"}, points, none).is_good());
 }
 
 TEST_F(Faults, WhatCannotBeStartedIsNotTried) {

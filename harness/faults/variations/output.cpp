@@ -145,6 +145,24 @@ EVALCTS_VARIATION(PositionOnly, "production", "nothing but positions come out", 
   };
 }
 
+EVALCTS_VARIATION(LeastRange, "production",
+                  "positions, normals and texture coordinates beyond 2^33 come out infinite, colours beyond "
+                  "2^11 saturated",
+                  "") {
+  v.emitted = [](std::vector<ObservedPrimitive>& primitives) {
+    const auto limit = [](float& x) {
+      if (std::abs(x) > 0x1p33f) x = std::copysign(HUGE_VALF, x);
+    };
+    for (ObservedPrimitive& primitive : primitives)
+      for (ObservedVertex& vertex : primitive.vertices) {
+        std::ranges::for_each(vertex.position, limit);
+        std::ranges::for_each(vertex.normal, limit);
+        for (auto& coordinates : vertex.texture_coordinate) std::ranges::for_each(coordinates, limit);
+        for (float& x : vertex.color) x = std::clamp(x, -0x1p11f, 0x1p11f);
+      }
+  };
+}
+
 // --- Meshes
 // --------------------------------------------------------------------------------------------------
 
@@ -156,8 +174,9 @@ bool draws(GLenum mode) {
 
 void point(GLint i, GLint j) { unvaried.EvalPoint2(i, j); }
 
-// Draws the points, the line strips and, each by itself, the cells of quad strips in another order.
-template <bool backwards>
+// Draws the points, the line strips and, each by itself, the quads in another order: as primitives of
+// `quads`, QUADS or QUAD_STRIP. QUAD_STRIP keeps the provoking vertex.
+template <bool backwards, GLenum quads>
 void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   if (!draws(mode) || i2 < i1 || j2 < j1 || i2 - i1 > 1000 || j2 - j1 > 1000)
     return unvaried.EvalMesh2(mode, i1, i2, j1, j2);
@@ -184,11 +203,11 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     for (GLint a = 0; a + 1 < columns; ++a)
       for (GLint b = 0; b + 1 < rows; ++b) {
         const GLint i = backwards ? i2 - 1 - a : i1 + a, j = backwards ? j2 - 1 - b : j1 + b;
-        unvaried.Begin(GL_QUAD_STRIP);
+        unvaried.Begin(quads);
         point(i, j);
         point(i, j + 1);
-        point(i + 1, j);
-        point(i + 1, j + 1);
+        point(i + 1, quads == GL_QUADS ? j + 1 : j);
+        point(i + 1, quads == GL_QUADS ? j : j + 1);
         unvaried.End();
       }
   }
@@ -197,16 +216,16 @@ void draw_mesh(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
 // The order is that of the loops in the text: the tests of these rows say so, and no other test.
 #define MESH_ROWS "EV-MESH2-POINT EV-MESH2-LINE EV-MESH2-FILL"
 EVALCTS_VARIATION(MeshesInColumns, "production", "EvalMesh2 draws in another order", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<false>;
+  v.gl.EvalMesh2 = draw_mesh<false, GL_QUADS>;
 }
 EVALCTS_VARIATION(MeshesBackwards, "production", "EvalMesh2 begins at the last point", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<true>;
+  v.gl.EvalMesh2 = draw_mesh<true, GL_QUADS>;
 }
 EVALCTS_VARIATION(PipelineMeshesInColumns, "dropin", "EvalMesh2 draws in another order", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<false>;
+  v.gl.EvalMesh2 = draw_mesh<false, GL_QUAD_STRIP>;
 }
 EVALCTS_VARIATION(PipelineMeshesBackwards, "dropin", "EvalMesh2 begins at the last point", MESH_ROWS) {
-  v.gl.EvalMesh2 = draw_mesh<true>;
+  v.gl.EvalMesh2 = draw_mesh<true, GL_QUAD_STRIP>;
 }
 
 // --- Single precision

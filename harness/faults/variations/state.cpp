@@ -1,7 +1,7 @@
 // Variations in what a library has, what it answers, and in the state behind its contexts.
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -240,8 +240,64 @@ EVALCTS_VARIATION(NoDoubles, "dropin", "the commands with doubles are missing", 
   v.gl.GetMapdv = nullptr;
 }
 
+EVALCTS_VARIATION(NoGetnMap, "dropin", "there is no GetnMap", "") {
+  v.gl.GetnMapfv = nullptr;
+  v.gl.GetnMapdv = nullptr;
+  v.gl.GetnMapiv = nullptr;
+}
+EVALCTS_VARIATION(NoGetDouble, "dropin", "GetDoublev and GetMapdv are missing", "EV-API-ENTRY") {
+  v.gl.GetDoublev = nullptr;
+  v.gl.GetMapdv = nullptr;
+}
+EVALCTS_VARIATION(NoColorIndex, "dropin", "the commands of colour-index mode are missing", "") {
+  v.gl.Indexf = nullptr;
+  v.gl.Indexd = nullptr;
+  v.gl.Indexfv = nullptr;
+  v.gl.Indexdv = nullptr;
+}
+EVALCTS_VARIATION(NoPixels, "dropin", "pixels cannot be read", "") { v.gl.ReadPixels = nullptr; }
+EVALCTS_VARIATION(NoShaders, "dropin", "there are no shaders", "") {
+  v.gl.CreateShader = nullptr;
+  v.gl.CreateProgram = nullptr;
+}
+EVALCTS_VARIATION(NoTextures, "dropin", "there are no textures", "") {
+  v.gl.BindTexture = nullptr;
+  v.gl.TexImage2D = nullptr;
+  v.gl.TexParameteri = nullptr;
+}
+
+EVALCTS_VARIATION(WordyVersion, "dropin",
+                  "words and more numbers follow the version, and 64 KiB of extensions are "
+                  "advertised",
+                  "") {
+  v.gl.GetString = [](GLenum name) -> const GLubyte* {
+    static std::string version, extensions;
+    const GLubyte* const inner = unvaried.GetString(name);
+    if (!inner) return inner;
+    const auto* const text = reinterpret_cast<const char*>(inner);
+    if (name == GL_VERSION) {
+      version =
+          std::string(text).substr(0, 3) + ".0 - Build 31.0.101.2115 (\"Vendor's\", \xc2\xae) 9.9 ES 3.2";
+      return reinterpret_cast<const GLubyte*>(version.c_str());
+    }
+    if (name == GL_EXTENSIONS) {
+      extensions = text;
+      while (extensions.size() < 65536)
+        extensions += " GL_VENDOR_extension_" + std::to_string(extensions.size());
+      return reinterpret_cast<const GLubyte*>(extensions.c_str());
+    }
+    return inner;
+  };
+}
+
 // --- Contexts ----------------------------------------------------------------------------------------------
 
+EVALCTS_VARIATION(OneContext, "dropin", "there can be one context at a time", "") {
+  v.gl.OtherContextEVALCTS = nullptr;
+  v.gl.SharingContextEVALCTS = nullptr;
+  v.gl.ContextOfKindEVALCTS = nullptr;
+  v.gl.CopyContextEVALCTS = nullptr;
+}
 EVALCTS_VARIATION(OneStateInProcess, "production", "all contexts have one state", "") { v.one_state = true; }
 EVALCTS_VARIATION(OneState, "dropin", "all contexts have one state", "") { v.one_state = true; }
 
@@ -263,43 +319,6 @@ EVALCTS_VARIATION(Slow, "dropin", "each GetError takes a millisecond", "") {
     nanosleep(&millisecond, nullptr);
     return unvaried.GetError();
   };
-}
-
-bool empty_primitive;
-
-// Every command that may emit a vertex.
-#define EACH_VERTEX(APPLY)                                                                                   \
-  APPLY(Vertex2f)                                                                                            \
-  APPLY(Vertex2d) APPLY(Vertex3f) APPLY(Vertex3d) APPLY(Vertex4f) APPLY(Vertex4d) APPLY(Vertex2fv)           \
-      APPLY(Vertex3fv) APPLY(Vertex4fv) APPLY(Vertex2dv) APPLY(Vertex3dv) APPLY(Vertex4dv)                   \
-          APPLY(EvalCoord1f) APPLY(EvalCoord1d) APPLY(EvalCoord1fv) APPLY(EvalCoord1dv) APPLY(EvalCoord2f)   \
-              APPLY(EvalCoord2d) APPLY(EvalCoord2fv) APPLY(EvalCoord2dv) APPLY(EvalPoint1) APPLY(EvalPoint2) \
-                  APPLY(CallList) APPLY(CallLists)
-
-template <auto command>
-struct NotingVertex;
-template <class... Arguments, void (*gl::Table::*command)(Arguments...)>
-struct NotingVertex<command> {
-  static void call(Arguments... arguments) {
-    empty_primitive = false;
-    (unvaried.*command)(arguments...);
-  }
-};
-
-EVALCTS_VARIATION(EmptyPrimitiveInListCrashes, "dropin",
-                  "Begin and End with nothing between them crash while a list is compiled", "") {
-  empty_primitive = false;
-  v.gl.Begin = [](GLenum mode) {
-    empty_primitive = true;
-    unvaried.Begin(mode);
-  };
-  v.gl.End = [] {
-    if (empty_primitive && remembered.compiling) std::abort();
-    unvaried.End();
-  };
-#define NOTE(name) v.gl.name = NotingVertex<&gl::Table::name>::call;
-  EACH_VERTEX(NOTE)
-#undef NOTE
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ FaultTable make_table(std::vector<TriedFault> faults, const std::vector<std::str
 
 // The table for people: requirements, their faults, and which test detects each.
 std::string as_markdown(const FaultTable& table);
-// The same as JSON, format "evalcts-faults-1".
+// The same as JSON, format "evalcts-faults-2".
 std::string to_text(const FaultTable& table);
 
 // {"faults": [{"name", "implementation", "arguments", "level", "requirements", "what", "kind"}]}, and back;

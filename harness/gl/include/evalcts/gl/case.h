@@ -76,6 +76,9 @@ struct Command {
   std::vector<Value> arguments;
 };
 
+// The larger order of Map1 or Map2; 0 for any other command.
+std::int64_t largest_order(const Command& command);
+
 // Names a command of a case, to ask a Trace for its result.
 struct Ref {
   int index = -1;

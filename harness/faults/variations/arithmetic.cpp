@@ -1,0 +1,153 @@
+// A variation in the arithmetic: results are inexact, as those of another order of evaluation.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <type_traits>
+#include <vector>
+
+#include <evalcts/gl/tokens.h>
+#include "variation.h"
+
+namespace evalcts::variations {
+namespace {
+
+// Changes the last five bits of the significand, by up to 2 parts in 10^6, unless they are all 0 or the
+// pattern. Twice gives the original value.
+float changed(float x) {
+  constexpr std::uint32_t kMask = 0x1f, kPattern = 0x15;
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  const std::uint32_t last = bits & kMask;
+  if (!std::isnormal(x) || last == 0 || last == kPattern) return x;
+  return std::bit_cast<float>(bits ^ kPattern);
+}
+
+// A map whose points are changed, with the original ones.
+struct Changed {
+  GLfloat u1, u2, v1, v2;
+  GLint uorder, vorder;
+  std::vector<GLfloat> points;  // packed, v fastest
+};
+std::map<GLenum, Changed> changed_maps;
+
+bool is_two_dimensional(GLenum target) { return target >= GL_MAP2_COLOR_4 && target <= GL_MAP2_VERTEX_4; }
+bool is_target(GLenum target, bool two) {
+  return (target >= GL_MAP1_COLOR_4 && target <= GL_MAP1_VERTEX_4 && !two) ||
+         (two && is_two_dimensional(target));
+}
+
+void issue(GLenum target, const Changed& map, const std::vector<GLfloat>& points) {
+  const int k = gl::components_of(target);
+  if (is_two_dimensional(target))
+    unvaried.Map2f(target, map.u1, map.u2, map.vorder * k, map.uorder, map.v1, map.v2, k, map.vorder,
+                   points.data());
+  else
+    unvaried.Map1f(target, map.u1, map.u2, k, map.uorder, points.data());
+}
+
+// Points are changed outside of primitives and lists, with unit 0 active: elsewhere a definition is an error,
+// or comes later.
+bool may_change() {
+  if (remembered.inside || remembered.compiling) return false;
+  GLint unit = GL_TEXTURE0;
+  if (unvaried.ActiveTexture) unvaried.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+  return unit == GL_TEXTURE0;
+}
+
+void define(GLenum target, const Changed& map) {
+  std::vector<GLfloat> points(map.points.size());
+  std::ranges::transform(map.points, points.begin(), changed);
+  issue(target, map, points);
+  changed_maps[target] = map;
+}
+
+// Lists and other contexts find maps as they were given.
+void take_back() {
+  if (remembered.inside) return;
+  for (const auto& [target, map] : changed_maps) issue(target, map, map.points);
+  changed_maps.clear();
+}
+
+template <class T>
+void answer_as_given(GLenum target, GLenum query, T* values) {
+  const auto found = changed_maps.find(target);
+  if (query != GL_COEFF || remembered.inside || found == changed_maps.end()) return;
+  std::ranges::transform(found->second.points, values, [](float x) {
+    if constexpr (std::is_same_v<T, GLint>)
+      return static_cast<GLint>(std::clamp(std::floor(static_cast<double>(x) + 0.5), -0x1p31, 0x1p31 - 1));
+    else
+      return static_cast<T>(x);
+  });
+}
+
+EVALCTS_VARIATION(OtherArithmetic, "production",
+                  "results are those of control points that are off by up to 2 parts in 10^6", "") {
+  changed_maps.clear();
+  v.gl.Map1f = [](GLenum t, GLfloat u1, GLfloat u2, GLint s, GLint o, const GLfloat* p) {
+    if (!is_target(t, false) || u1 == u2 || s < gl::components_of(t) || o < 1 || o > 30 || !may_change())
+      return unvaried.Map1f(t, u1, u2, s, o, p);
+    Changed map{u1, u2, 0, 1, o, 1, {}};
+    for (GLint i = 0; i < o; ++i)
+      map.points.insert(map.points.end(), p + std::ptrdiff_t{i} * s,
+                        p + std::ptrdiff_t{i} * s + gl::components_of(t));
+    define(t, map);
+  };
+  v.gl.Map2f = [](GLenum t, GLfloat u1, GLfloat u2, GLint us, GLint uo, GLfloat v1, GLfloat v2, GLint vs,
+                  GLint vo, const GLfloat* p) {
+    const int k = is_target(t, true) ? gl::components_of(t) : 0;
+    if (k == 0 || u1 == u2 || v1 == v2 || us < k || vs < k || uo < 1 || vo < 1 || uo > 30 || vo > 30 ||
+        !may_change())
+      return unvaried.Map2f(t, u1, u2, us, uo, v1, v2, vs, vo, p);
+    Changed map{u1, u2, v1, v2, uo, vo, {}};
+    for (GLint i = 0; i < uo; ++i)
+      for (GLint j = 0; j < vo; ++j) {
+        const GLfloat* const point = p + std::ptrdiff_t{i} * us + std::ptrdiff_t{j} * vs;
+        map.points.insert(map.points.end(), point, point + k);
+      }
+    define(t, map);
+  };
+  v.gl.Map1d = [](GLenum t, GLdouble u1, GLdouble u2, GLint s, GLint o, const GLdouble* p) {
+    if (!remembered.inside && !remembered.compiling) take_back();
+    unvaried.Map1d(t, u1, u2, s, o, p);
+  };
+  v.gl.Map2d = [](GLenum t, GLdouble u1, GLdouble u2, GLint us, GLint uo, GLdouble v1, GLdouble v2, GLint vs,
+                  GLint vo, const GLdouble* p) {
+    if (!remembered.inside && !remembered.compiling) take_back();
+    unvaried.Map2d(t, u1, u2, us, uo, v1, v2, vs, vo, p);
+  };
+  v.gl.NewList = [](GLuint list, GLenum mode) {
+    take_back();
+    unvaried.NewList(list, mode);
+  };
+  v.gl.CallList = [](GLuint list) {
+    take_back();
+    unvaried.CallList(list);
+  };
+  v.gl.CallLists = [](GLsizei n, GLenum type, const GLvoid* lists) {
+    take_back();
+    unvaried.CallLists(n, type, lists);
+  };
+  v.gl.OtherContextEVALCTS = [](GLuint number) {
+    take_back();
+    unvaried.OtherContextEVALCTS(number);
+  };
+  v.gl.GetMapfv = [](GLenum t, GLenum query, GLfloat* values) {
+    unvaried.GetMapfv(t, query, values);
+    answer_as_given(t, query, values);
+  };
+  v.gl.GetMapdv = [](GLenum t, GLenum query, GLdouble* values) {
+    unvaried.GetMapdv(t, query, values);
+    answer_as_given(t, query, values);
+  };
+  v.gl.GetMapiv = [](GLenum t, GLenum query, GLint* values) {
+    unvaried.GetMapiv(t, query, values);
+    answer_as_given(t, query, values);
+  };
+  v.gl.GetnMapfv = nullptr;
+  v.gl.GetnMapdv = nullptr;
+  v.gl.GetnMapiv = nullptr;
+}
+
+}  // namespace
+}  // namespace evalcts::variations
