@@ -111,10 +111,29 @@ class ClientArray {
   FencedPages pages_;
 };
 
+// The message for a command of the GL names it; those of the harness have no name that a user knows.
+std::string describe_missing(EntryPoint missing) {
+  switch (missing) {
+    case EntryPoint::OtherContextEVALCTS:
+      return "a second context cannot be made beside the first";
+    case EntryPoint::SharingContextEVALCTS:
+      return "a second context that shares objects with the first cannot be made";
+    case EntryPoint::ContextOfKindEVALCTS:
+      return "a context of the kind that the test needs cannot be made";
+    case EntryPoint::CopyContextEVALCTS:
+      return "state cannot be copied from one context to another (glXCopyContext)";
+    case EntryPoint::RecordRequestsEVALCTS:
+    case EntryPoint::RecordedRequestsEVALCTS:
+      return "there are no GLX requests that could be recorded";
+    default:
+      return std::string(name_of(missing)) + " is missing";
+  }
+}
+
 }  // namespace
 
 MissingEntryPoint::MissingEntryPoint(EntryPoint missing)
-    : std::runtime_error(std::string(name_of(missing)) + " is missing"), entry(missing) {}
+    : std::runtime_error(describe_missing(missing)), entry(missing) {}
 
 class Player {
  public:

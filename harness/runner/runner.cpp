@@ -225,11 +225,12 @@ class Run {
     return command;
   }
 
-  // Some tests once more, one process after the other: what they do is not a result.
-  ChildRun run_scratch(const std::vector<std::string>& tests, bool trace_cases) const {
+  // Some tests once more, one process after the other: what they do is not a result. `option` is one of the
+  // suite program, or empty.
+  ChildRun run_scratch(const std::vector<std::string>& tests, const std::string& option) const {
     const fs::path events = scratch_ / "again.jsonl";
     std::vector<std::string> command = command_for(tests, scratch_ / "again.txt", events);
-    if (trace_cases) command.push_back("--trace-cases");
+    if (!option.empty()) command.push_back(option);
     SuiteChild child(command, events, file("log", "txt"), request_.limits);
     while (!child.look(kLookSeconds, deadline_)) continue;
     throw_if_it_cannot_write(child.run());
@@ -403,6 +404,15 @@ class Run {
     }
   }
 
+  // True if the case in which the test died alone also ends the process without evaluators.
+  bool dies_with_explicit_vertices(const std::string& name, const ChildRun& alone) const {
+    const auto cases = alone.cases.find(name);
+    if (cases == alone.cases.end() || cases->second.empty()) return false;
+    const ChildRun control =
+        run_scratch({fmt::format("{}\t{}", name, cases->second.size())}, "--crash-control");
+    return !control.in_flight.empty();
+  }
+
   void record_death(const ChildRun& child, const ChildRun& alone) {
     const std::string name = child.in_flight;
     const Verdict verdict = verdict_of_death(child);
@@ -414,6 +424,12 @@ class Run {
     const std::string last_case = alone.last_case ? alone.last_case->identity : "";
     if (!alone.in_flight.empty() && is_control(last_case)) {
       add_record(name, Verdict::kNotObservable, fmt::format("pipeline: {} in '{}'", how, last_case));
+      return;
+    }
+    if (!alone.in_flight.empty() && dies_with_explicit_vertices(name, alone)) {
+      add_record(name, Verdict::kNotObservable,
+                 fmt::format("pipeline: {} in '{}', with explicit vertices in the place of evaluations, too",
+                             how, last_case));
       return;
     }
     if (!alone.in_flight.empty()) {
@@ -530,7 +546,7 @@ class Run {
   std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
     const std::string& name = record.name;
     tests.push_back(name);
-    const ChildRun child = run_scratch(tests, false);
+    const ChildRun child = run_scratch(tests, "");
     if (child.cut_short || interrupted) return std::nullopt;
     if (is_death(record.verdict)) return child.in_flight == name;
     const auto again = child.records.find(name);
@@ -572,7 +588,7 @@ class Run {
 
   // Of the one test that has to come before: the case without which (and those after it) it does not happen.
   std::string case_of_history(const TestRecord& record, const std::string& test) {
-    const ChildRun traced = run_scratch({test, record.name}, true);
+    const ChildRun traced = run_scratch({test, record.name}, "--trace-cases");
     const auto cases = traced.cases.find(test);
     if (traced.cut_short || interrupted || cases == traced.cases.end()) return {};
     const auto enough = least(cases->second.size(), [&](std::size_t count) {

@@ -50,8 +50,8 @@ struct Options {
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
   std::string known, deadly, replay;
-  bool fuzz = false, describe = false, list = false, trace_cases = false, die_with_parent = false,
-       reuse_context = false;
+  bool fuzz = false, describe = false, list = false, trace_cases = false, crash_control = false,
+       die_with_parent = false, reuse_context = false;
 };
 
 // A test to run, all of it or its first cases only.
@@ -258,6 +258,9 @@ void parse(int argc, char** argv, Options& options) {
       ->needs("--fuzz");
   app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
+  app.add_flag("--crash-control", options.crash_control,
+               "play the last case of each test that --tests asks for with explicit vertices in the place of "
+               "evaluations, and stop the test");
   app.add_flag("--reuse-context", options.reuse_context,
                "play all cases on one context, whose state is restored by calls in between");
   app.add_flag("--die-with-parent", options.die_with_parent,
@@ -317,6 +320,20 @@ int play_programs(const Program& program) {
   return finding ? 1 : 0;
 }
 
+// Plays the case with the vertices that it draws as explicit ones, or, if it draws none, without what would
+// draw them, and without maps and grids. Throws NotObservable if the library survives.
+void play_without_evaluators(const Program& program, const gl::Case& script) {
+  const int max_order = std::clamp(program.subject.info.max_eval_order, 8, 64);
+  gl::Case control = script;
+  if (predict(script, max_order).vertex_count() == 0) {
+    control = gl::Case(script.identity());
+    for (const gl::Command& command : script.commands())
+      if (!gl::name_of(command.entry).starts_with("glEval")) control.add(command);
+  }
+  program.subject.implementation->create_context()->play(fuzz::without_evaluators(control));
+  throw NotObservable("the library survives the case with explicit vertices");
+}
+
 int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
   testing::GTEST_FLAG(filter) = with_names_taken_literally(testing::GTEST_FLAG(filter));
@@ -360,6 +377,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.subject.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
     }
     program.subject.before_case = [](const gl::Case& script) {
+      if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
         program.records->write(to_line(CaseStarted{

@@ -92,6 +92,15 @@ TEST_F(CommandLine, RunWritesEverything) {
   EXPECT_TRUE(fs::exists(folder_ / "index.html"));
 }
 
+// The drill library lacks most commands.
+TEST_F(CommandLine, LittleThatIsObservedIsNoPass) {
+  std::vector<std::string> arguments = drill_arguments("nothing");
+  std::erase(arguments, "--allow-unobserved");
+  const Outcome outcome = evalcts(arguments);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.text.find("tests could be observed: this is no pass"), std::string::npos) << outcome.text;
+}
+
 TEST_F(CommandLine, SoundLibraryHasNoDeaths) {
   const Outcome outcome = drill("nothing");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
@@ -500,7 +509,7 @@ TEST_F(CommandLine, ContextNone) {
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.text.find("exports none of OSMesaCreateContext"), std::string::npos) << outcome.text;
   std::vector<std::string> with_context = arguments;
-  with_context.insert(with_context.end(), {"--context", "none"});
+  with_context.insert(with_context.end(), {"--context", "none", "--allow-unobserved"});
   outcome = evalcts(with_context);
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_GT(results("own")["summary"].value("pass", 0), 10) << outcome.text;

@@ -72,8 +72,8 @@ TriedVariation try_variation(const fs::path& scratch, const char* name,
 }
 
 TEST_F(Faults, FaultBehindAVariationIsDetected) {
-  const ListedFault reversed = fault("ReversedDomainSorted", {"EV-MAP1-REVERSED"});
-  const TriedVariation tried = try_variation(scratch_, "NoNegativeZero", {}, {"Map1Values."}, reversed);
+  const ListedFault domain = fault("SymmetricDomainTakenForUnit", {"EV-MAP1-DOMAIN"});
+  const TriedVariation tried = try_variation(scratch_, "NoNegativeZero", {}, {"Map1Values."}, domain);
   EXPECT_TRUE(tried.is_good()) << as_markdown({tried});
   EXPECT_GT(tried.passed, 0u);
   EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kDetected);

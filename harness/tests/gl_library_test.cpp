@@ -311,7 +311,7 @@ TEST_F(GlLibrary, LayerOverGles2) {
                                               folder_.string()};
   const auto with_context = [&](const char* context) {
     std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--context", context});
+    all.insert(all.end(), {"--context", context, "--allow-unobserved"});
     return evalcts(all);
   };
   const Outcome outcome = with_context("egl-gles2");

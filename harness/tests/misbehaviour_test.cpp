@@ -107,6 +107,20 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// A crash is charged to evaluators only if the same case with explicit vertices survives.
+TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
+  const auto outcome_of = [&](const char* what) {
+    drill(what, {"--filter", "Evaluation.NoArgumentIsAnError/*", "--allow-unobserved"});
+    for (const json& test : results("drill")["tests"])
+      if (test["message"].dump().find("SIGSEGV") != std::string::npos) return test;
+    return json();
+  };
+  const json shared = outcome_of("end"), own = outcome_of("evaluation");
+  EXPECT_EQ(as_text(shared.value("verdict", json())), "not-observable") << shared;
+  EXPECT_NE(shared.dump().find("with explicit vertices in the place of evaluations, too"), std::string::npos);
+  EXPECT_EQ(as_text(own.value("verdict", json())), "crash") << own;
+}
+
 // Side by side, for they take their time.
 TEST_F(Misdeeds, ThatNeverEndAreEnded) {
   const Misdeed misdeeds[] = {{"hang", "timeout", "no answer within 2 seconds", "1"},

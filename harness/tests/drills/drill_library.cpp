@@ -14,7 +14,7 @@
 //   "control-error": it leaves an error behind, and every evaluated one loses the current colour; "history":
 //   in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more; "worn": in a
 //   context with 45 primitives, which one random program has not, IsEnabled says the opposite; "worn-out":
-//   with 400.
+//   with 400; "end": every primitive crashes at its end; "evaluation": every EvalCoord1f crashes.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -113,7 +113,10 @@ EXPORT void glBegin(GLenum mode) {
   ++primitives[current];
   glevBegin(current, mode);
 }
-EXPORT void glEnd() { glevEnd(current); }
+EXPORT void glEnd() {
+  if (drill("end")) crash();
+  glevEnd(current);
+}
 EXPORT void glActiveTexture(GLenum texture) { glevActiveTexture(current, texture); }
 EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
   if (order == 7) seven_was_seen = true;
@@ -145,6 +148,7 @@ EXPORT void glNormal3f(GLfloat x, GLfloat y, GLfloat z) { glevNormal3f(current, 
 EXPORT void glTexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) { glevTexCoord4f(current, s, t, r, q); }
 EXPORT void glGetDoublev(GLenum name, GLdouble* values) { glevGetDoublev(current, name, values); }
 EXPORT void glEvalCoord1f(GLfloat u) {
+  if (drill("evaluation")) crash();
   glevEvalCoord1f(current, u);
   if (drill("control") || drill("control-error")) glevColor4f(current, 9, 9, 9, 9);
 }
