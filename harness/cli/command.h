@@ -49,6 +49,6 @@ CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow);
 // Prints to standard error, and returns true, if less than half of the `asked` things ("tests") could be
 // observed on the implementation.
 bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
-                          const char* things);
+                               const char* things);
 
 }  // namespace evalcts::cli

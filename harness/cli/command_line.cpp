@@ -72,7 +72,7 @@ CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
 }
 
 bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
-                          const char* things) {
+                               const char* things) {
   if (2 * observed >= asked) return false;
   std::cerr << fmt::format(
       "evalcts: {}: only {} of {} {} could be observed: this is no pass. 'evalcts run --verbose' says why; "

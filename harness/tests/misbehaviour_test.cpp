@@ -111,7 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   const auto outcome_of = [&](const char* what) {
     drill(what, {"--filter", "Evaluation.NoArgumentIsAnError/*", "--allow-unobserved"});
-    for (const json& test : results("drill")["tests"])
+    const json result = results("drill");
+    for (const json& test : result.at("tests"))
       if (test["message"].dump().find("SIGSEGV") != std::string::npos) return test;
     return json();
   };
