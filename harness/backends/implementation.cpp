@@ -178,8 +178,24 @@ bool state_survives_context(Implementation& implementation) {
 
 }  // namespace
 
+std::string undeclared_part(const Declaration& declaration, const gl::Command& command) {
+  if (declaration.max_order > 0 && gl::largest_order(command) > declaration.max_order)
+    return fmt::format("order {}", gl::largest_order(command));
+  if (declaration.targets.empty()) return {};
+  const std::string_view kinds = gl::parameter_kinds(command.entry);
+  for (std::size_t i = 0; i < command.arguments.size(); ++i) {
+    const auto* number = std::get_if<std::int64_t>(&command.arguments[i]);
+    if (!number || kinds[i] != 'e') continue;
+    const auto token = static_cast<GLenum>(*number);
+    const bool is_declarable = gl::components_of(token) > 0 || token == GL_AUTO_NORMAL;
+    if (is_declarable && !declaration.targets.contains(token)) return gl::token_name(token);
+  }
+  return {};
+}
+
 ImplementationInfo inquire(Implementation& implementation) {
   ImplementationInfo info;
+  if (const Declaration* declaration = implementation.declaration()) info.declaration = *declaration;
   info.name = implementation.name();
   info.library = implementation.library();
   std::unique_ptr<Context> context = implementation.create_context();
@@ -206,7 +222,7 @@ ImplementationInfo inquire(Implementation& implementation) {
     if (table.GetIntegerv) table.GetIntegerv(name, &value);
     return value;
   };
-  info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, 0);
+  info.max_eval_order = integer_of(GL_MAX_EVAL_ORDER, info.declaration ? info.declaration->max_order : 0);
   info.texture_units = integer_of(info.at_least(2, 0) ? GL_MAX_TEXTURE_COORDS : GL_MAX_TEXTURE_UNITS, 1);
 
   info.no_error = (info.at_least(4, 6) || info.extensions.contains("GL_KHR_no_error")) &&

@@ -1,8 +1,9 @@
-// Evaluators that are no GL, from a shared library of the user's.
+// Evaluators that are not a GL, from a shared library of the user's.
 #include <evalcts_sink.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "kinds.h"
@@ -15,40 +16,44 @@ static_assert(EVALCTS_SINK_POSITION == kPosition && EVALCTS_SINK_COLOR == kColor
               EVALCTS_SINK_NORMAL == kNormal && EVALCTS_SINK_TEXCOORD == kTextureCoordinate0 &&
               EVALCTS_SINK_TEXCOORD_OTHER == kTextureCoordinatesOther && EVALCTS_SINK_ALL == kAllAttributes);
 
-// What the entry point GetString answers for; the others find their context by themselves.
+// The sink and the receiver of its context, for the commands that evalcts supplies: they have no other
+// argument.
 const evalcts_sink* described = nullptr;
+const evalcts_receiver* receiving = nullptr;
 
 const GLubyte* get_string(GLenum name) {
-  const auto text = [](const char* words) { return reinterpret_cast<const GLubyte*>(words ? words : ""); };
+  const auto text = [](const char* words, const char* otherwise) {
+    return reinterpret_cast<const GLubyte*>(words ? words : otherwise);
+  };
   switch (name) {
     case GL_VENDOR:
-      return text(described->vendor);
+      return text(described->vendor, "");
     case GL_RENDERER:
-      return text(described->name);
+      return text(described->name, "a sink");
     case GL_VERSION:
-      return text(described->gl_version);
+      return text(described->gl_version, "1.1");
     default:
-      return text("");
+      return text("", "");
   }
 }
+void begin(GLenum mode) { receiving->begin(receiving->user, mode); }
+void end() { receiving->end(receiving->user); }
 
 class SinkContext final : public Context {
  public:
   SinkContext(const evalcts_sink& sink, const gl::Table& table, const std::string& library)
       : sink_(sink), table_(table) {
     receiver_.user = this;
-    receiver_.begin = [](void* self, unsigned mode) { static_cast<SinkContext*>(self)->begin(mode); };
+    receiver_.begin = [](void* self, unsigned mode) { static_cast<SinkContext*>(self)->open(mode); };
     receiver_.end = [](void* self) { static_cast<SinkContext*>(self)->open_ = false; };
     receiver_.vertex = [](void* self, const float* position, const float* color, const float* normal,
                           const float(*texcoord)[4], unsigned units) {
       static_cast<SinkContext*>(self)->keep(position, color, normal, texcoord, units);
     };
-    context_ = sink_.create(&receiver_);
-    if (context_) return;
-    const char* why = sink_.error ? sink_.error() : nullptr;
-    throw CannotStart(fmt::format("{} makes no context: {}", library, why ? why : "it does not say why"));
+    receiving = &receiver_;
+    if (const char* reason = sink_.reset(&receiver_))
+      throw CannotStart(fmt::format("{} cannot set the initial state: {}", library, reason));
   }
-  ~SinkContext() override { sink_.destroy(context_); }
   SinkContext(const SinkContext&) = delete;
   SinkContext& operator=(const SinkContext&) = delete;
 
@@ -58,14 +63,14 @@ class SinkContext final : public Context {
   std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
 
  private:
-  void begin(GLenum mode) {
+  void open(GLenum mode) {
     emitted_.push_back({mode, {}});
     open_ = true;
   }
 
   void keep(const float* position, const float* color, const float* normal, const float (*texcoord)[4],
             std::size_t units) {
-    if (!open_) begin(GL_POINTS);  // not a place for vertices; the judge counts them
+    if (!open_) open(GL_POINTS);  // not a place for vertices; the judge counts them
     ObservedVertex& vertex = emitted_.back().vertices.emplace_back();
     if (position) std::copy_n(position, 4, vertex.position.begin());
     if (color) std::copy_n(color, 4, vertex.color.begin());
@@ -77,7 +82,6 @@ class SinkContext final : public Context {
   const evalcts_sink& sink_;
   const gl::Table& table_;
   evalcts_receiver receiver_{};
-  void* context_ = nullptr;
   std::vector<ObservedPrimitive> emitted_;
   bool open_ = false;
 };
@@ -94,23 +98,37 @@ class SinkLibrary final : public Implementation {
       throw CannotStart(fmt::format(
           "{} was built for version {} of evalcts_sink.h, this evalcts knows version {}: build it anew",
           library_.path(), sink_->version, EVALCTS_SINK_VERSION));
-    if (!sink_->create || !sink_->destroy || !sink_->command)
-      throw CannotStart(fmt::format("{} lacks create, destroy or command", library_.path()));
-    table_ = gl::load_table({[this](const char* command) { return sink_->command(command); }});
+    if (!sink_->commands || !sink_->reset)
+      throw CannotStart(
+          fmt::format("{}: evalcts_sink::commands and evalcts_sink::reset are needed", library_.path()));
+    table_ = gl::load_table({[this](const char* name) { return command(name); }});
     described = sink_;
     if (!table_.GetString) table_.GetString = get_string;
+    if (!table_.Begin) table_.Begin = begin;
+    if (!table_.End) table_.End = end;
+    for (const unsigned* target = sink_->targets; target && *target != 0; ++target)
+      declaration_.targets.insert(*target);
+    declaration_.max_order = sink_->max_order;
   }
 
   std::string name() const override { return "sink"; }
   std::string library() const override { return library_.path(); }
+  const Declaration* declaration() const override { return &declaration_; }
   std::unique_ptr<Context> create_context() override {
     return std::make_unique<SinkContext>(*sink_, table_, library_.path());
   }
 
  private:
+  void* command(const char* name) const {
+    for (const evalcts_sink_command* row = sink_->commands; row->name; ++row)
+      if (std::strcmp(row->name, name) == 0) return reinterpret_cast<void*>(row->function);
+    return nullptr;
+  }
+
   SharedLibrary library_;
   const evalcts_sink* sink_ = nullptr;
   gl::Table table_;
+  Declaration declaration_;
 };
 
 }  // namespace

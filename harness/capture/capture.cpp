@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Capture>> all_captures() {
   captures.push_back(make_sink());
   captures.push_back(make_transform_feedback());
   captures.push_back(make_feedback_buffer());
+  captures.push_back(make_pixels());
   return captures;
 }
 

@@ -1,28 +1,14 @@
 #include <evalcts/capture/varyings.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
+
+#include "program.h"
 
 namespace evalcts {
 namespace {
 
 GLenum recorded_mode(PrimitiveKind kind) {
   return kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_TRIANGLES;
-}
-
-gl::Ref make_program(gl::Case& c, const VaryingShader& shader) {
-  const gl::Ref vertex_shader = c.CreateShader(GL_VERTEX_SHADER);
-  c.ShaderSource(vertex_shader, 1, gl::Strings{{shader.source}}, nullptr);
-  c.CompileShader(vertex_shader);
-  const gl::Ref program = c.CreateProgram();
-  c.AttachShader(program, vertex_shader);
-  for (const auto& [location, name] : shader.locations)
-    c.BindAttribLocation(program, location, gl::text(name));
-  c.TransformFeedbackVaryings(program, shader.varyings.size(), gl::Strings{shader.varyings},
-                              GL_INTERLEAVED_ATTRIBS);
-  c.LinkProgram(program);
-  return program;
 }
 
 }  // namespace
@@ -38,16 +24,10 @@ RecordedVaryings record_varyings(Implementation& implementation, const VaryingSh
   const std::size_t bytes = room * shader.floats * sizeof(GLfloat);
 
   const std::unique_ptr<Context> context = implementation.create_context();
-  std::map<std::string, GLuint>* const kept = context->kept_programs();
   gl::Case prologue;
-  std::optional<gl::Ref> made, linked;
-  if (kept && kept->contains(shader.source)) {
-    prologue.UseProgram(kept->at(shader.source));
-  } else {
-    made = make_program(prologue, shader);
-    linked = prologue.GetProgramiv(*made, GL_LINK_STATUS, gl::out<GLint>(1));
-    prologue.UseProgram(*made);
-  }
+  const UsedProgram program(
+      prologue, *context,
+      {.vertex = shader.source, .varyings = shader.varyings, .locations = shader.locations});
   const gl::ResultOf buffer{prologue.GenBuffers(1, gl::out<GLuint>(1)).index, 0};
   prologue.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer);
   prologue.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STATIC_READ);
@@ -66,11 +46,9 @@ RecordedVaryings record_varyings(Implementation& implementation, const VaryingSh
       c.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, gl::out<GLfloat>(room * shader.floats));
 
   const gl::Trace trace = context->play(c);
-  if (linked && trace.values<GLint>(*linked)[0] != GL_TRUE)
-    throw NotObservable("the capturing shader does not link");
+  program.require_linked(trace);
   if (trace.error(wrapped.error_before) != GL_NO_ERROR)
     throw NotObservable("transform feedback cannot be set up");
-  if (kept && made) kept->emplace(shader.source, static_cast<GLuint>(trace.result(*made)));
 
   RecordedVaryings recorded;
   recorded.error = trace.error(wrapped.error_after);

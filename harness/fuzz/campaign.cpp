@@ -109,10 +109,13 @@ bool calls_in_a_list(const gl::Case& program) {
 
 }  // namespace
 
-gl::Case with_commands_of(const gl::Table& table, const gl::Case& program) {
+gl::Case with_what_exists(const ImplementationInfo& info, const gl::Table& table, const gl::Case& program) {
+  const auto is_declared = [&](const gl::Command& command) {
+    return !info.declaration || undeclared_part(*info.declaration, command).empty();
+  };
   gl::Case left(program.identity());
   for (const gl::Command& command : program.commands())
-    if (gl::has(table, command.entry)) left.add(command);
+    if (gl::has(table, command.entry) && is_declared(command)) left.add(command);
   return left;
 }
 
@@ -326,7 +329,7 @@ class Player {
   void play(std::uint32_t number) {
     auto [program, specified] = random_specified_program(subject_.seed, number, campaign_.length, max_order_);
     ++programs_;
-    gl::Case left = with_commands_of(table_, program);
+    gl::Case left = with_what_exists(subject_.info, table_, program);
     if (!knows_limit_) left = without_orders_above(left, max_order_);
     if (left.commands().size() < program.commands().size()) {
       std::optional<Specified> of_left = specify_if_defined(left, max_order_);
@@ -374,7 +377,7 @@ class Player {
     const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
       report_progress_now_and_then();  // and shows that it goes on
       if (is_over(kGrace) ||
-          with_commands_of(table_, candidate).commands().size() < candidate.commands().size())
+          with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
         return {};
       const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
       if (!of_candidate || !takes_off(candidate)) return {};

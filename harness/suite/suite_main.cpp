@@ -305,8 +305,8 @@ int play_programs(const Program& program) {
   }
   const std::string text = read_file(program.options.replay);
   if (text.empty()) throw std::runtime_error("cannot read '" + program.options.replay + "'");
-  gl::Case script =
-      fuzz::with_commands_of(program.implementation->create_context()->table(), gl::parse_case(text));
+  gl::Case script = fuzz::with_what_exists(
+      program.subject.info, program.implementation->create_context()->table(), gl::parse_case(text));
   script.set_identity("program");
   program.records->write(to_line(TestStarted{"program"}));
   const Specified specified = specify(script, std::clamp(program.subject.info.max_eval_order, 8, 64));

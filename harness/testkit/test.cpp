@@ -281,6 +281,10 @@ gl::DeliveredCase Test::begin_case(const gl::Case& script) {
         return gl::largest_order(command) > max_order();
       }))
     throw NotObservable("MAX_EVAL_ORDER is not answered, so that no order above 8 is known to be accepted");
+  if (gl().declaration)
+    for (const gl::Command& command : delivered.script.commands())
+      if (const std::string part = undeclared_part(*gl().declaration, command); !part.empty())
+        throw NotSupported(fmt::format("the sink does not declare {}", part));
   if (gl().no_error && may_raise_an_error(delivered.script, max_order()))
     throw NotSupported("a no-error context, in which what raises an error is undefined");
   if (subject_.before_case) subject_.before_case(delivered.script);
@@ -333,7 +337,7 @@ std::vector<const Capture*> Test::captures_showing(Attributes required, Primitiv
   for (std::size_t i = 0; i < subject_.captures->size(); ++i) {
     if (shown == wanted && captures.size() >= most) break;  // the next one might have to be proved
     const Capture* const capture = subject_.captures->at(i);
-    if (!capture || !is_usable(*capture)) continue;
+    if (!capture || !is_usable(*capture) || (shown == wanted && capture->is_last_resort())) continue;
     const Attributes of_this = capture->shown_of(required);
     if (std::popcount(of_this) > std::popcount(shown)) {
       captures = {capture};
@@ -582,7 +586,7 @@ void Test::run(const std::function<void(Test&)>& body) {
     otherwise = Verdict::kNotObservable;
     why = exception.what();
   } catch (const gl::MissingEntryPoint& exception) {
-    otherwise = Verdict::kNotObservable;
+    otherwise = gl().declaration ? Verdict::kNotSupported : Verdict::kNotObservable;
     why = exception.what();
   } catch (const std::exception& exception) {
     otherwise = Verdict::kInternalError;

@@ -515,26 +515,38 @@ TEST_F(CommandLine, ContextNone) {
   EXPECT_GT(results("own")["summary"].value("pass", 0), 10) << outcome.text;
 }
 
-// An evaluator that is no GL and lacks most commands: what it has is judged, the rest is not observable.
-TEST_F(CommandLine, EvaluatorThatIsNoGl) {
-  const Outcome outcome =
-      evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick", "--output",
-               folder_.string(), "--filter", "Map1*:Precedence*:Api.VectorForm/*:Api.EntryPoint/*Map1*"});
-  EXPECT_EQ(outcome.code, 1) << outcome.text;
+// An evaluator that is not a GL: what it declares is judged, the rest is not supported.
+TEST_F(CommandLine, SinkIsJudgedByWhatItDeclares) {
+  const Outcome outcome = evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick",
+                                   "--output", folder_.string()});
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
   const json result = results("bezier");
   EXPECT_EQ(as_text(result["implementation"]["renderer"]), "Bezier example");
   const std::pair<const char*, const char*> expected[] = {
       {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1f", "pass"},
       {"Map1Values.Ends/MAP1_VERTEX_4/EvalCoord1fv", "pass"},
       {"Precedence.Vertex4BeforeVertex3/EvalCoord1f", "pass"},
-      {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1d", "not-observable"},  // not there
-      {"Map1Values.AllOrders/MAP1_COLOR_4/EvalCoord1f", "not-observable"},   // hands over no colours
-      {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-observable"},         // no GetError
-      {"Api.EntryPoint/Map1d", "fail"}};
+      {"Map1Values.AllOrders/MAP1_VERTEX_3/EvalCoord1d", "not-supported"},  // no such command
+      {"Map1Values.AllOrders/MAP1_COLOR_4/EvalCoord1f", "not-supported"},   // no such target
+      {"Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "not-supported"},         // no GetError
+      {"Api.EntryPoint/Map1d", "not-supported"}};
   for (const auto& [name, verdict] : expected)
     EXPECT_EQ(as_text(test_named(result, name)["verdict"]), verdict) << name;
-  EXPECT_FALSE(result["summary"].contains("crash"));
-  EXPECT_FALSE(result["summary"].contains("internal-error"));
+  for (const char* verdict : {"fail", "crash", "internal-error"})
+    EXPECT_FALSE(result["summary"].contains(verdict)) << verdict;
+}
+
+TEST_F(CommandLine, SmallestSinkPassesAndItsWrongTwinFails) {
+  const auto run = [&](const char* library, const char* name) {
+    return evalcts({"run", "--library", library, "--name", name, "--output", folder_.string()});
+  };
+  const Outcome right = run(SMALLEST_SINK, "smallest");
+  EXPECT_EQ(right.code, 0) << right.text;
+  EXPECT_GT(results("smallest")["summary"].value("pass", 0), 50) << right.text;
+  const Outcome wrong = run(WRONG_SINK, "wrong");
+  EXPECT_EQ(wrong.code, 1) << wrong.text;
+  EXPECT_EQ(as_text(test_named(results("wrong"), "Map1Values.Domains/MAP1_VERTEX_3/EvalCoord1f")["verdict"]),
+            "fail");
 }
 
 TEST_F(CommandLine, NamedImplementationsThatStartAreStillJudged) {

@@ -429,6 +429,14 @@ TEST_F(FuzzCommand, ProductionHoldsOut) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "fuzz-production-old-1.json"));
 }
 
+// Programs consist of what a sink declares.
+TEST_F(FuzzCommand, SinkOfOneTargetIsSearched) {
+  const Outcome right = fuzz({"--library", SMALLEST_SINK, "--programs", "300"});
+  EXPECT_EQ(right.code, 0) << right.text;
+  const Outcome wrong = fuzz({"--library", WRONG_SINK, "--programs", "300"});
+  EXPECT_EQ(wrong.code, 1) << wrong.text;
+}
+
 // Map1f for INDEX with order 5 crashes.
 TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   const Outcome outcome = fuzz_drill("crash");

@@ -39,6 +39,16 @@ class Context {
   virtual std::vector<ObservedPrimitive> take_emitted() { return {}; }
 };
 
+// What an evaluator that is not a GL says that it has, besides commands. Cases that use anything else are not
+// played.
+struct Declaration {
+  std::set<GLenum> targets;  // maps, and GL_AUTO_NORMAL; empty: all
+  GLint max_order = 0;       // 0: as GL_MAX_EVAL_ORDER says
+};
+// Returns what the command uses without its being declared ("GL_MAP1_COLOR_4", "order 9"); empty if it uses
+// nothing of that kind.
+std::string undeclared_part(const Declaration& declaration, const gl::Command& command);
+
 class Implementation {
  public:
   virtual ~Implementation() = default;
@@ -50,6 +60,8 @@ class Implementation {
   // A context that may live beside those of create_context(), and is current after its creation; null where
   // there can be no such.
   virtual std::unique_ptr<Context> create_beside() { return nullptr; }
+  // Null for a GL, which has everything of its version.
+  virtual const Declaration* declaration() const { return nullptr; }
 };
 
 struct ImplementationOptions {
@@ -83,8 +95,9 @@ struct ImplementationInfo {
   GLint max_eval_order = 0;  // 0: not answered
   GLint texture_units = 1;
   std::set<std::string> extensions;
-  std::set<GLenum> refused_queries;  // see refused_queries.h
-  bool shares_state = false;         // what one context sets is set in the next one, too
+  std::set<GLenum> refused_queries;        // see refused_queries.h
+  bool shares_state = false;               // what one context sets is set in the next one, too
+  std::optional<Declaration> declaration;  // of an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
 
   bool at_least(int wanted_major, int wanted_minor) const {

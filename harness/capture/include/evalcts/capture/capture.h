@@ -47,6 +47,9 @@ class Capture {
   // Whether vertices whose position is no number, or beyond float, may be lost on the way.
   virtual bool loses_vertices_beyond_float() const { return false; }
 
+  // True if it is used only for what no other capture shows: it is slow, and its control is the weakest.
+  virtual bool is_last_resort() const { return false; }
+
   // Whether it can see a case that draws these kinds of primitives.
   virtual bool takes(PrimitiveKinds) const { return true; }
 
@@ -56,7 +59,7 @@ class Capture {
                               const Wanted& wanted) const = 0;
 };
 
-// Sink, TransformFeedback, FeedbackBuffer, in order of preference.
+// Sink, TransformFeedback, FeedbackBuffer, Pixels, in order of preference.
 std::vector<std::unique_ptr<Capture>> all_captures();
 
 // The captures of an implementation in order of preference, each proved when it is first asked for: a proof
@@ -87,6 +90,7 @@ class Captures {
 std::unique_ptr<Capture> make_sink();
 std::unique_ptr<Capture> make_transform_feedback();
 std::unique_ptr<Capture> make_feedback_buffer();
+std::unique_ptr<Capture> make_pixels();
 
 // A script behind a capture's prologue, with GetError between them and after it: what the capture itself
 // raises is not the script's. Epilogues are added to `commands`.

@@ -42,8 +42,9 @@ struct Finding {
   bool outside_evaluators = false;  // the same goes wrong without them, see without_evaluators()
 };
 
-// What is left of a program where the implementation lacks commands.
-gl::Case with_commands_of(const gl::Table& table, const gl::Case& program);
+// Returns the program without the commands that the implementation lacks, and without those that use what it
+// does not declare.
+gl::Case with_what_exists(const ImplementationInfo& info, const gl::Table& table, const gl::Case& program);
 
 // The program, of which `specified` is, on the implementation. Throws std::logic_error on a fault of evalcts
 // itself.

@@ -27,7 +27,8 @@
 
 namespace evalcts {
 
-// The rule does not apply to this implementation: its version or extension is missing.
+// The rule does not apply to this implementation: its version or extension is missing, or it is no GL and
+// does not declare what the rule is about.
 struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,0 +1,19 @@
+/* The smallest sink with a mistake: maps have the domain 0 to 1, whatever is given. */
+#define evalcts_sink_open open_right_sink
+#include "../../examples/smallest_sink.c"
+#undef evalcts_sink_open
+
+static void Map1f_of_unit_domain(unsigned target, float a, float b, int stride, int n, const float* p) {
+  if (a != b) Map1f(target, 0, 1, stride, n, p);
+}
+
+const evalcts_sink* evalcts_sink_open(void) {
+  static const evalcts_sink_command wrong_commands[] = {EVALCTS_SINK_COMMAND(Enable),
+                                                        {"glMap1f", (void (*)(void))Map1f_of_unit_domain},
+                                                        EVALCTS_SINK_COMMAND(EvalCoord1f),
+                                                        {0, 0}};
+  static evalcts_sink wrong;
+  wrong = *open_right_sink();
+  wrong.commands = wrong_commands;
+  return &wrong;
+}
