@@ -15,6 +15,8 @@ inline constexpr int kFramebufferSide = 64;
 class ContextMaker {
  public:
   virtual ~ContextMaker() = default;
+  // As CProgram::context has it.
+  virtual std::string kind() const = 0;
   // A fresh context, current. No other exists but where makes_several(). Throws CannotStart.
   virtual void* create() = 0;
   // Whether it can make further contexts beside the first. The next three are for such makers only.

@@ -128,6 +128,7 @@ class EglContexts final : public ContextMaker {
                     describe_egl_vendors() + describe_gl_environment()));
   }
 
+  std::string kind() const override { return opengl() ? "egl" : "egl-gles2"; }
   void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
   bool makes_several() const override { return true; }
   void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context, attributes_); }

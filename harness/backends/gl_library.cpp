@@ -12,6 +12,7 @@ namespace {
 
 class NoContexts final : public ContextMaker {
  public:
+  std::string kind() const override { return "none"; }
   void* create() override { return nullptr; }
   void destroy(void*) override {}
   void* address_of(const char*) override { return nullptr; }
@@ -111,6 +112,8 @@ class GlLibrary final : public Implementation {
 
   std::string name() const override { return name_; }
   std::string library() const override { return library_.empty() ? contexts_->library() : library_; }
+  std::string context_kind() const override { return contexts_->kind(); }
+  std::string context_library() const override { return library_.empty() ? "" : contexts_->library(); }
 
   std::unique_ptr<Context> create_context() override {
     auto context = std::make_unique<MadeContext>(*contexts_, contexts_->create(), table_);

@@ -123,6 +123,7 @@ class GlxContexts final : public ContextMaker {
   GlxContexts(const GlxContexts&) = delete;
   GlxContexts& operator=(const GlxContexts&) = delete;
 
+  std::string kind() const override { return "glx"; }
   void* create() override { return create_sharing(nullptr); }
   bool makes_several() const override { return true; }
 

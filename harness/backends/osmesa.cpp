@@ -38,6 +38,7 @@ class OSMesaContexts final : public ContextMaker {
     exports_commands_ = library_.find("glMap1f") != nullptr;
   }
 
+  std::string kind() const override { return "osmesa"; }
   void* create() override { return create_sharing(nullptr); }
   bool makes_several() const override { return true; }
 

@@ -28,6 +28,7 @@ class Provider final : public ContextMaker {
       throw CannotStart(fmt::format("{} lacks create or destroy", library_.path()));
   }
 
+  std::string kind() const override { return "provider"; }
   void* create() override {
     if (void* context = provider_->create()) return context;
     const char* why = provider_->error ? provider_->error() : nullptr;

@@ -74,19 +74,12 @@ class FilteredContext final : public Context {
   gl::Table table_;
 };
 
-class Filtered final : public Implementation {
+class Filtered final : public ImplementationInFront {
  public:
-  explicit Filtered(std::unique_ptr<Implementation> inner) : inner_(std::move(inner)) {}
-  std::string name() const override { return inner_->name(); }
-  std::string library() const override { return inner_->library(); }
+  using ImplementationInFront::ImplementationInFront;
   std::unique_ptr<Context> create_context() override {
-    return std::make_unique<FilteredContext>(inner_->create_context());
+    return std::make_unique<FilteredContext>(inner().create_context());
   }
-  // Idle contexts play no case.
-  std::unique_ptr<Context> create_beside() override { return inner_->create_beside(); }
-
- private:
-  std::unique_ptr<Implementation> inner_;
 };
 
 }  // namespace

@@ -395,22 +395,20 @@ class Handle final : public Context {
   Shared& shared_;
 };
 
-class ReusedContext final : public Implementation {
+class ReusedContext final : public ImplementationInFront {
  public:
   ReusedContext(Implementation& inner, const ImplementationInfo& info, Programs programs)
-      : inner_(inner), info_(info), programs_(programs) {}
+      : ImplementationInFront(inner), info_(info), programs_(programs) {}
 
-  std::string name() const override { return inner_.name(); }
-  std::string library() const override { return inner_.library(); }
   std::unique_ptr<Context> create_context() override {
     const bool is_first = !shared_;
-    if (is_first) shared_.emplace(inner_.create_context(), info_, programs_);
+    if (is_first) shared_.emplace(inner().create_context(), info_, programs_);
     if (!is_first || info_.shares_state) shared_->restore();
     return std::make_unique<Handle>(*shared_);
   }
+  std::unique_ptr<Context> create_beside() override { return nullptr; }
 
  private:
-  Implementation& inner_;
   ImplementationInfo info_;
   Programs programs_;
   std::optional<Shared> shared_;

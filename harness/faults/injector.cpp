@@ -71,21 +71,16 @@ class FaultyContext final : public Context {
   void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
 };
 
-class Faulty final : public Implementation {
+class Faulty final : public ImplementationInFront {
  public:
   Faulty(std::unique_ptr<Implementation> inner, const Fault& fault)
-      : inner_(std::move(inner)), fault_(fault) {}
+      : ImplementationInFront(std::move(inner)), fault_(fault) {}
 
-  std::string name() const override { return inner_->name(); }
-  std::string library() const override { return inner_->library(); }
   std::unique_ptr<Context> create_context() override {
-    return std::make_unique<FaultyContext>(inner_->create_context(), fault_);
+    return std::make_unique<FaultyContext>(inner().create_context(), fault_);
   }
-  // The idle context that may live beside the others has no part in a case.
-  std::unique_ptr<Context> create_beside() override { return inner_->create_beside(); }
 
  private:
-  std::unique_ptr<Implementation> inner_;
   const Fault& fault_;
 };
 

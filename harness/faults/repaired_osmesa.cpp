@@ -99,18 +99,12 @@ class RepairedContext final : public Context {
   gl::Table table_;
 };
 
-class RepairedOSMesa final : public Implementation {
+class RepairedOSMesa final : public ImplementationInFront {
  public:
-  explicit RepairedOSMesa(std::unique_ptr<Implementation> osmesa) : osmesa_(std::move(osmesa)) {}
-  std::string name() const override { return osmesa_->name(); }
-  std::string library() const override { return osmesa_->library(); }
+  using ImplementationInFront::ImplementationInFront;
   std::unique_ptr<Context> create_context() override {
-    return std::make_unique<RepairedContext>(osmesa_->create_context());
+    return std::make_unique<RepairedContext>(inner().create_context());
   }
-  std::unique_ptr<Context> create_beside() override { return osmesa_->create_beside(); }
-
- private:
-  std::unique_ptr<Implementation> osmesa_;
 };
 
 }  // namespace repairs

@@ -66,30 +66,27 @@ class VariedContext final : public Context {
   void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
 };
 
-class VariedImplementation final : public Implementation {
+class VariedImplementation final : public ImplementationInFront {
  public:
   VariedImplementation(std::unique_ptr<Implementation> inner, const Variation& variation)
-      : inner_(std::move(inner)), variation_(variation) {
+      : ImplementationInFront(std::move(inner)), variation_(variation) {
     gl::Table unused;
     Varied varied{unused};
     variation.vary(varied);
     one_state_ = varied.one_state;
   }
 
-  std::string name() const override { return inner_->name(); }
-  std::string library() const override { return inner_->library(); }
   std::unique_ptr<Context> create_context() override {
     if (!only_) {
-      std::shared_ptr<Context> made = inner_->create_context();
+      std::shared_ptr<Context> made = inner().create_context();
       if (one_state_) only_ = made;
       return std::make_unique<VariedContext>(std::move(made), variation_);
     }
     return std::make_unique<VariedContext>(only_, variation_);
   }
-  std::unique_ptr<Context> create_beside() override { return one_state_ ? nullptr : inner_->create_beside(); }
+  std::unique_ptr<Context> create_beside() override { return one_state_ ? nullptr : inner().create_beside(); }
 
  private:
-  std::unique_ptr<Implementation> inner_;
   const Variation& variation_;
   bool one_state_ = false;
   std::shared_ptr<Context> only_;

@@ -9,179 +9,10 @@
 #include <type_traits>
 
 #include <evalcts/gl/call_log.h>
+#include "c_contexts.h"
 
 namespace evalcts::gl {
 namespace {
-
-// --- Contexts: one fragment each ---------------------------------------------------------------------------
-//
-// A fragment defines `static void make_context(const char *path)`, which stops with exit code 2 and a reason
-// where it cannot, `static void use_context(GLuint number, int how)`, see contexts.h, and `static void
-// *address_of(const char *name)`. how: 0 a context like the first, 1 one that shares with it, 1 + KIND one of
-// that kind.
-
-constexpr char kOpenLibrary[] = R"(static void *library;
-
-static void stop(const char *why) {
-  fprintf(stderr, "cannot start: %s\n", why);
-  exit(2);
-}
-
-static void open_library(const char *path) {
-  library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-  if (!library) stop(dlerror());
-}
-
-static void *need(const char *name) {
-  void *address = dlsym(library, name);
-  if (!address) fprintf(stderr, "%s is missing\n", name), stop("this is another kind of library");
-  return address;
-}
-)";
-
-constexpr char kOSMesa[] = R"(
-/* OSMesa: RGBA, 24 bits of depth, 8 of stencil, 64x64 pixels in memory. */
-static unsigned char pixels[64 * 64 * 4];
-static void *contexts[MOST_CONTEXTS];
-
-static void use_context(GLuint number, int how) {
-  void *(*create)(GLenum, GLint, GLint, GLint, void *) =
-      (void *(*)(GLenum, GLint, GLint, GLint, void *))need("OSMesaCreateContextExt");
-  GLboolean (*make_current)(void *, void *, GLenum, GLsizei, GLsizei) =
-      (GLboolean (*)(void *, void *, GLenum, GLsizei, GLsizei))need("OSMesaMakeCurrent");
-  if (!contexts[number] && how < 2) contexts[number] = create(GL_RGBA, 24, 8, 0, how ? contexts[0] : NULL);
-  if (!contexts[number] && how == 2) {
-    void *(*create_kind)(const int *, void *) =
-        (void *(*)(const int *, void *))need("OSMesaCreateContextAttribs");
-    /* OSMESA_FORMAT, DEPTH_BITS, STENCIL_BITS, PROFILE: CORE, CONTEXT_MAJOR_VERSION, MINOR_VERSION */
-    const int core[] = {0x22, GL_RGBA, 0x30, 24, 0x31, 8, 0x33, 0x34, 0x36, 3, 0x37, 2, 0};
-    contexts[number] = create_kind(core, NULL);
-  }
-  if (!contexts[number] || !make_current(contexts[number], pixels, GL_UNSIGNED_BYTE, 64, 64))
-    stop("OSMesa gives no context");
-}
-
-static void make_context(const char *path) {
-  open_library(path);
-  use_context(0, 0);
-}
-
-static void *address_of(const char *name) {
-  void *address = dlsym(library, name);
-  if (address || !dlsym(library, "glMap1f")) return address;
-  void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "OSMesaGetProcAddress");
-  return get ? get(name) : NULL;
-}
-)";
-
-constexpr char kEgl[] = R"(
-/* EGL without a surface: a framebuffer object of 64x64 pixels with colour, depth and stencil. */
-static void *display, *config, *contexts[MOST_CONTEXTS];
-
-static void *address_of(const char *name) {
-  void *address = dlsym(library, name);
-  void *(*get)(const char *) = (void *(*)(const char *))dlsym(library, "eglGetProcAddress");
-  return address ? address : get ? get(name) : NULL;
-}
-
-static void bind_framebuffer(void) {
-  GLuint framebuffer, color, depth;
-#define GL(name) ((__typeof__(name) *)address_of(#name))
-  GL(glGenFramebuffers)(1, &framebuffer);
-  GL(glBindFramebuffer)(GL_FRAMEBUFFER, framebuffer);
-  GL(glGenRenderbuffers)(1, &color);
-  GL(glBindRenderbuffer)(GL_RENDERBUFFER, color);
-  GL(glRenderbufferStorage)(GL_RENDERBUFFER, GL_RGBA8, 64, 64);
-  GL(glFramebufferRenderbuffer)(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-  GL(glGenRenderbuffers)(1, &depth);
-  GL(glBindRenderbuffer)(GL_RENDERBUFFER, depth);
-  GL(glRenderbufferStorage)(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, 64, 64);
-  GL(glFramebufferRenderbuffer)(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth);
-  GL(glDrawBuffer)(GL_COLOR_ATTACHMENT0);
-  GL(glReadBuffer)(GL_COLOR_ATTACHMENT0);
-  GL(glViewport)(0, 0, 64, 64);
-  GL(glScissor)(0, 0, 64, 64);
-  if (GL(glCheckFramebufferStatus)(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    stop("the framebuffer object is not complete");
-  while (GL(glGetError)() != GL_NO_ERROR) continue;
-#undef GL
-}
-
-static void use_context(GLuint number, int how) {
-  void *(*create)(void *, void *, void *, const int *) =
-      (void *(*)(void *, void *, void *, const int *))need("eglCreateContext");
-  unsigned (*make_current)(void *, void *, void *, void *) =
-      (unsigned (*)(void *, void *, void *, void *))need("eglMakeCurrent");
-  /* EGL_CONTEXT_MAJOR_VERSION, MINOR_VERSION, and: core profile; forward-compatible; compatibility profile with
-     debug, and with no-error */
-  const int kinds[][9] = {{0x3038 /* EGL_NONE */},
-                          {0x3038},
-                          {0x3098, 3, 0x30FB, 2, 0x30FD, 1, 0x3038},
-                          {0x3098, 3, 0x30FB, 1, 0x31B1, 1, 0x3038},
-                          {0x3098, 3, 0x30FB, 2, 0x30FD, 2, 0x31B0, 1, 0x3038},
-                          {0x3098, 3, 0x30FB, 2, 0x30FD, 2, 0x31B3, 1, 0x3038}};
-  const int is_new = !contexts[number];
-  if (is_new) contexts[number] = create(display, config, how == 1 ? contexts[0] : NULL, kinds[how]);
-  if (!contexts[number] || !make_current(display, NULL, NULL, contexts[number])) stop("EGL gives no context");
-  if (is_new) bind_framebuffer();
-}
-
-static void make_context(const char *path) {
-  open_library(path);
-  void *(*get_display)(unsigned, void *, const int *) =
-      (void *(*)(unsigned, void *, const int *))address_of("eglGetPlatformDisplayEXT");
-  unsigned (*initialize)(void *, int *, int *) = (unsigned (*)(void *, int *, int *))need("eglInitialize");
-  unsigned (*bind_api)(unsigned) = (unsigned (*)(unsigned))need("eglBindAPI");
-  unsigned (*choose)(void *, const int *, void **, int, int *) =
-      (unsigned (*)(void *, const int *, void **, int, int *))need("eglChooseConfig");
-  void *(*get_default)(void *) = (void *(*)(void *))need("eglGetDisplay");
-  display = get_display ? get_display(0x31DD /* EGL_PLATFORM_SURFACELESS_MESA */, NULL, NULL) : NULL;
-  if (!display || !initialize(display, NULL, NULL)) {
-    display = get_default(NULL);
-    if (!display || !initialize(display, NULL, NULL)) stop("EGL gives no display, surfaceless or default");
-  }
-  if (!bind_api(0x30A2 /* EGL_OPENGL_API */)) stop("this EGL has no OpenGL");
-  const int wanted[] = {0x3040 /* EGL_RENDERABLE_TYPE */, 8 /* EGL_OPENGL_BIT */, 0x3033 /* EGL_SURFACE_TYPE */, 0,
-                        0x3038 /* EGL_NONE */};
-  int count = 0;
-  if (!choose(display, wanted, &config, 1, &count) || count == 0) stop("EGL has no configuration for OpenGL");
-  use_context(0, 0);
-}
-)";
-
-// %MOST%: how many vertices are kept.
-constexpr char kProduction[] = R"(
-/* libglevaluator: vertices come through a callback. */
-enum { MOST_VERTICES = %MOST%, VALUES = 43 };
-static glev_context *context, *contexts[MOST_CONTEXTS];
-static float emitted[MOST_VERTICES * VALUES];
-static size_t emitted_vertices;
-
-static void on_vertex(void *user, const glev_vertex *vertex) {
-  (void)user;
-  if (emitted_vertices < MOST_VERTICES) {
-    float *values = emitted + VALUES * emitted_vertices;
-    memcpy(values, vertex->position, 4 * sizeof(float));
-    memcpy(values + 4, vertex->color, 4 * sizeof(float));
-    memcpy(values + 8, vertex->normal, 3 * sizeof(float));
-    memcpy(values + 11, vertex->texcoord, 32 * sizeof(float));
-  }
-  ++emitted_vertices;
-}
-
-static void use_context(GLuint number, int how) {
-  const glev_sink sink = {sizeof sink, NULL, NULL, on_vertex, NULL};
-  glev_context **const used = &contexts[number];
-  (void)how;
-  if (!*used && (glevCreateContext(NULL, used) != GLEV_SUCCESS || glevSetSink(*used, &sink) != GLEV_SUCCESS)) {
-    fprintf(stderr, "cannot start: no context\n");
-    exit(2);
-  }
-  context = *used;
-}
-
-static void make_context(void) { use_context(0, 0); }
-)";
 
 // --- The rest of the program -------------------------------------------------------------------------------
 
@@ -264,7 +95,7 @@ class Writer {
 
   std::string write() {
     headers();
-    context();
+    text_ += c_contexts(program_);
     entry_points();
     play();
     decide();
@@ -292,35 +123,13 @@ class Writer {
     text_ += "\nenum { MOST_CONTEXTS = 8 };\n";
   }
 
-  void context() {
-    if (program_.context == "osmesa") {
-      text_ += kOpenLibrary;
-      text_ += kOSMesa;
-    } else if (program_.context == "egl") {
-      text_ += kOpenLibrary;
-      text_ += kEgl;
-    } else if (production()) {
-      std::string fragment = kProduction;
-      fragment.replace(fragment.find("%MOST%"), 6, std::to_string(program_.emitted_vertices + 64));
-      text_ += fragment;
-    } else if (program_.context == "reference") {
-      throw NoCProgram("the reference is C++ inside evalcts: no C program can reach it");
-    } else {
-      throw NoCProgram(
-          fmt::format("the context comes from '{}', which only evalcts can open", program_.context));
-    }
-  }
-
   void entry_points() {
     std::set<EntryPoint> used;
     for (const Command& command : commands_) used.insert(command.entry);
     used.insert(EntryPoint::GetError);
-    const auto other = used.erase(EntryPoint::OtherContextEVALCTS);
-    const auto sharing = used.erase(EntryPoint::SharingContextEVALCTS);
-    if (used.erase(EntryPoint::ContextOfKindEVALCTS))
-      text_ += "\n#define glContextOfKindEVALCTS(number, kind) use_context(number, 1 + (kind))\n";
-    if (other) text_ += "\n#define glOtherContextEVALCTS(number) use_context(number, 0)\n";
-    if (sharing) text_ += "\n#define glSharingContextEVALCTS(number) use_context(number, 1)\n";
+    for (const EntryPoint entry : {EntryPoint::OtherContextEVALCTS, EntryPoint::SharingContextEVALCTS,
+                                   EntryPoint::ContextOfKindEVALCTS})
+      used.erase(entry);  // use_context() in C
     text_ += "\n/* The commands by their names. */\n";
     if (production()) {
       for (const EntryPoint entry : used) {

@@ -177,6 +177,17 @@ std::string to_c(const Command& command, std::size_t most_elements) {
 }
 
 std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements) {
+  const auto number = [&](std::size_t i) { return argument(command.arguments[i], '.', 0); };
+  switch (command.entry) {  // as in C programs
+    case EntryPoint::OtherContextEVALCTS:
+      return fmt::format("use_context({}, 0);", number(0));
+    case EntryPoint::SharingContextEVALCTS:
+      return fmt::format("use_context({}, 1); /* shares objects with context 0 */", number(0));
+    case EntryPoint::ContextOfKindEVALCTS:
+      return fmt::format("use_context({}, 1 + {});", number(0), number(1));
+    default:
+      break;
+  }
   const std::string_view kinds = parameter_kinds(command.entry);
   std::string text = std::string(name_of(command.entry)) + "(";
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {

@@ -69,15 +69,14 @@ bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 }  // namespace
 
-class Reproduction::Recorder final : public Implementation {
+class Reproduction::Recorder final : public ImplementationInFront {
  public:
-  Recorder(Implementation& inner, std::string file) : inner_(inner), file_(std::move(file)) {}
+  Recorder(Implementation& inner, std::string file) : ImplementationInFront(inner), file_(std::move(file)) {}
 
-  std::string name() const override { return inner_.name(); }
-  std::string library() const override { return inner_.library(); }
   std::unique_ptr<Context> create_context() override {
-    return std::make_unique<RecordingContext>(*this, inner_.create_context());
+    return std::make_unique<RecordingContext>(*this, inner().create_context());
   }
+  std::unique_ptr<Context> create_beside() override { return nullptr; }
 
   void begin_case() { passes_.clear(); }
   const std::vector<Pass>& passes() const { return passes_; }
@@ -87,7 +86,8 @@ class Reproduction::Recorder final : public Implementation {
   void write(std::size_t pass, const gl::Check* check) const {
     std::string text;
     try {
-      text = gl::to_c({.context = name(),
+      text = gl::to_c({.context = context_kind(),
+                       .context_library = context_library(),
                        .library = library(),
                        .script = &passes_.at(pass).script,
                        .check = check,
@@ -138,7 +138,6 @@ class Reproduction::Recorder final : public Implementation {
     std::size_t pass_ = 0;
   };
 
-  Implementation& inner_;
   std::string file_;
   std::vector<Pass> passes_;
   bool frozen_ = false;

@@ -148,6 +148,35 @@ TEST_F(CProgram, OtherContexts) {
 #endif
 }
 
+// A provider, and a library in front of the one that makes the contexts.
+TEST_F(CProgram, ContextsFromAProviderAndFromAnotherLibrary) {
+#ifndef __SANITIZE_ADDRESS__
+  gl::Case c("grid");
+  c.MapGrid1f(3, 0, 1);
+  const gl::Ref query = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  const auto outcome = [&](const char* context, const char* context_library, const char* library,
+                           double segments) {
+    const gl::Check check{.answer = {.of = gl::Answer::Of::element, .command = query},
+                          .accepted = {{segments, segments}},
+                          .what = "segments"};
+    return build_and_start(gl::to_c({.context = context,
+                                     .context_library = context_library,
+                                     .library = {},
+                                     .script = &c,
+                                     .check = &check}),
+                           library)
+        .code;
+  };
+  const int code = outcome("provider", "", OSMESA_PROVIDER, 3);
+  if (code == 2) GTEST_SKIP() << "no OSMesa here";
+  EXPECT_EQ(code, 0);
+  EXPECT_EQ(outcome("provider", "", OSMESA_PROVIDER, 5), 1);
+  EXPECT_EQ(outcome("provider", OSMESA_PROVIDER, "libOSMesa.so.8", 3), 0);
+  EXPECT_EQ(outcome("osmesa", "libOSMesa.so.8", "libOSMesa.so.8", 3), 0);
+  EXPECT_EQ(outcome("osmesa", "libOSMesa.so.8", "libOSMesa.so.8", 5), 1);
+#endif
+}
+
 TEST_F(CProgram, ThereIsNoneOfWhatOnlyEvalctsCanOpen) {
   const gl::Case c = line();
   EXPECT_THROW(gl::to_c({.context = "reference", .library = {}, .script = &c}), gl::NoCProgram);

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <evalcts/gl/observation.h>
@@ -55,6 +56,10 @@ class Implementation {
   virtual std::string name() const = 0;
   // The file that the entry points come from; empty for those built in.
   virtual std::string library() const { return {}; }
+  // What makes the contexts, for a C program (see CProgram::context), and the file that does if it is not
+  // library().
+  virtual std::string context_kind() const { return name(); }
+  virtual std::string context_library() const { return {}; }
   // Throws CannotStart.
   virtual std::unique_ptr<Context> create_context() = 0;
   // A context that may live beside those of create_context(), and is current after its creation; null where
@@ -62,6 +67,27 @@ class Implementation {
   virtual std::unique_ptr<Context> create_beside() { return nullptr; }
   // Null for a GL, which has everything of its version.
   virtual const Declaration* declaration() const { return nullptr; }
+};
+
+// An implementation in front of another one: what is not overridden is the other's.
+class ImplementationInFront : public Implementation {
+ public:
+  explicit ImplementationInFront(Implementation& inner) : inner_(inner) {}  // must outlive the object
+  explicit ImplementationInFront(std::unique_ptr<Implementation> inner)
+      : owned_(std::move(inner)), inner_(*owned_) {}
+  std::string name() const override { return inner_.name(); }
+  std::string library() const override { return inner_.library(); }
+  std::string context_kind() const override { return inner_.context_kind(); }
+  std::string context_library() const override { return inner_.context_library(); }
+  std::unique_ptr<Context> create_beside() override { return inner_.create_beside(); }
+  const Declaration* declaration() const override { return inner_.declaration(); }
+
+ protected:
+  Implementation& inner() const { return inner_; }
+
+ private:
+  std::unique_ptr<Implementation> owned_;
+  Implementation& inner_;
 };
 
 struct ImplementationOptions {

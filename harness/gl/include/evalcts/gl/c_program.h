@@ -19,8 +19,10 @@ struct NoCProgram : std::runtime_error {
 };
 
 struct CProgram {
-  std::string context;  // what makes the context: "osmesa", "egl", "production"
-  std::string library;  // the file that was judged; empty for "production"
+  std::string
+      context;  // what makes the context: "osmesa", "egl", "egl-gles2", "provider", "none", "production"
+  std::string context_library = {};  // the file that makes the context, if the commands come from `library`
+  std::string library;               // the file that was judged; empty for "production"
   const Case* script = nullptr;
   const Check* check = nullptr;      // null: the commands alone show it, by a crash or a hang
   const Trace* trace = nullptr;      // what was answered, for Check::Rule::unlike
