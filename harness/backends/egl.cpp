@@ -208,6 +208,8 @@ class EglContexts final : public ContextMaker {
   Made* make(EGLContext share, const std::vector<EGLint>& attributes) {
     auto made = std::make_unique<Made>();
     made->context = egl_.CreateContext(display_, config_, share, attributes.data());
+    if (made->context == EGL_NO_CONTEXT && egl_.GetError() == EGL_NOT_INITIALIZED && initialize_again())
+      made->context = egl_.CreateContext(display_, config_, share, attributes.data());
     if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
     try {
       if (!surfaceless_) {
@@ -222,6 +224,13 @@ class EglContexts final : public ContextMaker {
       throw;
     }
     return made.release();
+  }
+
+  // For a display that the library under test has terminated: a layer may look at it when it is loaded, and
+  // clean up.
+  bool initialize_again() {
+    return egl_.Initialize(display_, nullptr, nullptr) &&
+           egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API) && choose_config();
   }
 
   CannotStart failure(const std::string& step) const {

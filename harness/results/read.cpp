@@ -189,7 +189,7 @@ RunResult read_run_result(const json& value) {
   out.seed = in.natural("seed");
   out.baseline = in.text("baseline");
   out.stale_baseline_entries = in.texts("stale_baseline_entries");
-  out.not_played_again = in.natural("not_played_again").value_or(0);
+  out.confirmed_by_group = in.natural("confirmed_by_group").value_or(0);
   if (const std::string shard = in.text("shard"); !shard.empty()) {
     out.shard = Shard::parse(shard);
     if (!out.shard) throw FormatError(fmt::format("shard: \"{}\" is no K-of-N", shard));

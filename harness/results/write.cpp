@@ -136,7 +136,7 @@ std::string to_text(const RunResult& result) {
   if (result.shard) out["shard"] = result.shard->text();
   set(out, "baseline", result.baseline);
   if (!result.stale_baseline_entries.empty()) out["stale_baseline_entries"] = result.stale_baseline_entries;
-  if (result.not_played_again) out["not_played_again"] = result.not_played_again;
+  if (result.confirmed_by_group) out["confirmed_by_group"] = result.confirmed_by_group;
   if (!result.readings.empty()) out["readings"] = result.readings;
   json& summary = out["summary"] = json::object();
   for (std::size_t i = 0; i < kVerdicts; ++i)

@@ -5,6 +5,7 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -466,10 +467,9 @@ class Run {
           !baseline_.knows(found->second, request_.depth, request_.seed))
         names.push_back(test.name);
     }
-    if (request_.retries > 0 && names.size() > kMostPlayedAgain) {
-      result_.not_played_again = names.size() - kMostPlayedAgain;
-      names.resize(kMostPlayedAgain);
-    }
+    if (request_.retries == 0) return;
+    std::map<std::string, std::vector<std::string>> rest_of_group;  // by the one that is played again for all
+    if (names.size() > kMostPlayedAgain) rest_of_group = keep_one_of_each_group(names);
     for (int round = 0; round < request_.retries; ++round) {
       std::vector<std::string> same;
       const auto jobs = static_cast<std::size_t>(request_.jobs);
@@ -481,14 +481,37 @@ class Run {
         const std::vector<ChildRun> runs = run_alone(some, false);
         for (std::size_t i = 0; i < some.size() && !interrupted; ++i) {
           const std::optional<Repetition> other = other_outcome(records_[some[i]], runs[i]);
-          if (other)
-            explain_difference(records_[some[i]], *other);
-          else
+          if (!other) {
             same.push_back(some[i]);
+            continue;
+          }
+          explain_difference(records_[some[i]], *other);
+          // The others of its group are not confirmed by it.
+          const auto rest = rest_of_group.extract(some[i]);
+          if (!rest.empty()) names.insert(names.end(), rest.mapped().begin(), rest.mapped().end());
         }
       }
       names = std::move(same);
     }
+    for (const auto& [name, rest] : rest_of_group) result_.confirmed_by_group += rest.size();
+  }
+
+  // Keeps the first of each group of failures that look alike: the same test function, the same thing looked
+  // at, whatever its index. Returns the others.
+  std::map<std::string, std::vector<std::string>> keep_one_of_each_group(std::vector<std::string>& names) {
+    std::map<std::string, std::string> first_of_group;
+    std::map<std::string, std::vector<std::string>> rest;
+    std::vector<std::string> kept;
+    for (const std::string& name : names) {
+      const TestRecord& record = records_.at(name);
+      std::string group = name.substr(0, name.find('/')) + ": ";
+      if (!record.failures.empty()) group += record.failures.front().what;
+      std::erase_if(group, [](unsigned char c) { return std::isdigit(c) != 0; });
+      const auto [found, is_new] = first_of_group.try_emplace(group, name);
+      (is_new ? kept : rest[found->second]).push_back(name);
+    }
+    names = std::move(kept);
+    return rest;
   }
 
   // A failure that did not come out the same alone: it needs other tests before it, or it is a flake.

@@ -319,6 +319,13 @@ TEST_F(GlLibrary, LayerOverGles2) {
   EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << outcome.text;
   EXPECT_EQ(with_context("egl-surfaceless").code, 2);  // desktop GL is current
 
+  setenv("EVALCTS_DRILL", "terminate", 1);  // the display that the contexts come from
+  const Outcome terminated = with_context("egl-gles2");
+  unsetenv("EVALCTS_DRILL");
+  EXPECT_EQ(terminated.code, 0) << terminated.text;
+  EXPECT_GT(results("library")["summary"].value("pass", 0), 10) << terminated.text;
+  EXPECT_FALSE(results("library")["summary"].contains("internal-error")) << terminated.text;
+
   // ES itself has no evaluators.
   try {
     const SharedLibrary library("libGLESv2.so.2");

@@ -285,9 +285,9 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   screen.line("");
   if (left)
     screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
-  if (record.not_played_again)
-    screen.line("so many failed that " + count(record.not_played_again, "unexpected failure") +
-                " had to stay without being played again");
+  if (record.confirmed_by_group)
+    screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
+                " had another of the same kind played again instead");
   if (!record.stale_baseline_entries.empty())
     screen.line("stale in the baseline, no such test: " + join(record.stale_baseline_entries, ", "),
                 Colour::kYellow);

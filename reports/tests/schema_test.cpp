@@ -58,7 +58,7 @@ TEST(Schema, ChangedSamplesAreNot) {
                                                  {"/tests/1/failures/0/ulp", "1"},
                                                  {"/tests/1/flake", "pass"},
                                                  {"/tests/1/again", {{"verdict", "passes"}, {"message", ""}}},
-                                                 {"/not_played_again", 0}}) {
+                                                 {"/confirmed_by_group", 0}}) {
     EXPECT_NE(changed(pointer, value), "valid") << pointer;
   }
 }

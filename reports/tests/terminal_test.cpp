@@ -120,10 +120,10 @@ TEST(Terminal, TellsFlakesApart) {
   json record = large_record();
   record["tests"][0]["flake"] = true;
   record["tests"][0]["again"] = {{"verdict", "pass"}, {"message", ""}};
-  record["not_played_again"] = 100;
+  record["confirmed_by_group"] = 100;
   const std::string text = terminal_of(record, nullptr, false, false);
   EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when played again), u=1\n")) << text;
-  EXPECT_TRUE(contains(text, "100 unexpected failures had to stay without being played again\n")) << text;
+  EXPECT_TRUE(contains(text, "100 unexpected failures had another of the same kind played again instead\n")) << text;
   EXPECT_TRUE(contains(junit_of(record), "flake: pass when played again"));
 }
 

@@ -14,7 +14,8 @@
 //   "control-error": it leaves an error behind, and every evaluated one loses the current colour; "history":
 //   in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more; "worn": in a
 //   context with 45 primitives, which one random program has not, IsEnabled says the opposite; "worn-out":
-//   with 400; "end": every primitive crashes at its end; "evaluation": every EvalCoord1f crashes.
+//   with 400; "end": every primitive crashes at its end; "evaluation": every EvalCoord1f crashes;
+//   "terminate": DRILL_LAYER terminates the EGL display when it is loaded.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -70,7 +71,11 @@ using misdeeds::crash;
   if (!egl) return false;
   const auto api = reinterpret_cast<decltype(&eglQueryAPI)>(dlsym(egl, "eglQueryAPI"));
   const auto context = reinterpret_cast<decltype(&eglGetCurrentContext)>(dlsym(egl, "eglGetCurrentContext"));
-  return api() == EGL_OPENGL_ES_API && context() && glevCreateContext(nullptr, &current) == GLEV_SUCCESS;
+  const bool is_over_es = api() == EGL_OPENGL_ES_API && context();
+  if (drill("terminate"))
+    reinterpret_cast<decltype(&eglTerminate)>(dlsym(egl, "eglTerminate"))(
+        reinterpret_cast<decltype(&eglGetCurrentDisplay)>(dlsym(egl, "eglGetCurrentDisplay"))());
+  return is_over_es && glevCreateContext(nullptr, &current) == GLEV_SUCCESS;
 }();
 #elif defined(DRILL_OWN_CONTEXT)
 [[maybe_unused]] const glev_result made_when_loaded = glevCreateContext(nullptr, &current);

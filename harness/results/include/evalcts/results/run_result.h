@@ -84,7 +84,8 @@ struct RunResult {
   std::string origin;    // the folder or file that the record was read from; tells records of one name apart
   std::string baseline;  // "mesa with mesa.softpipe"; empty: none
   std::vector<std::string> stale_baseline_entries;
-  std::uint64_t not_played_again = 0;  // unexpected failures that were not repeated because of their number
+  std::uint64_t confirmed_by_group =
+      0;  // unexpected failures that another of their group was played again for
   std::map<std::string, std::vector<std::string>> readings;  // of ambiguous texts, by their names
   ImplementationRecord implementation;
   Counts counts{};  // by verdict

@@ -48,7 +48,7 @@ struct Progress {
   std::string test;
 };
 
-// More unexpected fails than these are not chance; what is beyond is not played again.
+// Of more unexpected fails than these, one of each group of fails that look alike is played again.
 inline constexpr std::size_t kMostPlayedAgain = 100;
 
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by
@@ -58,8 +58,8 @@ inline constexpr std::size_t kMostPlayedAgain = 100;
 // full) the run ends, "interrupted" with the reason; CannotWrite where not even what was obtained can be
 // written: it is in records-NAME.jsonl.
 //
-// A fail that no baseline knows is played again, alone in a new process, up to `retries` times (the first
-// kMostPlayedAgain of them); a crash or timeout always once. What does not come out the same either shows
+// A fail that no baseline knows is played again, alone in a new process, up to `retries` times (see
+// kMostPlayedAgain); a crash or timeout always once. What does not come out the same either shows
 // again behind tests that came before it, which the message and "history" then name, or it is a flake:
 // "flake" is true and "again" what came. It keeps its verdict, for that is what the library did.
 //
