@@ -129,20 +129,30 @@ class EglContexts final : public ContextMaker {
   }
 
   std::string kind() const override { return opengl() ? "egl" : "egl-gles2"; }
-  void* create() override { return make(EGL_NO_CONTEXT, attributes_); }
-  bool makes_several() const override { return true; }
+  // A layer over OpenGL ES keeps the names of its objects, and knows nothing of contexts: there is only one.
+  void* create() override {
+    if (opengl()) return make(EGL_NO_CONTEXT, attributes_);
+    if (!only_) only_.reset(make(EGL_NO_CONTEXT, attributes_));
+    make_current(only_.get());
+    return only_.get();
+  }
+  bool makes_several() const override { return opengl(); }
   void* create_sharing(void* with) override { return make(static_cast<Made*>(with)->context, attributes_); }
   void* create_of_kind(GLuint kind) override { return make(EGL_NO_CONTEXT, attributes_of(kind)); }
 
   void make_current(void* context) override {
-    const Made& made = *static_cast<Made*>(context);
-    if (!egl_.MakeCurrent(display_, made.surface, made.surface, made.context))
-      throw failure("eglMakeCurrent");
+    Made& made = *static_cast<Made*>(context);
+    if (egl_.MakeCurrent(display_, made.surface, made.surface, made.context)) return;
+    const CannotStart error = failure("eglMakeCurrent");
+    if (context != only_.get() || !initialize_again()) throw error;
+    const std::unique_ptr<Made> again(make(EGL_NO_CONTEXT, attributes_));
+    made = *again;
   }
 
   void destroy(void* context) override {
-    const std::unique_ptr<Made> made(static_cast<Made*>(context));
     egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context == only_.get()) return;
+    const std::unique_ptr<Made> made(static_cast<Made*>(context));
     egl_.DestroyContext(display_, made->context);
     if (made->surface != EGL_NO_SURFACE) egl_.DestroySurface(display_, made->surface);
   }
@@ -208,9 +218,12 @@ class EglContexts final : public ContextMaker {
   Made* make(EGLContext share, const std::vector<EGLint>& attributes) {
     auto made = std::make_unique<Made>();
     made->context = egl_.CreateContext(display_, config_, share, attributes.data());
-    if (made->context == EGL_NO_CONTEXT && egl_.GetError() == EGL_NOT_INITIALIZED && initialize_again())
+    if (made->context == EGL_NO_CONTEXT) {
+      const CannotStart error = failure("eglCreateContext");
+      if (!initialize_again()) throw error;
       made->context = egl_.CreateContext(display_, config_, share, attributes.data());
-    if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
+      if (made->context == EGL_NO_CONTEXT) throw failure("eglCreateContext");
+    }
     try {
       if (!surfaceless_) {
         const EGLint size[] = {EGL_WIDTH, kFramebufferSide, EGL_HEIGHT, kFramebufferSide, EGL_NONE};
@@ -342,7 +355,7 @@ class EglContexts final : public ContextMaker {
     attributes_ = {EGL_NONE};
     if (!opengl()) attributes_ = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
     try {
-      destroy(create());
+      destroy(make(EGL_NO_CONTEXT, attributes_));
     } catch (const CannotStart&) {
       if (!opengl() || (!is_1_5 && !has_word(extensions, "EGL_KHR_create_context"))) throw;
       attributes_ = {EGL_CONTEXT_MAJOR_VERSION,
@@ -352,7 +365,7 @@ class EglContexts final : public ContextMaker {
                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
                      EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                      EGL_NONE};
-      destroy(create());
+      destroy(make(EGL_NO_CONTEXT, attributes_));
     }
   }
 
@@ -409,6 +422,7 @@ class EglContexts final : public ContextMaker {
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLConfig config_ = nullptr;
   std::vector<EGLint> attributes_;
+  std::unique_ptr<Made> only_;  // of OpenGL ES; stays, like the display
   bool surfaceless_ = false;
   bool knows_all_commands_ = false;
 };

@@ -117,7 +117,10 @@ class GlLibrary final : public Implementation {
 
   std::unique_ptr<Context> create_context() override {
     auto context = std::make_unique<MadeContext>(*contexts_, contexts_->create(), table_);
-    if (!loaded_) load();
+    if (!loaded_) {
+      load();
+      context->make_current();  // a layer may leave another one
+    }
     return context;
   }
 

@@ -22,6 +22,9 @@ constexpr int kCorner = (kViewport - kSide) / 2;
 constexpr std::size_t kMostRows = 255;  // a stencil of 8 bits counts to there
 
 constexpr const char* kVertexShader = R"(#version 120
+#ifdef GL_ES
+precision highp float;
+#endif
 varying vec4 seen_position;
 varying vec4 seen_color;
 varying vec4 seen_normal;
@@ -37,18 +40,22 @@ void main() {
 )";
 
 // The order of the components is that of `decode`. Multiplications by powers of two bring a magnitude into
-// [1,2); the bits follow from its floors. Blue is 1 for a number, so that pixels without a vertex are told
-// from zeros.
+// [1,2); the bits follow from its floors. Blue is 1 for each vertex, so that pixels without a vertex are told
+// from zeros. All constants have few digits, because layers print them anew.
 std::string fragment_shader() {
+  std::string powers =
+      "  float down1 = 0.5, down2 = 0.25, down4 = 0.0625, up1 = 2.0, up2 = 4.0, up4 = 16.0;\n";
+  for (const int k : {4, 8, 16, 32})
+    powers += fmt::format("  float down{0} = down{1} * down{1}, up{0} = up{1} * up{1};\n", 2 * k, k);
   std::string scaling;
-  for (const int k : {64, 32, 16, 8, 4, 2, 1}) {
-    const double power = std::ldexp(1.0, k);
-    scaling += fmt::format("  if (a >= {0:.1f}) {{ a *= {1:.17e}; e += {2}.0; }}\n", power, 1 / power, k);
-  }
   for (const int k : {64, 32, 16, 8, 4, 2, 1})
-    scaling += fmt::format("  if (a < {0:.17e}) {{ a *= {1:.1f}; e -= {2}.0; }}\n", std::ldexp(1.0, 1 - k),
-                           std::ldexp(1.0, k), k);
+    scaling += fmt::format("    if (a >= up{0}) {{ a *= down{0}; e += {0}.0; }}\n", k);
+  for (const int k : {64, 32, 16, 8, 4, 2, 1})
+    scaling += fmt::format("    if (a < 2.0 * down{0}) {{ a *= up{0}; e -= {0}.0; }}\n", k);
   return fmt::format(R"(#version 120
+#ifdef GL_ES
+precision highp float;
+#endif
 varying vec4 seen_position;
 varying vec4 seen_color;
 varying vec4 seen_normal;
@@ -63,24 +70,23 @@ void main() {{
   float sign = x < 0.0 ? 128.0 : 0.0;
   float a = abs(x);
   float e = 127.0;
-  vec4 bytes = vec4(0.0);
-  if (a > 3.40282346638528860e38) {{
-    bytes = vec4(sign + 127.0, 128.0, 0.0, 0.0);
-  }} else if (a >= 1.17549435082228751e-38) {{
-{1}  float m = (a - 1.0) * 8388608.0;
-  float high = floor(m / 65536.0);
-  float low = m - high * 65536.0;
-  float middle = floor(low / 256.0);
-  float even = floor(e / 2.0);
-  bytes = vec4(sign + even, (e - even * 2.0) * 128.0 + high, middle, low - middle * 256.0);
-  }} else if (!(a <= 1.0)) {{
-    bytes = vec4(127.0, 192.0, 0.0, 0.0);
+{1}  vec4 bytes = vec4(0.0);
+  if (a > 0.0) {{
+{2}    float m = (a - 1.0) * up16 * 128.0;
+    float high = floor(m * down16);
+    float low = m - high * up16;
+    float middle = floor(low * down8);
+    float even = floor(e * 0.5);
+    bytes = vec4(sign + even, (e - even * 2.0) * 128.0 + high, middle, low - middle * 256.0);
+    if (a >= 2.0) bytes = vec4(sign + 127.0, 128.0, 0.0, 0.0);  // infinite
+  }} else if (a != 0.0) {{
+    bytes = vec4(127.0, 192.0, 0.0, 0.0);  // NaN
   }}
   vec2 both = column - component * 2.0 < 0.5 ? bytes.xy : bytes.zw;
   gl_FragColor = vec4(both / 255.0, 1.0, 1.0);
 }}
 )",
-                     kCorner, scaling);
+                     kCorner, powers, scaling);
 }
 
 // Drawn after the case: it has to come out as the vertex behind those of the case. If it does not, the case
@@ -162,7 +168,8 @@ class Pixels final : public Capture {
                       const Wanted& wanted) const override {
     const std::size_t rows = wanted.most_vertices + 2;  // for the witness, and to see that more came
     if (rows > kMostRows)
-      throw NotObservable(fmt::format("pixels show at most {} vertices of a case", kMostRows - 2));
+      throw NotObservable(fmt::format("pixels show at most {} vertices of a case, not {}", kMostRows - 2,
+                                      wanted.most_vertices));
     Observation observation;
     observation.attributes = attributes_;
     std::vector<ObservedVertex> vertices;
