@@ -7,7 +7,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <functional>
+#include <map>
 
 #include "control.h"
 #include "program.h"
@@ -16,12 +17,22 @@ namespace evalcts {
 namespace {
 
 constexpr int kViewport = 64;
-constexpr int kSide = 48;     // of the points: rows, the vertices of one pass
-constexpr int kColumns = 30;  // 15 components, two halves of each
+constexpr int kSide = 60;  // of the points, in pixels
+constexpr int kComponents = 15;
+constexpr int kColumns = 2 * kComponents;  // of one vertex
+constexpr int kAcross = kSide / kColumns;  // vertices beside each other
 constexpr int kCorner = (kViewport - kSide) / 2;
-constexpr std::size_t kMostRows = 255;  // a stencil of 8 bits counts to there
+constexpr std::size_t kOfOnePass = kSide * kAcross;
+constexpr std::size_t kOfOneWindow = 255;  // a stencil of 8 bits counts to there
 
-constexpr const char* kVertexShader = R"(#version 120
+// Draws the vertices of one window (see Windows), or all of them if there is only one; the others are
+// clipped.
+std::string vertex_shader(std::size_t windows, std::size_t window) {
+  std::string place = "vec4(0.0, 0.0, 0.0, 1.0)";
+  if (windows > 1)
+    place =
+        fmt::format("abs(gl_MultiTexCoord1.s - {}.0) < 0.5 ? {} : vec4(0.0, 0.0, 2.0, 1.0)", window, place);
+  return fmt::format(R"(#version 120
 #ifdef GL_ES
 precision highp float;
 #endif
@@ -29,15 +40,17 @@ varying vec4 seen_position;
 varying vec4 seen_color;
 varying vec4 seen_normal;
 varying vec4 seen_texture;
-void main() {
+void main() {{
   seen_position = gl_Vertex;
   seen_color = gl_Color;
   seen_normal = vec4(gl_Normal, 0.0);
   seen_texture = gl_MultiTexCoord0;
-  gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
-  gl_PointSize = 48.0;
+  gl_Position = {};
+  gl_PointSize = {}.0;
+}}
+)",
+                     place, kSide);
 }
-)";
 
 // The order of the components is that of `decode`. Multiplications by powers of two bring a magnitude into
 // [1,2); the bits follow from its floors. Blue is 1 for each vertex, so that pixels without a vertex are told
@@ -61,7 +74,7 @@ varying vec4 seen_color;
 varying vec4 seen_normal;
 varying vec4 seen_texture;
 void main() {{
-  float column = floor(gl_FragCoord.x) - {0}.0;
+  float column = mod(floor(gl_FragCoord.x) - {0}.0, 30.0);
   float component = floor(column / 2.0);
   float place = mod(component, 4.0);
   vec4 four = component < 4.0 ? seen_position : component < 8.0 ? seen_color :
@@ -88,6 +101,107 @@ void main() {{
 )",
                      kCorner, powers, scaling);
 }
+
+std::int64_t integer(const gl::Command& command, std::size_t argument) {
+  const auto* number = std::get_if<std::int64_t>(&command.arguments.at(argument));
+  return number ? *number : 0;
+}
+
+// The number of vertices that the command draws by itself.
+std::size_t vertices_of(const gl::Command& command) {
+  const auto count = [&](std::size_t first) {
+    return static_cast<std::size_t>(
+        std::max<std::int64_t>(0, integer(command, first + 1) - integer(command, first) + 1));
+  };
+  const std::string_view name = gl::name_of(command.entry);
+  for (const char* start : {"glVertex", "glEvalCoord", "glEvalPoint"})
+    if (name.starts_with(start)) return 1;
+  if (command.entry == gl::EntryPoint::EvalMesh1) return count(1);
+  if (command.entry == gl::EntryPoint::EvalMesh2) return count(1) * count(3);
+  return 0;
+}
+
+// A case of many vertices in windows, which are seen one after the other: coordinates of texture unit 1 that
+// are set between its commands number them.
+class Windows {
+ public:
+  // One window if the case does not allow for more: because it sets those coordinates itself, or because
+  // lists draw the windows in another order.
+  explicit Windows(const gl::Case& script) : script_(script) {
+    if (!split() || !are_in_order()) {
+      script_ = script;
+      count_ = 1;
+    }
+  }
+
+  const gl::Case& script() const { return script_; }
+  std::size_t count() const { return count_; }
+
+  static void set(gl::Case& c, std::size_t window) {
+    c.MultiTexCoord1f(GL_TEXTURE1, static_cast<GLfloat>(window));
+  }
+
+ private:
+  // False if the case touches the current texture coordinates of unit 1.
+  bool split() {
+    gl::Case windowed(script_.identity());
+    std::vector<int> positions;  // in the new case
+    std::size_t in_window = 0;
+    for (gl::Command command : script_.commands()) {
+      const std::string_view name = gl::name_of(command.entry);
+      if (command.entry == gl::EntryPoint::ActiveTexture || command.entry == gl::EntryPoint::PopAttrib ||
+          name.starts_with("glMultiTexCoord"))
+        return false;
+      const std::size_t vertices = vertices_of(command);
+      in_window += vertices;
+      if (in_window > kOfOnePass - 2) {  // with the witness, and room to see that more came
+        set(windowed, count_++);
+        in_window = vertices;
+      }
+      for (gl::Value& value : command.arguments)
+        if (auto* result = std::get_if<gl::ResultOf>(&value))
+          result->command = positions.at(static_cast<std::size_t>(result->command));
+      positions.push_back(windowed.add(std::move(command)).index);
+    }
+    script_ = std::move(windowed);
+    return true;
+  }
+
+  // True if the vertices of each window are drawn after those of the windows before it.
+  bool are_in_order() const {
+    if (count_ == 1) return true;
+    std::map<std::int64_t, std::vector<const gl::Command*>> lists;
+    std::vector<const gl::Command*>* list = nullptr;  // being compiled
+    double window = 0, last = 0;
+    bool in_order = true;
+    const std::function<void(const gl::Command&)> execute = [&](const gl::Command& command) {
+      if (command.entry == gl::EntryPoint::CallList)
+        for (const gl::Command* called : lists[integer(command, 0)]) execute(*called);
+      if (command.entry == gl::EntryPoint::MultiTexCoord1f) window = std::get<float>(command.arguments[1]);
+      if (vertices_of(command) == 0) return;
+      in_order = in_order && window >= last;
+      last = window;
+    };
+    bool executes = true;
+    for (const gl::Command& command : script_.commands()) {
+      if (command.entry == gl::EntryPoint::EndList) {
+        list = nullptr;
+        executes = true;
+      }
+      if (list) list->push_back(&command);
+      if (executes) execute(command);
+      if (command.entry == gl::EntryPoint::NewList) {
+        list = &lists[integer(command, 0)];
+        list->clear();
+        executes = integer(command, 1) == GL_COMPILE_AND_EXECUTE;
+      }
+    }
+    return in_order;
+  }
+
+  gl::Case script_;
+  std::size_t count_ = 1;
+};
 
 // Drawn after the case: it has to come out as the vertex behind those of the case. If it does not, the case
 // has changed something that pixels depend on.
@@ -119,12 +233,13 @@ bool is_witness(const ObservedVertex& vertex) {
          vertex.texture_coordinate[0] == known.texture_coordinate[0];
 }
 
-// The pixels of one pass, from the lower left corner of the points, each with its first three bytes.
+// The pixels of one pass, from the lower left corner of the points.
 struct Picture {
   std::vector<GLubyte> bytes;
 
-  const GLubyte* at(int column, int row) const {
-    return &bytes[4 * static_cast<std::size_t>(row * kColumns + column)];
+  // The first pixel of a vertex.
+  const GLubyte* at(std::size_t vertex) const {
+    return &bytes[4 * (vertex % kSide * kSide + vertex / kSide * kColumns)];
   }
 };
 
@@ -137,9 +252,8 @@ float decode(const GLubyte* pixel) {
 }
 
 template <std::size_t n>
-void decode(const Picture& picture, int row, int first_component, std::array<float, n>& values) {
-  for (std::size_t k = 0; k < n; ++k)
-    values[k] = decode(picture.at(2 * (first_component + static_cast<int>(k)), row));
+void decode(const GLubyte* vertex, std::size_t first_component, std::array<float, n>& values) {
+  for (std::size_t k = 0; k < n; ++k) values[k] = decode(vertex + 8 * (first_component + k));
 }
 
 class Pixels final : public Capture {
@@ -166,25 +280,13 @@ class Pixels final : public Capture {
 
   Observation observe(Implementation& implementation, const gl::Case& script,
                       const Wanted& wanted) const override {
-    const std::size_t rows = wanted.most_vertices + 2;  // for the witness, and to see that more came
-    if (rows > kMostRows)
-      throw NotObservable(fmt::format("pixels show at most {} vertices of a case, not {}", kMostRows - 2,
-                                      wanted.most_vertices));
     Observation observation;
     observation.attributes = attributes_;
+    const Windows windows(script);
     std::vector<ObservedVertex> vertices;
-    for (std::size_t first = 0; vertices.size() == first && first < rows; first += kSide) {
-      const GLenum error =
-          play_pass(implementation, script, first, std::min(rows - first, std::size_t{kSide}), vertices);
-      if (first == 0) observation.error = error;
-    }
-    observation.overflow = vertices.size() == rows;
-    if (!observation.overflow) {
-      if (vertices.empty() || !is_witness(vertices.back()))
-        throw NotObservable("pixels do not show the explicit vertex that is drawn after the case");
-      vertices.pop_back();
-    }
-    observation.overflow |= vertices.size() > wanted.most_vertices;
+    for (std::size_t window = 0; window < windows.count(); ++window)
+      observe_window(implementation, windows, window, vertices, observation);
+    observation.overflow = vertices.size() > wanted.most_vertices;
     if (!vertices.empty()) observation.primitives.push_back({GL_POINTS, std::move(vertices)});
     return observation;
   }
@@ -193,44 +295,63 @@ class Pixels final : public Capture {
   static constexpr Attributes kAttributes =
       kPosition | kColor | kNormal | kShaderNormal | kTextureCoordinate0;
 
-  // Appends the vertices that come as the `first` and following ones, up to `count`. Returns the error of the
-  // case.
-  GLenum play_pass(Implementation& implementation, const gl::Case& script, std::size_t first,
-                   std::size_t count, std::vector<ObservedVertex>& vertices) const {
+  void observe_window(Implementation& implementation, const Windows& windows, std::size_t window,
+                      std::vector<ObservedVertex>& vertices, Observation& observation) const {
+    std::vector<ObservedVertex> seen;
+    for (std::size_t first = 0; seen.size() == first && first < kOfOneWindow; first += kOfOnePass) {
+      const std::size_t count = std::min(kOfOneWindow - first, kOfOnePass);
+      const GLenum error = play_pass(implementation, windows, window, first, count, seen);
+      if (window == 0 && first == 0) observation.error = error;
+    }
+    if (seen.size() == kOfOneWindow)
+      throw NotObservable(fmt::format("pixels show at most {} vertices of these commands", kOfOneWindow - 1));
+    if (seen.empty() || !is_witness(seen.back()))
+      throw NotObservable("pixels do not show the explicit vertex that is drawn after the case");
+    vertices.insert(vertices.end(), seen.begin(), seen.end() - 1);
+  }
+
+  // Appends the vertices of the window that come as the `first` and following ones, up to `count`. Returns
+  // the error of the case.
+  GLenum play_pass(Implementation& implementation, const Windows& windows, std::size_t window,
+                   std::size_t first, std::size_t count, std::vector<ObservedVertex>& vertices) const {
     const std::unique_ptr<Context> context = implementation.create_context();
     gl::Case prologue;
     prologue.Viewport(0, 0, kViewport, kViewport);
     prologue.Disable(GL_DITHER);
     prologue.Clear(GL_COLOR_BUFFER_BIT);
     prologue.Enable(GL_SCISSOR_TEST);
-    for (std::size_t row = 0; row < count; ++row) {
-      prologue.Scissor(0, kCorner + static_cast<GLint>(row), kViewport, 1);
-      prologue.ClearStencil(static_cast<GLint>(255 - (first + row)));
+    for (std::size_t i = 0; i < count; ++i) {
+      prologue.Scissor(kCorner + static_cast<GLint>(i / kSide * kColumns),
+                       kCorner + static_cast<GLint>(i % kSide), kColumns, 1);
+      prologue.ClearStencil(static_cast<GLint>(255 - (first + i)));
       prologue.Clear(GL_STENCIL_BUFFER_BIT);
     }
-    prologue.Scissor(0, kCorner, kViewport, static_cast<GLsizei>(count));
+    prologue.Scissor(kCorner, kCorner, kSide, kSide);
     prologue.Enable(GL_STENCIL_TEST);
     prologue.StencilFunc(GL_EQUAL, 255, ~0u);
     prologue.StencilOp(GL_INCR, GL_INCR, GL_ZERO);
     prologue.PointSize(kSide);
     prologue.Enable(GL_VERTEX_PROGRAM_POINT_SIZE);
-    const UsedProgram program(prologue, *context, {.vertex = kVertexShader, .fragment = fragment_shader()});
+    const UsedProgram program(
+        prologue, *context,
+        {.vertex = vertex_shader(windows.count(), window), .fragment = fragment_shader()});
 
-    WrappedCase wrapped = begin_wrapping(std::move(prologue), script);
+    WrappedCase wrapped = begin_wrapping(std::move(prologue), windows.script());
     gl::Case& c = wrapped.commands;
+    if (windows.count() > 1) Windows::set(c, window);
     draw_witness(c);
-    const gl::Ref pixels = c.ReadPixels(kCorner, kCorner, kColumns, static_cast<GLsizei>(count), GL_RGBA,
-                                        GL_UNSIGNED_BYTE, gl::out<GLubyte>(4 * kColumns * count));
+    const gl::Ref pixels = c.ReadPixels(kCorner, kCorner, kSide, kSide, GL_RGBA, GL_UNSIGNED_BYTE,
+                                        gl::out<GLubyte>(std::size_t{4} * kSide * kSide));
     const gl::Trace trace = context->play(c);
     program.require_linked(trace);
     if (trace.error(wrapped.error_before) != GL_NO_ERROR) throw NotObservable("pixels cannot be set up");
     const Picture picture{trace.values<GLubyte>(pixels)};
-    for (int row = 0; row < static_cast<int>(count) && picture.at(0, row)[2] == 255; ++row) {
+    for (std::size_t i = 0; i < count && picture.at(i)[2] == 255; ++i) {
       ObservedVertex& vertex = vertices.emplace_back();
-      decode(picture, row, 0, vertex.position);
-      decode(picture, row, 4, vertex.color);
-      decode(picture, row, 8, vertex.texture_coordinate[0]);
-      decode(picture, row, 12, vertex.normal);
+      decode(picture.at(i), 0, vertex.position);
+      decode(picture.at(i), 4, vertex.color);
+      decode(picture.at(i), 8, vertex.texture_coordinate[0]);
+      decode(picture.at(i), 12, vertex.normal);
     }
     return trace.error(wrapped.error_after);
   }
