@@ -125,8 +125,6 @@ constexpr Mask kOthers[] = {
 // The version in which AUTO_NORMAL came into the enable group.
 bool enable_bit_has_auto_normal(const Test& t) { return t.gl().at_least(1, 1); }
 
-}  // namespace
-
 EVALCTS_TEST(AttributeStack, EvalBit, must, "EV-ATTRIB-EVALBIT", "EV-API-ENUM-OTHER",
              combine(kWithEval).by(in_lists()))
 (Test& t, const Mask& mask) {
@@ -218,8 +216,8 @@ EVALCTS_TEST(AttributeStack, MapsStay, must, "EV-ATTRIB-NOMAPS",
 (Test& t, const Mask& mask) {
   for (const bool anew : {true, false}) {
     gl::Case c(anew ? "maps defined, pushed, defined anew, popped" : "maps defined, pushed, popped");
-    std::vector<Map1> maps1;
-    std::vector<Map2> maps2;
+    std::vector<Map> maps1;
+    std::vector<Map> maps2;
     const auto define_all = [&](int order) {
       maps1.clear(), maps2.clear();
       for (const GLenum target : gl::kMap1Targets) {
@@ -228,7 +226,7 @@ EVALCTS_TEST(AttributeStack, MapsStay, must, "EV-ATTRIB-NOMAPS",
         define(c, maps1.back());
       }
       for (const GLenum target : gl::kMap2Targets) {
-        maps2.push_back(random_map2(t, target, order, order + 1));
+        maps2.push_back(random_map(t, target, {order, order + 1}));
         maps2.back().v2 = 2.0 + order;
         define(c, maps2.back());
       }
@@ -260,7 +258,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV
     c.Enable(target);
   }
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_NORMAL}) {
-    define(c, random_map2(t, target, 3, 2));
+    define(c, random_map(t, target, {3, 2}));
     c.Enable(target);
   }
   c.MapGrid1f(3, 0.0f, 0.75f);
@@ -274,7 +272,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV
   c.MapGrid1f(5, 1.0f, 0.5f);
   c.MapGrid2f(3, 0.0f, 0.5f, 2, 1.0f, 0.25f);
   define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 4));
+  define(c, random_map(t, GL_MAP2_VERTEX_3, {2, 4}));
   draw();
   c.PopAttrib();
   draw();
@@ -291,7 +289,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT
   };
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   c.Enable(GL_MAP1_VERTEX_3);
-  define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
+  define(c, random_map(t, GL_MAP2_VERTEX_3, {3, 2}));
   c.Enable(GL_MAP2_VERTEX_3);
   c.MapGrid1f(3, 0.0f, 0.75f);
   c.MapGrid2f(2, 0.25f, 1.0f, 1, 0.5f, 0.0f);
@@ -327,7 +325,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, must, "EV-ATTRIB-EVAL
         if (target != GL_MAP1_VERTEX_4) c.Enable(target);
       }
       for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4, GL_MAP2_NORMAL}) {
-        define(c, random_map2(t, target, 3, 2));
+        define(c, random_map(t, target, {3, 2}));
         if (target != GL_MAP2_VERTEX_4) c.Enable(target);
       }
       c.MapGrid1f(3, 0.0f, 0.75f);
@@ -440,4 +438,5 @@ EVALCTS_TEST(AttributeStack, NestedDeeply, must, "EV-ATTRIB-NEST")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_attribute_stack

@@ -92,8 +92,6 @@ std::vector<gl::Ref> query_materials(gl::Case& c) {
   return refs;
 }
 
-}  // namespace
-
 EVALCTS_TEST(ColorMaterial, Effect, must, "EV-CMAT-EFFECT/1-D", combine(kTracked).by(without_lists()))
 (Test& t, const Tracked& tracked) {
   t.require(1, 1);
@@ -169,15 +167,11 @@ EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeT
   expect_lit_like_explicit(t, std::string("next vertex ") + tracked.name, state, untracked, drawing);
 };
 
-namespace {
-
 struct Face {
   const char* name;
   GLenum face;
 };
 constexpr Face kFaces[] = {{"FRONT", GL_FRONT}, {"BACK", GL_BACK}, {"FRONT_AND_BACK", GL_FRONT_AND_BACK}};
-
-}  // namespace
 
 // A triangle seen from the front and one from behind, lit on both sides.
 EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
@@ -272,4 +266,5 @@ EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/
   expect_like_explicit(picture.played, picture.parts.at(0), control);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_color_material

@@ -11,13 +11,13 @@ namespace {
 // Everything of evaluators away from its initial value, in one of two ways.
 void set_everything(Test& t, gl::Case& c, int variant) {
   for (const GLenum target : gl::kMap1Targets) {
-    Map1 map = random_map(t, target, 3 + variant);
+    Map map = random_map(t, target, 3 + variant);
     map.u1 = -1.5 - variant;
     define(c, map);
     c.Enable(target);
   }
   for (const GLenum target : gl::kMap2Targets) {
-    Map2 map = random_map2(t, target, 2 + variant, 4 - variant);
+    Map map = random_map(t, target, {2 + variant, 4 - variant});
     map.v2 = 7.0 + variant;
     define(c, map);
     c.Enable(target);
@@ -38,8 +38,6 @@ struct Other {
 constexpr Other kOthers[] = {
     {"SEPARATE", [](gl::Case& c, GLuint number) { return c.OtherContextEVALCTS(number); }},
     {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
-
-}  // namespace
 
 // Whatever the first context holds. What is initial the first context said before.
 EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
@@ -92,7 +90,7 @@ EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
 EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
 (Test& t) {
   gl::Case c("a list made in one context, called in the other");
-  const Map1 own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
+  const Map own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
   define(c, own);
   c.SharingContextEVALCTS(1);
   c.NewList(9, GL_COMPILE);
@@ -173,8 +171,6 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, must, "EV-CTX-SWITCH", "EV-CTX-PRIV
 
 // --- glXCopyContext ----------------------------------------------------------------------------------------
 
-namespace {
-
 constexpr GLuint kCopy = 1;
 
 // Everything set in the first context, then copied to a fresh one by the mask. Throws NotObservable where
@@ -206,8 +202,6 @@ std::vector<gl::Ref> query_pushable(gl::Case& c) {
   queries.push_back(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)));
   return queries;
 }
-
-}  // namespace
 
 EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY")
 (Test& t) {
@@ -246,4 +240,5 @@ EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS")
   played.expect_no_error(error);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_contexts

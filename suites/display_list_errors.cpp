@@ -123,8 +123,6 @@ std::vector<Bad> bad_commands(const KindOfBad& of, const Test& t) {
   return bad_maps(of.kind == Kind::maps_d, of.kind == Kind::maps_d ? "d" : "f", known_order_limit(t));
 }
 
-}  // namespace
-
 // One list for each condition; each step is asked for its error.
 EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
 (Test& t, const KindOfBad& kind) {
@@ -173,7 +171,7 @@ EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", c
 (Test& t, const KindOfBad& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
     gl::Case c(bad.name + " between MapGrid1, Map1, Enable");
-    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    const Map map = random_map(t, GL_MAP1_NORMAL, 4);
     compile(c, kList, [&](gl::Case& list) {
       list.MapGrid1f(6, 0.5f, 2.5f);
       bad.issue(list);
@@ -201,7 +199,7 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
       {"EvalMesh1 with FILL", GL_INVALID_ENUM, [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }}};
   for (const Bad& of_inner : bad) {
     gl::Case c(of_inner.name + " in an inner list");
-    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    const Map map = random_map(t, GL_MAP1_NORMAL, 4);
     compile(c, kOther, [&](gl::Case& list) {
       of_inner.issue(list);
       list.Enable(GL_AUTO_NORMAL);
@@ -223,4 +221,5 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_display_lists

@@ -36,7 +36,7 @@ EVALCTS_TEST(DisplayLists, VertexMapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", com
   const GLenum three = dimension.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3;
   const GLenum four = dimension.two ? GL_MAP2_VERTEX_4 : GL_MAP1_VERTEX_4;
   const auto define_anew = [&](gl::Case& c, GLenum target) {
-    dimension.two ? define(c, random_map2(t, target, 2, 3)) : define(c, random_map(t, target, 3));
+    dimension.two ? define(c, random_map(t, target, {2, 3})) : define(c, random_map(t, target, 3));
   };
   gl::Case c("compiled with a map of VERTEX_3, called after it was defined anew, with VERTEX_4, and without");
   define_anew(c, three);
@@ -94,7 +94,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", comb
 (Test& t, const Form& form) {
   t.require(1, 3, "GL_ARB_multitexture");
   for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_COLOR_4}) {
-    const Map1 map = random_map(t, target, 3);
+    const Map map = random_map(t, target, 3);
     gl::Case c(label(target) + ": compiled under TEXTURE1, called under TEXTURE0, then under TEXTURE1");
     c.ActiveTexture(GL_TEXTURE1);
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
@@ -116,7 +116,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", comb
     expect_unchanged(played, before, after);
   }
   for (const GLenum target : {GL_MAP2_VERTEX_4, GL_MAP2_NORMAL}) {
-    const Map2 map = random_map2(t, target, 3, 2);
+    const Map map = random_map(t, target, {3, 2});
     gl::Case c(label(target) + ": compiled under TEXTURE0, called under TEXTURE1, then under TEXTURE0");
     compile(c, kList, [&](gl::Case& list) { define(list, map, form.doubles); });
     c.ActiveTexture(GL_TEXTURE1);
@@ -137,7 +137,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureOfTheCall, must, "EV-DL-ACTIVETEX", comb
 EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX")
 (Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
-  const Map1 good = random_map(t, GL_MAP1_VERTEX_3, 3);
+  const Map good = random_map(t, GL_MAP1_VERTEX_3, 3);
   gl::Case c("Map1 after ActiveTexture(TEXTURE1), and after ActiveTexture(TEXTURE0)");
   compile(c, kList, [&](gl::Case& list) {
     list.ActiveTexture(GL_TEXTURE1);
@@ -160,7 +160,7 @@ EVALCTS_TEST(DisplayLists, ActiveTextureInTheList, must, "EV-DL-ACTIVETEX")
 EVALCTS_TEST(DisplayLists, QueriesAreNotCompiled, must, "EV-DL-GETMAP", combine(kForms))
 (Test& t, const Form& form) {
   gl::Case c("GetMap and IsEnabled between compiled commands");
-  const Map1 old = random_map(t, GL_MAP1_COLOR_4, 2), changed = random_map(t, GL_MAP1_COLOR_4, 3);
+  const Map old = random_map(t, GL_MAP1_COLOR_4, 2), changed = random_map(t, GL_MAP1_COLOR_4, 3);
   define(c, old, form.doubles);
   c.NewList(kList, GL_COMPILE);
   define(c, changed, form.doubles);
@@ -182,7 +182,7 @@ EVALCTS_TEST(DisplayLists, GetnMapIsNotCompiled, must, "EV-DL-GETMAP")
 (Test& t) {
   t.require(4, 5, "GL_ARB_robustness");
   gl::Case c("GetnMapfv between compiled commands");
-  const Map1 old = make_map1(GL_MAP1_INDEX, {1, 2}), changed = make_map1(GL_MAP1_INDEX, {3, 4, 5});
+  const Map old = make_map1(GL_MAP1_INDEX, {1, 2}), changed = make_map1(GL_MAP1_INDEX, {3, 4, 5});
   define(c, old);
   c.NewList(kList, GL_COMPILE);
   define(c, changed);
@@ -229,8 +229,6 @@ std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
   return answers;
 }
 
-}  // namespace
-
 // What is asked while the list is open is answered as outside of it: before it, or after it where its
 // commands are executed.
 EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine(kModes))
@@ -238,7 +236,7 @@ EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine
   const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");
   const auto set = [&](gl::Case& c, int order, bool on) {
     define(c, random_map(t, GL_MAP1_COLOR_4, order));
-    Map2 net = random_map2(t, GL_MAP2_NORMAL, order, 2);
+    Map net = random_map(t, GL_MAP2_NORMAL, {order, 2});
     net.u2 = order, net.v1 = -order;
     define(c, net);
     c.MapGrid1f(order, 0.5f * static_cast<float>(order), -2);
@@ -261,4 +259,5 @@ EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine
   played.expect_no_error(error);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_display_lists

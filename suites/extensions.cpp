@@ -30,8 +30,6 @@ constexpr Foreign kForeign[] = {{"VERTEX_ATTRIB0_4_NV_1", 0x8660, "GL_NV_vertex_
                                 {"TANGENT_1", 0x8444, "GL_EXT_coordinate_frame"},
                                 {"NURBS", 0x81CB, "GL_SGIX_nurbs_eval"}};
 
-}  // namespace
-
 EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(kForeign))
 (Test& t, const Foreign& foreign) {
   if (has(t, foreign.extension)) throw NotSupported(fmt::format("{} gives it a meaning", foreign.extension));
@@ -47,8 +45,6 @@ EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(k
 };
 
 // --- ARB_vertex_program ------------------------------------------------------------------------------------
-
-namespace {
 
 void use_program(gl::Case& c, const std::string& body) {
   load_assembly(c, GL_VERTEX_PROGRAM_ARB, 1,
@@ -104,8 +100,6 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
                         why);
 }
 
-}  // namespace
-
 EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 (Test& t) {
   require(t, "GL_ARB_vertex_program");
@@ -129,4 +123,5 @@ EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
   });
 };
 
+}  // namespace
 }  // namespace evalcts::suite_extensions

@@ -27,6 +27,40 @@ void enable_light(gl::Case& c, const std::vector<float>& position) {
   c.Lightfv(GL_LIGHT0, GL_POSITION, position);
 }
 
+void require_texture_units(const Test& t) {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+}
+
+std::vector<ObservedVertex> vertices_of(const Observation& seen) {
+  std::vector<ObservedVertex> all;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    all.insert(all.end(), primitive.vertices.begin(), primitive.vertices.end());
+  return all;
+}
+
+std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count) {
+  std::vector<ObservedVertex> all = vertices_of(seen);
+  if (all.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+  return all;
+}
+
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b) {
+  return a.position == b.position && a.color == b.color && a.normal == b.normal &&
+         a.texture_coordinate[0] == b.texture_coordinate[0];
+}
+
+Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
+                   std::string captured) {
+  Failure failure;
+  failure.case_identity = c.identity();
+  failure.message = std::move(message);
+  failure.what = std::move(what);
+  failure.expected = std::move(expected);
+  failure.captured = std::move(captured);
+  return failure;
+}
+
 void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed) {
   const gl::Ref first = c.GetError(), second = c.GetError();
   Played played = t.play(c);

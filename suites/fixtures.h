@@ -36,6 +36,20 @@ void evaluate_some(gl::Case& c);
 // Enables lighting with LIGHT0 at this position.
 void enable_light(gl::Case& c, const std::vector<float>& position);
 
+// Throws NotSupported unless there are at least two texture units.
+void require_texture_units(const Test& t);
+
+// All vertices that came out, in order.
+std::vector<ObservedVertex> vertices_of(const Observation& seen);
+// The same; throws NotObservable unless there are `count` of them.
+std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count);
+// True if the attributes of texture unit 0 are the same, -0 counting as +0.
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b);
+
+// A failure of a test that judges by itself.
+Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
+                   std::string captured);
+
 // Plays `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
 // a command of `c`, writes nothing.
 void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed);

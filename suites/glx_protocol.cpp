@@ -70,7 +70,7 @@ const std::vector<Command>& commands() {
     const Wire u1 = Wire().float64(kU), u1f = Wire().float32(kUf[0]);
     std::vector<Command> c;
     const auto map1 = make_map1(GL_MAP1_TEXTURE_COORD_2, 0.5, 2, 2, {0.25, -0.75});
-    const Map2 map2 = make_map2(GL_MAP2_TEXTURE_COORD_2, 1, 1, {0.25, -0.75});
+    const Map map2 = make_map2(GL_MAP2_TEXTURE_COORD_2, 1, 1, {0.25, -0.75});
     c.push_back(
         {"Map1d", [=](gl::Case& s) { define(s, map1, true); }, 143,
          Wire().reals({0.5, 2}, true).card32(map1.target).int32(1).reals({0.25, -0.75}, true).bytes()});
@@ -150,27 +150,18 @@ const std::vector<Command>& queries() {
   return all;
 }
 
-SentCommand sent_map(const Map1& map, bool doubles) {
-  Wire wire;
-  if (!doubles) wire.card32(map.target);
-  wire.reals({map.u1, map.u2}, doubles);
-  if (doubles) wire.card32(map.target);
-  wire.int32(map.order).reals(map.coefficients(), doubles);
-  return {doubles ? 143u : 144u, true, false, wire.bytes()};
-}
-
-SentCommand sent_map(const Map2& map, bool doubles) {
+SentCommand sent_map(const Map& map, bool doubles) {
   Wire wire;
   if (doubles) {
-    wire.reals({map.u1, map.u2, map.v1, map.v2}, true).card32(map.target).int32(map.uorder).int32(map.vorder);
+    wire.reals(map.domain(), true).card32(map.target).int32(map.uorder);
   } else {
     wire.card32(map.target).reals({map.u1, map.u2}, false).int32(map.uorder);
-    wire.reals({map.v1, map.v2}, false).int32(map.vorder);
+    if (map.two) wire.reals({map.v1, map.v2}, false);
   }
-  return {doubles ? 145u : 146u, true, false, wire.reals(map.coefficients(), doubles).bytes()};
+  if (map.two) wire.int32(map.vorder);
+  const unsigned opcode = (map.two ? 145 : 143) + (doubles ? 0 : 1);
+  return {opcode, true, false, wire.reals(map.coefficients(), doubles).bytes()};
 }
-
-}  // namespace
 
 EVALCTS_TEST(GlxProtocol, Opcodes, must, "EV-GLX-OPCODES", combine(commands()))
 (Test& t, const Command& command) { expect_sent(t, command); };
@@ -188,8 +179,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kM
 (Test& t, GLenum target) {
   for (const Form& form : kForms)
     for (const int padding : {0, 3}) {
-      Map1 map = random_map(t, target, 4, gl::components_of(target) + padding);
-      map.u1 = 5, map.u2 = -2.25;
+      const Map map = over(random_map(t, target, 4, gl::components_of(target) + padding), {5, -2.25});
       expect_sent(t, fmt::format("Map1{}, stride k+{}", form.name, padding),
                   [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
     }
@@ -197,13 +187,11 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kM
 
 EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
-  constexpr int kOrders[][2] = {{2, 3}, {3, 2}, {4, 1}};
   for (const Form& form : kForms)
     for (const Layout& layout : kLayouts)
-      for (const auto& [uorder, vorder] : kOrders) {
-        Map2 map = random_map2(t, target, uorder, vorder, layout);
-        map.u1 = 5, map.u2 = -2.25, map.v1 = -1, map.v2 = 0.5;
-        expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, uorder, vorder, layout.name),
+      for (const Orders& orders : {Orders{2, 3}, {3, 2}, {4, 1}}) {
+        const Map map = over(random_map(t, target, orders, layout), {5, -2.25}, {-1, 0.5});
+        expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, orders.u, orders.v, layout.name),
                     [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
       }
 };
@@ -215,10 +203,10 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
   for (const Form& form : kForms)
     for (const int padding : {0, 1}) {  // clients send packed points from where they are
       const auto room = kRoom + static_cast<std::size_t>(most * most) * 4 * sizeof(double) * 2;
-      const Map1 curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
-      const Map2 surface = random_map2(t, GL_MAP2_VERTEX_4, most, most, (4 + padding) * most, 4 + padding);
+      const Map curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
+      const Map surface = random_map(t, GL_MAP2_VERTEX_4, {most, most}, (4 + padding) * most, 4 + padding);
       expect_sent(
-          t, fmt::format("Map1{}, Map2{} of order {}, stride k+{}", form.name, form.name, most, padding),
+          t, fmt::format("Map1{}, Map{} of order {}, stride k+{}", form.name, form.name, most, padding),
           [&](gl::Case& c) {
             define(c, curve, form.doubles);
             define(c, surface, form.doubles);
@@ -230,8 +218,6 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
           room);
     }
 };
-
-namespace {
 
 // Calls that the protocol names erroneous, with the error of each.
 struct Erroneous {
@@ -319,8 +305,6 @@ void expect_no_points(Test& t, const Erroneous& bad) {
                   fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
 }
 
-}  // namespace
-
 EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
 (Test& t, const Erroneous& bad) {
   expect_erroneous(t, bad);
@@ -330,8 +314,6 @@ EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erron
 EVALCTS_TEST(GlxProtocol, SmallStrides, must, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
 (Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
-namespace {
-
 // Whatever is asked for afterwards shows that rendering is indirect.
 void begin_indirect(gl::Case& c) {
   c.RecordRequestsEVALCTS();
@@ -339,16 +321,14 @@ void begin_indirect(gl::Case& c) {
   recorded_requests(c);
 }
 
-}  // namespace
-
 // n values, for n = 1 and more; behind an array of n values lies a guard.
 EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
   gl::Case c("orders, domains and points");
   begin_indirect(c);
-  const Map1 index = make_map1(GL_MAP1_INDEX, {9});
-  const Map2 surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
+  const Map index = make_map1(GL_MAP1_INDEX, {9});
+  const Map surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
   define(c, index);
   define(c, surface);
   const gl::Ref one[] = {form.get(c, index.target, GL_ORDER, 1), form.get(c, index.target, GL_COEFF, 1)};
@@ -390,7 +370,7 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
   for (const bool two : {false, true}) {
     gl::Case c(two ? "a surface" : "a curve");
     for (const GLenum target : (two ? kKinds2 : kKinds1)[0].targets) {
-      two ? define(c, random_map2(t, target, 3, 2)) : define(c, random_map(t, target, 4));
+      two ? define(c, random_map(t, target, {3, 2})) : define(c, random_map(t, target, 4));
       c.Enable(target);
     }
     c.Begin(GL_POINTS);
@@ -405,4 +385,5 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_glx_protocol

@@ -135,8 +135,6 @@ std::vector<Calls> setting(const std::vector<Grid2>& grids, bool doubles) {
   return calls;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Grids, MapGrid1Sets, must, "EV-GRID-SET1", combine(kForms).by(gl::list_deliveries()))
 (Test& t, const Form& form) { expect_set(t, "several grids", some_grids1(), form.doubles); };
 
@@ -243,7 +241,7 @@ EVALCTS_TEST(Grids, PrimitiveUndisturbed, must, "EV-GRID-ERR-BEGINEND", "EV-GRID
 (Test& t, const Form& form) {
   gl::Case c("points of both grids around MapGrid1 and MapGrid2");
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
-  define(c, random_map2(t, GL_MAP2_VERTEX_3, 3, 2));
+  define(c, random_map(t, GL_MAP2_VERTEX_3, {3, 2}));
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(GL_MAP2_VERTEX_3);
   set(c, Grid1{4, 0, 1}, form.doubles);
@@ -324,7 +322,7 @@ EVALCTS_TEST(Grids, LargestCount, must, "EV-GRID-LARGE", combine(kForms).by(gl::
   t.expect_emission(one, kPosition);
 
   gl::Case two("EvalPoint2 of the corners");
-  define(two, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
+  define(two, random_map(t, GL_MAP2_VERTEX_3, {2, 3}));
   two.Enable(GL_MAP2_VERTEX_3);
   set(two, Grid2{kHighest, 0, 1, kHighest, 0, 1}, form.doubles);
   two.Begin(GL_POINTS);
@@ -426,4 +424,5 @@ EVALCTS_TEST(Get, Grid2, must, "EV-GET-GRIDDOMAIN/2-D", "EV-GET-GRIDSEG/2-D", by
     }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_grids

@@ -68,8 +68,6 @@ void expect_initial_order(Test& t, GLenum target, const std::vector<double>& ord
   for (const gl::Ref query : {integer, single, real}) played.expect_values(query, order);
 }
 
-}  // namespace
-
 EVALCTS_TEST(InitialState, MapsDisabled, must, "EV-INIT-MAPS-OFF")
 (Test& t) {
   t.require_initial_state();
@@ -187,7 +185,7 @@ EVALCTS_TEST(InitialState, Evaluable, must, "EV-INIT-EVALUABLE")
   }
 };
 
-EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visible_targets2()))
+EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visible_targets(kSurfaces)))
 (Test& t, GLenum target) {
   t.require_initial_state();
   if (is_texture_map(target)) t.require(1, 1);
@@ -202,7 +200,7 @@ EVALCTS_TEST(InitialState, Evaluable2, must, "EV-INIT-EVALUABLE", combine(visibl
 };
 
 // Every other map as well: its initial constant, on a vertex map that was never defined either.
-EVALCTS_TEST(InitialState, EvaluableWith, must, "EV-INIT-EVALUABLE", combine(visible_targets()))
+EVALCTS_TEST(InitialState, EvaluableWith, must, "EV-INIT-EVALUABLE", combine(visible_targets(kCurves)))
 (Test& t, GLenum target) {
   t.require_initial_state();
   if (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) t.require(1, 1);
@@ -228,7 +226,7 @@ EVALCTS_TEST(InitialState, MaxEvalOrder, must, "EV-INIT-MAXORDER/1-D")
                 std::to_string(order));
   if (order < 1 || order > 1 << 16) return;
   for (const GLenum target : gl::kMap1Targets) {
-    const Map1 map = make_map1(
+    const Map map = make_map1(
         target, random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target))));
     gl::Case c(label(target));
     define(c, map);
@@ -250,11 +248,11 @@ EVALCTS_TEST(InitialState, MaxEvalOrder2, must, "EV-INIT-MAXORDER/2-D", combine(
   std::vector<gl::Ref> accepted, defined, refused;
   const std::pair<int, int> orders[] = {{max, max}, {max, 2}, {2, max}};
   for (const auto& [u, v] : orders) {
-    define(c, random_map2(t, target, u, v));
+    define(c, random_map(t, target, {u, v}));
     accepted.push_back(c.GetError());
     defined.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
     if (!is_limit) continue;
-    define(c, random_map2(t, target, u == max ? max + 1 : u, v == max ? max + 1 : v));
+    define(c, random_map(t, target, {u == max ? max + 1 : u, v == max ? max + 1 : v}));
     refused.push_back(c.GetError());
   }
   Played played = t.play(c);
@@ -264,4 +262,5 @@ EVALCTS_TEST(InitialState, MaxEvalOrder2, must, "EV-INIT-MAXORDER/2-D", combine(
     played.expect_values(defined[i], std::vector<GLint>{orders[i].first, orders[i].second});
 };
 
+}  // namespace
 }  // namespace evalcts::suite_initial_state

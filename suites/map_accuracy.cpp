@@ -62,7 +62,7 @@ void measure2(Test& t, GLenum target, int values_per_map) {
                                        {2, max},
                                        {max, max}})
     for (const bool alternating : {false, true}) {
-      Map2 map = random_map2(t, target, uorder, vorder);
+      Map map = random_map(t, target, {uorder, vorder});
       if (alternating) {
         const int k = map.components();
         for (std::size_t i = 0; i < map.points.size(); ++i) {
@@ -85,19 +85,18 @@ void measure2(Test& t, GLenum target, int values_per_map) {
   t.expect_emission(c, attribute_of(target));
 }
 
-}  // namespace
-
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TEST(Map1Accuracy, Acceptable, must, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+EVALCTS_TEST(Map1Accuracy, Acceptable, must, "EV-NUM-ACCURACY/1-D", combine(visible_targets(kCurves)))
 (Test& t, GLenum target) { measure1(t, target, t.by_depth(20, 40, 2000)); };
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TEST(Map1Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+EVALCTS_TEST(Map1Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/1-D",
+             combine(visible_targets(kCurves)))
 (Test& t, GLenum target) { measure1(t, target, t.by_depth(4, 4, 1000)); };
 
 // ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
 // one left of it: the point there is 0, so that nothing hides the error.
-EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets(kCurves)))
 (Test& t, GLenum target) {
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("the numbers next to each end");
@@ -105,7 +104,7 @@ EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", comb
   for (const Interval domain : {Interval{0.1f, 0.7f}, {2, 5}, {-3, -1}, {1e3, 1e3 + 7}, {5, -2}})
     for (const int order : {2, 3, 4, 7})
       for (const bool last : {false, true}) {
-        Map1 map = over(random_map(t, target, order), domain);
+        Map map = over(random_map(t, target, order), domain);
         std::fill_n(last ? map.points.end() - static_cast<std::ptrdiff_t>(k) : map.points.begin(), k, 0.0);
         define(c, map);
         const auto end = static_cast<float>(last ? domain.last : domain.first);
@@ -119,11 +118,13 @@ EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", comb
 };
 
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TEST(Map2Accuracy, Acceptable, must, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
+EVALCTS_TEST(Map2Accuracy, Acceptable, must, "EV-NUM-ACCURACY/2-D", combine(visible_targets(kSurfaces)))
 (Test& t, GLenum target) { measure2(t, target, t.by_depth(12, 30, 1000)); };
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TEST(Map2Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
+EVALCTS_TEST(Map2Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/2-D",
+             combine(visible_targets(kSurfaces)))
 (Test& t, GLenum target) { measure2(t, target, t.by_depth(4, 8, 500)); };
 
+}  // namespace
 }  // namespace evalcts::suite_map_accuracy

@@ -18,7 +18,7 @@ namespace evalcts::suite_map_values {
 
 // All orders of one target in one case: the map is defined anew before each Begin.
 EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("orders 1 to the largest");
   enable_visibly(c, target);
@@ -31,7 +31,7 @@ EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D
 
 // Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
 EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("alternating, step, line, offset, one spike");
   enable_visibly(c, target);
@@ -54,7 +54,8 @@ EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1
 };
 
 // At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
-EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW",
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
   enable_visibly(c, target);
@@ -104,15 +105,13 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
   }
 }
 
-}  // namespace
-
 EVALCTS_TEST(Map1Values, Domain, must, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
 // Where all points but the first few are far from zero what is next to the first end tells how exactly the
 // argument is taken apart.
 EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("ramps that begin with zero");
   enable_visibly(c, target);
@@ -153,7 +152,7 @@ EVALCTS_TEST(Map1Values, ReversedDomain, must, "EV-MAP1-REVERSED",
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
 EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("every order, to the left and to the right of the domain");
   enable_visibly(c, target);
@@ -174,13 +173,13 @@ EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACC
 
 // So far that powers of the argument leave the usual range of magnitudes; the results do not.
 EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("2^15 to 2^20 widths of the domain away");
   enable_visibly(c, target);
   for (const Interval domain : {Interval{0, 1}, {3, 1}})
     for (const int order : {2, 3, 4}) {
-      Map1 map = over(random_map(t, target, order), domain);
+      Map map = over(random_map(t, target, order), domain);
       for (double& value : map.points) value = std::ldexp(value, -20 * (order - 1) + 6);
       define(c, map);
       std::vector<double> us;
@@ -192,16 +191,13 @@ EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-
 };
 
 EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("one point, arguments in and outside the domain");
   enable_visibly(c, target);
   for (const int stride : {4, 9}) {
-    Map1 map = over(random_map(t, target, 1), {2, 5});
-    map = make_map1(target, 2, 5, stride, map.coefficients());
-    define(c, map);
-    const gl::Ref unused = c.GetError();
-    static_cast<void>(unused);
+    define(c, over(random_map(t, target, 1, stride), {2, 5}));
+    c.GetError();
     evaluate_all(c, {2, 5, 3.3, -7, 100});
   }
   t.expect_emission(c, attribute_of(target));
@@ -209,7 +205,7 @@ EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE",
 
 // Values that differ in every component, so that no permutation of them goes unseen.
 EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
   const auto k = static_cast<std::size_t>(gl::components_of(target));
@@ -224,29 +220,27 @@ EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER",
 };
 
 EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
     for (const int order : {1, 2, 5}) {
-      const Map1 tight = random_map(t, target, order);
-      define(c, make_map1(target, 0, 1, stride, tight.coefficients()));
+      define(c, random_map(t, target, order, stride));
       evaluate_all(c, {0, 0.25, 0.625, 1});
     }
   t.expect_emission(c, attribute_of(target));
 };
 
 EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("padding of NaN and infinity");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    const Map1 tight = random_map(t, target, 4);
-    Map1 map = make_map1(target, 0, 1, k + 3, tight.coefficients());
+    Map map = random_map(t, target, 4, k + 3);
     for (double& value : map.points)
       if (value == kPoison) value = padding;
     define(c, map);
@@ -257,10 +251,6 @@ EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING",
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-namespace {
-
-using Orders = std::pair<int, int>;
-
 // A case of all kinds of data at once: `write` is called with what defines the four maps of a vertex, first
 // for VERTEX_3, then for VERTEX_4, which has precedence.
 using DefineAll = std::function<void(int uorder, int vorder, Interval u, Interval v)>;
@@ -270,7 +260,8 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
   for (const Kinds& kinds : kKinds2) {
     for (const GLenum target : kinds.targets) c.Enable(target);
     write(c, [&](int uorder, int vorder, Interval u, Interval v) {
-      for (const GLenum target : kinds.targets) define(c, over(random_map2(t, target, uorder, vorder), u, v));
+      for (const GLenum target : kinds.targets)
+        define(c, over(random_map(t, target, {uorder, vorder}), u, v));
     });
   }
   t.expect_emission(c, kUnit0);
@@ -285,16 +276,14 @@ std::vector<gl::Delivery> both_forms() {
   return forms;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Map2Values, OrderPairs, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
-             combine(visible_targets2()).by(gl::surface_deliveries()))
+             combine(visible_targets(kSurfaces)).by(gl::surface_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("all pairs of orders up to 8x8");
   enable_visibly(c, target);
   for (int uorder = 1; uorder <= 8; ++uorder)
     for (int vorder = 1; vorder <= 8; ++vorder) {
-      define(c, random_map2(t, target, uorder, vorder));
+      define(c, random_map(t, target, {uorder, vorder}));
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(1, 5, 100)));
     }
   t.expect_emission(c, attribute_of(target));
@@ -305,11 +294,11 @@ EVALCTS_TEST(Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2
 (Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "orders above 8", [&](gl::Case& c, const DefineAll& define_all) {
-    for (const Orders& orders :
+    for (const auto& [uorder, vorder] :
          {Orders{9, 9}, {10, 4}, {3, 17}, {13, 12}, {max, 2}, {5, max}, {max - 1, max - 2}, {max, max}}) {
-      if (orders.first > max || orders.second > max) continue;
-      define_all(orders.first, orders.second, {0, 1}, {0, 1});
-      const bool large = orders.first * orders.second > 256;
+      if (uorder > max || vorder > max) continue;
+      define_all(uorder, vorder, {0, 1}, {0, 1});
+      const bool large = uorder * vorder > 256;
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, large ? t.by_depth(1, 1, 10) : t.by_depth(2, 4, 40)));
     }
   });
@@ -339,7 +328,7 @@ EVALCTS_TEST(Map2Values, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE"
   gl::Case c("orders 3x5, 4x2, 1x6, 6x1");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const auto& [uorder, vorder] : {Orders{3, 5}, {4, 2}, {1, 6}, {6, 1}}) {
-    for (const GLenum target : kKinds2[1].targets) define(c, random_map2(t, target, uorder, vorder, layout));
+    for (const GLenum target : kKinds2[1].targets) define(c, random_map(t, target, {uorder, vorder}, layout));
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(4, 8, 100)));
   }
   t.expect_emission(c, kUnit0);
@@ -352,7 +341,7 @@ EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms())
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     for (const Layout& layout : {kLayouts[2], kLayouts[3]}) {
       for (const GLenum target : kKinds2[1].targets) {
-        Map2 map = random_map2(t, target, 4, 3, layout);
+        Map map = random_map(t, target, {4, 3}, layout);
         for (double& value : map.points)
           if (value == kPoison) value = padding;
         define(c, map);
@@ -394,7 +383,7 @@ EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN",
     for (std::size_t round = 0; round < 4; ++round) {
       for (std::size_t i = 0; i < 4; ++i) {
         const auto& [u, v] = kOwn[(i + round) % 4];
-        define(c, over(random_map2(t, kinds.targets[i], 3, 4), u, v));
+        define(c, over(random_map(t, kinds.targets[i], {3, 4}), u, v));
       }
       evaluate_all(c, arguments(t, {0, 1}, {0.5, 1.5}, t.by_depth(4, 6, 60)));
     }
@@ -522,7 +511,7 @@ EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(bo
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const Layout& layout : {kLayouts[0], kLayouts[3], kLayouts[5]}) {
     for (const GLenum target : kKinds2[1].targets)
-      define(c, random_map2(t, target, 4, 3, layout), false, fate.after);
+      define(c, random_map(t, target, {4, 3}, layout), false, fate.after);
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
   }
   t.expect_emission(c, kUnit0);
@@ -533,21 +522,22 @@ EVALCTS_TEST(Map2Values, Redefinition, must, "EV-MAP2-REPLACE", "EV-MAP2-COPY", 
 (Test& t) {
   gl::Case c("one map after the other, of each target in turn");
   for (const GLenum target : kKinds2[1].targets) {
-    define(c, random_map2(t, target, 2, 2));
+    define(c, random_map(t, target, {2, 2}));
     c.Enable(target);
   }
   for (int round = 0; round < t.by_depth(2, 4, 30); ++round)
     for (const GLenum target : kKinds2[1].targets) {
-      define_in_slot(c, random_map2(t, target, 4, 3), false, static_cast<int>(target));
+      define_in_slot(c, random_map(t, target, {4, 3}), false, static_cast<int>(target));
       evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
       for (int same_orders = 0; same_orders < 2; ++same_orders) {
-        define_in_slot(c, random_map2(t, target, 3, 4), false, static_cast<int>(target));
+        define_in_slot(c, random_map(t, target, {3, 4}), false, static_cast<int>(target));
         evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
       }
-      define(c, over(random_map2(t, target, 1 + round % 5, 5 - round % 4), {round + 0.5, -1}, {-1, 3}));
+      define(c, over(random_map(t, target, {1 + round % 5, 5 - round % 4}), {round + 0.5, -1}, {-1, 3}));
       evaluate_all(c, {{0.25, 0.75}, {-1, 3}});
     }
   t.expect_emission(c, kUnit0);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_map_values

@@ -184,8 +184,6 @@ void require_quads(const Picture& control) {
       throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
 }
 
-}  // namespace
-
 // --- Quads -----------------------------------------------------------------------------------------------
 
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
@@ -290,8 +288,6 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
-namespace {
-
 // Each quad has one colour, that of the vertex (i + 1, j + 1) or (i, j).
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
@@ -306,8 +302,6 @@ void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   });
   expect_like_explicit(pixels(t, "evaluated", state, mesh(GL_FILL), areas), control);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT")
 (Test& t) {
@@ -329,8 +323,6 @@ EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST")
 };
 
 // --- Facing ----------------------------------------------------------------------------------------------
-
-namespace {
 
 // A way to draw the patch, and how each pixel of it is to look.
 struct Facing {
@@ -361,8 +353,6 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
   }
   expect_like_explicit(pixels(t, "evaluated", evaluated, areas), control);
 }
-
-}  // namespace
 
 // The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
 EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING")
@@ -418,8 +408,6 @@ EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE")
 };
 
 // --- What is of polygons only ----------------------------------------------------------------------------
-
-namespace {
 
 // Polygons change by it, points and lines do not.
 struct OfPolygons {
@@ -508,8 +496,6 @@ class Looks {
   Picture picture_;
 };
 
-}  // namespace
-
 EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
@@ -563,4 +549,5 @@ EVALCTS_TEST(Mesh2, FillsArePolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStag
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_mesh_pipeline

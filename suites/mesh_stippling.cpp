@@ -137,8 +137,6 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
                           "LINE_TOKEN", "LINE_RESET_TOKEN");
 }
 
-}  // namespace
-
 EVALCTS_TEST(Mesh1, Stipple, must, "EV-MESH1-STIPPLE", combine(kStipples))
 (Test& t, const Stipple& stipple) {
   expect_stipple(t, stipple, stippled_mesh1(), {{0, 16, kSide, 1}, {0, 40, kSide, 1}});
@@ -160,4 +158,5 @@ EVALCTS_TEST(Mesh2, Stipple, must, "EV-MESH2-STIPPLE", combine(kStipples))
 EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE")
 (Test& t) { expect_starts(t, stippled_mesh2()); };
 
+}  // namespace
 }  // namespace evalcts::suite_mesh_stippling

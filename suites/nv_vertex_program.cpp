@@ -36,8 +36,6 @@ void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::v
   }
 }
 
-}  // namespace
-
 EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS")
 (Test& t) {
   require_nv(t);
@@ -113,8 +111,6 @@ EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK")
 };
 
 // --- Programs: what of the attributes comes out as the colour ----------------------------------------------
-
-namespace {
 
 // Attributes that alias conventional ones (table X.1 of the extension).
 constexpr GLenum kPositionAttribute = 0, kColorAttribute = 3;
@@ -241,8 +237,6 @@ void expect_points(Test& t, const std::string& identity, const gl::Case& state, 
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
 }
 
-}  // namespace
-
 EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, must, "EV-EXT-NVVP-MODE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
@@ -356,4 +350,5 @@ EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, must, "EV-EXT-NVVP-CURRENT"
   played.expect_values_near(texture, std::vector<double>{0.5, -0.25, 0.125, 1.5}, 1e-5);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_nv_vertex_program

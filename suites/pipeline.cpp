@@ -97,8 +97,6 @@ void define_maps(gl::Case& c) {
     c.Enable(target);
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
 (Test& t, const Stage& stage) {
   const View view = stage.view;
@@ -136,8 +134,6 @@ EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).b
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
 };
 
-namespace {
-
 // Commands that are legal between Begin and End, each before one vertex.
 struct Between {
   const char* name;
@@ -160,8 +156,6 @@ constexpr Between kBetween[] = {
        c.Color4f(0.75f, 0.5f, 0.25f, 0.5f);
      }},
     {"CALL_LIST", false, [](gl::Case& c) { c.CallList(kList); }}};
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
              combine(kBetween).by(without_lists()))
@@ -264,4 +258,5 @@ EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D", by(
   t.expect_emission(c, kUnit0);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_pipeline

@@ -89,8 +89,6 @@ void expect_removed(Test& t, GLuint kind, const std::string& identity, const std
   for (const gl::Ref ref : errors) played.expect_error(ref, {error});
 }
 
-}  // namespace
-
 EVALCTS_TEST(Profiles, Commands, must, "EV-PROF-CORE-FUNC", combine(kRemoved))
 (Test& t, const Removed& removed) {
   std::vector<Calls> calls;
@@ -125,8 +123,6 @@ EVALCTS_TEST(Profiles, Gets, must, "EV-PROF-CORE-GET", combine(kRemoved))
   expect_removed(t, removed.kind, "every Get of the state of evaluators", calls, GL_INVALID_ENUM);
 };
 
-namespace {
-
 // Every command, map, switch and Get is there, and all maps together give a vertex.
 void expect_everything(Test& t) {
   gl::Case c("every command, map, switch and Get");
@@ -138,7 +134,7 @@ void expect_everything(Test& t) {
   for (const GLenum target : gl::kMap1Targets)
     step([&](gl::Case& d) { define(d, random_map(t, target, 3)); });
   for (const GLenum target : gl::kMap2Targets)
-    step([&](gl::Case& d) { define(d, random_map2(t, target, 3, 2)); });
+    step([&](gl::Case& d) { define(d, random_map(t, target, {3, 2})); });
   std::vector<gl::Ref> enabled;
   for (const GLenum name : switches()) {
     step([&](gl::Case& d) { d.Enable(name); });
@@ -161,7 +157,7 @@ void expect_everything(Test& t) {
 
   gl::Case drawn("vertices of maps of all kinds");
   for (const GLenum target : kKinds2[1].targets) {
-    define(drawn, random_map2(t, target, 3, 2));
+    define(drawn, random_map(t, target, {3, 2}));
     drawn.Enable(target);
   }
   drawn.Begin(GL_POINTS);
@@ -174,7 +170,7 @@ void expect_everything(Test& t) {
   meshes.Enable(GL_MAP1_VERTEX_3);
   define(meshes, random_map(t, GL_MAP1_NORMAL, 2));
   meshes.Enable(GL_MAP1_NORMAL);
-  define(meshes, random_map2(t, GL_MAP2_VERTEX_4, 3, 2));
+  define(meshes, random_map(t, GL_MAP2_VERTEX_4, {3, 2}));
   meshes.Enable(GL_MAP2_VERTEX_4);
   meshes.Enable(GL_AUTO_NORMAL);
   meshes.MapGrid1f(4, 0.0f, 1.0f);
@@ -187,8 +183,6 @@ void expect_everything(Test& t) {
   meshes.End();
   t.expect_emission(meshes, kPosition | kNormal);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Profiles, Compatibility, must, "EV-PROF-COMPAT")
 (Test& t) {
@@ -210,8 +204,8 @@ EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR")
   gl::Case c("legal commands in a no-error context");
   std::optional<Entered> entered;  // the usual context may be one itself
   if (!t.gl().no_error) entered = enter(c, EVALCTS_NO_ERROR);
-  const Map1 curve = random_map(t, GL_MAP1_VERTEX_4, 5);
-  const Map2 net = random_map2(t, GL_MAP2_COLOR_4, 3, 2);
+  const Map curve = random_map(t, GL_MAP1_VERTEX_4, 5);
+  const Map net = random_map(t, GL_MAP2_COLOR_4, {3, 2});
   define(c, curve);
   define(c, net);
   c.Enable(GL_MAP1_VERTEX_4);
@@ -235,4 +229,5 @@ EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR")
   played.expect_no_error(error);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_profiles

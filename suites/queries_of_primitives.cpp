@@ -57,8 +57,6 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
                           std::to_string(control.count(i)), std::to_string(counted.count(i)));
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY")
 (Test& t) {
   t.require(1, 5, "GL_ARB_occlusion_query");
@@ -72,8 +70,6 @@ EVALCTS_TEST(Pipeline, PrimitivesGenerated, must, "EV-PIPE-PRIMGEN", combine(kMe
 };
 
 // --- Conditional rendering -------------------------------------------------------------------------------
-
-namespace {
 
 // Each drawing under a query that no sample passed, and under one that some did.
 struct Conditional {
@@ -132,8 +128,6 @@ void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
   }
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER")
 (Test& t) {
   t.require(3, 0, "GL_NV_conditional_render");
@@ -146,4 +140,5 @@ EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD")
   expect_discarded(t, primitives(t));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_queries_of_primitives

@@ -192,8 +192,6 @@ void require_recorded(const Recordings& control, const std::vector<Drawing>& dra
       throw NotObservable("pipeline: explicit vertices are not recorded as they come");
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
 (Test& t) {
   t.require(3, 0);
@@ -264,4 +262,5 @@ EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD")
   for (const auto& [asked, error] : errors) played.expect_error(asked, {error});
 };
 
+}  // namespace
 }  // namespace evalcts::suite_recorded_primitives

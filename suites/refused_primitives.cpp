@@ -139,8 +139,6 @@ void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, co
 
 const std::vector<GLenum> kNone = {};
 
-}  // namespace
-
 // --- Framebuffers ----------------------------------------------------------------------------------------
 
 EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
@@ -160,8 +158,6 @@ EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
 
 // --- Programs that cannot run ----------------------------------------------------------------------------
 
-namespace {
-
 struct Invalid {
   const char* name;
   const char* extension;
@@ -169,8 +165,6 @@ struct Invalid {
 };
 constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_VERTEX_PROGRAM_ARB},
                                 {"FRAGMENT_PROGRAM", "GL_ARB_fragment_program", GL_FRAGMENT_PROGRAM_ARB}};
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
 (Test& t, const Invalid& invalid) {
@@ -206,11 +200,7 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
 
 // --- Transform feedback ----------------------------------------------------------------------------------
 
-namespace {
-
 constexpr std::size_t kRecordedFloats = 4096;
-
-}  // namespace
 
 // What is not refused is recorded like explicit vertices.
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
@@ -249,8 +239,6 @@ EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
 
 // --- Geometry shaders and tessellation -------------------------------------------------------------------
 
-namespace {
-
 constexpr char kVertexShader[] = "#version 150 compatibility\nvoid main() {\n  gl_Position = gl_Vertex;\n}\n";
 constexpr char kFragmentShader[] =
     "#version 150 compatibility\nvoid main() {\n  gl_FragColor = vec4(1.0);\n}\n";
@@ -261,8 +249,6 @@ std::string geometry_shader(const char* input, const char* output, int vertices)
       "(int i = 0; i < {}; ++i) {{\n    gl_Position = gl_in[i].gl_Position;\n    EmitVertex();\n  }}\n}}\n",
       input, output, vertices, vertices);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKinds))
 (Test& t, const MeshKind& kind) {
@@ -324,4 +310,5 @@ EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS")
       GL_INVALID_OPERATION);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_refused_primitives

@@ -34,8 +34,6 @@ void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) 
   t.fail(std::move(failure));
 }
 
-}  // namespace
-
 // Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
 // vertices of one primitive.
 EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::curve_deliveries()))
@@ -157,4 +155,5 @@ EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
   t.fail(std::move(failure));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_shader_attributes

@@ -76,8 +76,6 @@ struct Normals {
 };
 constexpr Normals kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNormals))
 (Test& t, const Normals& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
@@ -124,8 +122,6 @@ EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX")
 
 // --- Clip planes -----------------------------------------------------------------------------------------
 
-namespace {
-
 // Between two columns of vertices.
 constexpr int kPlaneAt = 38;
 
@@ -156,8 +152,6 @@ std::vector<Stage> right_halves_clipped() {
   }
   return stages;
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
 (Test& t) {
@@ -200,8 +194,6 @@ EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE")
 };
 
 // --- Fog -------------------------------------------------------------------------------------------------
-
-namespace {
 
 // Eye coordinates: z from -2 to -1, in front of the eye.
 gl::Case fog(GLint mode) {
@@ -256,8 +248,6 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
                          control);
   }
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG")
 (Test& t) {
@@ -356,4 +346,5 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_stages_of_meshes

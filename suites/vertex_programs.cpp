@@ -72,8 +72,6 @@ Picture look(Test& t, const Kind& kind, const std::string& identity, const std::
   return picture;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
 (Test& t, const Kind& kind) {
   if (!kind.assembly) {
@@ -89,8 +87,6 @@ EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
   Picture picture = look(t, kind, "evaluated", drawings, true);
   expect_drawn_like_explicit(picture, drawings, control);
 };
-
-namespace {
 
 constexpr std::size_t kFloats = 4 * 4 + 3 + 3 + 1;
 const VaryingShader kEachAttribute = {
@@ -113,8 +109,6 @@ std::vector<float> expected_of(const reference::Vertex& vertex) {
           at(s[0]) + 1, at(s[1]) + 2, at(s[2]) + 3, at(s[3]) + 4, -0.5f,    0.25f,    -0.125f,  -1.5f,
           normal[1],    normal[2],    normal[0],    0.25f,        0.75f,    0.5f,     0.625f};
 }
-
-}  // namespace
 
 // The values themselves, as transform feedback records them: within 1e-4, ten times the steps of these maps.
 EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
@@ -187,4 +181,5 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_vertex_programs
