@@ -173,20 +173,16 @@ EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D")
 };
 
 // What each mode draws.
-struct ModeByValue {
-  const char* name;
-  GLenum value;
-};
-constexpr ModeByValue kModesByValue[] = {{"POINT", 0x1B00}, {"LINE", 0x1B01}, {"FILL", 0x1B02}};
+constexpr GLenum kModesByValue[] = {0x1B00, 0x1B01, 0x1B02};
 
 EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, must,
                   decide("EV-API-ENUM-OTHER/1-D", "EV-API-ENUM-OTHER/2-D"),
                   [](bool two) { return combine(std::span(kModesByValue, two ? 3 : 2)); })
-(Test& t, bool two, const ModeByValue& mode) {
+(Test& t, bool two, GLenum mode) {
   gl::Case c(two ? "a mesh of 3x2 segments" : "a mesh of three segments");
   define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), {3, 2}));
   two ? c.MapGrid2f(3, 0, 1, 2, 0, 1) : c.MapGrid1f(3, 0, 1);
-  eval_mesh(c, two, mode.value, 0, 3, 0, 2);
+  eval_mesh(c, two, mode, 0, 3, 0, 2);
   t.expect_emission(c, kPosition);
 };
 

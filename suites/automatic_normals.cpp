@@ -121,11 +121,7 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map>
 }
 
 // With and without a vertex shader: the rule is the same but for the length.
-struct Lengths {
-  const char* name;
-  Attributes required;
-};
-constexpr Lengths kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
+constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 // --- Where the normal comes from -------------------------------------------------------------------------
 
@@ -260,12 +256,12 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CU
 
 EVALCTS_TEST(AutomaticNormals, Direction, must, "EV-AUTON-DIRECTION",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Lengths& lengths) {
+(Test& t, const Named<Attributes>& lengths) {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
                  {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
                   surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
                   surface(GL_MAP2_VERTEX_3, 3, 4, tilted), surface(GL_MAP2_VERTEX_4, 2, 2, tilted)},
-                 lengths.required);
+                 lengths.value);
 };
 
 EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD",
@@ -287,11 +283,11 @@ EVALCTS_TEST(AutomaticNormals, Rational, must, "EV-AUTON-RATIONAL",
 // The sign is free there (U-AUTON-REVSIGN), the rest is not.
 EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Lengths& lengths) {
+(Test& t, const Named<Attributes>& lengths) {
   std::vector<Map> maps;
   for (const auto& [u, v] : {std::pair{Interval{1, 0}, Interval{0, 1}}, {{0, 1}, {1, 0}}, {{1, 0}, {1, 0}}})
     maps.push_back(over(surface(GL_MAP2_VERTEX_3, 4, 4, wave), u, v));
-  expect_normals(t, "u, v, and both reversed", maps, lengths.required);
+  expect_normals(t, "u, v, and both reversed", maps, lengths.value);
 };
 
 EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_deliveries()))

@@ -132,36 +132,32 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
 }
 
 // Queried at once, and after a flush: a flush hides some defects and shows others.
-struct Moment {
-  const char* name;
-  bool flush;
-};
-constexpr Moment kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
+constexpr Named<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 EVALCTS_TEST(CurrentValues, Color, must, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
-  expect_current_untouched(t, GL_MAP1_COLOR_4, kQueries[0], set_color, moment.flush);
+(Test& t, const Named<bool>& moment) {
+  expect_current_untouched(t, GL_MAP1_COLOR_4, kQueries[0], set_color, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Normal, must, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
-  expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.flush);
+(Test& t, const Named<bool>& moment) {
+  expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Index, must, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
+(Test& t, const Named<bool>& moment) {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
-  expect_current_untouched(t, GL_MAP1_INDEX, {"INDEX", GL_CURRENT_INDEX, 1}, set_index, moment.flush);
+  expect_current_untouched(t, GL_MAP1_INDEX, {"INDEX", GL_CURRENT_INDEX, 1}, set_index, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, TextureCoordinates, must, "EV-CUR-TEX/1-D",
              combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
+(Test& t, const Named<bool>& moment) {
   std::vector<GLenum> targets = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                  GL_MAP1_TEXTURE_COORD_4};
   if (t.depth() == Depth::quick) targets = {targets[t.random()() % targets.size()]};
   for (const GLenum target : targets)
-    expect_current_untouched(t, target, kQueries[2], set_texture, moment.flush);
+    expect_current_untouched(t, target, kQueries[2], set_texture, moment.value);
 };
 
 // One order of Color, Normal and TexCoord, with these numbers of components.

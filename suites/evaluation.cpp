@@ -94,8 +94,7 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
       if (!(subset >> i & 1u)) continue;
       skipped = skipped || others[i] == target;
       with += " and " + label(others[i]);
-      define(c, random_map(t, others[i], 3));
-      c.Enable(others[i]);
+      define_and_enable(c, random_map(t, others[i], 3));
     }
     if (skipped) continue;
     c.set_identity(with);

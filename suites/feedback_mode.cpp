@@ -171,20 +171,14 @@ constexpr GLenum kTextures[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2
 gl::Case choose_texture_map(bool two, int components) {
   gl::Case c;
   for (int k = 1; k <= 4; ++k) {
-    const GLenum first = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
-    const GLenum target = first + static_cast<GLenum>(k - 1);
+    const GLenum target = target_in(two, GL_MAP1_TEXTURE_COORD_1 + static_cast<GLenum>(k - 1));
     if (k != components) {
       c.Disable(target);
       continue;
     }
     std::vector<double> ends = {0, -1, 2.5, 1.5, 1, 0.5, -0.5, 2};
     if (k < 4) ends = {ends.begin(), ends.begin() + 2 * k};
-    if (two) {
-      define(c, make_map2(target, 2, 1, ends));
-    } else {
-      define(c, make_map1(target, ends));
-    }
-    c.Enable(target);
+    define_and_enable(c, make_map2(target, 2, 1, ends));
   }
   return c;
 }
@@ -203,7 +197,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
       c.TexCoord4f(0.25f, 4, -2, 0.5f);
       two ? define_patch(c) : define_curve(c);
       c.append(choose_texture_map(two, components));
-      two ? c.EvalMesh2(GL_POINT, 0, kColumns, 0, kRows) : c.EvalMesh1(GL_POINT, 0, kColumns);
+      eval_mesh(c, two, GL_POINT, 0, kColumns, 0, kRows);
       drawings.push_back(drawing(t,
                                  components ? fmt::format("MAP{}_TEXTURE_COORD_{}", two ? 2 : 1, components)
                                             : fmt::format("no map of {} dimensions", two ? 2 : 1),

@@ -13,6 +13,13 @@ namespace evalcts {
 // The attributes of a vertex, with the texture coordinates of texture unit 0 only.
 inline constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
 
+// A parameter of tests: a value, and what stands for it in their names.
+template <class T>
+struct Named {
+  const char* name;
+  T value;
+};
+
 inline constexpr GLint kHighest = std::numeric_limits<GLint>::max();
 inline constexpr GLint kLowest = std::numeric_limits<GLint>::min();
 

@@ -6,8 +6,8 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
 #include "glx_requests.h"
-#include "maps.h"
 #include "refusal.h"
 
 namespace evalcts::suite_glx_protocol {
@@ -325,42 +325,37 @@ void begin_indirect(gl::Case& c) {
 EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
-  gl::Case c("orders, domains and points");
+  CheckedCase c(t, "orders, domains and points");
   begin_indirect(c);
   const Map index = make_map1(GL_MAP1_INDEX, {9});
   const Map surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
   define(c, index);
   define(c, surface);
-  const gl::Ref one[] = {form.get(c, index.target, GL_ORDER, 1), form.get(c, index.target, GL_COEFF, 1)};
-  const gl::Ref two[] = {form.get(c, index.target, GL_DOMAIN, 2), form.get(c, surface.target, GL_ORDER, 2)};
-  const gl::Ref four = form.get(c, surface.target, GL_DOMAIN, 4);
-  const gl::Ref eight = form.get(c, surface.target, GL_COEFF, 8);
-  Played played = t.play(c);
-  played.expect_values(one[0], std::vector<double>{1});
-  played.expect_values(one[1], std::vector<double>{9});
-  played.expect_values(two[0], std::vector<double>{0, 1});
-  played.expect_values(two[1], std::vector<double>{2, 2});
-  played.expect_values(four, std::vector<double>{0, 1, 0, 1});
-  played.expect_values(eight, points);
+  c.expect_values(form.get(c, index.target, GL_ORDER, 1), {1});
+  c.expect_values(form.get(c, index.target, GL_COEFF, 1), {9});
+  c.expect_values(form.get(c, index.target, GL_DOMAIN, 2), {0, 1});
+  c.expect_values(form.get(c, surface.target, GL_ORDER, 2), {2, 2});
+  c.expect_values(form.get(c, surface.target, GL_DOMAIN, 4), {0, 1, 0, 1});
+  c.expect_values(form.get(c, surface.target, GL_COEFF, 8), points);
+  c.check();
 };
 
 // A query that raises an error leaves the array alone, and the next one is answered as ever.
 EVALCTS_TEST(GlxProtocol, EmptyReplies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
-  gl::Case c("a bad query, a bad target");
+  CheckedCase c(t, "a bad query, a bad target");
   begin_indirect(c);
   c.GetError();
   const gl::Ref bad_query = form.get(c, GL_MAP1_VERTEX_3, GL_MAP_COLOR, 8);
-  const gl::Ref first = c.GetError();
+  c.expect_error(GL_INVALID_ENUM);
   const gl::Ref bad_target = form.get(c, GL_MAP_COLOR, GL_ORDER, 8);
-  const gl::Ref second = c.GetError();
-  const gl::Ref good = form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1);
-  Played played = t.play(c);
-  played.expect_error(first, {GL_INVALID_ENUM});
-  played.expect_nothing_written(bad_query);
-  played.expect_error(second, {GL_INVALID_ENUM});
-  played.expect_nothing_written(bad_target);
-  played.expect_values(good, std::vector<double>{1});
+  c.expect_error(GL_INVALID_ENUM);
+  c.expect([=](Played& played) {
+    played.expect_nothing_written(bad_query);
+    played.expect_nothing_written(bad_target);
+  });
+  c.expect_values(form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1), {1});
+  c.check();
 };
 
 // All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
@@ -369,17 +364,15 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
   expect_sent(t, commands().front());  // it is indirect
   for (const bool two : {false, true}) {
     gl::Case c(two ? "a surface" : "a curve");
-    for (const GLenum target : (two ? kKinds2 : kKinds1)[0].targets) {
-      two ? define(c, random_map(t, target, {3, 2})) : define(c, random_map(t, target, 4));
-      c.Enable(target);
-    }
+    for (const GLenum target : kinds_of(two)[0].targets)
+      define_and_enable(c, random_map(t, target, two ? Orders{3, 2} : Orders{4}));
     c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 1.0f}) two ? c.EvalCoord2f(u, 0.375f) : c.EvalCoord1f(u);
+    for (const double u : {0.0, 0.25, 1.0}) eval_coord(c, two, u, 0.375);
     c.End();
     two ? c.MapGrid2f(4, 0.0f, 1.0f, 2, 1.0f, 0.5f) : c.MapGrid1f(4, 1.0f, 0.25f);
-    two ? c.EvalMesh2(GL_POINT, 1, 2, 0, 1) : c.EvalMesh1(GL_POINT, 1, 3);
+    eval_mesh(c, two, GL_POINT, 1, two ? 2 : 3, 0, 1);
     c.Begin(GL_POINTS);
-    for (const GLint i : {0, 3}) two ? c.EvalPoint2(i, 1) : c.EvalPoint1(i);
+    for (const GLint i : {0, 3}) eval_point(c, two, i, 1);
     c.End();
     t.expect_emission(c, kPosition | kColor | kTextureCoordinate0);
   }

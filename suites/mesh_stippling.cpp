@@ -50,8 +50,8 @@ gl::Case stippled_mesh2() {
   map_grid(c, {kSegments, 0, 1}, {kSegments, 0, 1});
   const double low = at_pixel(kFirst), right = at_pixel(kFirst + kSegments * kStepU),
                top = at_pixel(kFirst + kSegments * kStepV);
-  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
-  c.Enable(GL_MAP2_VERTEX_3);
+  define_and_enable(
+      c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
   c.EvalMesh2(GL_LINE, 0, kSegments, 0, kSegments);
   return c;
 }

@@ -440,15 +440,11 @@ EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface
 
 // --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
 
-struct Along {
-  const char* name;
-  bool v;
-};
-constexpr Along kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
+constexpr Named<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 
 // A net that is constant in one direction is the curve of the other, whatever the other argument.
 EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
-(Test& t, const Along& along) {
+(Test& t, const Named<bool>& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
     for (const int order : {1, 2, 3, 4, 8, t.max_order()})
@@ -461,16 +457,16 @@ EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAl
                                 [&](int r, int, int component) { return point(curve, r, 0, component); });
           surface.target = kKinds2[kind].targets[i];
           surface.two = true;
-          surfaces.push_back(along.v ? transposed(surface) : surface);
+          surfaces.push_back(along.value ? transposed(surface) : surface);
         }
         std::vector<At> arguments = unit_arguments(t, t.by_depth(4, 6, 60));
         arguments.push_back({0.375, 1.25});
         arguments.push_back({0.75, -0.5});
-        const std::vector<At> at = along.v ? changed(arguments,
-                                                     [](const At& p) {
-                                                       return At{p.v, p.u};
-                                                     })
-                                           : arguments;
+        const std::vector<At> at = along.value ? changed(arguments,
+                                                         [](const At& p) {
+                                                           return At{p.v, p.u};
+                                                         })
+                                               : arguments;
         relations.add("constant across", {curves, arguments}, {surfaces, at});
       }
     relations.check();

@@ -170,8 +170,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
   state.EndList();
 
   gl::Case map;
-  define(map, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
-  map.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(map, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
   const float us[] = {0.0f, 0.25f, 0.75f, 1.0f};
   gl::Case positions = map;
   positions.Begin(GL_POINTS);
@@ -218,8 +217,7 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_l
   const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
 
   gl::Case evaluated;
-  define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0, 0.75, -0.25, 0, 0.5, 0.75, 0}));
-  evaluated.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0, 0.75, -0.25, 0, 0.5, 0.75, 0}));
   evaluated.Begin(GL_TRIANGLES);
   for (std::size_t i = 0; i < 6; ++i) {
     evaluated.EdgeFlag(flag(i));
@@ -247,13 +245,10 @@ EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D", by(
   for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
     c.EnableClientState(array);
   set_current_values(c);
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   evaluate_some(c);
-  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2}) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
+  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2})
+    define_and_enable(c, random_map(t, target, 3));
   evaluate_some(c);
   t.expect_emission(c, kUnit0);
 };

@@ -70,14 +70,10 @@ gl::Case seen_from_a_distance() {
   return state;
 }
 
-struct Normals {
-  const char* name;
-  bool generated;
-};
-constexpr Normals kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
+constexpr Named<bool> kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
 EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNormals))
-(Test& t, const Normals& normals) {
+(Test& t, const Named<bool>& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
   for (const Generation& generation : kGenerations) {
     const bool late = generation.mode == GL_NORMAL_MAP || generation.mode == GL_REFLECTION_MAP;
@@ -97,8 +93,8 @@ EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNorma
   }
   gl::Case automatic;
   automatic.Enable(GL_AUTO_NORMAL);
-  std::vector<Drawing> drawings = normals.generated ? meshes(t, automatic) : meshes(t);
-  if (normals.generated) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
+  std::vector<Drawing> drawings = normals.value ? meshes(t, automatic) : meshes(t);
+  if (normals.value) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
   expect_stages_in_feedback(t, stages, drawings);
 };
 

@@ -46,19 +46,15 @@ void set_values_without_maps(gl::Case& c) {
   c.MultiTexCoord4f(GL_TEXTURE1, 0.5f, -0.25f, 0.125f, 1.5f);
 }
 
-struct Kind {
-  const char* name;
-  bool assembly;
-};
-constexpr Kind kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
+constexpr Named<bool> kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
 
-Picture look(Test& t, const Kind& kind, const std::string& identity, const std::vector<Drawing>& drawings,
-             bool evaluated, bool with_program = true) {
+Picture look(Test& t, const Named<bool>& kind, const std::string& identity,
+             const std::vector<Drawing>& drawings, bool evaluated, bool with_program = true) {
   gl::Case state;
   set_up_texture(state);
   set_values_without_maps(state);
   Program program;
-  if (with_program && kind.assembly) {
+  if (with_program && kind.value) {
     load_assembly(state, GL_VERTEX_PROGRAM_ARB, 1, kAssembly);
     state.Enable(GL_VERTEX_PROGRAM_ARB);
   } else if (with_program) {
@@ -73,8 +69,8 @@ Picture look(Test& t, const Kind& kind, const std::string& identity, const std::
 }
 
 EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
-(Test& t, const Kind& kind) {
-  if (!kind.assembly) {
+(Test& t, const Named<bool>& kind) {
+  if (!kind.value) {
     t.require(2, 0);
   } else if (!t.gl().extensions.count("GL_ARB_vertex_program")) {
     throw NotSupported("needs GL_ARB_vertex_program");
@@ -162,22 +158,17 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
     const RecordedVaryings seen = in_order(t.record_varyings(evaluated, kEachAttribute, vertices));
     if (whole(seen)) continue;
     const std::size_t where = first_wrong(seen);
-    Failure failure;
-    failure.case_identity = evaluated.identity();
-    if (seen.vertices != vertices || seen.overflow) {
-      failure.what = "number of vertices";
-      failure.expected = std::to_string(vertices);
-      failure.captured = std::to_string(seen.vertices);
-      failure.message =
-          fmt::format("the shader runs for {} vertices, expected {}", failure.captured, failure.expected);
-    } else {
-      failure.what = fmt::format("value {} of vertex {}", where % kFloats, where / kFloats);
-      failure.expected = fmt::format("{}", expected[where]);
-      failure.captured = fmt::format("{}", seen.values[where]);
-      failure.message = fmt::format("{} that the shader gives is {}, expected {}", failure.what,
-                                    failure.captured, failure.expected);
+    std::string what = "number of vertices", expected_text = std::to_string(vertices),
+                captured = std::to_string(seen.vertices),
+                message =
+                    fmt::format("the shader runs for {} vertices, expected {}", captured, expected_text);
+    if (seen.vertices == vertices && !seen.overflow) {
+      what = fmt::format("value {} of vertex {}", where % kFloats, where / kFloats);
+      expected_text = fmt::format("{}", expected[where]);
+      captured = fmt::format("{}", seen.values[where]);
+      message = fmt::format("{} that the shader gives is {}, expected {}", what, captured, expected_text);
     }
-    t.fail(std::move(failure));
+    t.fail(failure_of(evaluated, what, message, expected_text, captured));
   }
 };
 
