@@ -109,8 +109,7 @@ void evaluate_inside(gl::Case& c, const Map& map, int steps = 4) {
 
 void expect_normals(Test& t, const std::string& identity, const std::vector<Map>& maps,
                     Attributes required = kNormal) {
-  gl::Case c(identity);
-  set_current_values(c);
+  gl::Case c = with_current_values(identity);
   c.Enable(GL_AUTO_NORMAL);
   for (const Map& map : maps) {
     define_and_enable(c, map);
@@ -128,8 +127,7 @@ constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHA
 EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
-    gl::Case c(label(target));
-    set_current_values(c);
+    gl::Case c = with_current_values(label(target));
     // Before the map, or after it.
     if (target == GL_MAP2_VERTEX_3) c.Enable(GL_AUTO_NORMAL);
     define_and_enable(c, surface(target, 3, 3, bump));
@@ -140,8 +138,7 @@ EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliv
 };
 
 void expect_with(Test& t, const std::string& identity, const std::vector<std::pair<bool, bool>>& switches) {
-  gl::Case c(identity);
-  set_current_values(c);
+  gl::Case c = with_current_values(identity);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   define(c, random_map(t, GL_MAP2_NORMAL, {2, 3}));
   // Only what changes is switched: nothing repairs what the other switch may have done.
@@ -182,8 +179,7 @@ std::vector<gl::Delivery> one_dimensional() {
 EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_dimensional()))
 (Test& t) {
   for (const bool map : {true, false}) {
-    gl::Case c(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
-    set_current_values(c);
+    gl::Case c = with_current_values(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
     c.Enable(GL_AUTO_NORMAL);
     for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_NORMAL}) {
       define(c, random_map(t, target, 3));
@@ -236,8 +232,7 @@ EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT", by(
 EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CURRENT",
              by(gl::surface_deliveries()))
 (Test& t) {
-  gl::Case c("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
-  set_current_values(c);
+  gl::Case c = with_current_values("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   c.Enable(GL_AUTO_NORMAL);
   c.Begin(GL_POINTS);
@@ -316,8 +311,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER",
 EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
-    gl::Case c(label(target) + " with colour and texture coordinate maps");
-    set_current_values(c);
+    gl::Case c = with_current_values(label(target) + " with colour and texture coordinate maps");
     for (const GLenum other : {GL_MAP2_COLOR_4, GL_MAP2_TEXTURE_COORD_3})
       define_and_enable(c, random_map(t, other, {3, 2}));
     define_and_enable(c, surface(target, 4, 4, target == GL_MAP2_VERTEX_4 ? weighted_plane : wave));
@@ -354,8 +348,7 @@ EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
 
 EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshModes).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
-  gl::Case c("polynomial and rational patches");
-  set_current_values(c);
+  gl::Case c = with_current_values("polynomial and rational patches");
   c.Enable(GL_AUTO_NORMAL);
   map_grid(c, {4, 0, 1}, {3, 0, 0.75f});
   for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {

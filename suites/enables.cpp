@@ -157,8 +157,7 @@ EVALCTS_TEST_PAIR(Enables.OtherDimensionHasNoEffect, Enables.OtherDimensionHasNo
                   decide("EV-EN-DIM/1-D", "EV-EN-DIM/2-D"), decide("EV-COORD-DIM1", "EV-COORD-DIM2"),
                   by(gl::list_deliveries()))
 (Test& t, bool two) {
-  gl::Case c("all MAP2 maps and MAP1_VERTEX_3 enabled");
-  set_current_values(c, {.normal = {0.6f, 0.0f, 0.8f}});
+  gl::Case c = with_current_values("all MAP2 maps and MAP1_VERTEX_3 enabled", {.normal = {0.6f, 0.0f, 0.8f}});
   const std::vector<double> us = {0, 0.4, 1};
   for (const GLenum cap : gl::kMap2Targets) c.Enable(cap);
   // The vertex map alone, then beside a texture map that maps of the other dimension would outrank.

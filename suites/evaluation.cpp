@@ -39,8 +39,8 @@ constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_C
 EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
              "EV-PREC-PERKIND/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("colour, index, normal, texture coordinate and vertex maps, each different at every u");
-  set_current_values(c);
+  gl::Case c = with_current_values(
+      "colour, index, normal, texture coordinate and vertex maps, each different at every u");
   for (const GLenum target :
        {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3})
     define_and_enable(c, random_map(t, target, 4));
@@ -51,8 +51,7 @@ EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-
 EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, must, "EV-COORD-VERTEXLAST/1-D",
              combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
-  gl::Case c("first vertex of a primitive, then far jumps of u");
-  set_current_values(c);
+  gl::Case c = with_current_values("first vertex of a primitive, then far jumps of u");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 2));
   define_and_enable(c, random_map(t, target, 2));
   for (int primitive = 0; primitive < 2; ++primitive) evaluate_all(c, {1.0, 0.0, 1.0, 0.5});
@@ -122,8 +121,7 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
   c.expect_same(before, query_current_values(c));
   c.check();
 
-  gl::Case drawing("nothing is drawn, and the Vertex between has the current values");
-  set_current_values(drawing);
+  gl::Case drawing = with_current_values("nothing is drawn, and the Vertex between has the current values");
   define_and_enable(drawing, random_map(t, target, 3));
   drawing.Begin(GL_POINTS);
   drawing.EvalCoord1f(0.5f);
@@ -141,8 +139,7 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
 EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
-  set_current_values(c);
+  gl::Case c = with_current_values("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
   c.Enable(GL_MAP2_VERTEX_3);
   c.Enable(GL_MAP2_VERTEX_4);
   define_and_enable(c, random_map(t, GL_MAP1_COLOR_4, 3));
@@ -218,8 +215,7 @@ EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
 EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t, const Mode& mode) {
-  gl::Case c("0 to 9 vertices, every third explicit");
-  set_current_values(c);
+  gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
@@ -235,8 +231,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXT
              by(gl::curve_deliveries()))
 (Test& t) {
   for (const GLenum target : kAttributeTargets) {
-    gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
-    set_current_values(c);
+    gl::Case c = with_current_values(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
     define_and_enable(c, random_map(t, GL_MAP1_VERTEX_4, 3));
     define_and_enable(c, random_map(t, target, 3));
     c.Begin(GL_POINTS);
@@ -408,8 +403,7 @@ EVALCTS_TEST(Attributes, OnlyVertexIsRational, must, "EV-ATTR-RATIONAL-ONLYVTX/1
 
 EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("alpha from 0.25 to 0.75, current alpha 0.4");
-  set_current_values(c);
+  gl::Case c = with_current_values("alpha from 0.25 to 0.75, current alpha 0.4");
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
   enable_visibly(c, GL_MAP1_COLOR_4);
   evaluate_some(c);
@@ -430,8 +424,7 @@ EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D", by(
 EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("INDEX map enabled");
-  set_current_values(c);
+  gl::Case c = with_current_values("INDEX map enabled");
   c.Indexf(9);
   define(c, make_map1(GL_MAP1_INDEX, {3, 4, 5}));
   enable_visibly(c, GL_MAP1_COLOR_4);
@@ -542,8 +535,7 @@ EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {
   const unsigned step = t.depth() == Depth::quick ? 13 : 1;
-  gl::Case c("subsets of the nine enables");
-  set_current_values(c);
+  gl::Case c = with_current_values("subsets of the nine enables");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
   static_assert(gl::kMap1Targets[7] == GL_MAP1_VERTEX_3 && gl::kMap1Targets[8] == GL_MAP1_VERTEX_4);
   constexpr unsigned kVertexMaps = 1u << 7 | 1u << 8;

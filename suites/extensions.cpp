@@ -13,11 +13,6 @@ namespace {
 
 bool has(Test& t, const char* extension) { return t.gl().extensions.contains(extension); }
 
-// Extensions that no version has taken in.
-void require(Test& t, const char* extension) {
-  if (!has(t, extension)) throw NotSupported(fmt::format("needs {}", extension));
-}
-
 // A target of an extension.
 struct Foreign {
   const char* name;
@@ -102,7 +97,7 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
 
 EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 (Test& t) {
-  require(t, "GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, {0.75, 0.25, 0.5, 0.125};\n");
   expect_colors(t, state, std::vector<Color>(5, Color{0.75f, 0.25f, 0.5f, 0.125f}),
@@ -112,7 +107,7 @@ EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 // Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
 EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
 (Test& t) {
-  require(t, "GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, vertex.attrib[6];\n");
   std::vector<Color> colors;

@@ -15,6 +15,12 @@ void set_current_values(gl::Case& c, const CurrentValues& values) {
   c.TexCoord4f(5, 6, 7, 8);
 }
 
+gl::Case with_current_values(std::string identity, const CurrentValues& values) {
+  gl::Case c(std::move(identity));
+  set_current_values(c, values);
+  return c;
+}
+
 void evaluate_some(gl::Case& c) {
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
@@ -30,6 +36,10 @@ void enable_light(gl::Case& c, const std::vector<float>& position) {
 void require_texture_units(const Test& t) {
   t.require(1, 3, "GL_ARB_multitexture");
   if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+}
+
+void require_extension(const Test& t, const std::string& extension) {
+  if (!t.gl().extensions.contains(extension)) throw NotSupported("needs " + extension);
 }
 
 std::vector<ObservedVertex> vertices_of(const Observation& seen) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <evalcts/testkit/test.h>
@@ -43,8 +44,13 @@ void evaluate_some(gl::Case& c);
 // Enables lighting with LIGHT0 at this position.
 void enable_light(gl::Case& c, const std::vector<float>& position);
 
+// Sets the current values first.
+gl::Case with_current_values(std::string identity, const CurrentValues& values = {});
+
 // Throws NotSupported unless there are at least two texture units.
 void require_texture_units(const Test& t);
+// Throws NotSupported without the extension, which no version has taken in.
+void require_extension(const Test& t, const std::string& extension);
 
 // All vertices that came out, in order.
 std::vector<ObservedVertex> vertices_of(const Observation& seen);

@@ -226,55 +226,45 @@ struct Erroneous {
   GLenum error;
 };
 
+// A map of the command that the name begins with.
+Erroneous bad_map(const char* name, GLenum target, int ustride, int uorder, int vstride = 1, int vorder = 1,
+                  GLenum error = GL_INVALID_VALUE) {
+  const bool two = name[3] == '2', doubles = name[4] == 'd';
+  const std::vector<double> points(64);
+  return {name, defining({target, 0, 1, 0, 1, ustride, vstride, uorder, vorder, points, two}, doubles),
+          error};
+}
+
 const std::vector<Erroneous>& erroneous_maps() {
-  static const std::vector<float> f(64);
-  static const std::vector<double> d(64);
   static const std::vector<Erroneous> all = {
-      {"Map1f/TARGET", [](gl::Case& c) { c.Map1f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, f); }, GL_INVALID_ENUM},
-      {"Map1d/TARGET", [](gl::Case& c) { c.Map1d(GL_VERTEX_ARRAY, 0., 1., 3, 2, d); }, GL_INVALID_ENUM},
-      {"Map2f/TARGET", [](gl::Case& c) { c.Map2f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_ENUM},
-      {"Map2d/TARGET", [](gl::Case& c) { c.Map2d(GL_VERTEX_ARRAY, 0., 1., 3, 2, 0., 1., 6, 2, d); },
-       GL_INVALID_ENUM},
-      {"Map1f/ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 0, f); }, GL_INVALID_VALUE},
-      {"Map1d/ORDER", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, -1, d); }, GL_INVALID_VALUE},
-      {"Map2f/UORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 0, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/VORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, 2, 0., 1., 6, -4, d); },
-       GL_INVALID_VALUE},
-      {"Map1f/NEGATIVE_ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, -2, f); },
-       GL_INVALID_VALUE},
-      {"Map1d/ORDER_0", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, 0, d); }, GL_INVALID_VALUE},
-      {"Map2f/VORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 0, f); },
-       GL_INVALID_VALUE},
-      {"Map2f/NEGATIVE_UORDER",
-       [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, -1, 0.f, 1.f, 6, 2, f); }, GL_INVALID_VALUE},
-      {"Map2d/UORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -3, 0., 1., 6, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map2d/BOTH_ORDERS", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -2, 0., 1., 6, -2, d); },
-       GL_INVALID_VALUE}};
+      bad_map("Map1f/TARGET", GL_MAP2_VERTEX_3, 3, 2, 1, 1, GL_INVALID_ENUM),
+      bad_map("Map1d/TARGET", GL_VERTEX_ARRAY, 3, 2, 1, 1, GL_INVALID_ENUM),
+      bad_map("Map2f/TARGET", GL_MAP1_VERTEX_3, 3, 2, 6, 2, GL_INVALID_ENUM),
+      bad_map("Map2d/TARGET", GL_VERTEX_ARRAY, 3, 2, 6, 2, GL_INVALID_ENUM),
+      bad_map("Map1f/ORDER", GL_MAP1_VERTEX_3, 3, 0),
+      bad_map("Map1d/ORDER", GL_MAP1_VERTEX_3, 3, -1),
+      bad_map("Map2f/UORDER", GL_MAP2_VERTEX_3, 3, 0, 6, 2),
+      bad_map("Map2d/VORDER", GL_MAP2_VERTEX_3, 3, 2, 6, -4),
+      bad_map("Map1f/NEGATIVE_ORDER", GL_MAP1_VERTEX_3, 3, -2),
+      bad_map("Map1d/ORDER_0", GL_MAP1_VERTEX_3, 3, 0),
+      bad_map("Map2f/VORDER", GL_MAP2_VERTEX_3, 3, 2, 6, 0),
+      bad_map("Map2f/NEGATIVE_UORDER", GL_MAP2_VERTEX_3, 3, -1, 6, 2),
+      bad_map("Map2d/UORDER", GL_MAP2_VERTEX_3, 3, -3, 6, 2),
+      bad_map("Map2d/BOTH_ORDERS", GL_MAP2_VERTEX_3, 3, -2, 6, -2)};
   return all;
 }
 
 const std::vector<Erroneous>& small_strides() {
-  static const std::vector<float> f(64);
-  static const std::vector<double> d(64);
-  static const std::vector<Erroneous> all = {
-      {"Map1f", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 2, 2, f); }, GL_INVALID_VALUE},
-      {"Map1d", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 2, 2, d); }, GL_INVALID_VALUE},
-      {"Map2f/USTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 2, 2, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/VSTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 6, 2, 0., 1., 2, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map2f/VSTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 6, 2, 0.f, 1.f, 2, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/USTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 2, 2, 0., 1., 6, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map1f/STRIDE_0", [](gl::Case& c) { c.Map1f(GL_MAP1_COLOR_4, 0.f, 1.f, 0, 2, f); }, GL_INVALID_VALUE},
-      {"Map1d/ORDER_1", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_4, 0., 1., 3, 1, d); }, GL_INVALID_VALUE},
-      {"Map2f/ORDER_1", [](gl::Case& c) { c.Map2f(GL_MAP2_NORMAL, 0.f, 1.f, 2, 1, 0.f, 1.f, 0, 1, f); },
-       GL_INVALID_VALUE},
-      {"Map1d/NEGATIVE", [](gl::Case& c) { c.Map1d(GL_MAP1_INDEX, 0., 1., -1, 2, d); }, GL_INVALID_VALUE}};
+  static const std::vector<Erroneous> all = {bad_map("Map1f", GL_MAP1_VERTEX_3, 2, 2),
+                                             bad_map("Map1d", GL_MAP1_VERTEX_3, 2, 2),
+                                             bad_map("Map2f/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                             bad_map("Map2d/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                             bad_map("Map2f/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                             bad_map("Map2d/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                             bad_map("Map1f/STRIDE_0", GL_MAP1_COLOR_4, 0, 2),
+                                             bad_map("Map1d/ORDER_1", GL_MAP1_VERTEX_4, 3, 1),
+                                             bad_map("Map2f/ORDER_1", GL_MAP2_NORMAL, 2, 1, 0, 1),
+                                             bad_map("Map1d/NEGATIVE", GL_MAP1_INDEX, -1, 2)};
   return all;
 }
 
@@ -366,9 +356,7 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
     gl::Case c(two ? "a surface" : "a curve");
     for (const GLenum target : kinds_of(two)[0].targets)
       define_and_enable(c, random_map(t, target, two ? Orders{3, 2} : Orders{4}));
-    c.Begin(GL_POINTS);
-    for (const double u : {0.0, 0.25, 1.0}) eval_coord(c, two, u, 0.375);
-    c.End();
+    evaluate_all(c, two, {{0, 0.375}, {0.25, 0.375}, {1, 0.375}});
     two ? c.MapGrid2f(4, 0.0f, 1.0f, 2, 1.0f, 0.5f) : c.MapGrid1f(4, 1.0f, 0.25f);
     eval_mesh(c, two, GL_POINT, 1, two ? 2 : 3, 0, 1);
     c.Begin(GL_POINTS);

@@ -29,7 +29,10 @@ std::vector<double> initial_point(GLenum target) {
   }
 }
 
-bool is_plain(GLenum target) { return attribute_of(target) != kColor && attribute_of(target) != kNormal; }
+bool is_plain(GLenum target) {
+  return target != GL_MAP1_COLOR_4 && target != GL_MAP2_COLOR_4 && target != GL_MAP1_NORMAL &&
+         target != GL_MAP2_NORMAL;
+}
 
 void expect_initial_points(Test& t, std::initializer_list<GLenum> targets) {
   for (const GLenum target : targets) {
@@ -149,8 +152,7 @@ EVALCTS_TEST_PAIR(InitialState.EvaluableWith, InitialState.Evaluable2, must, "EV
 (Test& t, bool two, GLenum target) {
   t.require_initial_state();
   if (attribute_of(target) == kTextureCoordinate0) t.require(1, 1);
-  gl::Case c(label(target));
-  set_current_values(c, {.normal = {0.5f, 0.6f, 0.7f}});
+  gl::Case c = with_current_values(label(target), {.normal = {0.5f, 0.6f, 0.7f}});
   if (target != GL_MAP2_VERTEX_4) c.Enable(target_in(two, GL_MAP1_VERTEX_3));
   c.Enable(target);
   c.Begin(GL_POINTS);

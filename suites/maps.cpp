@@ -262,9 +262,11 @@ void evaluate_all(gl::Case& c, const std::vector<double>& arguments) {
   c.End();
 }
 
-void evaluate_all(gl::Case& c, const std::vector<At>& arguments) {
+void evaluate_all(gl::Case& c, const std::vector<At>& arguments) { evaluate_all(c, kSurfaces, arguments); }
+
+void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool doubles) {
   c.Begin(GL_POINTS);
-  for (const auto& [u, v] : arguments) evaluate2(c, u, v);
+  for (const auto& [u, v] : arguments) eval_coord(c, two, u, v, doubles);
   c.End();
 }
 

@@ -196,6 +196,8 @@ std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int cou
 // Evaluates at all arguments, in one primitive of points.
 void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
 void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
+// In either dimension.
+void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool doubles = false);
 
 // --- Queries ---------------------------------------------------------------------------------------------
 

@@ -71,23 +71,11 @@ EVALCTS_TEST(Mesh1, SubRange, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS",
                  {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
 };
 
-EVALCTS_TEST(Mesh1, OutsideTheGrid, must, "EV-MESH1-NEGATIVE", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "indices below 0 and above n",
-                 {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
-                 {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
-};
-
 EVALCTS_TEST(Mesh1, EmptyRange, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
 };
-EVALCTS_TEST(Mesh1, EmptyRangeBetween, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
-};
-
 // One point, or a strip of one vertex, which is nothing.
 EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
@@ -95,18 +83,43 @@ EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
 };
 
-EVALCTS_TEST(Mesh1, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
-};
-
-EVALCTS_TEST(Mesh1, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
-};
-
 // Meshes of one dimension have no FILL.
 const auto kEachMode = [](bool two) { return combine(two ? kModes2 : kModes1).by(gl::list_deliveries()); };
+
+EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, must,
+                  decide("EV-MESH1-NEGATIVE", "EV-MESH2-RANGE"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "indices below 0 and above un and vn",
+                       {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
+                       {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}})
+      : expect_meshes1(t, mode, "indices below 0 and above n",
+                       {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
+                       {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
+};
+
+EVALCTS_TEST_PAIR(Mesh1.EmptyRangeBetween, Mesh2.EmptyRangeBetween, must,
+                  decide("EV-MESH1-EMPTY", "EV-MESH2-EMPTY"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  const auto ranges = two ? std::vector<Range>{{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}}
+                          : std::vector<Range>{{0, 2}, {1, 0}, {2, 4}, {0, -1}};
+  expect_meshes(t, two, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}}, ranges);
+};
+
+EVALCTS_TEST_PAIR(Mesh1.EqualEnds, Mesh2.EqualEnds, must, "EV-GRID-EQUAL", kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "all points, or all of a row, coincide",
+                       {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
+                       {{0, 3, 0, 2}})
+      : expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
+};
+
+EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, must, "EV-GRID-REVERSED", kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "du, dv and both negative",
+                       {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
+                       {{0, 3, 0, 2}})
+      : expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
+};
 
 EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, must,
                   decide("EV-MESH1-NOVERTEX", "EV-MESH2-NOVERTEX"), kEachMode)
@@ -125,8 +138,8 @@ EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, 
 EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffect, must,
                   decide("EV-MESH1-ONLY1D", "EV-MESH2-ONLY2D"), kEachMode)
 (Test& t, bool two, const MeshMode& mode) {
-  gl::Case c(two ? "MAP1 maps and another grid" : "MAP2 maps, another grid and AUTO_NORMAL");
-  set_current_values(c);
+  gl::Case c =
+      with_current_values(two ? "MAP1 maps and another grid" : "MAP2 maps, another grid and AUTO_NORMAL");
   enable_maps(t, c, !two);
   if (!two) c.Enable(GL_AUTO_NORMAL);
   const int segments = two ? 3 : 4;
@@ -252,13 +265,6 @@ EVALCTS_TEST(Mesh2, SubRange, must, "EV-MESH2-COORDS", combine(kModes2).by(gl::l
                  {{1, 2, 996, 998}, {300, 302, 2, 3}, {999, 1000, 513, 514}});
 };
 
-EVALCTS_TEST(Mesh2, OutsideTheGrid, must, "EV-MESH2-RANGE", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "indices below 0 and above un and vn",
-                 {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
-                 {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}});
-};
-
 EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
@@ -275,31 +281,11 @@ EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
 };
 
-EVALCTS_TEST(Mesh2, EmptyRangeBetween, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}},
-                 {{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}});
-};
-
 // A strip along one direction only, or nothing.
 EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
 (Test& t) {
   expect_meshes2(t, kModes2[1], "i1 = i2, j1 = j2, both", {{{4, 0, 1}, {3, 1, 2}}},
                  {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
-};
-
-EVALCTS_TEST(Mesh2, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "all points, or all of a row, coincide",
-                 {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
-                 {{0, 3, 0, 2}});
-};
-
-EVALCTS_TEST(Mesh2, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "du, dv and both negative",
-                 {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
-                 {{0, 3, 0, 2}});
 };
 
 // --- Long meshes -----------------------------------------------------------------------------------------

@@ -150,7 +150,7 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
 // n = du x dv as it is.
 EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP")
 (Test& t) {
-  if (!t.gl().extensions.count("GL_ARB_vertex_program")) throw NotSupported("needs GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   set_up_texture(state);
   state.MatrixMode(GL_PROJECTION);

@@ -274,9 +274,7 @@ struct Special {
 };
 
 void draw_with_maps(gl::Case& c, bool two, bool doubles, const Modes& modes) {
-  c.Begin(GL_POINTS);
-  for (const double u : {0.0, 0.5, 1.0}) eval_coord(c, two, u, 0.25, doubles);
-  c.End();
+  evaluate_all(c, two, {{0, 0.25}, {0.5, 0.25}, {1, 0.25}}, doubles);
   for (const GLenum mode : modes)
     if (two || mode != GL_FILL) eval_mesh(c, two, mode, two ? 0 : -1, two ? 2 : 3, -1, 2);
 }

@@ -13,9 +13,7 @@ namespace {
 
 constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
 
-void require_nv(Test& t) {
-  if (!t.gl().extensions.contains("GL_NV_vertex_program")) throw NotSupported("needs GL_NV_vertex_program");
-}
+void require_nv(Test& t) { require_extension(t, "GL_NV_vertex_program"); }
 
 // All of them but the one that ARB_vertex_program took for PROGRAM_BINDING_ARB.
 std::vector<GLenum> attribute_maps(Test& t) {

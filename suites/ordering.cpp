@@ -12,27 +12,6 @@
 namespace evalcts::suite_ordering {
 namespace {
 
-std::vector<NamedCalls> allowed() {
-  return {
-      {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
-      {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
-      {"EvalCoord1fv", [](gl::Case& c) { c.EvalCoord1fv(std::vector<float>{0.5f}); }},
-      {"EvalCoord1dv", [](gl::Case& c) { c.EvalCoord1dv(std::vector<double>{0.5}); }},
-      {"EvalCoord2f", [](gl::Case& c) { c.EvalCoord2f(0.5f, 0.25f); }},
-      {"EvalCoord2d", [](gl::Case& c) { c.EvalCoord2d(0.5, 0.25); }},
-      {"EvalCoord2fv",
-       [](gl::Case& c) {
-         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
-       }},
-      {"EvalCoord2dv",
-       [](gl::Case& c) {
-         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
-       }},
-      {"EvalPoint1", [](gl::Case& c) { c.EvalPoint1(1); }},
-      {"EvalPoint2", [](gl::Case& c) { c.EvalPoint2(1, 0); }},
-  };
-}
-
 // And what switches and asks.
 std::vector<NamedCalls> forbidden() {
   std::vector<NamedCalls> all = forbidden_in_primitives();
@@ -63,7 +42,7 @@ void enable_vertices(Test& t, gl::Case& c) {
 constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
                              GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
 
-EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed()))
+EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed_in_primitives()))
 (Test& t, const NamedCalls& command) {
   CheckedCase c(t, "in every primitive");
   enable_vertices(t, c);

@@ -45,21 +45,9 @@ void require_removed(const Played& played, const Entered& entered, GLuint kind) 
 // All commands of evaluators, legal if evaluators were there.
 std::vector<NamedCalls> all_commands() {
   std::vector<NamedCalls> all = forbidden_in_primitives();
-#define COMMAND(name, ...) all.push_back({#name, [](gl::Case& c) { c.name(__VA_ARGS__); }})
-  COMMAND(EvalCoord1f, 0.5f);
-  COMMAND(EvalCoord1d, 0.5);
-  COMMAND(EvalCoord1fv, (std::vector<float>{0.5f}));
-  COMMAND(EvalCoord1dv, (std::vector<double>{0.5}));
-  COMMAND(EvalCoord2f, 0.5f, 0.5f);
-  COMMAND(EvalCoord2d, 0.5, 0.5);
-  COMMAND(EvalCoord2fv, (std::vector<float>{0.5f, 0.5f}));
-  COMMAND(EvalCoord2dv, (std::vector<double>{0.5, 0.5}));
-  COMMAND(EvalPoint1, 0);
-  COMMAND(EvalPoint2, 0, 0);
-  COMMAND(GetMapfv, GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLfloat>(4));
-  COMMAND(GetMapdv, GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLdouble>(4));
-  COMMAND(GetMapiv, GL_MAP1_VERTEX_3, GL_ORDER, gl::out<GLint>(4));
-#undef COMMAND
+  for (const NamedCalls& command : allowed_in_primitives()) all.push_back(command);
+  for (const Getter& getter : kGetters)
+    all.push_back({getter.name, [&](gl::Case& c) { getter.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 4); }});
   return all;
 }
 

@@ -33,6 +33,27 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   c.GetError();  // an error of these legal calls is for other tests to find
 }
 
+std::vector<NamedCalls> allowed_in_primitives() {
+  return {
+      {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
+      {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
+      {"EvalCoord1fv", [](gl::Case& c) { c.EvalCoord1fv(std::vector<float>{0.5f}); }},
+      {"EvalCoord1dv", [](gl::Case& c) { c.EvalCoord1dv(std::vector<double>{0.5}); }},
+      {"EvalCoord2f", [](gl::Case& c) { c.EvalCoord2f(0.5f, 0.25f); }},
+      {"EvalCoord2d", [](gl::Case& c) { c.EvalCoord2d(0.5, 0.25); }},
+      {"EvalCoord2fv",
+       [](gl::Case& c) {
+         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
+       }},
+      {"EvalCoord2dv",
+       [](gl::Case& c) {
+         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
+       }},
+      {"EvalPoint1", [](gl::Case& c) { c.EvalPoint1(1); }},
+      {"EvalPoint2", [](gl::Case& c) { c.EvalPoint2(1, 0); }},
+  };
+}
+
 std::vector<NamedCalls> forbidden_in_primitives() {
   std::vector<NamedCalls> all;
   for (const Form& form : kForms) {

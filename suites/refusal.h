@@ -21,6 +21,9 @@ struct NamedCalls {
 // End, each would have an effect outside.
 std::vector<NamedCalls> forbidden_in_primitives();
 
+// The commands that evaluate, in all forms: they may stand there.
+std::vector<NamedCalls> allowed_in_primitives();
+
 // State that differs from the initial one before a bad call: the current values and, with every second map
 // enabled, the nine one-dimensional maps or all maps and grids.
 enum class Prepared { maps1, everything };

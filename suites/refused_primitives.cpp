@@ -158,6 +158,12 @@ EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
 
 // --- Programs that cannot run ----------------------------------------------------------------------------
 
+// The program in use.
+Refusal in_use(std::string name, const Program& program, std::vector<GLenum> allowed) {
+  return {std::move(name), [=](gl::Case& to) { to.UseProgram(program.name); },
+          [](gl::Case& to) { to.UseProgram(0); }, std::move(allowed)};
+}
+
 struct Invalid {
   const char* name;
   const char* extension;
@@ -168,8 +174,7 @@ constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_V
 
 EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
 (Test& t, const Invalid& invalid) {
-  if (!t.gl().extensions.count(invalid.extension))
-    throw NotSupported(std::string("needs ") + invalid.extension);
+  require_extension(t, invalid.extension);
   expect_refused_like_begin(
       t, meshes(t),
       [&](gl::Case&) {
@@ -191,9 +196,7 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
             c, {{GL_FRAGMENT_SHADER,
                  "uniform sampler2D flat_one;\nuniform sampler3D deep_one;\nvoid main() {\n  gl_FragColor = "
                  "texture2D(flat_one, gl_FragCoord.xy) + texture3D(deep_one, gl_FragCoord.xyz);\n}\n"}});
-        return Prepared{{{"samplers in conflict", [=](gl::Case& to) { to.UseProgram(program.name); },
-                          [](gl::Case& to) { to.UseProgram(0); }, kNone}},
-                        {program}};
+        return Prepared{{in_use("samplers in conflict", program, kNone)}, {program}};
       },
       GL_INVALID_OPERATION);
 };
@@ -273,9 +276,8 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKi
                   {GL_GEOMETRY_SHADER, geometry_shader(input.name, input.output, input.vertices)},
                   {GL_FRAGMENT_SHADER, kFragmentShader}});
           prepared.programs.push_back(program);
-          prepared.refusals.push_back({std::string("geometry shader of ") + input.name,
-                                       [=](gl::Case& to) { to.UseProgram(program.name); },
-                                       [](gl::Case& to) { to.UseProgram(0); }, input.allowed});
+          prepared.refusals.push_back(
+              in_use(std::string("geometry shader of ") + input.name, program, input.allowed));
         }
         return prepared;
       },

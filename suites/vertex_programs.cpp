@@ -70,11 +70,7 @@ Picture look(Test& t, const Named<bool>& kind, const std::string& identity,
 
 EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
 (Test& t, const Named<bool>& kind) {
-  if (!kind.value) {
-    t.require(2, 0);
-  } else if (!t.gl().extensions.count("GL_ARB_vertex_program")) {
-    throw NotSupported("needs GL_ARB_vertex_program");
-  }
+  kind.value ? require_extension(t, "GL_ARB_vertex_program") : t.require(2, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
   const Picture control = look(t, kind, "control: explicit vertices", drawings, false);
   const Picture without = look(t, kind, "control: explicit vertices, no program", drawings, false, false);
