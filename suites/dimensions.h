@@ -1,4 +1,5 @@
-// Registers one body as two tests: one for one dimension and one for two.
+// Registers one body as two tests that differ in one choice: most often one for one dimension and one for
+// two, or one along u and one along v.
 //
 //   EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, must,
 //                     decide("EV-NUM-SYMMETRY/1-D", "EV-NUM-SYMMETRY/2-D"), by(in_lists()))

@@ -6,6 +6,7 @@
 #include <evalcts/testkit/registration.h>
 
 #include "checked_case.h"
+#include "dimensions.h"
 #include "grid_cases.h"
 #include "refusal.h"
 
@@ -156,22 +157,15 @@ EVALCTS_TEST(Grids, NotPositive, must, "EV-GRID-ERR-N", "EV-GRID-ERR-NOEFFECT", 
                  {GL_INVALID_VALUE});
 };
 
-EVALCTS_TEST(Grids, UNotPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-NOEFFECT", kEachForm)
-(Test& t, const Form& form) {
-  expect_refused(
-      t, "un of 0, -1, -100 and the lowest int",
-      setting({{0, 2, 3, 4, 5, 6}, {-1, 2, 3, 4, 5, 6}, {-100, 3, 2, 1, 5, 6}, {kLowest, 2, 3, 1000, 6, 5}},
-              form.doubles),
-      {GL_INVALID_VALUE});
-};
-
-EVALCTS_TEST(Grids, VNotPositive, must, "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT", kEachForm)
-(Test& t, const Form& form) {
-  expect_refused(
-      t, "vn of 0, -1, -100 and the lowest int",
-      setting({{4, 2, 3, 0, 5, 6}, {4, 2, 3, -1, 5, 6}, {1, 3, 2, -100, 5, 6}, {1000, 2, 3, kLowest, 6, 5}},
-              form.doubles),
-      {GL_INVALID_VALUE});
+EVALCTS_TEST_PAIR(Grids.UNotPositive, Grids.VNotPositive, must, decide("EV-GRID-ERR-UN", "EV-GRID-ERR-VN"),
+                  "EV-GRID-ERR-NOEFFECT", kEachForm)
+(Test& t, bool along_v, const Form& form) {
+  std::vector<Grids> bad = {
+      {4, 2, 3, 0, 5, 6}, {4, 2, 3, -1, 5, 6}, {1, 3, 2, -100, 5, 6}, {1000, 2, 3, kLowest, 6, 5}};
+  if (!along_v)
+    for (Grids& grids : bad) std::swap(grids.u.segments, grids.v->segments);
+  expect_refused(t, fmt::format("{} of 0, -1, -100 and the lowest int", along_v ? "vn" : "un"),
+                 setting(bad, form.doubles), {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST(Grids, NeitherPositive, must, "EV-GRID-ERR-UN", "EV-GRID-ERR-VN", "EV-GRID-ERR-NOEFFECT",

@@ -149,14 +149,21 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
+// The legal map of this order, with each of the values in turn.
+void expect_values_refused(Test& t, const TargetForm& form, const char* identity, int Map::*parameter,
+                           std::initializer_list<int> values, int order = 3) {
+  for (const int value : values) {
+    Map map = legal_map(form.target);
+    map.uorder = order;
+    map.*parameter = value;
+    expect_refused(t, fmt::format("{} {}", identity, value), map, form.doubles, {GL_INVALID_VALUE});
+  }
+}
+
 EVALCTS_TEST(Map1Errors, OrderTooLow, must, "EV-MAP1-ERR-ORDER-LOW", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  for (const int order : {0, -1, -64, kLowest}) {
-    Map map = legal_map(form.target);
-    map.uorder = order;
-    expect_refused(t, fmt::format("order {}", order), map, form.doubles, {GL_INVALID_VALUE});
-  }
+  expect_values_refused(t, form, "order", &Map::uorder, {0, -1, -64, kLowest});
 };
 
 EVALCTS_TEST(Map1Errors, OrderTooHigh, must, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-ERR-NOEFFECT",
@@ -176,11 +183,8 @@ EVALCTS_TEST(Map1Errors, OrderTooHigh, must, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-
 EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  for (const int stride : {gl::components_of(form.target) - 1, 0, -1, -17, kLowest}) {
-    Map map = legal_map(form.target);
-    map.ustride = stride;
-    expect_refused(t, fmt::format("stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
-  }
+  expect_values_refused(t, form, "stride", &Map::ustride,
+                        {gl::components_of(form.target) - 1, 0, -1, -17, kLowest});
 };
 
 EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
@@ -203,12 +207,8 @@ EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "
 EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, must, "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  for (const int stride : {gl::components_of(form.target) - 1, 0, -1}) {
-    Map map = legal_map(form.target);
-    map.uorder = 1;
-    map.ustride = stride;
-    expect_refused(t, fmt::format("order 1 stride {}", stride), map, form.doubles, {GL_INVALID_VALUE});
-  }
+  expect_values_refused(t, form, "order 1 stride", &Map::ustride, {gl::components_of(form.target) - 1, 0, -1},
+                        1);
 };
 
 EVALCTS_TEST(Map1Errors, EqualDomainEnds, must, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
@@ -318,7 +318,11 @@ EVALCTS_TEST(Map1Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/1-D", kEach
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-void expect_refused_orders(Test& t, const TargetForm& form, const Direction& direction) {
+EVALCTS_TEST_PAIR(Map2Errors.UOrder, Map2Errors.VOrder, must,
+                  decide("EV-MAP2-ERR-UORDER", "EV-MAP2-ERR-VORDER"), "EV-MAP2-ERR-NOEFFECT",
+                  kEachTargetForm(kSurfaces))
+(Test& t, bool along_v, const TargetForm& form) {
+  const Direction& direction = along_v ? kV : kU;
   std::vector<Calls> too_low;
   for (const int order : {0, -1, -64, kLowest}) {
     Map map = legal_map(form.target);
@@ -337,9 +341,13 @@ void expect_refused_orders(Test& t, const TargetForm& form, const Direction& dir
     too_high.push_back(defining(map, form.doubles));
   }
   expect_refused(t, "orders MAX+1, MAX+2, MAX+100, 0x101, 0x10001", too_high, {GL_INVALID_VALUE});
-}
+};
 
-void expect_refused_strides(Test& t, const TargetForm& form, const Direction& direction) {
+EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, must,
+                  decide("EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE"), "EV-MAP2-ERR-NOEFFECT",
+                  kEachTargetForm(kSurfaces))
+(Test& t, bool along_v, const TargetForm& form) {
+  const Direction& direction = along_v ? kV : kU;
   // Also where the order in this direction is 1 and the stride never used. Negative strides come only so:
   // with more points they would lead before the array.
   std::vector<Calls> bad;
@@ -353,9 +361,13 @@ void expect_refused_strides(Test& t, const TargetForm& form, const Direction& di
       bad.push_back(defining(map, form.doubles));
     }
   expect_refused(t, "strides k-1, 0, -1, -17, the lowest int", bad, {GL_INVALID_VALUE});
-}
+};
 
-void expect_refused_domains(Test& t, const TargetForm& form, const Direction& direction) {
+EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, must,
+                  decide("EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-VDOMAIN"), "EV-MAP2-ERR-NOEFFECT",
+                  kEachTargetForm(kSurfaces))
+(Test& t, bool along_v, const TargetForm& form) {
+  const Direction& direction = along_v ? kV : kU;
   std::vector<Calls> bad;
   for (const int order : {1, 2, 3})
     for (const double end : {0.0, 1.0, -2.5, 1e6}) {
@@ -365,23 +377,7 @@ void expect_refused_domains(Test& t, const TargetForm& form, const Direction& di
       bad.push_back(defining(map, form.doubles));
     }
   expect_refused(t, "both ends 0, 1, -2.5, 1e6; orders 1x1, 2x2 and 3x3", bad, {GL_INVALID_VALUE});
-}
-
-EVALCTS_TEST(Map2Errors, UOrder, must, "EV-MAP2-ERR-UORDER", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_orders(t, form, kU); };
-
-EVALCTS_TEST(Map2Errors, VOrder, must, "EV-MAP2-ERR-VORDER", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_orders(t, form, kV); };
-
-EVALCTS_TEST(Map2Errors, UStride, must, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_strides(t, form, kU); };
-
-EVALCTS_TEST(Map2Errors, VStride, must, "EV-MAP2-ERR-VSTRIDE", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_strides(t, form, kV); };
+};
 
 // k - 1 is too little whatever the orders are.
 EVALCTS_TEST(Map2Errors, StridesAtManyOrders, must, "EV-MAP2-ERR-USTRIDE", "EV-MAP2-ERR-VSTRIDE",
@@ -399,14 +395,6 @@ EVALCTS_TEST(Map2Errors, StridesAtManyOrders, must, "EV-MAP2-ERR-USTRIDE", "EV-M
     }
   expect_refused(t, "orders 2x2, 1x8, 8x1, 4x5, 8x8, MAXx2", bad, {GL_INVALID_VALUE});
 };
-
-EVALCTS_TEST(Map2Errors, UDomain, must, "EV-MAP2-ERR-UDOMAIN", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_domains(t, form, kU); };
-
-EVALCTS_TEST(Map2Errors, VDomain, must, "EV-MAP2-ERR-VDOMAIN", "EV-MAP2-ERR-NOEFFECT",
-             kEachTargetForm(kSurfaces))
-(Test& t, const TargetForm& form) { expect_refused_domains(t, form, kV); };
 
 void expect_refused_in(Test& t, const TargetForm& form, const std::string& identity,
                        const std::vector<GLenum>& modes) {

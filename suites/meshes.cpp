@@ -179,7 +179,9 @@ std::pair<int, int> range_ending_at(const Grid& grid, bool last) {
   return last ? std::pair{grid.segments - steps, grid.segments} : std::pair{0, steps};
 }
 
-void expect_exact1(Test& t, const MeshMode& mode, bool last) {
+EVALCTS_TEST_PAIR(Mesh1.FirstIsExact, Mesh1.LastIsExact, must, decide("EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"),
+                  combine(kModes1).by(gl::list_deliveries()))
+(Test& t, bool last, const MeshMode& mode) {
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t)) most += 2 * static_cast<std::size_t>(grid.segments + 8);
   expect_exact_end(
@@ -191,7 +193,7 @@ void expect_exact1(Test& t, const MeshMode& mode, bool last) {
         c.EvalMesh1(mode.mode, at_first, at_end);
       },
       2 * most);
-}
+};
 
 // A mode and a direction of two dimensions, and an end of the grid.
 struct MeshAlong {
@@ -209,11 +211,6 @@ std::vector<MeshAlong> all_along() {
                        along, last});
   return all;
 }
-
-EVALCTS_TEST(Mesh1, FirstIsExact, must, "EV-MESH1-EXACT-0", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) { expect_exact1(t, mode, false); };
-EVALCTS_TEST(Mesh1, LastIsExact, must, "EV-MESH1-EXACT-N", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) { expect_exact1(t, mode, true); };
 
 // In both directions; across it one step, so that FILL has both sides of a strip.
 EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))

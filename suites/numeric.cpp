@@ -90,23 +90,20 @@ void evaluate_at(gl::Case& c, bool two, double u) { eval_coord(c, two, u, u); }
 
 namespace {
 
-void expect_end(Test& t, const char* identity, double Interval::*end) {
-  gl::Case c(identity);
+EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, must,
+                  decide("EV-NUM-START/1-D", "EV-NUM-END/1-D"), by(of_curves()))
+(Test& t, bool last) {
+  gl::Case c(last ? "u2, every order" : "u1, every order");
   for (const Kinds& kinds : kKinds1)
     for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::quick ? 1 : 5) {
       const Interval& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
       define_random(t, c, kinds, order, domain);
       c.Begin(GL_POINTS);
-      evaluate(c, domain.*end);
+      evaluate(c, last ? domain.last : domain.first);
       c.End();
     }
   t.expect_emission(c, kUnit0);
-}
-
-EVALCTS_TEST(Numeric, StartOfDomain, must, "EV-NUM-START/1-D", by(of_curves()))
-(Test& t) { expect_end(t, "u1, every order", &Interval::first); };
-EVALCTS_TEST(Numeric, EndOfDomain, must, "EV-NUM-END/1-D", by(of_curves()))
-(Test& t) { expect_end(t, "u2, every order", &Interval::last); };
+};
 
 // At the start of the domain: the first control point, bit for bit.
 EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, quality,

@@ -103,7 +103,9 @@ EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions)
   t.expect_emission(c, kUnit0);
 };
 
-void expect_exact(Test& t, const Along& along, bool last) {
+EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, must,
+                  decide("EV-POINT-EXACT-0", "EV-POINT-EXACT-N"), combine(kAlong).by(gl::list_deliveries()))
+(Test& t, bool last, const Along& along) {
   const auto draw = [&](gl::Case& c, const Grid& grid) {
     const int i = last ? grid.segments : 0;
     c.Begin(GL_POINTS);
@@ -111,12 +113,7 @@ void expect_exact(Test& t, const Along& along, bool last) {
     c.End();
   };
   expect_exact_end(t, along, last, kPoints, draw, 20000);
-}
-
-EVALCTS_TEST(Points, FirstIsExact, must, "EV-POINT-EXACT-0", combine(kAlong).by(gl::list_deliveries()))
-(Test& t, const Along& along) { expect_exact(t, along, false); };
-EVALCTS_TEST(Points, LastIsExact, must, "EV-POINT-EXACT-N", combine(kAlong).by(gl::list_deliveries()))
-(Test& t, const Along& along) { expect_exact(t, along, true); };
+};
 
 // The same index is the same domain value in both, and so the same vertex.
 EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
