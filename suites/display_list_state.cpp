@@ -11,9 +11,8 @@ namespace evalcts::suite_display_lists {
 // Points, enables and what wins are those of the call.
 EVALCTS_TEST(DisplayLists, MapsOfTheCall, must, "EV-DL-EXECSTATE-MAP", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("compiled with some maps, called with others, with one of them off, and with none");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(
+      t, "compiled with some maps, called with others, with one of them off, and with none", dimension.two);
   compile_points(c, kList, dimension.two);
   c.CallList(kList);
   define_vertices(t, c, dimension.two);
@@ -68,9 +67,8 @@ EVALCTS_TEST(DisplayLists, MapsEnabledAfterwards, must, "EV-DL-EXECSTATE-MAP", c
 
 EVALCTS_TEST(DisplayLists, GridOfTheCall, must, "EV-DL-EXECSTATE-GRID", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("compiled under one grid, called under two others");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two, {7, 0.0f, 1.0f});
+  gl::Case c =
+      with_maps(t, "compiled under one grid, called under two others", dimension.two, {7, 0.0f, 1.0f});
   compile_points(c, kList, dimension.two);
   for (const Grid& grid : {Grid{4, 3.0f, -0.5f}, Grid{9, 0.75f, 1.5f}}) {
     set_grid(c, dimension.two, grid);

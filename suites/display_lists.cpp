@@ -71,6 +71,13 @@ void compile_points(gl::Case& c, GLuint list, bool two, GLenum mode) {
 
 void set_grid(gl::Case& c, bool two, const Grid& u) { map_grid(c, two, u, {3, 1.25f, 2.0f}); }
 
+gl::Case with_maps(Test& t, const std::string& identity, bool two, const Grid& u) {
+  gl::Case c(identity);
+  enable_maps(t, c, two);
+  set_grid(c, two, u);
+  return c;
+}
+
 void define_vertices(Test& t, gl::Case& c, bool two) {
   define(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), two ? Orders{2, 3} : Orders{3}));
 }
@@ -96,9 +103,7 @@ EVALCTS_TEST(DisplayLists, CompilingExecutesNothing, must, "EV-DL-COMPILED", "EV
 
 EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, must, "EV-DL-COMPILED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("EvalCoord, EvalPoint and EvalMesh compiled, then a point");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "EvalCoord, EvalPoint and EvalMesh compiled, then a point", dimension.two);
   compile_points(c, kList, dimension.two);
   c.Begin(GL_POINTS);
   c.Vertex3f(0.25f, 0.5f, 0.75f);
@@ -160,9 +165,7 @@ EVALCTS_TEST(DisplayLists, IndicesKept, must, "EV-DL-EXECUTE", combine(kDimensio
 
 EVALCTS_TEST(DisplayLists, CompileAndExecuteDrawsOnce, must, "EV-DL-COMPEXEC", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("compiled and executed, a point, then called");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "compiled and executed, a point, then called", dimension.two);
   compile_points(c, kList, dimension.two, GL_COMPILE_AND_EXECUTE);
   c.Begin(GL_POINTS);
   c.Vertex3f(0.25f, 0.5f, 0.75f);
@@ -264,9 +267,7 @@ EVALCTS_TEST(DisplayLists, DoubleForms, must, "EV-DL-DOUBLE", combine(kDimension
 
 EVALCTS_TEST(DisplayLists, CalledBetweenBeginAndEnd, must, "EV-DL-INBEGIN", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("points of a list among those of the primitive");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "points of a list among those of the primitive", dimension.two);
   const auto points = [&](gl::Case& list, float u, GLint i) {
     eval_coord(list, dimension.two, u, 1.25);
     eval_point(list, dimension.two, i, 2);
@@ -343,9 +344,7 @@ EVALCTS_TEST(DisplayLists, BeginAndEndFromDifferentLists, must, "EV-DL-SPLIT", c
 
 EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("one list, called twice, with another evaluation between");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "one list, called twice, with another evaluation between", dimension.two);
   compile_points(c, kList, dimension.two);
   c.CallList(kList);
   evaluate_and_eval_points(c, dimension.two);
@@ -379,9 +378,8 @@ EVALCTS_TEST(DisplayLists, CalledTwiceSameBits, must, "EV-DL-REPEAT", combine(kD
 // The definitions of the inner list apply from its call on.
 EVALCTS_TEST(DisplayLists, MapsOfAnInnerList, must, "EV-DL-NESTED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
-  gl::Case c("a list that evaluates calls one that defines and enables, between evaluations");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "a list that evaluates calls one that defines and enables, between evaluations",
+                         dimension.two);
   compile(c, kOther, [&](gl::Case& list) {
     define_vertices(t, list, dimension.two);
     list.Disable(target_in(dimension.two, GL_MAP1_VERTEX_4));
@@ -417,9 +415,7 @@ EVALCTS_TEST(DisplayLists, InnerListOfTheCall, must, "EV-DL-NESTED")
 EVALCTS_TEST(DisplayLists, NestedDeeply, must, "EV-DL-NESTED", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   constexpr GLuint kDepth = 60;  // MAX_LIST_NESTING is at least 64
-  gl::Case c("an evaluation sixty lists deep");
-  enable_maps(t, c, dimension.two);
-  set_grid(c, dimension.two);
+  gl::Case c = with_maps(t, "an evaluation sixty lists deep", dimension.two);
   compile(c, 100, [&](gl::Case& list) { evaluate_and_eval_points(list, dimension.two); });
   for (GLuint depth = 1; depth < kDepth; ++depth)
     compile(c, 100 + depth, [&](gl::Case& list) { list.CallList(100 + depth - 1); });

@@ -174,36 +174,31 @@ EVALCTS_TEST_PAIR(
   }
 };
 
-struct Mode {
-  const char* name;
-  GLenum mode;
-};
-constexpr Mode kModes[] = {{"POINTS", GL_POINTS},
-                           {"LINES", GL_LINES},
-                           {"LINE_LOOP", GL_LINE_LOOP},
-                           {"LINE_STRIP", GL_LINE_STRIP},
-                           {"TRIANGLES", GL_TRIANGLES},
-                           {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
-                           {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
-                           {"QUADS", GL_QUADS},
-                           {"QUAD_STRIP", GL_QUAD_STRIP},
-                           {"POLYGON", GL_POLYGON}};
+constexpr Named<GLenum> kModes[] = {{"POINTS", GL_POINTS},
+                                    {"LINES", GL_LINES},
+                                    {"LINE_LOOP", GL_LINE_LOOP},
+                                    {"LINE_STRIP", GL_LINE_STRIP},
+                                    {"TRIANGLES", GL_TRIANGLES},
+                                    {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
+                                    {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
+                                    {"QUADS", GL_QUADS},
+                                    {"QUAD_STRIP", GL_QUAD_STRIP},
+                                    {"POLYGON", GL_POLYGON}};
 
 // Primitives of 0 to 9 vertices, complete or not.
 EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Mode& mode) {
+(Test& t, const Named<GLenum>& mode) {
   gl::Case c("0 to 9 vertices");
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
     Map map = random_map(t, target, 4);
     if (target == GL_MAP1_VERTEX_4)
       for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
-    define(c, map);
-    c.Enable(target);
+    define_and_enable(c, map);
   }
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.mode);
+    c.Begin(mode.value);
     for (int i = 0; i < vertices; ++i, u += 0.015625f) c.EvalCoord1f(u);
     c.End();
   }
@@ -214,12 +209,12 @@ EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
 // primitive is at stake.
 EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Mode& mode) {
+(Test& t, const Named<GLenum>& mode) {
   gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
   define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.mode);
+    c.Begin(mode.value);
     for (int i = 0; i < vertices; ++i, u += 0.015625f)
       i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
     c.End();
@@ -251,9 +246,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXT
 EVALCTS_TEST(Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("x is u, y is 10 v, z is 100 u v");
-  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
-          std::vector<float>{0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100});
-  c.Enable(GL_MAP2_VERTEX_3);
+  define_and_enable(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100}));
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.25f, 1.0f})
     for (const float v : {0.0f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);

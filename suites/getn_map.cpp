@@ -22,23 +22,17 @@ constexpr Getter kGetters[] = {
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapfv(target, query, bytes, gl::out<GLfloat>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapfv(target, query, gl::out<GLfloat>(room));
-     }},
+     evalcts::kGetters[0].get},
     {"GetnMapdv", sizeof(GLdouble),
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapdv(target, query, bytes, gl::out<GLdouble>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapdv(target, query, gl::out<GLdouble>(room));
-     }},
+     evalcts::kGetters[1].get},
     {"GetnMapiv", sizeof(GLint),
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapiv(target, query, bytes, gl::out<GLint>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapiv(target, query, gl::out<GLint>(room));
-     }}};
+     evalcts::kGetters[2].get}};
 
 struct Answer {
   GLenum target;

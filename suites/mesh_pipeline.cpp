@@ -155,11 +155,7 @@ void expect_outlines(Picture& picture, const Part& part, bool holds, const Outli
                         describe(expected), seen);
 }
 
-struct PolygonMode {
-  const char* name;
-  GLenum mode;
-};
-constexpr PolygonMode kOutlined[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}};
+constexpr GLenum kOutlined[] = {GL_POINT, GL_LINE};
 
 gl::Case polygon_mode(GLenum mode) {
   gl::Case state;
@@ -169,19 +165,31 @@ gl::Case polygon_mode(GLenum mode) {
 
 // In either polygon mode, with the edge flag.
 void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing) {
-  for (const PolygonMode& outlined : kOutlined) {
-    gl::Case state = polygon_mode(outlined.mode);
+  for (const GLenum outlined : kOutlined) {
+    gl::Case state = polygon_mode(outlined);
     state.EdgeFlag(static_cast<GLboolean>(flag));
-    scenes.emplace_back(fmt::format("polygon mode {}, edge flag {}", outlined.name, flag ? "TRUE" : "FALSE"),
-                        state, drawing);
+    scenes.emplace_back(
+        fmt::format("polygon mode {}, edge flag {}", label(outlined), flag ? "TRUE" : "FALSE"), state,
+        drawing);
   }
 }
 
 // Explicit quad strips have to come out as quads.
 void require_quads(const Picture& control) {
   for (std::size_t i = 0; i < control.parts.size(); ++i)
-    if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2].mode))
+    if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2]))
       throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
+}
+
+// A mesh in either polygon mode, with each of the edge flags.
+Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
+  std::vector<Scene> strips, evaluated;
+  for (const bool flag : flags) {
+    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
+    add_outlined(evaluated, flag, mesh(GL_FILL));
+  }
+  require_quads(feedback(t, "control: explicit quad strips", strips));
+  return feedback(t, "evaluated", evaluated);
 }
 
 // --- Quads -----------------------------------------------------------------------------------------------
@@ -189,13 +197,9 @@ void require_quads(const Picture& control) {
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
 EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
 (Test& t) {
-  std::vector<Scene> strips, evaluated;
-  add_outlined(strips, true, explicit_strips(t, mesh(GL_FILL)));
-  add_outlined(evaluated, true, mesh(GL_FILL));
-  require_quads(feedback(t, "control: explicit quad strips", strips));
-  Picture picture = feedback(t, "evaluated", evaluated);
+  Picture picture = outlined_meshes(t, {true});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
-    const Outlines quads = outlines_of_quads(kOutlined[i].mode);
+    const Outlines quads = outlines_of_quads(kOutlined[i]);
     expect_outlines(picture, picture.parts[i], outlines_of(picture.parts[i]) == quads, quads);
   }
 };
@@ -203,17 +207,11 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
 // Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
 EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG")
 (Test& t) {
-  std::vector<Scene> strips, evaluated;
-  for (const bool flag : {true, false}) {
-    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
-    add_outlined(evaluated, flag, mesh(GL_FILL));
-  }
-  require_quads(feedback(t, "control: explicit quad strips", strips));
-  Picture picture = feedback(t, "evaluated", evaluated);
+  Picture picture = outlined_meshes(t, {true, false});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     const Part& part = picture.parts[i];
     const Outlines seen = outlines_of(part), with = outlines_of(picture.parts[i % 2]);
-    const Outlines quads = outlines_of_quads(kOutlined[i % 2].mode);
+    const Outlines quads = outlines_of_quads(kOutlined[i % 2]);
     const bool has_all =
         std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
     expect_outlines(picture, part, has_all, quads);

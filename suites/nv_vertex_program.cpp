@@ -170,7 +170,7 @@ std::function<Color(double)> ramp(const Color& from, const Color& to) {
     return c;
   };
 }
-const auto position_at = ramp(kFromPosition, kToPosition);
+const auto kPositionAt = ramp(kFromPosition, kToPosition);
 
 // The program has to work with explicit vertices, or nothing can be said.
 void require_programs(Test& t, const std::string& color_source,
@@ -180,20 +180,20 @@ void require_programs(Test& t, const std::string& color_source,
   drawing.Begin(GL_POINTS);
   for (const double u : kAt) {
     set_source(drawing);
-    const Color p = position_at(u);
+    const Color p = kPositionAt(u);
     drawing.Vertex4f(static_cast<float>(p[0]), static_cast<float>(p[1]), 0, 1);
   }
   drawing.End();
   const Picture control = feedback(t, "control: explicit vertices", state, drawing);
   const std::string why = wrong_points(
-      control.parts.at(0), std::size(kAt), [&](double) { return shown; }, position_at);
+      control.parts.at(0), std::size(kAt), [&](double) { return shown; }, kPositionAt);
   if (!why.empty()) throw NotObservable("pipeline: with explicit vertices " + why);
 }
 
 void expect_points(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
                    std::size_t count, const std::function<Color(double)>& color) {
   Picture picture = feedback(t, identity, state, drawing);
-  const std::string why = wrong_points(picture.parts.at(0), count, color, position_at);
+  const std::string why = wrong_points(picture.parts.at(0), count, color, kPositionAt);
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
 }
 
