@@ -5,7 +5,7 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
-#include "refusal.h"
+#include "checked_case.h"
 
 namespace evalcts::suite_after_random_commands {
 namespace {
@@ -35,9 +35,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
   const auto judge_last = [&](const Observation& seen) {
     if (seen.overflow) throw NotObservable("far too many vertices come out, which other tests say");
     Observation tail = seen;
-    std::vector<ObservedVertex> vertices;
-    for (const ObservedPrimitive& primitive : seen.primitives)
-      vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+    std::vector<ObservedVertex> vertices = vertices_of(seen);
     if (vertices.size() > count)
       vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(count));
     tail.primitives = {{GL_POINTS, vertices}};
@@ -64,27 +62,17 @@ void draw_points(gl::Case& c) {
   c.End();
 }
 
-}  // namespace
-
 // Maps, enables and current values are set anew: nothing of the past is left.
 EVALCTS_TEST(AfterRandomCommands, Evaluates, must, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
-    for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
-      c.Disable(gl::kMap1Targets[i]);
-      c.Disable(gl::kMap2Targets[i]);
-    }
-    c.Disable(GL_AUTO_NORMAL);
+    for (const GLenum cap : all_caps()) c.Disable(cap);
     set_current_values(c, kCurrent);
-    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4}) {
-      define(c, random_map(t, target, 3));
-      c.Enable(target);
-    }
-    for (const GLenum target : {GL_MAP2_VERTEX_4, GL_MAP2_TEXTURE_COORD_2}) {
-      define(c, random_map2(t, target, 2, 3));
-      c.Enable(target);
-    }
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4})
+      define_and_enable(c, random_map(t, target, 3));
+    for (const GLenum target : {GL_MAP2_VERTEX_4, GL_MAP2_TEXTURE_COORD_2})
+      define_and_enable(c, random_map(t, target, {2, 3}));
     draw_points(c);
     expect_last_points(t, past, c);
   });
@@ -95,9 +83,7 @@ EVALCTS_TEST(AfterRandomCommands, EvaluatesWhatThePastDefined, must, "EV-BE-ORDE
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
-    c.Disable(GL_MAP1_VERTEX_4);
-    c.Disable(GL_MAP2_VERTEX_4);
-    c.Disable(GL_AUTO_NORMAL);
+    for (const GLenum cap : {GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4, GL_AUTO_NORMAL}) c.Disable(cap);
     c.Enable(GL_MAP1_VERTEX_3);
     c.Enable(GL_MAP2_VERTEX_3);
     draw_points(c);
@@ -109,11 +95,9 @@ EVALCTS_TEST(AfterRandomCommands, Meshes, must, "EV-BE-ORDER")
 (Test& t) {
   after_random_commands(t, [&](gl::Case& c) {
     const gl::Case past = c;
-    c.Disable(GL_MAP1_VERTEX_4);
-    c.Disable(GL_MAP2_VERTEX_4);
-    c.Disable(GL_AUTO_NORMAL);
+    for (const GLenum cap : {GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4, GL_AUTO_NORMAL}) c.Disable(cap);
     define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-    define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
+    define(c, random_map(t, GL_MAP2_VERTEX_3, {2, 3}));
     c.Enable(GL_MAP1_VERTEX_3);
     c.Enable(GL_MAP2_VERTEX_3);
     set_current_values(c, kCurrent);
@@ -137,6 +121,10 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
     played.expect_no_error(error);
     for (const gl::Ref query : queries) {
       if (asks_for_current_value(c.commands()[static_cast<std::size_t>(query.index)])) continue;
+      const auto expect_near = [&](auto values) {
+        values.resize(expected.written(query));
+        played.expect_values_near(query, values, kTolerance);
+      };
       if (!expected.has_output(query)) {
         played.expect_result(query, expected.result(query));
       } else if (expected.type(query) == gl::Scalar::i32) {
@@ -144,13 +132,9 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
         values.resize(expected.written(query));
         played.expect_values(query, values);
       } else if (expected.type(query) == gl::Scalar::f32) {
-        std::vector<GLfloat> values = expected.values<GLfloat>(query);
-        values.resize(expected.written(query));
-        played.expect_values_near(query, values, kTolerance);
+        expect_near(expected.values<GLfloat>(query));
       } else {
-        std::vector<GLdouble> values = expected.values<GLdouble>(query);
-        values.resize(expected.written(query));
-        played.expect_values_near(query, values, kTolerance);
+        expect_near(expected.values<GLdouble>(query));
       }
     }
   });
@@ -158,29 +142,26 @@ EVALCTS_TEST(AfterRandomCommands, State, must, "EV-CUR-GRIDMAPS")
 
 EVALCTS_TEST(AfterRandomCommands, Refuses, must, "EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT")
 (Test& t) {
-  after_random_commands(t, [&](gl::Case& c) {
-    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-    std::vector<std::pair<gl::Ref, GLenum>> errors;
-    const auto refused = [&](GLenum error) { errors.emplace_back(c.GetError(), error); };
+  after_random_commands(t, [&](const gl::Case& past) {
+    CheckedCase c(t, past);
+    const std::vector<gl::Ref> before = c.query_everything();
     for (const bool doubles : {false, true}) {
-      Map1 map = random_map(t, GL_MAP1_VERTEX_3, 4);
-      map.stride = 2;
-      define(c, map, doubles);
-      refused(GL_INVALID_VALUE);
-      Map2 map2 = random_map2(t, GL_MAP2_VERTEX_4, 2, 2);
-      map2.u2 = map2.u1;
-      define(c, map2, doubles);
-      refused(GL_INVALID_VALUE);
+      Map curve = random_map(t, GL_MAP1_VERTEX_3, 4), net = random_map(t, GL_MAP2_VERTEX_4, {2, 2});
+      curve.ustride = 2;
+      define(c, curve, doubles);
+      c.expect_error(GL_INVALID_VALUE);
+      net.u2 = net.u1;
+      define(c, net, doubles);
+      c.expect_error(GL_INVALID_VALUE);
     }
     c.MapGrid2f(2, 0, 1, 0, 0, 1);
-    refused(GL_INVALID_VALUE);
+    c.expect_error(GL_INVALID_VALUE);
     c.EvalMesh2(GL_POINTS, 0, 1, 0, 1);
-    refused(GL_INVALID_ENUM);
-    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-    Played played = t.play(c);
-    for (const auto& [error, expected] : errors) played.expect_error(error, {expected});
-    expect_unchanged(played, before, after);
+    c.expect_error(GL_INVALID_ENUM);
+    c.expect_unchanged(before);
+    c.check();
   });
 };
 
+}  // namespace
 }  // namespace evalcts::suite_after_random_commands

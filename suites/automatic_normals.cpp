@@ -8,6 +8,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
 #include "grid_cases.h"
 
 namespace evalcts::suite_automatic_normals {
@@ -16,7 +17,7 @@ namespace {
 // A net of points from a function of the indices.
 using Net = std::function<std::array<double, 4>(int i, int j)>;
 
-Map2 surface(GLenum target, int uorder, int vorder, const Net& net) {
+Map surface(GLenum target, int uorder, int vorder, const Net& net) {
   std::vector<double> points;
   for (int i = 0; i < uorder; ++i)
     for (int j = 0; j < vorder; ++j) {
@@ -68,7 +69,14 @@ struct Patch {
   int uorder, vorder;
   std::array<double, 4> (*net)(int i, int j);
 
-  Map2 map() const { return surface(target, uorder, vorder, net); }
+  Map map() const { return surface(target, uorder, vorder, net); }
+  // Positions are so many times as large, w stays.
+  Map map_of_size(double size) const {
+    Map map = this->map();
+    for (std::size_t i = 0; i < map.points.size(); ++i)
+      if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
+    return map;
+  }
 };
 constexpr Patch kPolynomial[] = {{"BUMP_3X3", GL_MAP2_VERTEX_3, 3, 3, bump},
                                  {"WAVE_4X4", GL_MAP2_VERTEX_3, 4, 4, wave},
@@ -81,13 +89,17 @@ constexpr Patch kRational[] = {{"PLANE_2X2", GL_MAP2_VERTEX_4, 2, 2, weighted_pl
                                {"SPHERE", GL_MAP2_VERTEX_4, 3, 3, sphere},
                                {"NEGATIVE_W", GL_MAP2_VERTEX_4, 2, 3, negated_plane}};
 
-void define_and_enable(gl::Case& c, const Map2& map) {
-  define(c, map);
-  c.Enable(map.target);
+// Every u with every v.
+std::vector<At> lattice(const std::vector<double>& us, const std::vector<double>& vs) {
+  std::vector<At> all;
+  for (const double u : us)
+    for (const double v : vs) all.push_back({u, v});
+  return all;
 }
+const std::vector<At> kAcross = {{0, 1}, {0.25, 0.75}, {0.75, 0.25}};
 
 // A lattice that has no degenerate point of the patches above.
-void evaluate_inside(gl::Case& c, const Map2& map, int steps = 4) {
+void evaluate_inside(gl::Case& c, const Map& map, int steps = 4) {
   c.Begin(GL_POINTS);
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j < steps; ++j)
@@ -95,12 +107,11 @@ void evaluate_inside(gl::Case& c, const Map2& map, int steps = 4) {
   c.End();
 }
 
-void expect_normals(Test& t, const std::string& identity, const std::vector<Map2>& maps,
+void expect_normals(Test& t, const std::string& identity, const std::vector<Map>& maps,
                     Attributes required = kNormal) {
-  gl::Case c(identity);
-  set_current_values(c);
+  gl::Case c = with_current_values(identity);
   c.Enable(GL_AUTO_NORMAL);
-  for (const Map2& map : maps) {
+  for (const Map& map : maps) {
     define_and_enable(c, map);
     evaluate_inside(c, map);
     c.Disable(map.target);
@@ -109,54 +120,37 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map2
 }
 
 // With and without a vertex shader: the rule is the same but for the length.
-struct Lengths {
-  const char* name;
-  Attributes required;
-};
-constexpr Lengths kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
-
-}  // namespace
+constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 // --- Where the normal comes from -------------------------------------------------------------------------
 
 EVALCTS_TEST(AutomaticNormals, Used, must, "EV-AUTON-USED", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
-    gl::Case c(label(target));
-    set_current_values(c);
+    gl::Case c = with_current_values(label(target));
     // Before the map, or after it.
     if (target == GL_MAP2_VERTEX_3) c.Enable(GL_AUTO_NORMAL);
     define_and_enable(c, surface(target, 3, 3, bump));
     if (target == GL_MAP2_VERTEX_4) c.Enable(GL_AUTO_NORMAL);
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 0.5f, 1.0f})
-      for (const float v : {0.0f, 0.375f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
-    c.End();
+    evaluate_all(c, lattice({0, 0.25, 0.5, 1}, {0, 0.375, 0.75, 1}));
     t.expect_emission(c, kNormal);
   }
 };
 
-namespace {
-
 void expect_with(Test& t, const std::string& identity, const std::vector<std::pair<bool, bool>>& switches) {
-  gl::Case c(identity);
-  set_current_values(c);
+  gl::Case c = with_current_values(identity);
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
-  define(c, random_map2(t, GL_MAP2_NORMAL, 2, 3));
+  define(c, random_map(t, GL_MAP2_NORMAL, {2, 3}));
   // Only what changes is switched: nothing repairs what the other switch may have done.
   std::pair<bool, bool> now = {false, false};
   for (const auto& [automatic, map] : switches) {
     if (automatic != now.first) automatic ? c.Enable(GL_AUTO_NORMAL) : c.Disable(GL_AUTO_NORMAL);
     if (map != now.second) map ? c.Enable(GL_MAP2_NORMAL) : c.Disable(GL_MAP2_NORMAL);
     now = {automatic, map};
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
-    c.End();
+    evaluate_all(c, kAcross);
   }
   t.expect_emission(c, kNormal);
 }
-
-}  // namespace
 
 EVALCTS_TEST(AutomaticNormals, BeforeNormalMap, must, "EV-AUTON-OVERRIDE", by(gl::surface_deliveries()))
 (Test& t) { expect_with(t, "AUTO_NORMAL and a NORMAL map", {{true, true}}); };
@@ -176,29 +170,22 @@ EVALCTS_TEST(AutomaticNormals, SwitchedOff, must, "EV-AUTON-OFF-NONE", by(gl::su
               {{true, true}, {true, false}, {false, false}, {true, false}});
 };
 
-namespace {
-
 std::vector<gl::Delivery> one_dimensional() {
   std::vector<gl::Delivery> deliveries = gl::curve_deliveries();
   std::erase_if(deliveries, [](const gl::Delivery& delivery) { return delivery.lifted; });
   return deliveries;
 }
 
-}  // namespace
-
 EVALCTS_TEST(AutomaticNormals, NotInOneDimension, must, "EV-AUTON-1D", by(one_dimensional()))
 (Test& t) {
   for (const bool map : {true, false}) {
-    gl::Case c(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
-    set_current_values(c);
+    gl::Case c = with_current_values(map ? "AUTO_NORMAL with a MAP1_NORMAL map" : "AUTO_NORMAL alone");
     c.Enable(GL_AUTO_NORMAL);
     for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_NORMAL}) {
       define(c, random_map(t, target, 3));
       if (map || target == GL_MAP1_VERTEX_3) c.Enable(target);
     }
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord1f(u);
-    c.End();
+    evaluate_all(c, {0.0, 0.25, 0.75, 1.0});
     t.expect_emission(c, kNormal);
   }
 };
@@ -213,9 +200,7 @@ EVALCTS_TEST(AutomaticNormals, OfTheMapThatIsDrawn, must, "EV-AUTON-VERTEX4WINS"
   for (int round = 0; round < 3; ++round) {
     if (round == 1) c.Disable(GL_MAP2_VERTEX_4);
     if (round == 2) c.Enable(GL_MAP2_VERTEX_4), c.Disable(GL_MAP2_VERTEX_3);
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 0.5f * u + 0.125f);
-    c.End();
+    evaluate_all(c, {{0, 0.125}, {0.25, 0.25}, {0.75, 0.5}});
   }
   t.expect_emission(c, kNormal);
 };
@@ -228,32 +213,26 @@ EVALCTS_TEST(AutomaticNormals, NothingWithoutVertexMap, must, "EV-AUTON-NOVERTEX
   c.Disable(GL_MAP2_VERTEX_4);
   define_and_enable(c, surface(GL_MAP2_NORMAL, 2, 2, plane));
   c.Enable(GL_AUTO_NORMAL);
-  c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
-  c.End();
+  evaluate_all(c, kAcross);
   t.expect_emission(c, kPosition);
 };
 
 EVALCTS_TEST(AutomaticNormals, CurrentNormalStays, must, "EV-AUTON-CURRENT", by(gl::surface_deliveries()))
 (Test& t) {
-  gl::Case c("queried after evaluation, seen by the next vertex without AUTO_NORMAL");
+  CheckedCase c(t, "queried after evaluation, seen by the next vertex without AUTO_NORMAL");
   c.Normal3f(0.6f, -0.5f, 0.8f);
   const gl::Ref before = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   c.Enable(GL_AUTO_NORMAL);
-  c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.25f, 0.75f}) c.EvalCoord2f(u, 1 - u);
-  c.End();
-  const gl::Ref after = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
-  Played played = t.play(c);
-  played.expect_same(before, after);
+  evaluate_all(c, kAcross);
+  c.expect_same(before, c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3)));
+  c.check();
 };
 
 EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CURRENT",
              by(gl::surface_deliveries()))
 (Test& t) {
-  gl::Case c("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
-  set_current_values(c);
+  gl::Case c = with_current_values("Vertex, and evaluation without AUTO_NORMAL, after evaluation with it");
   define_and_enable(c, surface(GL_MAP2_VERTEX_3, 4, 4, wave));
   c.Enable(GL_AUTO_NORMAL);
   c.Begin(GL_POINTS);
@@ -272,23 +251,19 @@ EVALCTS_TEST(AutomaticNormals, NextVertexHasTheCurrentNormal, must, "EV-AUTON-CU
 
 EVALCTS_TEST(AutomaticNormals, Direction, must, "EV-AUTON-DIRECTION",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Lengths& lengths) {
+(Test& t, const Named<Attributes>& lengths) {
   expect_normals(t, "u along +x and v along +y, the reverse, and a tilted plane",
                  {surface(GL_MAP2_VERTEX_3, 2, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, plane_flipped),
                   surface(GL_MAP2_VERTEX_3, 3, 2, plane), surface(GL_MAP2_VERTEX_3, 2, 2, tilted),
                   surface(GL_MAP2_VERTEX_3, 3, 4, tilted), surface(GL_MAP2_VERTEX_4, 2, 2, tilted)},
-                 lengths.required);
+                 lengths.value);
 };
 
 EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) {
-  Map2 shifted = patch.map();
-  shifted.u1 = 2;
-  shifted.u2 = 5;
-  shifted.v1 = -3;
-  shifted.v2 = -1;
-  expect_normals(t, "over [0,1] and over [2,5] x [-3,-1]", {patch.map(), shifted});
+  expect_normals(t, "over [0,1] and over [2,5] x [-3,-1]",
+                 {patch.map(), over(patch.map(), {2, 5}, {-3, -1})});
 };
 
 // What GL 1.0 demanded: the analytic normal, to the accuracy of the operations.
@@ -303,31 +278,20 @@ EVALCTS_TEST(AutomaticNormals, Rational, must, "EV-AUTON-RATIONAL",
 // The sign is free there (U-AUTON-REVSIGN), the rest is not.
 EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
-(Test& t, const Lengths& lengths) {
-  std::vector<Map2> maps;
-  for (const auto& [u_reversed, v_reversed] : {std::pair{true, false}, {false, true}, {true, true}}) {
-    Map2 map = surface(GL_MAP2_VERTEX_3, 4, 4, wave);
-    if (u_reversed) std::swap(map.u1, map.u2);
-    if (v_reversed) std::swap(map.v1, map.v2);
-    maps.push_back(map);
-  }
-  expect_normals(t, "u, v, and both reversed", maps, lengths.required);
+(Test& t, const Named<Attributes>& lengths) {
+  std::vector<Map> maps;
+  for (const auto& [u, v] : {std::pair{Interval{1, 0}, Interval{0, 1}}, {{0, 1}, {1, 0}}, {{1, 0}, {1, 0}}})
+    maps.push_back(over(surface(GL_MAP2_VERTEX_3, 4, 4, wave), u, v));
+  expect_normals(t, "u, v, and both reversed", maps, lengths.value);
 };
 
 EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_deliveries()))
 (Test& t) {
-  std::vector<Map2> maps;
+  std::vector<Map> maps;
   for (const double size : {5e-5, 0.01, 1.0, 37.0, 1000.0})
-    for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
-      Map2 map = patch.map();
-      for (std::size_t i = 0; i < map.points.size(); ++i)
-        if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
-      maps.push_back(map);
-    }
-  Map2 wide = surface(GL_MAP2_VERTEX_3, 3, 3, bump);
-  wide.u2 = 100;
-  wide.v2 = 0.125;
-  maps.push_back(wide);
+    for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]})
+      maps.push_back(patch.map_of_size(size));
+  maps.push_back(over(surface(GL_MAP2_VERTEX_3, 3, 3, bump), {0, 100}, {0, 0.125}));
   expect_normals(t, "patches of size 5e-5 to 1000, and over [0,100] x [0,1/8]", maps, kNormal | kUnitNormal);
 };
 
@@ -335,14 +299,10 @@ EVALCTS_TEST(AutomaticNormals, UnitLength, must, "EV-AUTON-UNIT", by(gl::list_de
 EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER", by(gl::list_deliveries()))
 (Test& t) {
   t.require(2, 0, "GL_ARB_vertex_shader");
-  std::vector<Map2> maps;
+  std::vector<Map> maps;
   for (const double size : {0.125, 1.0, 10.0})
-    for (const Patch& patch : {Patch{"", GL_MAP2_VERTEX_3, 2, 2, plane}, kPolynomial[0], kRational[2]}) {
-      Map2 map = patch.map();
-      for (std::size_t i = 0; i < map.points.size(); ++i)
-        if (map.components() == 3 || i % 4 != 3) map.points[i] *= size;
-      maps.push_back(map);
-    }
+    for (const Patch& patch : {Patch{"", GL_MAP2_VERTEX_3, 2, 2, plane}, kPolynomial[0], kRational[2]})
+      maps.push_back(patch.map_of_size(size));
   expect_normals(t, "planes, bumps and cylinders of three sizes", maps, kNormal | kShaderNormal);
 };
 
@@ -351,18 +311,13 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedWithShader, must, "EV-AUTON-SHADER",
 EVALCTS_TEST(AutomaticNormals, RestOfTheVertex, must, "EV-AUTON-SAMEVERTEX", by(gl::surface_deliveries()))
 (Test& t) {
   for (const GLenum target : {GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4}) {
-    gl::Case c(label(target) + " with colour and texture coordinate maps");
-    set_current_values(c);
-    for (const GLenum other : {GL_MAP2_COLOR_4, GL_MAP2_TEXTURE_COORD_3}) {
-      define(c, random_map2(t, other, 3, 2));
-      c.Enable(other);
-    }
+    gl::Case c = with_current_values(label(target) + " with colour and texture coordinate maps");
+    for (const GLenum other : {GL_MAP2_COLOR_4, GL_MAP2_TEXTURE_COORD_3})
+      define_and_enable(c, random_map(t, other, {3, 2}));
     define_and_enable(c, surface(target, 4, 4, target == GL_MAP2_VERTEX_4 ? weighted_plane : wave));
     for (const bool automatic : {false, true}) {
       if (automatic) c.Enable(GL_AUTO_NORMAL);
-      c.Begin(GL_POINTS);
-      for (const float u : {0.0f, 0.25f, 0.75f, 1.0f}) c.EvalCoord2f(u, 1 - u);
-      c.End();
+      evaluate_all(c, {{0, 1}, {0.25, 0.75}, {0.75, 0.25}, {1, 0}});
     }
     t.expect_emission(c, kUnit0);
   }
@@ -372,36 +327,28 @@ EVALCTS_TEST(AutomaticNormals, PositionToTheBit, quality, "EV-AUTON-SAMEVERTEX",
              combine(kRational).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) {
   gl::Case c("off, then on");
-  const Map2 map = patch.map();
+  const Map map = patch.map();
   define_and_enable(c, map);
   evaluate_inside(c, map);
   c.Enable(GL_AUTO_NORMAL);
   evaluate_inside(c, map);
-  const Observation seen = t.observe(c, kPosition, 64);
-  std::vector<std::array<float, 4>> positions;
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    for (const ObservedVertex& vertex : primitive.vertices) positions.push_back(vertex.position);
-  const std::size_t half = positions.size() / 2;
+  const std::vector<ObservedVertex> vertices = vertices_of(t.observe(c, kPosition, 64));
+  const auto in_words = [](const std::array<float, 4>& p) {
+    return fmt::format("({:a}, {:a}, {:a}, {:a})", p[0], p[1], p[2], p[3]);
+  };
+  const std::size_t half = vertices.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {
-    if (positions[i] == positions[half + i]) continue;
-    Failure failure;
-    failure.case_identity = c.identity();
-    failure.what = fmt::format("position of vertex {}", i);
-    failure.expected = fmt::format("({:a}, {:a}, {:a}, {:a}) as without AUTO_NORMAL", positions[i][0],
-                                   positions[i][1], positions[i][2], positions[i][3]);
-    const auto& moved = positions[half + i];
-    failure.captured = fmt::format("({:a}, {:a}, {:a}, {:a})", moved[0], moved[1], moved[2], moved[3]);
-    failure.message = failure.what + " changes by some bits when AUTO_NORMAL is switched on";
-    t.fail(std::move(failure));
+    const auto &position = vertices[i].position, &moved = vertices[half + i].position;
+    if (position == moved) continue;
+    const std::string what = fmt::format("position of vertex {}", i);
+    t.fail(failure_of(c, what, what + " changes by some bits when AUTO_NORMAL is switched on",
+                      in_words(position) + " as without AUTO_NORMAL", in_words(moved)));
   }
 };
 
-namespace {}  // namespace
-
 EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshModes).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
-  gl::Case c("polynomial and rational patches");
-  set_current_values(c);
+  gl::Case c = with_current_values("polynomial and rational patches");
   c.Enable(GL_AUTO_NORMAL);
   map_grid(c, {4, 0, 1}, {3, 0, 0.75f});
   for (const Patch& patch : {kPolynomial[0], kPolynomial[1], kRational[3]}) {
@@ -412,11 +359,9 @@ EVALCTS_TEST(AutomaticNormals, InMeshes, must, "EV-AUTON-MESH", combine(kMeshMod
   t.expect_emission(c, kNormal);
 };
 
-namespace {
-
 struct Degenerate {
   const char* name;
-  Map2 map;
+  Map map;
 };
 
 // Nothing is said of the normal there (U-AUTON-ZERO, U-AUTON-W0); the position is right, and what comes later
@@ -426,20 +371,13 @@ void expect_survival(Test& t, const std::vector<Degenerate>& patches) {
     gl::Case c(name);
     c.Enable(GL_AUTO_NORMAL);
     define_and_enable(c, map);
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.5f, 1.0f})
-      for (const float v : {0.0f, 0.25f, 1.0f}) c.EvalCoord2f(u, v);
-    c.End();
+    evaluate_all(c, lattice({0, 0.5, 1}, {0, 0.25, 1}));
     c.Disable(map.target);
     define_and_enable(c, surface(GL_MAP2_VERTEX_3, 2, 2, tilted));
-    c.Begin(GL_POINTS);
-    c.EvalCoord2f(0.5f, 0.25f);
-    c.End();
+    evaluate_all(c, lattice({0.5}, {0.25}));
     t.expect_emission(c, kPosition);
   }
 }
-
-}  // namespace
 
 EVALCTS_TEST(AutomaticNormals, DegeneratePatches, must, "EV-AUTON-DEGENERATE", by(gl::surface_deliveries()))
 (Test& t) {
@@ -466,4 +404,5 @@ EVALCTS_TEST(AutomaticNormals, OrderOne, must, "EV-AUTON-DEGENERATE", "EV-AUTON-
                       {"order 1 in both", surface(GL_MAP2_VERTEX_3, 1, 1, wave)}});
 };
 
+}  // namespace
 }  // namespace evalcts::suite_automatic_normals

@@ -3,6 +3,7 @@
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
+#include "checked_case.h"
 #include "drawings.h"
 
 namespace evalcts::suite_color_material {
@@ -18,16 +19,8 @@ std::vector<gl::Delivery> in_primitives() {
 
 constexpr std::array<float, 4> kCurrent = {0.75f, 0.25f, 0.5f, 1.0f};
 
-struct Tracked {
-  const char* name;
-  GLenum property;
-};
-constexpr Tracked kTracked[] = {{"EMISSION", GL_EMISSION},
-                                {"AMBIENT", GL_AMBIENT},
-                                {"DIFFUSE", GL_DIFFUSE},
-                                {"SPECULAR", GL_SPECULAR},
-                                {"AMBIENT_AND_DIFFUSE", GL_AMBIENT_AND_DIFFUSE}};
-constexpr Tracked kSomeTracked[] = {kTracked[0], kTracked[2], kTracked[4]};
+constexpr GLenum kTracked[] = {GL_EMISSION, GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_AMBIENT_AND_DIFFUSE};
+constexpr GLenum kSomeTracked[] = {GL_EMISSION, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE};
 
 // Light from the eye, and materials that leave each property room to show.
 void light(gl::Case& c) {
@@ -47,6 +40,16 @@ void track(gl::Case& c, GLenum property, GLenum face = GL_FRONT_AND_BACK) {
   c.Enable(GL_COLOR_MATERIAL);
 }
 
+// Lit, without tracking and with it.
+std::pair<gl::Case, gl::Case> lit(GLenum property, GLenum face = GL_FRONT_AND_BACK, bool two_sided = false) {
+  gl::Case untracked;
+  light(untracked);
+  if (two_sided) untracked.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, std::vector<float>{1, 0, 0, 0});
+  gl::Case tracked = untracked;
+  track(tracked, property, face);
+  return {untracked, tracked};
+}
+
 // A curve of positions and one of colours.
 void define_maps(gl::Case& c) {
   define(c, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
@@ -57,12 +60,7 @@ void define_maps(gl::Case& c) {
 
 void draw_points(gl::Case& c, bool evaluated = true) {
   c.Begin(GL_POINTS);
-  for (const float u : {0.0f, 0.25f, 0.625f, 1.0f}) {
-    if (evaluated)
-      c.EvalCoord1f(u);
-    else
-      c.Vertex3f(u, 0, 0);
-  }
+  for (const float u : {0.0f, 0.25f, 0.625f, 1.0f}) evaluated ? c.EvalCoord1f(u) : c.Vertex3f(u, 0, 0);
   c.End();
 }
 
@@ -92,25 +90,20 @@ std::vector<gl::Ref> query_materials(gl::Case& c) {
   return refs;
 }
 
-}  // namespace
-
 EVALCTS_TEST(ColorMaterial, Effect, must, "EV-CMAT-EFFECT/1-D", combine(kTracked).by(without_lists()))
-(Test& t, const Tracked& tracked) {
+(Test& t, GLenum tracked) {
   t.require(1, 1);
-  gl::Case untracked;
-  light(untracked);
-  gl::Case state = untracked;
-  track(state, tracked.property);
+  const auto& [untracked, state] = lit(tracked);
   gl::Case drawing;
   define_maps(drawing);
   draw_points(drawing);
-  expect_lit_like_explicit(t, std::string("effect ") + tracked.name, state, untracked, drawing);
+  expect_lit_like_explicit(t, "effect " + label(tracked), state, untracked, drawing);
 };
 
 // Asked at once, and after a flush.
 EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-CMAT-NOCURRENT/1-D",
              combine(kSomeTracked).by(gl::curve_deliveries()))
-(Test& t, const Tracked& tracked) {
+(Test& t, GLenum tracked) {
   t.require(1, 1);
   struct Queried {
     gl::Case script;
@@ -123,7 +116,7 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-
                     {}};
     gl::Case& c = queried.script;
     light(c);
-    track(c, tracked.property);
+    track(c, tracked);
     define_maps(c);
     queried.before = query_materials(c);
     draw_points(c, evaluated);
@@ -141,20 +134,16 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-
     if (!kept) continue;
     observed = true;
     Played played = t.play(evaluated.script);
-    for (std::size_t i = 0; i < evaluated.before.size(); ++i)
-      played.expect_same(evaluated.before[i], evaluated.after[i]);
+    expect_unchanged(played, evaluated.before, evaluated.after);
   }
   if (!observed) throw NotObservable("pipeline: explicit vertices change materials or the current colour");
 };
 
 // What comes after is lit with the current colour again: a Vertex, and an evaluation without the map.
 EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
-(Test& t, const Tracked& tracked) {
+(Test& t, GLenum tracked) {
   t.require(1, 1);
-  gl::Case untracked;
-  light(untracked);
-  gl::Case state = untracked;
-  track(state, tracked.property);
+  const auto& [untracked, state] = lit(tracked);
   gl::Case drawing;
   drawing.Color4f(kCurrent[0], kCurrent[1], kCurrent[2], kCurrent[3]);
   define_maps(drawing);
@@ -166,28 +155,16 @@ EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeT
   drawing.End();
   drawing.Disable(GL_MAP1_COLOR_4);
   draw_points(drawing);
-  expect_lit_like_explicit(t, std::string("next vertex ") + tracked.name, state, untracked, drawing);
+  expect_lit_like_explicit(t, "next vertex " + label(tracked), state, untracked, drawing);
 };
 
-namespace {
-
-struct Face {
-  const char* name;
-  GLenum face;
-};
-constexpr Face kFaces[] = {{"FRONT", GL_FRONT}, {"BACK", GL_BACK}, {"FRONT_AND_BACK", GL_FRONT_AND_BACK}};
-
-}  // namespace
+constexpr GLenum kFaces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
 
 // A triangle seen from the front and one from behind, lit on both sides.
 EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by(in_primitives()))
-(Test& t, const Face& face) {
+(Test& t, GLenum face) {
   t.require(1, 1);
-  gl::Case untracked;
-  light(untracked);
-  untracked.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, std::vector<float>{1, 0, 0, 0});
-  gl::Case state = untracked;
-  track(state, GL_EMISSION, face.face);
+  const auto& [untracked, state] = lit(GL_EMISSION, face, true);
   gl::Case drawing;
   define(drawing, make_map1(GL_MAP1_VERTEX_3, {-0.75, -0.5, 0, 0.5, -0.75, 0, 0.75, 0.75, 0}));
   define(drawing, make_map1(GL_MAP1_COLOR_4, {0, 1, 0.25, 1, 1, 0.25, 0, 1, 0.5, 0, 1, 1}));
@@ -196,16 +173,13 @@ EVALCTS_TEST(ColorMaterial, Faces, must, "EV-CMAT-FACES/1-D", combine(kFaces).by
   drawing.Begin(GL_TRIANGLES);
   for (const float u : {0.0f, 0.5f, 1.0f, 1.0f, 0.5f, 0.0f}) drawing.EvalCoord1f(u);
   drawing.End();
-  expect_lit_like_explicit(t, std::string("faces ") + face.name, state, untracked, drawing);
+  expect_lit_like_explicit(t, "faces " + label(face), state, untracked, drawing);
 };
 
 // Without COLOR_MATERIAL the lit colour is the material's, whatever the map says.
 EVALCTS_TEST(ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D", by(every_command()))
 (Test& t) {
-  gl::Case state;
-  light(state);
-  gl::Case tracking = state;
-  track(tracking, GL_EMISSION);
+  const auto& [state, tracking] = lit(GL_EMISSION);
   gl::Case drawing;
   define_maps(drawing);
   draw_points(drawing);
@@ -215,42 +189,36 @@ EVALCTS_TEST(ColorMaterial, NotTracked, must, "EV-CMAT-OFF/1-D", by(every_comman
 // Without lighting the evaluated colour is the vertex's.
 EVALCTS_TEST(ColorMaterial, Unlit, must, "EV-CMAT-UNLIT/1-D", by(every_command()))
 (Test& t) {
-  gl::Case lit;
-  light(lit);
-  track(lit, GL_EMISSION);
-  gl::Case state = lit;
+  const auto& [untracked, tracked] = lit(GL_EMISSION);
+  gl::Case state = tracked;
   state.Disable(GL_LIGHTING);
   gl::Case drawing;
   define_maps(drawing);
   draw_points(drawing);
-  expect_lit_like_explicit(t, "unlit", state, lit, drawing);
+  expect_lit_like_explicit(t, "unlit", state, tracked, drawing);
 };
 
 // Without a vertex map, evaluating a colour map changes neither a material nor the current colour
 // (NoVertexMap), and a later vertex is lit with the current colour (NextVertexWithoutVertexMap).
 EVALCTS_TEST(ColorMaterial, NoVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
              combine(kSomeTracked).by(every_command()))
-(Test& t, const Tracked& tracked) {
+(Test& t, GLenum tracked) {
   t.require(1, 1);
-  gl::Case c("queried before and after");
+  CheckedCase c(t, "queried before and after");
   light(c);
-  track(c, tracked.property);
+  track(c, tracked);
   define_maps(c);
   c.Disable(GL_MAP1_VERTEX_3);
   const std::vector<gl::Ref> before = query_materials(c);
   draw_points(c);
-  const std::vector<gl::Ref> after = query_materials(c);
-  Played played = t.play(c);
-  for (std::size_t i = 0; i < before.size(); ++i) played.expect_same(before[i], after[i]);
+  c.expect_same(before, query_materials(c));
+  c.check();
 };
 
 EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/1-D",
              combine(kSomeTracked).by(every_command()))
-(Test& t, const Tracked& tracked) {
-  gl::Case untracked;
-  light(untracked);
-  gl::Case state = untracked;
-  track(state, tracked.property);
+(Test& t, GLenum tracked) {
+  const auto& [untracked, state] = lit(tracked);
   const auto drawing = [](bool evaluated) {
     gl::Case drawn;
     define_maps(drawn);
@@ -263,7 +231,7 @@ EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/
   };
   // The control proves that a vertex shows the tracked colour: in Mesa 22.3 explicit vertices lose it as
   // well.
-  const Part& control = drawn_once(std::string("ColorMaterial: no vertex map ") + tracked.name, [&] {
+  const Part& control = drawn_once("ColorMaterial: no vertex map " + label(tracked), [&] {
     const Picture picture = feedback(t, "control: a vertex", state, drawing(false));
     require_an_effect(picture, feedback(t, "control: a vertex, not tracked", untracked, drawing(false)));
     return picture.parts.at(0);
@@ -272,4 +240,5 @@ EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/
   expect_like_explicit(picture.played, picture.parts.at(0), control);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_color_material

@@ -3,25 +3,17 @@
 
 #include <evalcts/testkit/registration.h>
 
-#include "maps.h"
+#include "checked_case.h"
 
 namespace evalcts::suite_contexts {
 namespace {
 
 // Everything of evaluators away from its initial value, in one of two ways.
 void set_everything(Test& t, gl::Case& c, int variant) {
-  for (const GLenum target : gl::kMap1Targets) {
-    Map1 map = random_map(t, target, 3 + variant);
-    map.u1 = -1.5 - variant;
-    define(c, map);
-    c.Enable(target);
-  }
-  for (const GLenum target : gl::kMap2Targets) {
-    Map2 map = random_map2(t, target, 2 + variant, 4 - variant);
-    map.v2 = 7.0 + variant;
-    define(c, map);
-    c.Enable(target);
-  }
+  for (const GLenum target : gl::kMap1Targets)
+    define_and_enable(c, over(random_map(t, target, 3 + variant), {-1.5 - variant, 1}));
+  for (const GLenum target : gl::kMap2Targets)
+    define_and_enable(c, over(random_map(t, target, {2 + variant, 4 - variant}), {0, 1}, {0, 7.0 + variant}));
   c.Enable(GL_AUTO_NORMAL);
   c.MapGrid1f(5 + variant, 2.0f, 0.25f);
   c.MapGrid2f(7 + variant, -1.0f, 3.0f, 2, 0.5f, 8.0f);
@@ -39,33 +31,29 @@ constexpr Other kOthers[] = {
     {"SEPARATE", [](gl::Case& c, GLuint number) { return c.OtherContextEVALCTS(number); }},
     {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
 
-}  // namespace
-
 // Whatever the first context holds. What is initial the first context said before.
 EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
 (Test& t, const Other& other) {
-  gl::Case c("everything set in the first context, then another one is made");
-  const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
+  CheckedCase c(t, "everything set in the first context, then another one is made");
+  const std::vector<gl::Ref> initial = c.query_everything();
   set_everything(t, c, 0);
   other.make_current(c, 1);
-  const std::vector<gl::Ref> fresh = query_everything(c, t.max_order());
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  expect_unchanged(played, initial, fresh);
-  played.expect_no_error(error);
+  c.expect_unchanged(initial);
+  c.expect_no_error();
+  c.check();
 };
 
 // Commands in one context change nothing in the other, in either direction, in contexts that share objects as
 // well as in others. (An implementation that shares evaluators answers the same in both.)
 EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
 (Test& t, const Other& other) {
-  gl::Case c("two contexts set in different ways in turn");
-  const std::vector<gl::Ref> untouched = query_everything(c, t.max_order());
+  CheckedCase c(t, "two contexts set in different ways in turn");
+  const std::vector<gl::Ref> untouched = c.query_everything();
   other.make_current(c, 1);
   set_everything(t, c, 1);
-  const std::vector<gl::Ref> second = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> second = c.query_everything();
   c.OtherContextEVALCTS(0);
-  const std::vector<gl::Ref> initial = query_everything(c, t.max_order());
+  c.expect_unchanged(untouched);
   // The first context has what the other one has not.
   set_everything(t, c, 0);
   c.Disable(GL_AUTO_NORMAL);
@@ -73,26 +61,22 @@ EVALCTS_TEST(Contexts, Private, must, "EV-CTX-PRIVATE", combine(kOthers))
     c.Disable(gl::kMap1Targets[i]);
     c.Disable(gl::kMap2Targets[gl::kMap2Targets.size() - 1 - i]);
   }
-  const std::vector<gl::Ref> first = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> first = c.query_everything();
   c.OtherContextEVALCTS(1);
-  const std::vector<gl::Ref> second_again = query_everything(c, t.max_order());
+  c.expect_unchanged(second);
   // The third shows what is initial.
   c.OtherContextEVALCTS(2);
-  const std::vector<gl::Ref> fresh = query_everything(c, t.max_order());
+  c.expect_unchanged(untouched);
   c.OtherContextEVALCTS(0);
-  const std::vector<gl::Ref> first_again = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  expect_unchanged(played, second, second_again);
-  expect_unchanged(played, first, first_again);
-  expect_unchanged(played, untouched, initial);
-  expect_unchanged(played, untouched, fresh);
+  c.expect_unchanged(first);
+  c.check();
 };
 
 // Maps that a list defines are those of the context that calls it; the list itself is shared.
 EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
 (Test& t) {
   gl::Case c("a list made in one context, called in the other");
-  const Map1 own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
+  const Map own = random_map(t, GL_MAP1_VERTEX_3, 2), listed = random_map(t, GL_MAP1_VERTEX_3, 4);
   define(c, own);
   c.SharingContextEVALCTS(1);
   c.NewList(9, GL_COMPILE);
@@ -120,9 +104,9 @@ EVALCTS_TEST(Contexts, SharedListDefinesWhereItIsCalled, must, "EV-CTX-PRIVATE")
 
 EVALCTS_TEST(Contexts, Switched, must, "EV-CTX-SWITCH", combine(kOthers))
 (Test& t, const Other& other) {
-  gl::Case c("everything set, another context used, and back");
+  CheckedCase c(t, "everything set, another context used, and back");
   set_everything(t, c, 0);
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> before = c.query_everything();
   for (int round = 0; round < 3; ++round) {
     other.make_current(c, 1);
     c.Begin(GL_POINTS);
@@ -132,9 +116,8 @@ EVALCTS_TEST(Contexts, Switched, must, "EV-CTX-SWITCH", combine(kOthers))
     c.EvalMesh1(GL_LINE, 0, 2);
     c.OtherContextEVALCTS(0);
   }
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  expect_unchanged(played, before, after);
+  c.expect_unchanged(before);
+  c.check();
 };
 
 // Evaluation itself goes on as if there had been no other context: the pictures of both in feedback mode.
@@ -151,10 +134,8 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, must, "EV-CTX-SWITCH", "EV-CTX-PRIV
     return std::pair{buffer, c.RenderMode(GL_RENDER)};
   };
   const auto define_all = [&] {
-    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4}) {
-      define(c, random_map(t, target, 4));
-      c.Enable(target);
-    }
+    for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_COLOR_4})
+      define_and_enable(c, random_map(t, target, 4));
   };
   define_all();
   const auto [before, count_before] = draw();
@@ -172,8 +153,6 @@ EVALCTS_TEST(Contexts, EvaluatesAfterSwitch, must, "EV-CTX-SWITCH", "EV-CTX-PRIV
 };
 
 // --- glXCopyContext ----------------------------------------------------------------------------------------
-
-namespace {
 
 constexpr GLuint kCopy = 1;
 
@@ -197,9 +176,7 @@ void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
 // What EVAL_BIT saves.
 std::vector<gl::Ref> query_pushable(gl::Case& c) {
   std::vector<gl::Ref> queries;
-  for (const GLenum target : gl::kMap1Targets) queries.push_back(c.IsEnabled(target));
-  for (const GLenum target : gl::kMap2Targets) queries.push_back(c.IsEnabled(target));
-  queries.push_back(c.IsEnabled(GL_AUTO_NORMAL));
+  for (const GLenum cap : all_caps()) queries.push_back(c.IsEnabled(cap));
   queries.push_back(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)));
   queries.push_back(c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4)));
   queries.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
@@ -207,29 +184,23 @@ std::vector<gl::Ref> query_pushable(gl::Case& c) {
   return queries;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Contexts, CopyOfEvalBit, must, "EV-CTX-COPY")
 (Test& t) {
-  gl::Case c("EVAL_BIT is copied");
+  CheckedCase c(t, "EVAL_BIT is copied");
   set_and_copy(t, c, GL_EVAL_BIT);
   const std::vector<gl::Ref> source = query_pushable(c);
   c.OtherContextEVALCTS(kCopy);
-  const std::vector<gl::Ref> copy = query_pushable(c);
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  expect_unchanged(played, source, copy);
-  played.expect_no_error(error);
+  c.expect_same(source, query_pushable(c));
+  c.expect_no_error();
+  c.check();
 };
 
 EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS")
 (Test& t) {
-  gl::Case c("ALL_ATTRIB_BITS are copied");
-  std::vector<GLenum> targets(std::begin(gl::kMap1Targets), std::end(gl::kMap1Targets));
-  targets.insert(targets.end(), std::begin(gl::kMap2Targets), std::end(gl::kMap2Targets));
+  CheckedCase c(t, "ALL_ATTRIB_BITS are copied");
   const auto query_maps = [&] {
     std::vector<gl::Ref> queries;
-    for (const GLenum target : targets) {
+    for (const GLenum target : all_targets()) {
       queries.push_back(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)));
       queries.push_back(c.GetMapfv(target, GL_DOMAIN, gl::out<GLfloat>(4)));
       queries.push_back(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(64)));
@@ -239,11 +210,10 @@ EVALCTS_TEST(Contexts, CopyHasNoMaps, must, "EV-CTX-COPY-NOMAPS")
   const std::vector<gl::Ref> initial = query_maps();
   set_and_copy(t, c, GL_ALL_ATTRIB_BITS);
   c.OtherContextEVALCTS(kCopy);
-  const std::vector<gl::Ref> copy = query_maps();
-  const gl::Ref error = c.GetError();
-  Played played = t.play(c);
-  expect_unchanged(played, initial, copy);
-  played.expect_no_error(error);
+  c.expect_same(initial, query_maps());
+  c.expect_no_error();
+  c.check();
 };
 
+}  // namespace
 }  // namespace evalcts::suite_contexts

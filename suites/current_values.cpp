@@ -9,51 +9,40 @@
 
 #include <evalcts/gl/lift.h>
 #include <evalcts/testkit/registration.h>
-#include "maps.h"
+#include "checked_case.h"
+#include "dimensions.h"
 
 namespace evalcts::suite_current_values {
 namespace {
 
+// A current value and its number of components.
 struct Query {
-  GLenum name;
+  const char* name;
+  GLenum value;
   std::size_t count;
+
+  gl::Ref ask(gl::Case& c) const { return c.GetFloatv(value, gl::out<GLfloat>(count)); }
 };
+constexpr Query kQueries[] = {{"COLOR", GL_CURRENT_COLOR, 4},
+                              {"NORMAL", GL_CURRENT_NORMAL, 3},
+                              {"TEXTURE_COORDS", GL_CURRENT_TEXTURE_COORDS, 4}};
 
 // How the current value was set before: with every number of components that the commands have.
 using Setter = void (*)(gl::Case&, int variant);
 
 void set_color(gl::Case& c, int variant) {
-  if (variant % 2) {
-    c.Color4f(0.1f, 0.2f, 0.3f, 0.4f);
-  } else {
-    c.Color3f(0.9f, 0.8f, 0.7f);
-  }
+  variant % 2 ? c.Color4f(0.1f, 0.2f, 0.3f, 0.4f) : c.Color3f(0.9f, 0.8f, 0.7f);
 }
 void set_normal(gl::Case& c, int variant) { c.Normal3f(0.25f, static_cast<float>(variant), -0.5f); }
 void set_texture(gl::Case& c, int variant) {
-  switch (variant % 4) {
-    case 0:
-      c.TexCoord4f(5, 6, 7, 8);
-      return;
-    case 1:
-      c.TexCoord3f(5, 6, 7);
-      return;
-    case 2:
-      c.TexCoord2f(5, 6);
-      return;
-    default:
-      c.TexCoord1f(5);
-  }
+  variant % 4 == 0   ? c.TexCoord4f(5, 6, 7, 8)
+  : variant % 4 == 1 ? c.TexCoord3f(5, 6, 7)
+  : variant % 4 == 2 ? c.TexCoord2f(5, 6)
+                     : c.TexCoord1f(5);
 }
 
 // One vertex, evaluated or explicit.
-void emit(gl::Case& c, bool evaluated, float u) {
-  if (evaluated) {
-    c.EvalCoord1f(u);
-  } else {
-    c.Vertex3f(u, 0, 0);
-  }
-}
+void emit(gl::Case& c, bool evaluated, float u) { evaluated ? c.EvalCoord1f(u) : c.Vertex3f(u, 0, 0); }
 
 // The value alone, beside others (the layout of a vertex depends on what was set, and in which order), and
 // never set.
@@ -112,7 +101,7 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
     for (const bool short_one : {true, false}) {
       if (t.depth() == Depth::quick && short_one == (variant % 2 == 1)) continue;
       const int vertices = short_one ? 1 : t.by_depth(300, 1000, 30000);
-      const Map1 map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
+      const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
       observed |= expect_kept(t, [&](bool evaluated) {
         gl::Case c(fmt::format("{}{}: setting {} then {} vertices",
                                evaluated ? "" : "control: ", label(target), variant, vertices));
@@ -121,21 +110,21 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
         c.Enable(GL_MAP1_VERTEX_3);
         c.Enable(target);
         set_before(c, variant, set);
-        const gl::Ref before = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        const gl::Ref before = query.ask(c);
         c.Begin(GL_POINTS);
         for (int i = 0; i < vertices; ++i)
           emit(c, evaluated, static_cast<float>(i + 1) / static_cast<float>(vertices));
         c.End();
         if (flush) c.Flush();
-        const gl::Ref after = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        const gl::Ref after = query.ask(c);
         // Set inside the primitive, evaluated once more: the value of the command stays, not the map's.
         c.Begin(GL_POINTS);
         set(c, variant + 1);
         emit(c, evaluated, 0.5f);
         c.End();
-        const gl::Ref inside = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        const gl::Ref inside = query.ask(c);
         set(c, variant + 1);
-        const gl::Ref again = c.GetFloatv(query.name, gl::out<GLfloat>(query.count));
+        const gl::Ref again = query.ask(c);
         return Written{c, {{before, after}, {again, inside}}};
       });
     }
@@ -143,50 +132,33 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
 }
 
 // Queried at once, and after a flush: a flush hides some defects and shows others.
-struct Moment {
-  const char* name;
-  bool flush;
-};
-constexpr Moment kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
-
-}  // namespace
+constexpr Named<bool> kMoments[] = {{"AT_ONCE", false}, {"FLUSHED", true}};
 
 EVALCTS_TEST(CurrentValues, Color, must, "EV-CUR-COLOR/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
-  expect_current_untouched(t, GL_MAP1_COLOR_4, {GL_CURRENT_COLOR, 4}, set_color, moment.flush);
+(Test& t, const Named<bool>& moment) {
+  expect_current_untouched(t, GL_MAP1_COLOR_4, kQueries[0], set_color, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Normal, must, "EV-CUR-NORMAL/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
-  expect_current_untouched(t, GL_MAP1_NORMAL, {GL_CURRENT_NORMAL, 3}, set_normal, moment.flush);
+(Test& t, const Named<bool>& moment) {
+  expect_current_untouched(t, GL_MAP1_NORMAL, kQueries[1], set_normal, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, Index, must, "EV-CUR-INDEX/1-D", combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
+(Test& t, const Named<bool>& moment) {
   const auto set_index = [](gl::Case& c, int variant) { c.Indexf(7.0f + static_cast<float>(variant)); };
-  expect_current_untouched(t, GL_MAP1_INDEX, {GL_CURRENT_INDEX, 1}, set_index, moment.flush);
+  expect_current_untouched(t, GL_MAP1_INDEX, {"INDEX", GL_CURRENT_INDEX, 1}, set_index, moment.value);
 };
 
 EVALCTS_TEST(CurrentValues, TextureCoordinates, must, "EV-CUR-TEX/1-D",
              combine(kMoments).by(gl::curve_deliveries()))
-(Test& t, const Moment& moment) {
+(Test& t, const Named<bool>& moment) {
   std::vector<GLenum> targets = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                  GL_MAP1_TEXTURE_COORD_4};
   if (t.depth() == Depth::quick) targets = {targets[t.random()() % targets.size()]};
   for (const GLenum target : targets)
-    expect_current_untouched(t, target, {GL_CURRENT_TEXTURE_COORDS, 4}, set_texture, moment.flush);
+    expect_current_untouched(t, target, kQueries[2], set_texture, moment.value);
 };
-
-namespace {
-
-struct Queried {
-  const char* name;
-  GLenum query;
-  std::size_t count;
-};
-constexpr Queried kQueried[] = {{"COLOR", GL_CURRENT_COLOR, 4},
-                                {"NORMAL", GL_CURRENT_NORMAL, 3},
-                                {"TEXTURE_COORDS", GL_CURRENT_TEXTURE_COORDS, 4}};
 
 // One order of Color, Normal and TexCoord, with these numbers of components.
 struct Setting {
@@ -220,40 +192,35 @@ void set_all(gl::Case& c, const Setting& setting) {
   }
 }
 
-}  // namespace
-
 // Implementations lay vertices out by what was set, in which order and how wide: one primitive, with every
 // map on, after every order of setting.
 EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, must, "EV-CUR-COLOR/1-D", "EV-CUR-NORMAL/1-D",
-             "EV-CUR-TEX/1-D", combine(kQueried).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Queried& queried) {
-  std::vector<Map1> maps;
-  for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
+             "EV-CUR-TEX/1-D", combine(kQueries).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
+(Test& t, const Query& queried) {
+  std::vector<Map> maps;
+  for (const GLenum target : visible_targets(kCurves)) maps.push_back(random_map(t, target, 3));
   bool observed = false;
   for (const Setting& setting : settings(t)) {
     observed |= expect_kept(t, [&](bool evaluated) {
       gl::Case c(fmt::format("{}order {}{}{} with {} colour and {} texture components",
                              evaluated ? "" : "control: ", setting.order[0], setting.order[1],
                              setting.order[2], setting.color, setting.texture));
-      for (const Map1& map : maps) {
-        define(c, map);
-        c.Enable(map.target);
-      }
+      for (const Map& map : maps) define_and_enable(c, map);
       set_all(c, setting);
-      const gl::Ref before = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      const gl::Ref before = queried.ask(c);
       c.Begin(GL_TRIANGLE_STRIP);
       emit(c, evaluated, 0.25f);
       set_all(c, setting);
       for (int i = 0; i < 4; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
       c.End();
-      const gl::Ref after = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      const gl::Ref after = queried.ask(c);
       // The next primitive has a smaller vertex.
-      for (const Map1& map : maps)
+      for (const Map& map : maps)
         if (map.target != GL_MAP1_VERTEX_3) c.Disable(map.target);
       c.Begin(GL_POINTS);
       emit(c, evaluated, 0.5f);
       c.End();
-      const gl::Ref later = c.GetFloatv(queried.query, gl::out<GLfloat>(queried.count));
+      const gl::Ref later = queried.ask(c);
       return Written{c, {{before, after}, {before, later}}};
     });
   }
@@ -264,18 +231,14 @@ EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D",
              by(gl::without(gl::kMeshes, gl::curve_deliveries())))
 (Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
-    gl::Case c(flag ? "TRUE" : "FALSE");
-    for (const GLenum target : gl::kMap1Targets) {
-      define(c, random_map(t, target, 2));
-      c.Enable(target);
-    }
+    CheckedCase c(t, flag ? "TRUE" : "FALSE");
+    for (const GLenum target : gl::kMap1Targets) define_and_enable(c, random_map(t, target, 2));
     c.EdgeFlag(flag);
     c.Begin(GL_TRIANGLES);
     for (int i = 0; i < 6; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
     c.End();
-    const gl::Ref after = c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1));
-    Played played = t.play(c);
-    played.expect_values(after, std::vector<GLboolean>{flag});
+    c.expect_values(c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1)), std::vector<GLboolean>{flag});
+    c.check();
   }
 };
 
@@ -283,36 +246,25 @@ EVALCTS_TEST(CurrentValues, EdgeFlag, must, "EV-CUR-EDGEFLAG/1-D",
 EVALCTS_TEST(CurrentValues, EdgeFlagAfterMeshes, must, "EV-CUR-EDGEFLAG", by(gl::list_deliveries()))
 (Test& t) {
   for (const GLboolean flag : {GL_FALSE, GL_TRUE}) {
-    gl::Case c(flag ? "TRUE" : "FALSE");
+    CheckedCase c(t, flag ? "TRUE" : "FALSE");
     for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3}) c.Enable(target);
     c.EdgeFlag(flag);
-    std::vector<gl::Ref> after;
-    const auto query = [&] { after.push_back(c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1))); };
-    for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL}) {
-      if (mode != GL_FILL) {
-        c.EvalMesh1(mode, 0, 2);
-        query();
+    for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL})
+      for (const bool two : {false, true}) {
+        if (!two && mode == GL_FILL) continue;
+        eval_mesh(c, two, mode, 0, 2, 0, 2);
+        c.expect_values(c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1)), std::vector<GLboolean>{flag});
       }
-      c.EvalMesh2(mode, 0, 2, 0, 2);
-      query();
-    }
-    Played played = t.play(c);
-    for (const gl::Ref ref : after) played.expect_values(ref, std::vector<GLboolean>{flag});
+    c.check();
   }
 };
 
 // With all maps on, everything that can be queried of the evaluators stays as it was.
-namespace {
-
-void expect_state_untouched(Test& t, bool two) {
+EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndEnables2, must,
+                  decide("EV-CUR-GRIDMAPS/1-D", "EV-CUR-GRIDMAPS/2-D"))
+(Test& t, bool two) {
   gl::Case c("all nine maps enabled");
-  for (const GLenum target : gl::kMap1Targets) {
-    Map1 map = random_map(t, target, 5);
-    map.u1 = -1;
-    map.u2 = 3;
-    define(c, map);
-    c.Enable(target);
-  }
+  for (const GLenum target : gl::kMap1Targets) define_and_enable(c, over(random_map(t, target, 5), {-1, 3}));
   two ? c.MapGrid2f(3, 0.1f, 0.7f, 4, 2, 1) : c.MapGrid1f(3, 0.1f, 0.7f);
   const auto query = [&] {
     std::vector<gl::Ref> refs = query_everything(c, t.max_order());
@@ -327,35 +279,22 @@ void expect_state_untouched(Test& t, bool two) {
   c.Begin(GL_LINE_STRIP);
   for (int i = 0; i < 40; ++i) c.EvalCoord1f(static_cast<float>(i) / 20 - 0.5f);
   c.EvalCoord1d(0.5);
-  for (const GLint i : {0, 2, -1, 7}) two ? c.EvalPoint2(i, 3 - i) : c.EvalPoint1(i);
+  for (const GLint i : {0, 2, -1, 7}) eval_point(c, two, i, 3 - i);
   c.End();
   // Inside the grid, beyond it, and nothing.
   for (const GLenum mode : {GL_POINT, GL_LINE, GL_FILL})
-    for (const auto& [first, last] : {std::pair{0, 3}, {-2, 5}, {2, 1}}) {
-      if (two) {
-        c.EvalMesh2(mode, first, last, first, last);
-      } else if (mode != GL_FILL) {
-        c.EvalMesh1(mode, first, last);
-      }
-    }
+    for (const auto& [first, last] : {std::pair{0, 3}, {-2, 5}, {2, 1}})
+      if (two || mode != GL_FILL) eval_mesh(c, two, mode, first, last, first, last);
   const std::vector<gl::Ref> after = query();
   Played played = t.play(two ? gl::lift(c, true) : c);
   expect_unchanged(played, before, after);
-}
-
-}  // namespace
-
-EVALCTS_TEST(CurrentValues, MapsGridsAndEnables, must, "EV-CUR-GRIDMAPS/1-D")
-(Test& t) { expect_state_untouched(t, false); };
-EVALCTS_TEST(CurrentValues, MapsGridsAndEnables2, must, "EV-CUR-GRIDMAPS/2-D")
-(Test& t) { expect_state_untouched(t, true); };
+};
 
 // Maps of 1, 4, 2, 3 components in turn: nothing of one result gets into another vertex.
 EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("texture maps of 1, 4, 2, 3, 1 components, explicit vertices between them");
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 3));
   const GLenum sequence[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_2,
                              GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_1};
   for (const GLenum target : sequence) define(c, random_map(t, target, 3));
@@ -375,10 +314,9 @@ EVALCTS_TEST(CurrentValues, NoComponentLeaks, must, "EV-CUR-MAXCOMP/1-D", by(gl:
 
 EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  t.require(1, 3, "GL_ARB_multitexture");
-  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  require_texture_units(t);
   for (const GLenum active : {GL_TEXTURE0, GL_TEXTURE1}) {
-    gl::Case c("every unit, TEXTURE_COORD_2 enabled, " + gl::token_name(active) + " active");
+    CheckedCase c(t, "every unit, TEXTURE_COORD_2 enabled, " + gl::token_name(active) + " active");
     c.ActiveTexture(GL_TEXTURE0);  // maps are refused elsewhere, where a list is called twice
     define(c, random_map(t, GL_MAP1_TEXTURE_COORD_2, 3));
     enable_visibly(c, GL_MAP1_TEXTURE_COORD_2);
@@ -386,22 +324,14 @@ EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D", by(gl::cu
     for (int unit = 0; unit < units; ++unit)
       c.MultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(unit), 10.0f + static_cast<float>(unit), 2, 3, 4);
     c.ActiveTexture(active);
-    c.Begin(GL_POINTS);
-    for (int i = 0; i < 5; ++i) c.EvalCoord1f(static_cast<float>(i) / 4);
-    c.End();
-    std::vector<gl::Ref> queries;
+    evaluate_all(c, {0, 0.25, 0.5, 0.75, 1});
     for (int unit = 1; unit < units; ++unit) {
       c.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      queries.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
+      c.expect_values(kQueries[2].ask(c), {10.0 + unit, 2, 3, 4});
     }
-    Played played = t.play(c);
-    for (int unit = 1; unit < units; ++unit)
-      played.expect_values(queries[static_cast<std::size_t>(unit - 1)],
-                           std::vector<GLfloat>{10.0f + static_cast<float>(unit), 2, 3, 4});
+    c.check();
   }
 };
-
-namespace {
 
 // The same commands twice, with EvalCoord and, as the control, with Vertex; whatever the queries answer, it
 // has to be the same.
@@ -422,19 +352,14 @@ void expect_same_as_explicit(Test& t, const std::string& identity,
                   "the answer after explicit vertices", "another answer");
 }
 
-}  // namespace
-
 // Secondary colour, fog coordinate and generic attributes have no maps.
 EVALCTS_TEST(CurrentValues, AttributesWithoutMaps, must, "EV-CUR-OTHERUNITS/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   t.require(2, 0);
-  std::vector<Map1> maps;
+  std::vector<Map> maps;
   for (const GLenum target : gl::kMap1Targets) maps.push_back(random_map(t, target, 3));
   expect_same_as_explicit(t, "all nine maps enabled", [&](gl::Case& c, bool evaluated) {
-    for (const Map1& map : maps) {
-      define(c, map);
-      c.Enable(map.target);
-    }
+    for (const Map& map : maps) define_and_enable(c, map);
     c.SecondaryColor3f(0.25f, 0.5f, 0.75f);
     c.FogCoordf(3.5f);
     c.VertexAttrib4f(6, 1, 2, 3, 4);
@@ -463,18 +388,15 @@ EVALCTS_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D", by(gl:
   const auto query = [&](gl::Case& c, std::vector<gl::Ref>& refs) {
     for (const auto& [name, count] : queries) refs.push_back(c.GetFloatv(name, gl::out<GLfloat>(count)));
   };
-  std::vector<Map1> maps;
-  for (const GLenum target : visible_targets()) maps.push_back(random_map(t, target, 3));
+  std::vector<Map> maps;
+  for (const GLenum target : visible_targets(kCurves)) maps.push_back(random_map(t, target, 3));
   const auto draw = [&](gl::Case& c, bool evaluated) {
     c.Begin(GL_POINTS);
     for (int i = 0; i < 5; ++i) emit(c, evaluated, static_cast<float>(i) / 4);
     c.End();
   };
   expect_same_as_explicit(t, "RasterPos before and after", [&](gl::Case& c, bool evaluated) {
-    for (const Map1& map : maps) {
-      define(c, map);
-      c.Enable(map.target);
-    }
+    for (const Map& map : maps) define_and_enable(c, map);
     std::vector<gl::Ref> refs;
     c.Color4f(0.75f, 0.5f, 0.25f, 1);
     c.TexCoord4f(5, 6, 7, 8);
@@ -490,4 +412,5 @@ EVALCTS_TEST(CurrentValues, RasterPosition, must, "EV-CUR-RASTERPOS/1-D", by(gl:
   });
 };
 
+}  // namespace
 }  // namespace evalcts::suite_current_values

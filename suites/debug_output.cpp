@@ -79,8 +79,6 @@ Answers answers(Test& t, const std::string& identity, const std::vector<NamedCal
   return answers;
 }
 
-}  // namespace
-
 // Where the error of another command is reported, those of evaluators are.
 EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
 (Test& t) {
@@ -101,4 +99,5 @@ EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_debug_output

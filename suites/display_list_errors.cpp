@@ -5,6 +5,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
 #include "display_lists.h"
 
 namespace evalcts::suite_display_lists {
@@ -20,15 +21,14 @@ struct Bad {
 // `limit`: MAX_EVAL_ORDER, if it is known.
 std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> limit) {
   std::vector<Bad> all;
+  const auto add = [&](const std::string& what, GLenum error, const Map& map) {
+    all.push_back(
+        {fmt::format("Map{}{} with {}", map.two ? 2 : 1, form, what), error, defining(map, doubles)});
+  };
   const auto add1 = [&](const std::string& what, GLenum error, GLenum target, double u1, double u2,
                         GLint stride, GLint order) {
-    all.push_back({fmt::format("Map1{} with {}", form, what), error, [=](gl::Case& c) {
-                     const std::vector<double> points(512, 0.5);
-                     if (doubles)
-                       c.Map1d(target, u1, u2, stride, order, points);
-                     else
-                       c.Map1f(target, u1, u2, stride, order, converted<float>(points));
-                   }});
+    const std::vector<double> points(512, 0.5);
+    add(what, error, {target, u1, u2, 0, 1, stride, stride, order, 1, points, kCurves});
   };
   add1("a target that is none", GL_INVALID_ENUM, GL_TEXTURE_2D, 0, 1, 4, 4);
   add1("a target of Map2", GL_INVALID_ENUM, GL_MAP2_VERTEX_3, 0, 1, 4, 4);
@@ -43,14 +43,8 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> lim
 
   const auto add2 = [&](const std::string& what, GLenum error, GLenum target, double u2, GLint ustride,
                         GLint uorder, double v2, GLint vstride, GLint vorder) {
-    all.push_back({fmt::format("Map2{} with {}", form, what), error, [=](gl::Case& c) {
-                     const std::vector<double> points(2048, 0.5);
-                     if (doubles)
-                       c.Map2d(target, 0.0, u2, ustride, uorder, 0.0, v2, vstride, vorder, points);
-                     else
-                       c.Map2f(target, 0.0f, static_cast<float>(u2), ustride, uorder, 0.0f,
-                               static_cast<float>(v2), vstride, vorder, converted<float>(points));
-                   }});
+    const std::vector<double> points(2048, 0.5);
+    add(what, error, {target, 0, u2, 0, v2, ustride, vstride, uorder, vorder, points, kSurfaces});
   };
   add2("a target that is none", GL_INVALID_ENUM, GL_AUTO_NORMAL, 1, 8, 2, 1, 4, 2);
   add2("a target of Map1", GL_INVALID_ENUM, GL_MAP1_VERTEX_3, 1, 8, 2, 1, 4, 2);
@@ -102,11 +96,7 @@ std::vector<Bad> bad_grids_and_meshes() {
 }
 
 enum class Kind { maps_f, maps_d, grids_and_meshes };
-struct KindOfBad {
-  const char* name;
-  Kind kind;
-};
-constexpr KindOfBad kKindsOfBad[] = {
+constexpr Named<Kind> kKindsOfBad[] = {
     {"MAPS_f", Kind::maps_f}, {"MAPS_d", Kind::maps_d}, {"GRIDS_AND_MESHES", Kind::grids_and_meshes}};
 
 std::optional<int> known_order_limit(const Test& t) {
@@ -118,78 +108,64 @@ std::optional<int> known_order_limit(const Test& t) {
   }
 }
 
-std::vector<Bad> bad_commands(const KindOfBad& of, const Test& t) {
-  if (of.kind == Kind::grids_and_meshes) return bad_grids_and_meshes();
-  return bad_maps(of.kind == Kind::maps_d, of.kind == Kind::maps_d ? "d" : "f", known_order_limit(t));
+std::vector<Bad> bad_commands(const Named<Kind>& of, const Test& t) {
+  if (of.value == Kind::grids_and_meshes) return bad_grids_and_meshes();
+  return bad_maps(of.value == Kind::maps_d, of.value == Kind::maps_d ? "d" : "f", known_order_limit(t));
 }
-
-}  // namespace
 
 // One list for each condition; each step is asked for its error.
 EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-ALL", combine(kKindsOfBad))
-(Test& t, const KindOfBad& kind) {
+(Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
-    gl::Case c(bad.name);
+    CheckedCase c(t, bad.name);
     c.NewList(kList, GL_COMPILE);
     bad.issue(c);
-    const gl::Ref compiled = c.GetError();
+    c.expect_no_error();
     c.EndList();
-    const gl::Ref ended = c.GetError();
-    const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+    c.expect_no_error();
+    const std::vector<gl::Ref> before = c.query_everything();
     c.CallList(kList);
-    const gl::Ref called = c.GetError(), no_more = c.GetError();
-    const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-    Played played = t.play(c);
-    played.expect_no_error(compiled);
-    played.expect_no_error(ended);
-    played.expect_error(called, {bad.error});
-    played.expect_no_error(no_more);
-    expect_unchanged(played, before, after);
+    c.expect_error(bad.error);
+    c.expect_no_error();
+    c.expect_unchanged(before);
+    c.check();
   }
 };
 
 EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, must, "EV-DL-ERR-ALL", "EV-DL-COMPEXEC",
              combine(kKindsOfBad))
-(Test& t, const KindOfBad& kind) {
+(Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
-    gl::Case c(bad.name);
+    CheckedCase c(t, bad.name);
     c.NewList(kList, GL_COMPILE_AND_EXECUTE);
     bad.issue(c);
-    const gl::Ref executed = c.GetError(), no_more = c.GetError();
+    c.expect_error(bad.error);
+    c.expect_no_error();
     c.EndList();
-    const gl::Ref ended = c.GetError();
+    c.expect_no_error();
     c.CallList(kList);
-    const gl::Ref called = c.GetError();
-    Played played = t.play(c);
-    played.expect_error(executed, {bad.error});
-    played.expect_no_error(no_more);
-    played.expect_no_error(ended);
-    played.expect_error(called, {bad.error});
+    c.expect_error(bad.error);
+    c.check();
   }
 };
 
 // A good command before and behind each bad one.
 EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", combine(kKindsOfBad))
-(Test& t, const KindOfBad& kind) {
+(Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
-    gl::Case c(bad.name + " between MapGrid1, Map1, Enable");
-    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    CheckedCase c(t, bad.name + " between MapGrid1, Map1, Enable");
+    const Map map = random_map(t, GL_MAP1_NORMAL, 4);
     compile(c, kList, [&](gl::Case& list) {
       list.MapGrid1f(6, 0.5f, 2.5f);
       bad.issue(list);
-      define(list, map);
-      list.Enable(GL_MAP1_NORMAL);
+      define_and_enable(list, map);
     });
     c.CallList(kList);
-    const gl::Ref error = c.GetError();
-    const gl::Ref segments = c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
-    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
-    const gl::Ref enabled = c.IsEnabled(GL_MAP1_NORMAL);
-    Played played = t.play(c);
-    played.expect_error(error, {bad.error});
-    played.expect_values(segments, std::vector<GLint>{6});
-    expect_map(played, query, map);
-    played.expect_result(enabled, GL_TRUE);
+    c.expect_error(bad.error);
+    c.expect_values(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)), {6});
+    c.expect_map(map);
+    c.expect_enabled(GL_MAP1_NORMAL, true);
+    c.check();
   }
 };
 
@@ -200,27 +176,24 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
       {"MapGrid1f of no segments", GL_INVALID_VALUE, [](gl::Case& c) { c.MapGrid1f(0, 3.0f, 4.0f); }},
       {"EvalMesh1 with FILL", GL_INVALID_ENUM, [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }}};
   for (const Bad& of_inner : bad) {
-    gl::Case c(of_inner.name + " in an inner list");
-    const Map1 map = random_map(t, GL_MAP1_NORMAL, 4);
+    CheckedCase c(t, of_inner.name + " in an inner list");
+    const Map map = random_map(t, GL_MAP1_NORMAL, 4);
     compile(c, kOther, [&](gl::Case& list) {
       of_inner.issue(list);
       list.Enable(GL_AUTO_NORMAL);
     });
     compile(c, kList, [&](gl::Case& list) {
       list.CallList(kOther);
-      define(list, map);
-      list.Enable(GL_MAP1_NORMAL);
+      define_and_enable(list, map);
     });
     c.CallList(kList);
-    const gl::Ref error = c.GetError();
-    const gl::Ref inner = c.IsEnabled(GL_AUTO_NORMAL), outer = c.IsEnabled(GL_MAP1_NORMAL);
-    const MapQuery query = query_map(c, GL_MAP1_NORMAL, t.max_order());
-    Played played = t.play(c);
-    played.expect_error(error, {of_inner.error});
-    played.expect_result(inner, GL_TRUE);
-    played.expect_result(outer, GL_TRUE);
-    expect_map(played, query, map);
+    c.expect_error(of_inner.error);
+    c.expect_enabled(GL_AUTO_NORMAL, true);
+    c.expect_enabled(GL_MAP1_NORMAL, true);
+    c.expect_map(map);
+    c.check();
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_display_lists

@@ -159,15 +159,9 @@ std::vector<Drawing> meshes(Test& t, const gl::Case& before) {
     for (const MeshMode& mode : kMeshModes) {
       if (!two && mode.mode == GL_FILL) continue;
       gl::Case c;
-      if (two) {
-        define_patch(c);
-        c.append(before);
-        c.EvalMesh2(mode.mode, 0, kColumns, 0, kRows);
-      } else {
-        define_curve(c);
-        c.append(before);
-        c.EvalMesh1(mode.mode, 0, kColumns);
-      }
+      two ? define_patch(c) : define_curve(c);
+      c.append(before);
+      eval_mesh(c, two, mode.mode, 0, kColumns, 0, kRows);
       all.push_back(drawing(t, fmt::format("EvalMesh{} of {}", two ? 2 : 1, mode.name), two, mode.primitive,
                             std::move(c)));
     }
@@ -188,32 +182,29 @@ std::vector<Drawing> meshes_of(Test& t, const MeshKind& kind) {
 }
 
 std::vector<Drawing> primitives(Test& t) {
-  gl::Case coordinates1, points1, coordinates2, points2;
-  define_curve(coordinates1);
-  coordinates1.Begin(GL_LINE_STRIP);
-  for (const float u : {0.0f, 0.375f, 1.0f}) coordinates1.EvalCoord1f(u);
-  coordinates1.End();
-
-  define_curve(points1);
-  points1.Begin(GL_POINTS);
-  for (int i = 0; i <= kColumns; ++i) points1.EvalPoint1(i);
-  points1.End();
-
-  define_patch(coordinates2);
-  coordinates2.Begin(GL_QUAD_STRIP);
-  for (const float u : {0.0f, 0.5f, 1.0f})
-    for (const float v : {0.25f, 1.0f}) coordinates2.EvalCoord2f(u, v);
-  coordinates2.End();
-
-  define_patch(points2);
-  points2.Begin(GL_POINTS);
-  for (int i = 0; i <= kColumns; ++i) points2.EvalPoint2(i, i % (kRows + 1));
-  points2.End();
-
-  return {drawing(t, "a line strip of EvalCoord1", false, GL_LINE_STRIP, std::move(coordinates1)),
-          drawing(t, "points of EvalPoint1", false, GL_POINTS, std::move(points1)),
-          drawing(t, "a quad strip of EvalCoord2", true, GL_QUAD_STRIP, std::move(coordinates2)),
-          drawing(t, "points of EvalPoint2", true, GL_POINTS, std::move(points2))};
+  std::vector<Drawing> all;
+  const auto add = [&](const char* name, bool two, GLenum primitive, const auto& evaluate_points) {
+    gl::Case c;
+    two ? define_patch(c) : define_curve(c);
+    c.Begin(primitive);
+    evaluate_points(c);
+    c.End();
+    all.push_back(drawing(t, name, two, primitive, std::move(c)));
+  };
+  add("a line strip of EvalCoord1", false, GL_LINE_STRIP, [](gl::Case& c) {
+    for (const float u : {0.0f, 0.375f, 1.0f}) c.EvalCoord1f(u);
+  });
+  add("points of EvalPoint1", false, GL_POINTS, [](gl::Case& c) {
+    for (int i = 0; i <= kColumns; ++i) c.EvalPoint1(i);
+  });
+  add("a quad strip of EvalCoord2", true, GL_QUAD_STRIP, [](gl::Case& c) {
+    for (const float u : {0.0f, 0.5f, 1.0f})
+      for (const float v : {0.25f, 1.0f}) c.EvalCoord2f(u, v);
+  });
+  add("points of EvalPoint2", true, GL_POINTS, [](gl::Case& c) {
+    for (int i = 0; i <= kColumns; ++i) c.EvalPoint2(i, i % (kRows + 1));
+  });
+  return all;
 }
 
 std::vector<Drawing> all_drawings(Test& t) {

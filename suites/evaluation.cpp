@@ -7,10 +7,18 @@
 
 #include <evalcts/gl/lift.h>
 #include <evalcts/testkit/registration.h>
-#include "maps.h"
+#include "checked_case.h"
+#include "dimensions.h"
 
 namespace evalcts::suite_evaluation {
 namespace {
+
+// 0 to 1 in so many steps.
+std::vector<double> steps(int count) {
+  std::vector<double> us;
+  for (int i = 0; i <= count; ++i) us.push_back(static_cast<double>(i) / count);
+  return us;
+}
 
 std::vector<gl::Ref> query_current_values(gl::Case& c) {
   return {
@@ -19,58 +27,41 @@ std::vector<gl::Ref> query_current_values(gl::Case& c) {
       c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1)), c.GetBooleanv(GL_EDGE_FLAG, gl::out<GLboolean>(1))};
 }
 
-const std::vector<GLenum>& attribute_targets() {
-  static const std::vector<GLenum> targets = {
-      GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
-      GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
-  return targets;
-}
+constexpr GLenum kAttributeTargets[] = {
+    GL_MAP1_COLOR_4,         GL_MAP1_INDEX,           GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
+    GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
 
 constexpr GLenum kTextureTargets[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2,
                                       GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
-
-}  // namespace
 
 // --- Section 7: evaluation commands ----------------------------------------------------------------------
 
 EVALCTS_TEST(Evaluation, AllKindsTogether, must, "EV-COORD-ASIF/1-D", "EV-COORD-VERTEXLAST/1-D",
              "EV-PREC-PERKIND/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("colour, index, normal, texture coordinate and vertex maps, each different at every u");
-  set_current_values(c);
+  gl::Case c = with_current_values(
+      "colour, index, normal, texture coordinate and vertex maps, each different at every u");
   for (const GLenum target :
-       {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3}) {
-    define(c, random_map(t, target, 4));
-    c.Enable(target);
-  }
-  c.Begin(GL_POINTS);
-  for (int i = 0; i <= 20; ++i) c.EvalCoord1f(static_cast<float>(i) / 20);
-  c.End();
+       {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_INDEX, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_3})
+    define_and_enable(c, random_map(t, target, 4));
+  evaluate_all(c, steps(20));
   t.expect_emission(c, kUnit0);
 };
 
 EVALCTS_TEST(Evaluation, VertexCarriesItsOwnAttributes, must, "EV-COORD-VERTEXLAST/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+             combine(visible_targets(kCurves)).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
-  gl::Case c("first vertex of a primitive, then far jumps of u");
-  set_current_values(c);
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
-  c.Enable(GL_MAP1_VERTEX_3);
-  define(c, random_map(t, target, 2));
-  c.Enable(target);
-  for (int primitive = 0; primitive < 2; ++primitive) {
-    c.Begin(GL_POINTS);
-    for (const float u : {1.0f, 0.0f, 1.0f, 0.5f}) c.EvalCoord1f(u);
-    c.End();
-  }
+  gl::Case c = with_current_values("first vertex of a primitive, then far jumps of u");
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 2));
+  define_and_enable(c, random_map(t, target, 2));
+  for (int primitive = 0; primitive < 2; ++primitive) evaluate_all(c, {1.0, 0.0, 1.0, 0.5});
   t.expect_emission(c, kPosition | attribute_of(target));
 };
 
 EVALCTS_TEST(Evaluation, CurrentValuesOfTheMoment, must, "EV-COORD-CURRENT/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("Color, Normal and TexCoord between the evaluations of one primitive");
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Begin(GL_POINTS);
   for (int i = 0; i < 12; ++i) {
     const float x = static_cast<float>(i) / 16;
@@ -95,17 +86,14 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
     std::string with = "with MAP1_VERTEX_3";
     gl::Case c;
     set_current_values(c);
-    for (const GLenum map : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target}) {
-      define(c, random_map(t, map, 3));
-      c.Enable(map);
-    }
+    for (const GLenum map : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target})
+      define_and_enable(c, random_map(t, map, 3));
     bool skipped = false;
     for (std::size_t i = 0; i < others.size(); ++i) {
       if (!(subset >> i & 1u)) continue;
       skipped = skipped || others[i] == target;
       with += " and " + label(others[i]);
-      define(c, random_map(t, others[i], 3));
-      c.Enable(others[i]);
+      define_and_enable(c, random_map(t, others[i], 3));
     }
     if (skipped) continue;
     c.set_identity(with);
@@ -118,9 +106,9 @@ EVALCTS_TEST(Evaluation, MapSwitchedOff, must, "EV-COORD-CURRENT/1-D",
 
 // Without a vertex map nothing happens at all.
 EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
-             combine(attribute_targets()).by(gl::curve_deliveries()))
+             combine(kAttributeTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
-  gl::Case c("no vertex map enabled");
+  CheckedCase c(t, "no vertex map enabled");
   set_current_values(c);
   c.Indexf(9);
   c.EdgeFlag(GL_FALSE);
@@ -129,16 +117,12 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
   c.Enable(target);
   const std::vector<gl::Ref> before = query_current_values(c);
   evaluate_some(c);
-  const gl::Ref error = c.GetError();
-  const std::vector<gl::Ref> after = query_current_values(c);
-  Played played = t.play(c);
-  played.expect_no_error(error);
-  expect_unchanged(played, before, after);
+  c.expect_no_error();
+  c.expect_same(before, query_current_values(c));
+  c.check();
 
-  gl::Case drawing("nothing is drawn, and the Vertex between has the current values");
-  set_current_values(drawing);
-  define(drawing, random_map(t, target, 3));
-  drawing.Enable(target);
+  gl::Case drawing = with_current_values("nothing is drawn, and the Vertex between has the current values");
+  define_and_enable(drawing, random_map(t, target, 3));
   drawing.Begin(GL_POINTS);
   drawing.EvalCoord1f(0.5f);
   drawing.Vertex3f(1, 2, 3);
@@ -147,8 +131,7 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
   t.expect_emission(drawing, kUnit0);
 
   gl::Case empty("nothing is drawn");
-  define(empty, random_map(t, target, 3));
-  empty.Enable(target);
+  define_and_enable(empty, random_map(t, target, 3));
   evaluate_some(empty);
   t.expect_emission(empty, kPosition);
 };
@@ -156,12 +139,10 @@ EVALCTS_TEST(Evaluation, NothingWithoutVertexMap, must, "EV-COORD-NOVERTEX/1-D",
 EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-NOVERTEX-OTHERDIM/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
-  set_current_values(c);
+  gl::Case c = with_current_values("MAP2_VERTEX_3 and MAP2_VERTEX_4 enabled, MAP1 colour enabled");
   c.Enable(GL_MAP2_VERTEX_3);
   c.Enable(GL_MAP2_VERTEX_4);
-  define(c, random_map(t, GL_MAP1_COLOR_4, 3));
-  c.Enable(GL_MAP1_COLOR_4);
+  define_and_enable(c, random_map(t, GL_MAP1_COLOR_4, 3));
   c.Begin(GL_POINTS);
   c.EvalCoord1f(0.5f);
   c.Vertex2f(3, 4);
@@ -170,70 +151,54 @@ EVALCTS_TEST(Evaluation, NothingWithVertexMapOfOtherDimension, must, "EV-COORD-N
   t.expect_emission(c, kUnit0);
 };
 
-namespace {
-
-void legal_in_every_primitive(Test& t, GLenum target, bool two) {
+EVALCTS_TEST_PAIR(
+    Evaluation.LegalInEveryPrimitive, Evaluation.LegalInEveryPrimitive2, must,
+    decide("EV-COORD-INBEGIN/1-D", "EV-COORD-INBEGIN/2-D"), [](bool two) {
+      return combine(std::array{target_in(two, GL_MAP1_VERTEX_3), target_in(two, GL_MAP1_VERTEX_4)});
+    })
+(Test& t, bool two, GLenum target) {
   const bool adjacency = t.gl().at_least(3, 2);
   for (GLenum mode = GL_POINTS; mode <= (adjacency ? GL_TRIANGLE_STRIP_ADJACENCY : GL_POLYGON); ++mode) {
     gl::Case c(gl::primitive_name(mode));
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
+    define_and_enable(c, random_map(t, two ? target - GL_MAP2_VERTEX_3 + GL_MAP1_VERTEX_3 : target, 3));
     c.Begin(mode);
     for (int i = 0; i < 8; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
     c.EvalCoord1d(0.5);
     c.EvalCoord1fv(std::vector<float>{0.5f});
     c.EvalCoord1dv(std::vector<double>{0.5});
-    for (const GLint i : {0, 1, 2}) two ? c.EvalPoint2(i, 1) : c.EvalPoint1(i);
+    for (const GLint i : {0, 1, 2}) eval_point(c, two, i, 1);
     c.End();
     const gl::Ref error = c.GetError();
     Played played = t.play(two ? gl::lift(c, true) : c);
     played.expect_no_error(error);
   }
-}
-
-}  // namespace
-
-EVALCTS_TEST(Evaluation, LegalInEveryPrimitive, must, "EV-COORD-INBEGIN/1-D",
-             combine((std::vector<GLenum>{GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})))
-(Test& t, GLenum target) { legal_in_every_primitive(t, target, false); };
-EVALCTS_TEST(Evaluation, LegalInEveryPrimitive2, must, "EV-COORD-INBEGIN/2-D",
-             combine((std::vector<GLenum>{GL_MAP2_VERTEX_3, GL_MAP2_VERTEX_4})))
-(Test& t, GLenum target) { legal_in_every_primitive(t, target - GL_MAP2_VERTEX_3 + GL_MAP1_VERTEX_3, true); };
-
-namespace {
-
-struct Mode {
-  const char* name;
-  GLenum mode;
 };
-constexpr Mode kModes[] = {{"POINTS", GL_POINTS},
-                           {"LINES", GL_LINES},
-                           {"LINE_LOOP", GL_LINE_LOOP},
-                           {"LINE_STRIP", GL_LINE_STRIP},
-                           {"TRIANGLES", GL_TRIANGLES},
-                           {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
-                           {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
-                           {"QUADS", GL_QUADS},
-                           {"QUAD_STRIP", GL_QUAD_STRIP},
-                           {"POLYGON", GL_POLYGON}};
 
-}  // namespace
+constexpr Named<GLenum> kModes[] = {{"POINTS", GL_POINTS},
+                                    {"LINES", GL_LINES},
+                                    {"LINE_LOOP", GL_LINE_LOOP},
+                                    {"LINE_STRIP", GL_LINE_STRIP},
+                                    {"TRIANGLES", GL_TRIANGLES},
+                                    {"TRIANGLE_STRIP", GL_TRIANGLE_STRIP},
+                                    {"TRIANGLE_FAN", GL_TRIANGLE_FAN},
+                                    {"QUADS", GL_QUADS},
+                                    {"QUAD_STRIP", GL_QUAD_STRIP},
+                                    {"POLYGON", GL_POLYGON}};
 
 // Primitives of 0 to 9 vertices, complete or not.
 EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Mode& mode) {
+(Test& t, const Named<GLenum>& mode) {
   gl::Case c("0 to 9 vertices");
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_TEXTURE_COORD_2}) {
-    Map1 map = random_map(t, target, 4);
+    Map map = random_map(t, target, 4);
     if (target == GL_MAP1_VERTEX_4)
       for (std::size_t i = 3; i < map.points.size(); i += 4) map.points[i] = 1 + std::abs(map.points[i]);
-    define(c, map);
-    c.Enable(target);
+    define_and_enable(c, map);
   }
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.mode);
+    c.Begin(mode.value);
     for (int i = 0; i < vertices; ++i, u += 0.015625f) c.EvalCoord1f(u);
     c.End();
   }
@@ -244,21 +209,14 @@ EVALCTS_TEST(Evaluation, Primitives, must, "EV-COORD-PRIMS/1-D",
 // primitive is at stake.
 EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-MIX/1-D",
              combine(kModes).by(gl::without(gl::kMeshes, gl::curve_deliveries())))
-(Test& t, const Mode& mode) {
-  gl::Case c("0 to 9 vertices, every third explicit");
-  set_current_values(c);
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+(Test& t, const Named<GLenum>& mode) {
+  gl::Case c = with_current_values("0 to 9 vertices, every third explicit");
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   float u = 0;
   for (int vertices = 0; vertices < 10; ++vertices) {
-    c.Begin(mode.mode);
-    for (int i = 0; i < vertices; ++i, u += 0.015625f) {
-      if (i % 3 == 1) {
-        c.Vertex3f(u, 1 - u, 0.5f);
-      } else {
-        c.EvalCoord1f(u);
-      }
-    }
+    c.Begin(mode.value);
+    for (int i = 0; i < vertices; ++i, u += 0.015625f)
+      i % 3 == 1 ? c.Vertex3f(u, 1 - u, 0.5f) : c.EvalCoord1f(u);
     c.End();
   }
   t.expect_emission(c, kPosition | kTextureCoordinate0);
@@ -267,13 +225,10 @@ EVALCTS_TEST(Evaluation, MixedPrimitives, must, "EV-COORD-PRIMS/1-D", "EV-COORD-
 EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXTVERTEX/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
-  for (const GLenum target : attribute_targets()) {
-    gl::Case c(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
-    set_current_values(c);
-    define(c, random_map(t, GL_MAP1_VERTEX_4, 3));
-    c.Enable(GL_MAP1_VERTEX_4);
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
+  for (const GLenum target : kAttributeTargets) {
+    gl::Case c = with_current_values(label(target) + ": EvalCoord, Vertex, EvalCoord, Vertex");
+    define_and_enable(c, random_map(t, GL_MAP1_VERTEX_4, 3));
+    define_and_enable(c, random_map(t, target, 3));
     c.Begin(GL_POINTS);
     c.EvalCoord1f(0.25f);
     c.Vertex3f(1, 2, 3);
@@ -291,9 +246,7 @@ EVALCTS_TEST(Evaluation, MixedWithVertex, must, "EV-COORD-MIX/1-D", "EV-CUR-NEXT
 EVALCTS_TEST(Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER", by(gl::surface_deliveries()))
 (Test& t) {
   gl::Case c("x is u, y is 10 v, z is 100 u v");
-  c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 2, 0, 1, 3, 2,
-          std::vector<float>{0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100});
-  c.Enable(GL_MAP2_VERTEX_3);
+  define_and_enable(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {0, 0, 0, 0, 10, 0, 1, 0, 0, 1, 10, 100}));
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.25f, 1.0f})
     for (const float v : {0.0f, 0.75f, 1.0f}) c.EvalCoord2f(u, v);
@@ -301,20 +254,14 @@ EVALCTS_TEST(Evaluation, FirstArgumentIsU, must, "EV-COORD-ARGORDER", by(gl::sur
   t.expect_emission(c, kPosition);
 };
 
-namespace {
-
 // Points of either dimension in turn, with vertex maps and one further map of each.
 void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
   for (const GLenum mode : {GL_POINTS, GL_LINE_STRIP}) {
     gl::Case c(fmt::format("{}, {} and {}", gl::primitive_name(mode), label(target1), label(target2)));
-    for (const GLenum target : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target1}) {
-      define(c, random_map(t, target, 4));
-      c.Enable(target);
-    }
-    for (const GLenum target : {static_cast<GLenum>(GL_MAP2_VERTEX_4), target2}) {
-      define(c, random_map2(t, target, 2, 3));
-      c.Enable(target);
-    }
+    for (const GLenum target : {static_cast<GLenum>(GL_MAP1_VERTEX_3), target1})
+      define_and_enable(c, random_map(t, target, 4));
+    for (const GLenum target : {static_cast<GLenum>(GL_MAP2_VERTEX_4), target2})
+      define_and_enable(c, random_map(t, target, {2, 3}));
     c.MapGrid1f(4, 0, 1);
     c.MapGrid2f(2, 1, 0, 3, 0, 1);
     c.Begin(mode);
@@ -331,8 +278,6 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
   }
 }
 
-}  // namespace
-
 EVALCTS_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
 (Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4); };
 
@@ -341,12 +286,11 @@ EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM",
              by(gl::list_deliveries()))
 (Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL); };
 
-namespace {
-
-void no_argument_is_an_error(Test& t, const Form& form, bool two) {
+EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError2, must,
+                  decide("EV-COORD-NOERR/1-D", "EV-COORD-NOERR/2-D"), combine(kForms))
+(Test& t, bool two, const Form& form) {
   gl::Case c("arguments over the whole range");
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Begin(GL_POINTS);
   for (int exponent = -149; exponent <= 127; exponent += 4)
     for (const double sign : {1.0, -1.0}) evaluate(c, sign * std::ldexp(1.0, exponent), form.doubles);
@@ -359,18 +303,12 @@ void no_argument_is_an_error(Test& t, const Form& form, bool two) {
     Played played = t.play(two ? gl::lift(c, along_v) : c);
     played.expect_no_error(error);
   }
-}
-
-}  // namespace
-
-EVALCTS_TEST(Evaluation, NoArgumentIsAnError, must, "EV-COORD-NOERR/1-D", combine(kForms))
-(Test& t, const Form& form) { no_argument_is_an_error(t, form, false); };
-EVALCTS_TEST(Evaluation, NoArgumentIsAnError2, must, "EV-COORD-NOERR/2-D", combine(kForms))
-(Test& t, const Form& form) { no_argument_is_an_error(t, form, true); };
+};
 
 // The same call on the same state: the same bits, in one primitive, in the next, after other calls.
-EVALCTS_TEST(Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
-             combine(visible_targets()).by(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries())))
+EVALCTS_TEST(
+    Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
+    combine(visible_targets(kCurves)).by(gl::without(gl::kGrids | gl::kRepetition, gl::curve_deliveries())))
 (Test& t, GLenum target) {
   gl::Case c("each argument four times");
   define(c, random_map(t, target, 7));
@@ -386,18 +324,11 @@ EVALCTS_TEST(Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
   }
   const std::size_t count = 4 * us.size();
   const Observation seen = t.observe(c, attribute_of(target), count);
-  std::vector<ObservedVertex> vertices;
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  const std::vector<ObservedVertex> vertices = vertices_of(seen);
   const auto fail = [&](const std::string& message, const std::string& expected,
                         const std::string& captured) {
-    Failure failure;
-    failure.case_identity = c.identity();
-    failure.what = attribute_of(target) == kPosition ? "position" : label(target);
-    failure.message = message;
-    failure.expected = expected;
-    failure.captured = captured;
-    t.fail(failure);
+    const std::string what = attribute_of(target) == kPosition ? "position" : label(target);
+    t.fail(failure_of(c, what, message, expected, captured));
   };
   if (vertices.size() != count) {
     fail("wrong number of vertices", std::to_string(count), std::to_string(vertices.size()));
@@ -423,16 +354,14 @@ EVALCTS_TEST(Evaluation, RepeatedCallSameBits, must, "EV-COORD-REPEAT/1-D",
 EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("after vertices with other w, beside coordinates with other q");
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   c.Begin(GL_POINTS);
   c.Vertex4f(1, 2, 3, 5);
   c.EvalCoord1f(0.25f);
   c.Vertex4f(1, 2, 3, 0.5f);
   c.EvalCoord1f(0.75f);
   c.End();
-  define(c, random_map(t, GL_MAP1_TEXTURE_COORD_4, 3));
-  c.Enable(GL_MAP1_TEXTURE_COORD_4);
+  define_and_enable(c, random_map(t, GL_MAP1_TEXTURE_COORD_4, 3));
   evaluate_some(c);
   t.expect_emission(c, kPosition);
 };
@@ -441,42 +370,33 @@ EVALCTS_TEST(Attributes, Vertex3HasW1, must, "EV-ATTR-VERTEX3/1-D", by(gl::curve
 EVALCTS_TEST(Attributes, Vertex4IsHomogeneous, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("quarter circle, weights 1, 1, 2");
-  define(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
-  c.Enable(GL_MAP1_VERTEX_4);
-  c.Begin(GL_POINTS);
-  for (int i = 0; i <= 64; ++i) c.EvalCoord1f(static_cast<float>(i) / 64);
-  c.End();
+  define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 0, 0, 1, 1, 1, 0, 1, 0, 2, 0, 2}));
+  evaluate_all(c, steps(64));
   t.expect_emission(c, kPosition);
 };
 
 EVALCTS_TEST(Attributes, NegativeWStays, must, "EV-ATTR-VERTEX4/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("w from 2 to -2");
-  define(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
-  c.Enable(GL_MAP1_VERTEX_4);
-  c.Begin(GL_POINTS);
-  for (int i = 0; i <= 8; ++i) c.EvalCoord1f(static_cast<float>(i) / 8);
-  c.End();
+  define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {1, 2, 3, 2, 4, 5, 6, -2}));
+  evaluate_all(c, steps(8));
   t.expect_emission(c, kPosition);
 };
 
 EVALCTS_TEST(Attributes, OnlyVertexIsRational, must, "EV-ATTR-RATIONAL-ONLYVTX/1-D",
-             combine(attribute_targets()).by(gl::curve_deliveries()))
+             combine(kAttributeTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("w from 1 to 4");
-  define(c, make_map1(GL_MAP1_VERTEX_4, {0, 0, 0, 1, 4, 0, 0, 4}));
-  c.Enable(GL_MAP1_VERTEX_4);
+  define_and_enable(c, make_map1(GL_MAP1_VERTEX_4, {0, 0, 0, 1, 4, 0, 0, 4}));
   if (target == GL_MAP1_INDEX) throw NotObservable("INDEX maps show in colour-index contexts only");
-  define(c, random_map(t, target, 2));
-  c.Enable(target);
+  define_and_enable(c, random_map(t, target, 2));
   evaluate_some(c);
   t.expect_emission(c, kPosition | attribute_of(target));
 };
 
 EVALCTS_TEST(Attributes, ColorHasAlpha, must, "EV-ATTR-COLOR/1-D", by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("alpha from 0.25 to 0.75, current alpha 0.4");
-  set_current_values(c);
+  gl::Case c = with_current_values("alpha from 0.25 to 0.75, current alpha 0.4");
   define(c, make_map1(GL_MAP1_COLOR_4, {0.125, 0.25, 0.5, 0.25, 0.875, 0.75, 0.625, 0.75}));
   enable_visibly(c, GL_MAP1_COLOR_4);
   evaluate_some(c);
@@ -497,8 +417,7 @@ EVALCTS_TEST(Attributes, ColorIsNotClamped, must, "EV-ATTR-COLOR-CLAMP/1-D", by(
 EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D", "EV-CUR-INDEX/1-D",
              by(gl::curve_deliveries()))
 (Test& t) {
-  gl::Case c("INDEX map enabled");
-  set_current_values(c);
+  gl::Case c = with_current_values("INDEX map enabled");
   c.Indexf(9);
   define(c, make_map1(GL_MAP1_INDEX, {3, 4, 5}));
   enable_visibly(c, GL_MAP1_COLOR_4);
@@ -506,9 +425,9 @@ EVALCTS_TEST(Attributes, IndexDoesNothingInRGBA, must, "EV-ATTR-INDEX-RGBA/1-D",
   c.Enable(GL_MAP1_INDEX);
   evaluate_some(c);
   t.expect_emission(c, kPosition | kColor);
-  const gl::Ref index = c.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1));
-  Played played = t.play(c);
-  played.expect_values(index, std::vector<GLfloat>{9});
+  CheckedCase queried(t, c);
+  queried.expect_values(queried.GetFloatv(GL_CURRENT_INDEX, gl::out<GLfloat>(1)), {9});
+  queried.check();
 };
 
 EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D", by(gl::curve_deliveries()))
@@ -519,8 +438,6 @@ EVALCTS_TEST(Attributes, NormalIsNotNormalised, must, "EV-ATTR-NORMAL/1-D", by(g
   evaluate_some(c);
   t.expect_emission(c, kNormal);
 };
-
-namespace {
 
 // TexCoord4(5,6,7,8) first: what the map does not give is 0, 0, 1, not the current value.
 void expect_texture_defaults(Test& t, GLenum target) {
@@ -536,8 +453,6 @@ void expect_texture_defaults(Test& t, GLenum target) {
   t.expect_emission(c, kTextureCoordinate0);
 }
 
-}  // namespace
-
 EVALCTS_TEST(Attributes, TextureCoord1, must, "EV-ATTR-TEX1/1-D", by(gl::curve_deliveries()))
 (Test& t) { expect_texture_defaults(t, GL_MAP1_TEXTURE_COORD_1); };
 EVALCTS_TEST(Attributes, TextureCoord2, must, "EV-ATTR-TEX2/1-D", by(gl::curve_deliveries()))
@@ -550,8 +465,7 @@ EVALCTS_TEST(Attributes, TextureCoord4, must, "EV-ATTR-TEX4/1-D", by(gl::curve_d
 EVALCTS_TEST(Attributes, TextureMapsFeedUnit0, must, "EV-ATTR-UNIT0/1-D", "EV-ATTR-OTHERUNITS/1-D",
              combine(kTextureTargets).by(gl::curve_deliveries()))
 (Test& t, GLenum target) {
-  t.require(1, 3, "GL_ARB_multitexture");
-  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  require_texture_units(t);
   gl::Case c("evaluated with TEXTURE1 active; units 1 and up hold current values");
   define(c, random_map(t, target, 3));
   enable_visibly(c, target);
@@ -570,13 +484,11 @@ EVALCTS_TEST(Precedence, Vertex4BeforeVertex3, must, "EV-PREC-VERTEX/1-D", "EV-P
 (Test& t) {
   for (const bool four_first : {false, true}) {
     gl::Case c(four_first ? "VERTEX_4 defined and enabled first" : "VERTEX_3 defined and enabled first");
-    Map1 three = random_map(t, GL_MAP1_VERTEX_3, 3);
-    const Map1 four = random_map(t, GL_MAP1_VERTEX_4, 4);
+    Map three = random_map(t, GL_MAP1_VERTEX_3, 3);
+    const Map four = random_map(t, GL_MAP1_VERTEX_4, 4);
     three.u1 = 2;
-    for (const Map1* map : {four_first ? &four : &three, four_first ? &three : &four}) {
-      define(c, *map);
-      c.Enable(map->target);
-    }
+    for (const Map* map : {four_first ? &four : &three, four_first ? &three : &four})
+      define_and_enable(c, *map);
     evaluate_some(c);
     t.expect_emission(c, kPosition);
   }
@@ -589,15 +501,12 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PR
   for (const bool upwards : {true, false}) {
     gl::Case c(upwards ? "all subsets, enabled upwards" : "all subsets, enabled downwards");
     c.TexCoord4f(5, 6, 7, 8);
-    define(c, random_map(t, GL_MAP1_VERTEX_3, 2));
-    c.Enable(GL_MAP1_VERTEX_3);
+    define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 2));
     // No two of one order or over one domain.
     int order = 2;
     for (const GLenum target : kTextureTargets) {
-      Map1 map = random_map(t, target, order++);
-      map.u1 = -0.25 * order;
-      map.u2 = order;
-      define(c, map);
+      const Map map = random_map(t, target, order++);
+      define(c, over(map, {-0.25 * order, 1.0 * order}));
     }
     for (unsigned subset = 1; subset < 16; ++subset) {
       for (unsigned i = 0; i < 4; ++i) c.Disable(kTextureTargets[i]);
@@ -619,8 +528,7 @@ EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {
   const unsigned step = t.depth() == Depth::quick ? 13 : 1;
-  gl::Case c("subsets of the nine enables");
-  set_current_values(c);
+  gl::Case c = with_current_values("subsets of the nine enables");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));
   static_assert(gl::kMap1Targets[7] == GL_MAP1_VERTEX_3 && gl::kMap1Targets[8] == GL_MAP1_VERTEX_4);
   constexpr unsigned kVertexMaps = 1u << 7 | 1u << 8;
@@ -629,12 +537,8 @@ EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-
     const unsigned code = (i & 511u) ^ (i & 511u) >> 1;
     const unsigned changed = code ^ enabled;
     for (std::size_t bit = 0; bit < 9; ++bit) {
-      if (!(changed >> bit & 1u)) continue;
-      if (code >> bit & 1u) {
-        c.Enable(gl::kMap1Targets[bit]);
-      } else {
-        c.Disable(gl::kMap1Targets[bit]);
-      }
+      const GLenum target = gl::kMap1Targets[bit];
+      if (changed >> bit & 1u) code >> bit & 1u ? c.Enable(target) : c.Disable(target);
     }
     enabled = code;
     if (!(enabled & kVertexMaps) || i % step) continue;
@@ -648,10 +552,7 @@ EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-
 EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("texture maps 4 to 1, then VERTEX_4, disabled one after the other");
-  for (const GLenum target : visible_targets()) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
+  for (const GLenum target : visible_targets(kCurves)) define_and_enable(c, random_map(t, target, 3));
   evaluate_some(c);
   for (const GLenum target : {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_2,
                               GL_MAP1_TEXTURE_COORD_1, GL_MAP1_VERTEX_4}) {
@@ -664,14 +565,13 @@ EVALCTS_TEST(Precedence, DisabledWinnerGivesWay, must, "EV-PREC-FALLBACK/1-D", b
 EVALCTS_TEST(Precedence, UndefinedWinnerStillWins, must, "EV-PREC-NOVALIDITY/1-D", by(gl::curve_deliveries()))
 (Test& t) {
   gl::Case c("VERTEX_3 and TEXTURE_COORD_1 defined, VERTEX_4 and TEXTURE_COORD_4 only enabled");
-  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1}) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
+  for (const GLenum target : {GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_1})
+    define_and_enable(c, random_map(t, target, 3));
   c.Enable(GL_MAP1_VERTEX_4);
   c.Enable(GL_MAP1_TEXTURE_COORD_4);
   evaluate_some(c);
   t.expect_emission(c, kPosition | kTextureCoordinate0);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_evaluation

@@ -13,11 +13,6 @@ namespace {
 
 bool has(Test& t, const char* extension) { return t.gl().extensions.contains(extension); }
 
-// Extensions that no version has taken in.
-void require(Test& t, const char* extension) {
-  if (!has(t, extension)) throw NotSupported(fmt::format("needs {}", extension));
-}
-
 // A target of an extension.
 struct Foreign {
   const char* name;
@@ -29,8 +24,6 @@ constexpr Foreign kForeign[] = {{"VERTEX_ATTRIB0_4_NV_1", 0x8660, "GL_NV_vertex_
                                 {"VERTEX_ATTRIB0_4_NV_2", 0x8670, "GL_NV_vertex_program"},
                                 {"TANGENT_1", 0x8444, "GL_EXT_coordinate_frame"},
                                 {"NURBS", 0x81CB, "GL_SGIX_nurbs_eval"}};
-
-}  // namespace
 
 EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(kForeign))
 (Test& t, const Foreign& foreign) {
@@ -47,8 +40,6 @@ EVALCTS_TEST(Extensions, UnknownTarget, must, "EV-EXT-UNKNOWN-TARGET", combine(k
 };
 
 // --- ARB_vertex_program ------------------------------------------------------------------------------------
-
-namespace {
 
 void use_program(gl::Case& c, const std::string& body) {
   load_assembly(c, GL_VERTEX_PROGRAM_ARB, 1,
@@ -104,11 +95,9 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
                         why);
 }
 
-}  // namespace
-
 EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 (Test& t) {
-  require(t, "GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, {0.75, 0.25, 0.5, 0.125};\n");
   expect_colors(t, state, std::vector<Color>(5, Color{0.75f, 0.25f, 0.5f, 0.125f}),
@@ -118,7 +107,7 @@ EVALCTS_TEST(VertexPrograms, Run, must, "EV-EXT-ARBVP-RUN")
 // Generic attribute 6, which no conventional attribute aliases, changes from vertex to vertex.
 EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
 (Test& t) {
-  require(t, "GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   use_program(state, "MOV result.color, vertex.attrib[6];\n");
   std::vector<Color> colors;
@@ -129,4 +118,5 @@ EVALCTS_TEST(VertexPrograms, NoGenericMaps, must, "EV-EXT-ARBVP-NOGENERIC")
   });
 };
 
+}  // namespace
 }  // namespace evalcts::suite_extensions

@@ -44,8 +44,6 @@ std::size_t count_segments(const Drawing& drawing) {
   return count_vertices(drawing) - drawing.predicted.primitives.size();
 }
 
-}  // namespace
-
 // One for one. The order of a mesh is for its own tests.
 EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
 (Test& t) {
@@ -78,8 +76,6 @@ EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE")
   expect_meshes_like_explicit(picture, control);
 };
 
-namespace {
-
 // Whether a segment that is not the first of its strip has LINE_RESET_TOKEN.
 bool starts_elsewhere(const Drawing& drawing, const Part& part) {
   std::set<std::size_t> first;
@@ -93,8 +89,6 @@ bool starts_elsewhere(const Drawing& drawing, const Part& part) {
     if (lines[i].token == GL_LINE_RESET_TOKEN && !first.count(i)) return true;
   return false;
 }
-
-}  // namespace
 
 // LINE_RESET_TOKEN stands at the first segment of a strip only: advice (U-FEEDBACK-RESET).
 EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE")
@@ -113,8 +107,6 @@ EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE")
         "LINE_TOKEN", "LINE_RESET_TOKEN");
   }
 };
-
-namespace {
 
 double area_of(const FeedbackPrimitive& polygon) {
   double twice = 0;
@@ -149,8 +141,6 @@ Part areas_of(const Part& part) {
   return areas;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
@@ -174,8 +164,6 @@ EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL")
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
-namespace {
-
 constexpr GLenum kTextures[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3,
                                 GL_MAP1_TEXTURE_COORD_4};
 
@@ -183,25 +171,17 @@ constexpr GLenum kTextures[] = {GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_2
 gl::Case choose_texture_map(bool two, int components) {
   gl::Case c;
   for (int k = 1; k <= 4; ++k) {
-    const GLenum first = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
-    const GLenum target = first + static_cast<GLenum>(k - 1);
+    const GLenum target = target_in(two, GL_MAP1_TEXTURE_COORD_1 + static_cast<GLenum>(k - 1));
     if (k != components) {
       c.Disable(target);
       continue;
     }
     std::vector<double> ends = {0, -1, 2.5, 1.5, 1, 0.5, -0.5, 2};
     if (k < 4) ends = {ends.begin(), ends.begin() + 2 * k};
-    if (two) {
-      define(c, make_map2(target, 2, 1, ends));
-    } else {
-      define(c, make_map1(target, ends));
-    }
-    c.Enable(target);
+    define_and_enable(c, make_map2(target, 2, 1, ends));
   }
   return c;
 }
-
-}  // namespace
 
 // Whatever the current texture coordinates are, and those of unit 1.
 EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
@@ -217,7 +197,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
       c.TexCoord4f(0.25f, 4, -2, 0.5f);
       two ? define_patch(c) : define_curve(c);
       c.append(choose_texture_map(two, components));
-      two ? c.EvalMesh2(GL_POINT, 0, kColumns, 0, kRows) : c.EvalMesh1(GL_POINT, 0, kColumns);
+      eval_mesh(c, two, GL_POINT, 0, kColumns, 0, kRows);
       drawings.push_back(drawing(t,
                                  components ? fmt::format("MAP{}_TEXTURE_COORD_{}", two ? 2 : 1, components)
                                             : fmt::format("no map of {} dimensions", two ? 2 : 1),
@@ -234,8 +214,6 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
   expect_drawn_like_explicit(picture, drawings, control);
 };
-
-namespace {
 
 // What happens to colours on their way.
 struct ColorStage {
@@ -269,8 +247,6 @@ bool is_clamped(const Part& part) {
   return true;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Feedback, Colors, must, "EV-FB-COLOR", combine(kColorStages))
 (Test& t, const ColorStage& stage) {
   const bool lighting = std::string_view(stage.name) == "LIGHTING";
@@ -287,8 +263,6 @@ EVALCTS_TEST(Feedback, Colors, must, "EV-FB-COLOR", combine(kColorStages))
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
   expect_drawn_like_explicit(picture, drawings, control);
 };
-
-namespace {
 
 // The colour of each segment or of each quad, and by how much that of another of its vertices differs from
 // it.
@@ -309,8 +283,6 @@ FlatColors flat_colors_of(const Drawing& drawing, const Part& part) {
   }
   return colors;
 }
-
-}  // namespace
 
 // Each segment and each quad is judged where its explicit one is flat.
 EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR")
@@ -347,4 +319,5 @@ EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR")
   if (!observed) throw NotObservable("pipeline: explicit primitives are not flat in feedback mode");
 };
 
+}  // namespace
 }  // namespace evalcts::suite_feedback_mode

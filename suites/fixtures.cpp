@@ -15,6 +15,12 @@ void set_current_values(gl::Case& c, const CurrentValues& values) {
   c.TexCoord4f(5, 6, 7, 8);
 }
 
+gl::Case with_current_values(std::string identity, const CurrentValues& values) {
+  gl::Case c(std::move(identity));
+  set_current_values(c, values);
+  return c;
+}
+
 void evaluate_some(gl::Case& c) {
   c.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.375f, 0.8125f, 1.0f}) c.EvalCoord1f(u);
@@ -25,6 +31,44 @@ void enable_light(gl::Case& c, const std::vector<float>& position) {
   c.Enable(GL_LIGHTING);
   c.Enable(GL_LIGHT0);
   c.Lightfv(GL_LIGHT0, GL_POSITION, position);
+}
+
+void require_texture_units(const Test& t) {
+  t.require(1, 3, "GL_ARB_multitexture");
+  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+}
+
+void require_extension(const Test& t, const std::string& extension) {
+  if (!t.gl().extensions.contains(extension)) throw NotSupported("needs " + extension);
+}
+
+std::vector<ObservedVertex> vertices_of(const Observation& seen) {
+  std::vector<ObservedVertex> all;
+  for (const ObservedPrimitive& primitive : seen.primitives)
+    all.insert(all.end(), primitive.vertices.begin(), primitive.vertices.end());
+  return all;
+}
+
+std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count) {
+  std::vector<ObservedVertex> all = vertices_of(seen);
+  if (all.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+  return all;
+}
+
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b) {
+  return a.position == b.position && a.color == b.color && a.normal == b.normal &&
+         a.texture_coordinate[0] == b.texture_coordinate[0];
+}
+
+Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
+                   std::string captured) {
+  Failure failure;
+  failure.case_identity = c.identity();
+  failure.message = std::move(message);
+  failure.what = std::move(what);
+  failure.expected = std::move(expected);
+  failure.captured = std::move(captured);
+  return failure;
 }
 
 void expect_query_refused(Test& t, gl::Case c, gl::Ref query, std::initializer_list<GLenum> allowed) {

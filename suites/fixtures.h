@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <evalcts/testkit/test.h>
@@ -12,6 +13,13 @@ namespace evalcts {
 
 // The attributes of a vertex, with the texture coordinates of texture unit 0 only.
 inline constexpr Attributes kUnit0 = kPosition | kColor | kNormal | kTextureCoordinate0;
+
+// A parameter of tests: a value, and what stands for it in their names.
+template <class T>
+struct Named {
+  const char* name;
+  T value;
+};
 
 inline constexpr GLint kHighest = std::numeric_limits<GLint>::max();
 inline constexpr GLint kLowest = std::numeric_limits<GLint>::min();
@@ -35,6 +43,25 @@ void evaluate_some(gl::Case& c);
 
 // Enables lighting with LIGHT0 at this position.
 void enable_light(gl::Case& c, const std::vector<float>& position);
+
+// Sets the current values first.
+gl::Case with_current_values(std::string identity, const CurrentValues& values = {});
+
+// Throws NotSupported unless there are at least two texture units.
+void require_texture_units(const Test& t);
+// Throws NotSupported without the extension, which no version has taken in.
+void require_extension(const Test& t, const std::string& extension);
+
+// All vertices that came out, in order.
+std::vector<ObservedVertex> vertices_of(const Observation& seen);
+// The same; throws NotObservable unless there are `count` of them.
+std::vector<ObservedVertex> vertices_of(const Observation& seen, std::size_t count);
+// True if the attributes of texture unit 0 are the same, -0 counting as +0.
+bool same_vertex(const ObservedVertex& a, const ObservedVertex& b);
+
+// A failure of a test that judges by itself.
+Failure failure_of(const gl::Case& c, std::string what, std::string message, std::string expected,
+                   std::string captured);
 
 // Plays `c` with two more queries of errors: the first gives one of `allowed`, the second none, and `query`,
 // a command of `c`, writes nothing.

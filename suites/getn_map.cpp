@@ -3,7 +3,8 @@
 
 #include <evalcts/testkit/registration.h>
 
-#include "maps.h"
+#include "checked_case.h"
+#include "dimensions.h"
 
 namespace evalcts::suite_getn_map {
 namespace {
@@ -21,23 +22,17 @@ constexpr Getter kGetters[] = {
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapfv(target, query, bytes, gl::out<GLfloat>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapfv(target, query, gl::out<GLfloat>(room));
-     }},
+     evalcts::kGetters[0].get},
     {"GetnMapdv", sizeof(GLdouble),
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapdv(target, query, bytes, gl::out<GLdouble>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapdv(target, query, gl::out<GLdouble>(room));
-     }},
+     evalcts::kGetters[1].get},
     {"GetnMapiv", sizeof(GLint),
      [](gl::Case& c, GLenum target, GLenum query, GLsizei bytes, std::size_t room) {
        return c.GetnMapiv(target, query, bytes, gl::out<GLint>(room));
      },
-     [](gl::Case& c, GLenum target, GLenum query, std::size_t room) {
-       return c.GetMapiv(target, query, gl::out<GLint>(room));
-     }}};
+     evalcts::kGetters[2].get}};
 
 struct Answer {
   GLenum target;
@@ -45,51 +40,25 @@ struct Answer {
   std::size_t values;
 };
 
-constexpr int kOrder = 3, kUOrder = 2, kVOrder = 4;
 // Enough for every answer here, and for what a wrong implementation may write.
 constexpr std::size_t kRoom = 64;
 
-// What a test is made with: every target of one dimension with a map of its own, and all their answers.
-struct Dimension {
-  const char* shown;
-  void (*define_all)(Test& t, gl::Case& c);
-  std::vector<Answer> (*answers)();
-};
-constexpr Dimension k1D = {"",
-                           [](Test& t, gl::Case& c) {
-                             for (const GLenum target : gl::kMap1Targets)
-                               define(c, random_map(t, target, kOrder));
-                           },
-                           [] {
-                             std::vector<Answer> all;
-                             for (const GLenum target : gl::kMap1Targets) {
-                               all.push_back({target, GL_ORDER, 1});
-                               all.push_back({target, GL_DOMAIN, 2});
-                               const int points = kOrder * gl::components_of(target);
-                               all.push_back({target, GL_COEFF, static_cast<std::size_t>(points)});
-                             }
-                             return all;
-                           }};
-constexpr Dimension k2D = {", two dimensions",
-                           [](Test& t, gl::Case& c) {
-                             for (const GLenum target : gl::kMap2Targets)
-                               define(c, random_map2(t, target, kUOrder, kVOrder));
-                           },
-                           [] {
-                             std::vector<Answer> all;
-                             for (const GLenum target : gl::kMap2Targets) {
-                               all.push_back({target, GL_ORDER, 2});
-                               all.push_back({target, GL_DOMAIN, 4});
-                               const int points = kUOrder * kVOrder * gl::components_of(target);
-                               all.push_back({target, GL_COEFF, static_cast<std::size_t>(points)});
-                             }
-                             return all;
-                           }};
+// Of all targets of one dimension, each with a map of its own: of order 3, or 2x4.
+std::vector<Answer> answers(bool two) {
+  std::vector<Answer> all;
+  for (const GLenum target : targets(two)) {
+    const int points = (two ? 2 * 4 : 3) * gl::components_of(target);
+    all.push_back({target, GL_ORDER, two ? 2u : 1u});
+    all.push_back({target, GL_DOMAIN, two ? 4u : 2u});
+    all.push_back({target, GL_COEFF, static_cast<std::size_t>(points)});
+  }
+  return all;
+}
 
-gl::Case with_maps(Test& t, const Dimension& dimension, const std::string& identity) {
+CheckedCase with_maps(Test& t, bool two, const std::string& identity) {
   t.require(4, 5, "GL_ARB_robustness");
-  gl::Case c(identity);
-  dimension.define_all(t, c);
+  CheckedCase c(t, identity);
+  for (const GLenum target : targets(two)) define(c, random_map(t, target, two ? Orders{2, 4} : Orders{3}));
   return c;
 }
 
@@ -100,7 +69,7 @@ GLsizei bytes_of(const Getter& getter, const Answer& answer) {
 // A call that has to fail with one of these errors and to write nothing.
 void expect_refused(Test& t, const Getter& getter, const std::string& identity, GLenum target, GLenum query,
                     GLsizei bytes, std::initializer_list<GLenum> errors, bool inside = false) {
-  gl::Case c = with_maps(t, k1D, identity);
+  gl::Case c = with_maps(t, kCurves, identity);
   if (inside) c.Begin(GL_POLYGON);
   const gl::Ref get = getter.getn(c, target, query, bytes, kRoom);
   if (inside) c.End();
@@ -111,81 +80,57 @@ std::string named(GLenum target, GLenum query) {
   return gl::token_name(target) + " " + gl::token_name(query);
 }
 
-void expect_same_as_get_map(Test& t, const Dimension& dimension, const Getter& getter) {
-  gl::Case c =
-      with_maps(t, dimension, fmt::format("every target and query, room to spare{}", dimension.shown));
-  std::vector<std::pair<gl::Ref, gl::Ref>> pairs;
-  for (const Answer& answer : dimension.answers())
-    for (const GLsizei bytes :
-         {static_cast<GLsizei>(kRoom * getter.element), std::numeric_limits<GLsizei>::max()})
-      pairs.emplace_back(getter.get(c, answer.target, answer.query, kRoom),
-                         getter.getn(c, answer.target, answer.query, bytes, kRoom));
-  Played played = t.play(c);
-  for (const auto& [get, getn] : pairs) {
-    // The answer of GetMap shows that something was written at all.
-    played.expect(played.trace().written(get) > 0, get, "the query of the control writes nothing",
-                  "an answer", "nothing");
-    played.expect_same(get, getn);
-  }
-}
-
-void expect_exact_size_enough(Test& t, const Dimension& dimension, const Getter& getter) {
-  gl::Case c = with_maps(
-      t, dimension,
-      fmt::format("every target and query, exactly as many bytes as the answer has{}", dimension.shown));
-  struct Asked {
-    gl::Ref get, getn, error;
-  };
-  std::vector<Asked> all;
-  for (const Answer& answer : dimension.answers()) {
-    Asked asked;
-    asked.get = getter.get(c, answer.target, answer.query, answer.values);
-    asked.getn = getter.getn(c, answer.target, answer.query, bytes_of(getter, answer), answer.values);
-    asked.error = c.GetError();
-    all.push_back(asked);
-  }
-  Played played = t.play(c);
-  for (const Asked& asked : all) {
-    played.expect_no_error(asked.error);
-    played.expect_same(asked.get, asked.getn);
-  }
-}
-
 // All answers of two dimensions, each asked for with these sizes: refused, with nothing written.
 void expect_sizes_refused2(Test& t, const Getter& getter, const std::string& identity,
-                           std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element),
-                           std::initializer_list<GLenum> errors) {
-  gl::Case c = with_maps(t, k2D, identity);
-  std::vector<std::pair<gl::Ref, gl::Ref>> asked;
-  for (const Answer& answer : k2D.answers())
+                           std::vector<GLsizei> (*sizes)(GLsizei exact, GLsizei element), GLenum error,
+                           GLenum other_error) {
+  CheckedCase c = with_maps(t, kSurfaces, identity);
+  for (const Answer& answer : answers(kSurfaces))
     for (const GLsizei bytes : sizes(bytes_of(getter, answer), static_cast<GLsizei>(getter.element))) {
       const gl::Ref get = getter.getn(c, answer.target, answer.query, bytes, kRoom);
-      asked.emplace_back(get, c.GetError());
+      c.expect_error(error, other_error);
+      c.expect([=](Played& played) { played.expect_nothing_written(get); });
     }
-  Played played = t.play(c);
-  for (const auto& [get, error] : asked) {
-    played.expect_error(error, errors);
-    played.expect_nothing_written(get);
-  }
+  c.check();
 }
 
-}  // namespace
+EVALCTS_TEST_PAIR(GetnMap.SameAsGetMap, GetnMap.SameAsGetMap2, must, "EV-GETN-SAME", combine(kGetters))
+(Test& t, bool two, const Getter& getter) {
+  CheckedCase c = with_maps(
+      t, two, fmt::format("every target and query, room to spare{}", two ? ", two dimensions" : ""));
+  for (const Answer& answer : answers(two))
+    for (const GLsizei bytes :
+         {static_cast<GLsizei>(kRoom * getter.element), std::numeric_limits<GLsizei>::max()}) {
+      const gl::Ref get = getter.get(c, answer.target, answer.query, kRoom);
+      const gl::Ref getn = getter.getn(c, answer.target, answer.query, bytes, kRoom);
+      c.expect([=](Played& played) {
+        // The answer of GetMap shows that something was written at all.
+        played.expect(played.trace().written(get) > 0, get, "the query of the control writes nothing",
+                      "an answer", "nothing");
+        played.expect_same(get, getn);
+      });
+    }
+  c.check();
+};
 
-EVALCTS_TEST(GetnMap, SameAsGetMap, must, "EV-GETN-SAME", combine(kGetters))
-(Test& t, const Getter& getter) { expect_same_as_get_map(t, k1D, getter); };
-
-EVALCTS_TEST(GetnMap, SameAsGetMap2, must, "EV-GETN-SAME", combine(kGetters))
-(Test& t, const Getter& getter) { expect_same_as_get_map(t, k2D, getter); };
-
-EVALCTS_TEST(GetnMap, ExactSizeIsEnough, must, "EV-GETN-BYTES", combine(kGetters))
-(Test& t, const Getter& getter) { expect_exact_size_enough(t, k1D, getter); };
-
-EVALCTS_TEST(GetnMap, ExactSizeIsEnough2, must, "EV-GETN-BYTES", combine(kGetters))
-(Test& t, const Getter& getter) { expect_exact_size_enough(t, k2D, getter); };
+EVALCTS_TEST_PAIR(GetnMap.ExactSizeIsEnough, GetnMap.ExactSizeIsEnough2, must, "EV-GETN-BYTES",
+                  combine(kGetters))
+(Test& t, bool two, const Getter& getter) {
+  CheckedCase c = with_maps(t, two,
+                            fmt::format("every target and query, exactly as many bytes as the answer has{}",
+                                        two ? ", two dimensions" : ""));
+  for (const Answer& answer : answers(two)) {
+    const gl::Ref get = getter.get(c, answer.target, answer.query, answer.values);
+    const gl::Ref getn = getter.getn(c, answer.target, answer.query, bytes_of(getter, answer), answer.values);
+    c.expect_no_error();
+    c.expect_same(get, getn);
+  }
+  c.check();
+};
 
 EVALCTS_TEST(GetnMap, TooSmall, must, "EV-GETN-SMALL", combine(kGetters))
 (Test& t, const Getter& getter) {
-  for (const Answer& answer : k1D.answers()) {
+  for (const Answer& answer : answers(kCurves)) {
     const GLsizei exact = bytes_of(getter, answer);
     for (const GLsizei bytes : {exact - 1, exact - static_cast<GLsizei>(getter.element), 0})
       expect_refused(t, getter,
@@ -196,16 +141,17 @@ EVALCTS_TEST(GetnMap, TooSmall, must, "EV-GETN-SMALL", combine(kGetters))
 
 EVALCTS_TEST(GetnMap, TooSmall2, must, "EV-GETN-SMALL", combine(kGetters))
 (Test& t, const Getter& getter) {
-  expect_sizes_refused2(t, getter, "one byte, one value, all of them too few, for every target and query",
-                        [](GLsizei exact, GLsizei element) {
-                          return std::vector<GLsizei>{exact - 1, exact - element, 0};
-                        },
-                        {GL_INVALID_OPERATION});
+  expect_sizes_refused2(
+      t, getter, "one byte, one value, all of them too few, for every target and query",
+      [](GLsizei exact, GLsizei element) {
+        return std::vector<GLsizei>{exact - 1, exact - element, 0};
+      },
+      GL_INVALID_OPERATION, GL_INVALID_OPERATION);
 };
 
 EVALCTS_TEST(GetnMap, NegativeSize, must, "EV-GETN-NEGATIVE", combine(kGetters))
 (Test& t, const Getter& getter) {
-  for (const Answer& answer : k1D.answers())
+  for (const Answer& answer : answers(kCurves))
     for (const GLsizei bytes : {-1, -1000})
       expect_refused(t, getter, fmt::format("{} {} bytes", named(answer.target, answer.query), bytes),
                      answer.target, answer.query, bytes, {GL_INVALID_VALUE, GL_INVALID_OPERATION});
@@ -213,11 +159,12 @@ EVALCTS_TEST(GetnMap, NegativeSize, must, "EV-GETN-NEGATIVE", combine(kGetters))
 
 EVALCTS_TEST(GetnMap, NegativeSize2, must, "EV-GETN-NEGATIVE", combine(kGetters))
 (Test& t, const Getter& getter) {
-  expect_sizes_refused2(t, getter, "-1 and -1000 bytes, for every target and query",
-                        [](GLsizei, GLsizei) {
-                          return std::vector<GLsizei>{-1, -1000};
-                        },
-                        {GL_INVALID_VALUE, GL_INVALID_OPERATION});
+  expect_sizes_refused2(
+      t, getter, "-1 and -1000 bytes, for every target and query",
+      [](GLsizei, GLsizei) {
+        return std::vector<GLsizei>{-1, -1000};
+      },
+      GL_INVALID_VALUE, GL_INVALID_OPERATION);
 };
 
 EVALCTS_TEST(GetnMap, ErrorsOfGetMap, must, "EV-GETN-ERRORS", combine(kGetters))
@@ -235,4 +182,5 @@ EVALCTS_TEST(GetnMap, ErrorsOfGetMap, must, "EV-GETN-ERRORS", combine(kGetters))
                      {GL_INVALID_OPERATION}, true);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_getn_map

@@ -6,8 +6,8 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
 #include "glx_requests.h"
-#include "maps.h"
 #include "refusal.h"
 
 namespace evalcts::suite_glx_protocol {
@@ -70,7 +70,7 @@ const std::vector<Command>& commands() {
     const Wire u1 = Wire().float64(kU), u1f = Wire().float32(kUf[0]);
     std::vector<Command> c;
     const auto map1 = make_map1(GL_MAP1_TEXTURE_COORD_2, 0.5, 2, 2, {0.25, -0.75});
-    const Map2 map2 = make_map2(GL_MAP2_TEXTURE_COORD_2, 1, 1, {0.25, -0.75});
+    const Map map2 = make_map2(GL_MAP2_TEXTURE_COORD_2, 1, 1, {0.25, -0.75});
     c.push_back(
         {"Map1d", [=](gl::Case& s) { define(s, map1, true); }, 143,
          Wire().reals({0.5, 2}, true).card32(map1.target).int32(1).reals({0.25, -0.75}, true).bytes()});
@@ -150,27 +150,18 @@ const std::vector<Command>& queries() {
   return all;
 }
 
-SentCommand sent_map(const Map1& map, bool doubles) {
-  Wire wire;
-  if (!doubles) wire.card32(map.target);
-  wire.reals({map.u1, map.u2}, doubles);
-  if (doubles) wire.card32(map.target);
-  wire.int32(map.order).reals(map.coefficients(), doubles);
-  return {doubles ? 143u : 144u, true, false, wire.bytes()};
-}
-
-SentCommand sent_map(const Map2& map, bool doubles) {
+SentCommand sent_map(const Map& map, bool doubles) {
   Wire wire;
   if (doubles) {
-    wire.reals({map.u1, map.u2, map.v1, map.v2}, true).card32(map.target).int32(map.uorder).int32(map.vorder);
+    wire.reals(map.domain(), true).card32(map.target).int32(map.uorder);
   } else {
     wire.card32(map.target).reals({map.u1, map.u2}, false).int32(map.uorder);
-    wire.reals({map.v1, map.v2}, false).int32(map.vorder);
+    if (map.two) wire.reals({map.v1, map.v2}, false);
   }
-  return {doubles ? 145u : 146u, true, false, wire.reals(map.coefficients(), doubles).bytes()};
+  if (map.two) wire.int32(map.vorder);
+  const unsigned opcode = (map.two ? 145 : 143) + (doubles ? 0 : 1);
+  return {opcode, true, false, wire.reals(map.coefficients(), doubles).bytes()};
 }
-
-}  // namespace
 
 EVALCTS_TEST(GlxProtocol, Opcodes, must, "EV-GLX-OPCODES", combine(commands()))
 (Test& t, const Command& command) { expect_sent(t, command); };
@@ -188,8 +179,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kM
 (Test& t, GLenum target) {
   for (const Form& form : kForms)
     for (const int padding : {0, 3}) {
-      Map1 map = random_map(t, target, 4, gl::components_of(target) + padding);
-      map.u1 = 5, map.u2 = -2.25;
+      const Map map = over(random_map(t, target, 4, gl::components_of(target) + padding), {5, -2.25});
       expect_sent(t, fmt::format("Map1{}, stride k+{}", form.name, padding),
                   [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
     }
@@ -197,13 +187,11 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap1, must, "EV-GLX-MAP1-PACK", combine(gl::kM
 
 EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kMap2Targets))
 (Test& t, GLenum target) {
-  constexpr int kOrders[][2] = {{2, 3}, {3, 2}, {4, 1}};
   for (const Form& form : kForms)
     for (const Layout& layout : kLayouts)
-      for (const auto& [uorder, vorder] : kOrders) {
-        Map2 map = random_map2(t, target, uorder, vorder, layout);
-        map.u1 = 5, map.u2 = -2.25, map.v1 = -1, map.v2 = 0.5;
-        expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, uorder, vorder, layout.name),
+      for (const Orders& orders : {Orders{2, 3}, {3, 2}, {4, 1}}) {
+        const Map map = over(random_map(t, target, orders, layout), {5, -2.25}, {-1, 0.5});
+        expect_sent(t, fmt::format("Map2{}, {}x{}, {}", form.name, orders.u, orders.v, layout.name),
                     [&](gl::Case& c) { define(c, map, form.doubles); }, {sent_map(map, form.doubles)});
       }
 };
@@ -215,10 +203,10 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
   for (const Form& form : kForms)
     for (const int padding : {0, 1}) {  // clients send packed points from where they are
       const auto room = kRoom + static_cast<std::size_t>(most * most) * 4 * sizeof(double) * 2;
-      const Map1 curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
-      const Map2 surface = random_map2(t, GL_MAP2_VERTEX_4, most, most, (4 + padding) * most, 4 + padding);
+      const Map curve = random_map(t, GL_MAP1_VERTEX_4, most, 4 + padding);
+      const Map surface = random_map(t, GL_MAP2_VERTEX_4, {most, most}, (4 + padding) * most, 4 + padding);
       expect_sent(
-          t, fmt::format("Map1{}, Map2{} of order {}, stride k+{}", form.name, form.name, most, padding),
+          t, fmt::format("Map1{}, Map{} of order {}, stride k+{}", form.name, form.name, most, padding),
           [&](gl::Case& c) {
             define(c, curve, form.doubles);
             define(c, surface, form.doubles);
@@ -231,8 +219,6 @@ EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
     }
 };
 
-namespace {
-
 // Calls that the protocol names erroneous, with the error of each.
 struct Erroneous {
   const char* name;
@@ -240,55 +226,45 @@ struct Erroneous {
   GLenum error;
 };
 
+// A map of the command that the name begins with.
+Erroneous bad_map(const char* name, GLenum target, int ustride, int uorder, int vstride = 1, int vorder = 1,
+                  GLenum error = GL_INVALID_VALUE) {
+  const bool two = name[3] == '2', doubles = name[4] == 'd';
+  const std::vector<double> points(64);
+  return {name, defining({target, 0, 1, 0, 1, ustride, vstride, uorder, vorder, points, two}, doubles),
+          error};
+}
+
 const std::vector<Erroneous>& erroneous_maps() {
-  static const std::vector<float> f(64);
-  static const std::vector<double> d(64);
   static const std::vector<Erroneous> all = {
-      {"Map1f/TARGET", [](gl::Case& c) { c.Map1f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, f); }, GL_INVALID_ENUM},
-      {"Map1d/TARGET", [](gl::Case& c) { c.Map1d(GL_VERTEX_ARRAY, 0., 1., 3, 2, d); }, GL_INVALID_ENUM},
-      {"Map2f/TARGET", [](gl::Case& c) { c.Map2f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_ENUM},
-      {"Map2d/TARGET", [](gl::Case& c) { c.Map2d(GL_VERTEX_ARRAY, 0., 1., 3, 2, 0., 1., 6, 2, d); },
-       GL_INVALID_ENUM},
-      {"Map1f/ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, 0, f); }, GL_INVALID_VALUE},
-      {"Map1d/ORDER", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, -1, d); }, GL_INVALID_VALUE},
-      {"Map2f/UORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 0, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/VORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, 2, 0., 1., 6, -4, d); },
-       GL_INVALID_VALUE},
-      {"Map1f/NEGATIVE_ORDER", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 3, -2, f); },
-       GL_INVALID_VALUE},
-      {"Map1d/ORDER_0", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 3, 0, d); }, GL_INVALID_VALUE},
-      {"Map2f/VORDER", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, 2, 0.f, 1.f, 6, 0, f); },
-       GL_INVALID_VALUE},
-      {"Map2f/NEGATIVE_UORDER",
-       [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 3, -1, 0.f, 1.f, 6, 2, f); }, GL_INVALID_VALUE},
-      {"Map2d/UORDER", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -3, 0., 1., 6, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map2d/BOTH_ORDERS", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 3, -2, 0., 1., 6, -2, d); },
-       GL_INVALID_VALUE}};
+      bad_map("Map1f/TARGET", GL_MAP2_VERTEX_3, 3, 2, 1, 1, GL_INVALID_ENUM),
+      bad_map("Map1d/TARGET", GL_VERTEX_ARRAY, 3, 2, 1, 1, GL_INVALID_ENUM),
+      bad_map("Map2f/TARGET", GL_MAP1_VERTEX_3, 3, 2, 6, 2, GL_INVALID_ENUM),
+      bad_map("Map2d/TARGET", GL_VERTEX_ARRAY, 3, 2, 6, 2, GL_INVALID_ENUM),
+      bad_map("Map1f/ORDER", GL_MAP1_VERTEX_3, 3, 0),
+      bad_map("Map1d/ORDER", GL_MAP1_VERTEX_3, 3, -1),
+      bad_map("Map2f/UORDER", GL_MAP2_VERTEX_3, 3, 0, 6, 2),
+      bad_map("Map2d/VORDER", GL_MAP2_VERTEX_3, 3, 2, 6, -4),
+      bad_map("Map1f/NEGATIVE_ORDER", GL_MAP1_VERTEX_3, 3, -2),
+      bad_map("Map1d/ORDER_0", GL_MAP1_VERTEX_3, 3, 0),
+      bad_map("Map2f/VORDER", GL_MAP2_VERTEX_3, 3, 2, 6, 0),
+      bad_map("Map2f/NEGATIVE_UORDER", GL_MAP2_VERTEX_3, 3, -1, 6, 2),
+      bad_map("Map2d/UORDER", GL_MAP2_VERTEX_3, 3, -3, 6, 2),
+      bad_map("Map2d/BOTH_ORDERS", GL_MAP2_VERTEX_3, 3, -2, 6, -2)};
   return all;
 }
 
 const std::vector<Erroneous>& small_strides() {
-  static const std::vector<float> f(64);
-  static const std::vector<double> d(64);
-  static const std::vector<Erroneous> all = {
-      {"Map1f", [](gl::Case& c) { c.Map1f(GL_MAP1_VERTEX_3, 0.f, 1.f, 2, 2, f); }, GL_INVALID_VALUE},
-      {"Map1d", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_3, 0., 1., 2, 2, d); }, GL_INVALID_VALUE},
-      {"Map2f/USTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 2, 2, 0.f, 1.f, 6, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/VSTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 6, 2, 0., 1., 2, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map2f/VSTRIDE", [](gl::Case& c) { c.Map2f(GL_MAP2_VERTEX_3, 0.f, 1.f, 6, 2, 0.f, 1.f, 2, 2, f); },
-       GL_INVALID_VALUE},
-      {"Map2d/USTRIDE", [](gl::Case& c) { c.Map2d(GL_MAP2_VERTEX_3, 0., 1., 2, 2, 0., 1., 6, 2, d); },
-       GL_INVALID_VALUE},
-      {"Map1f/STRIDE_0", [](gl::Case& c) { c.Map1f(GL_MAP1_COLOR_4, 0.f, 1.f, 0, 2, f); }, GL_INVALID_VALUE},
-      {"Map1d/ORDER_1", [](gl::Case& c) { c.Map1d(GL_MAP1_VERTEX_4, 0., 1., 3, 1, d); }, GL_INVALID_VALUE},
-      {"Map2f/ORDER_1", [](gl::Case& c) { c.Map2f(GL_MAP2_NORMAL, 0.f, 1.f, 2, 1, 0.f, 1.f, 0, 1, f); },
-       GL_INVALID_VALUE},
-      {"Map1d/NEGATIVE", [](gl::Case& c) { c.Map1d(GL_MAP1_INDEX, 0., 1., -1, 2, d); }, GL_INVALID_VALUE}};
+  static const std::vector<Erroneous> all = {bad_map("Map1f", GL_MAP1_VERTEX_3, 2, 2),
+                                             bad_map("Map1d", GL_MAP1_VERTEX_3, 2, 2),
+                                             bad_map("Map2f/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                             bad_map("Map2d/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                             bad_map("Map2f/VSTRIDE", GL_MAP2_VERTEX_3, 6, 2, 2, 2),
+                                             bad_map("Map2d/USTRIDE", GL_MAP2_VERTEX_3, 2, 2, 6, 2),
+                                             bad_map("Map1f/STRIDE_0", GL_MAP1_COLOR_4, 0, 2),
+                                             bad_map("Map1d/ORDER_1", GL_MAP1_VERTEX_4, 3, 1),
+                                             bad_map("Map2f/ORDER_1", GL_MAP2_NORMAL, 2, 1, 0, 1),
+                                             bad_map("Map1d/NEGATIVE", GL_MAP1_INDEX, -1, 2)};
   return all;
 }
 
@@ -319,8 +295,6 @@ void expect_no_points(Test& t, const Erroneous& bad) {
                   fmt::format("{} bytes, or no command", small(command.opcode)), in_words({command}));
 }
 
-}  // namespace
-
 EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erroneous_maps()))
 (Test& t, const Erroneous& bad) {
   expect_erroneous(t, bad);
@@ -330,8 +304,6 @@ EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erron
 EVALCTS_TEST(GlxProtocol, SmallStrides, must, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
 (Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
-namespace {
-
 // Whatever is asked for afterwards shows that rendering is indirect.
 void begin_indirect(gl::Case& c) {
   c.RecordRequestsEVALCTS();
@@ -339,48 +311,41 @@ void begin_indirect(gl::Case& c) {
   recorded_requests(c);
 }
 
-}  // namespace
-
 // n values, for n = 1 and more; behind an array of n values lies a guard.
 EVALCTS_TEST(GlxProtocol, Replies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
   const std::vector<double> points = {3, -5, 2, 7, 11, -13, 1, 4};
-  gl::Case c("orders, domains and points");
+  CheckedCase c(t, "orders, domains and points");
   begin_indirect(c);
-  const Map1 index = make_map1(GL_MAP1_INDEX, {9});
-  const Map2 surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
+  const Map index = make_map1(GL_MAP1_INDEX, {9});
+  const Map surface = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, points);
   define(c, index);
   define(c, surface);
-  const gl::Ref one[] = {form.get(c, index.target, GL_ORDER, 1), form.get(c, index.target, GL_COEFF, 1)};
-  const gl::Ref two[] = {form.get(c, index.target, GL_DOMAIN, 2), form.get(c, surface.target, GL_ORDER, 2)};
-  const gl::Ref four = form.get(c, surface.target, GL_DOMAIN, 4);
-  const gl::Ref eight = form.get(c, surface.target, GL_COEFF, 8);
-  Played played = t.play(c);
-  played.expect_values(one[0], std::vector<double>{1});
-  played.expect_values(one[1], std::vector<double>{9});
-  played.expect_values(two[0], std::vector<double>{0, 1});
-  played.expect_values(two[1], std::vector<double>{2, 2});
-  played.expect_values(four, std::vector<double>{0, 1, 0, 1});
-  played.expect_values(eight, points);
+  c.expect_values(form.get(c, index.target, GL_ORDER, 1), {1});
+  c.expect_values(form.get(c, index.target, GL_COEFF, 1), {9});
+  c.expect_values(form.get(c, index.target, GL_DOMAIN, 2), {0, 1});
+  c.expect_values(form.get(c, surface.target, GL_ORDER, 2), {2, 2});
+  c.expect_values(form.get(c, surface.target, GL_DOMAIN, 4), {0, 1, 0, 1});
+  c.expect_values(form.get(c, surface.target, GL_COEFF, 8), points);
+  c.check();
 };
 
 // A query that raises an error leaves the array alone, and the next one is answered as ever.
 EVALCTS_TEST(GlxProtocol, EmptyReplies, must, "EV-GLX-GETMAP-REPLY", combine(kGetters))
 (Test& t, const Getter& form) {
-  gl::Case c("a bad query, a bad target");
+  CheckedCase c(t, "a bad query, a bad target");
   begin_indirect(c);
   c.GetError();
   const gl::Ref bad_query = form.get(c, GL_MAP1_VERTEX_3, GL_MAP_COLOR, 8);
-  const gl::Ref first = c.GetError();
+  c.expect_error(GL_INVALID_ENUM);
   const gl::Ref bad_target = form.get(c, GL_MAP_COLOR, GL_ORDER, 8);
-  const gl::Ref second = c.GetError();
-  const gl::Ref good = form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1);
-  Played played = t.play(c);
-  played.expect_error(first, {GL_INVALID_ENUM});
-  played.expect_nothing_written(bad_query);
-  played.expect_error(second, {GL_INVALID_ENUM});
-  played.expect_nothing_written(bad_target);
-  played.expect_values(good, std::vector<double>{1});
+  c.expect_error(GL_INVALID_ENUM);
+  c.expect([=](Played& played) {
+    played.expect_nothing_written(bad_query);
+    played.expect_nothing_written(bad_target);
+  });
+  c.expect_values(form.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 1), {1});
+  c.check();
 };
 
 // All other tests are this one, too: here stands that rendering is indirect, and a little of everything.
@@ -389,20 +354,17 @@ EVALCTS_TEST(GlxProtocol, SameResult, must, "EV-GLX-SAMERESULT")
   expect_sent(t, commands().front());  // it is indirect
   for (const bool two : {false, true}) {
     gl::Case c(two ? "a surface" : "a curve");
-    for (const GLenum target : (two ? kKinds2 : kKinds1)[0].targets) {
-      two ? define(c, random_map2(t, target, 3, 2)) : define(c, random_map(t, target, 4));
-      c.Enable(target);
-    }
-    c.Begin(GL_POINTS);
-    for (const float u : {0.0f, 0.25f, 1.0f}) two ? c.EvalCoord2f(u, 0.375f) : c.EvalCoord1f(u);
-    c.End();
+    for (const GLenum target : kinds_of(two)[0].targets)
+      define_and_enable(c, random_map(t, target, two ? Orders{3, 2} : Orders{4}));
+    evaluate_all(c, two, {{0, 0.375}, {0.25, 0.375}, {1, 0.375}});
     two ? c.MapGrid2f(4, 0.0f, 1.0f, 2, 1.0f, 0.5f) : c.MapGrid1f(4, 1.0f, 0.25f);
-    two ? c.EvalMesh2(GL_POINT, 1, 2, 0, 1) : c.EvalMesh1(GL_POINT, 1, 3);
+    eval_mesh(c, two, GL_POINT, 1, two ? 2 : 3, 0, 1);
     c.Begin(GL_POINTS);
-    for (const GLint i : {0, 3}) two ? c.EvalPoint2(i, 1) : c.EvalPoint1(i);
+    for (const GLint i : {0, 3}) eval_point(c, two, i, 1);
     c.End();
     t.expect_emission(c, kPosition | kColor | kTextureCoordinate0);
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_glx_protocol

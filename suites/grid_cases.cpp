@@ -14,6 +14,10 @@ gl::Ref map_grid(gl::Case& c, const Grid& u, const Grid& v) {
   return c.MapGrid2f(u.segments, u.first, u.last, v.segments, v.first, v.last);
 }
 
+gl::Ref map_grid(gl::Case& c, bool two, const Grid& u, const Grid& v) {
+  return two ? map_grid(c, u, v) : map_grid(c, u);
+}
+
 std::vector<Grid> awkward_grids() {
   return {{1, 0, 1},     {4, -0.5f, 2.5f},  {3, 0.1f, 0.7f},
           {7, 2, -1},    {10, 1e-3f, 2.1f}, {49, 0.3f, 1.0f / 3},
@@ -23,33 +27,13 @@ std::vector<Grid> awkward_grids() {
 void enable_maps(Test& t, gl::Case& c, bool two) {
   for (const GLenum target : {GL_MAP1_VERTEX_4, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_4}) {
     const int order = target == GL_MAP1_NORMAL ? 2 : 4;
-    if (two) {
-      Map2 map = random_map2(t, target - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4, order, 6 - order);
-      map.u1 = -1;
-      map.u2 = 3;
-      map.v1 = 2;
-      map.v2 = 1;
-      define(c, map);
-      c.Enable(map.target);
-    } else {
-      Map1 map = random_map(t, target, order);
-      map.u1 = -1;
-      map.u2 = 3;
-      define(c, map);
-      c.Enable(map.target);
-    }
+    define_and_enable(c, over(random_map(t, target_in(two, target), {order, 6 - order}), {-1, 3}, {2, 1}));
   }
 }
 
 void map_grid(gl::Case& c, const Along& along, const Grid& grid) {
   const Grid across = {2, 0, 1};
-  if (!along.two) {
-    map_grid(c, grid);
-  } else if (along.v) {
-    map_grid(c, across, grid);
-  } else {
-    map_grid(c, grid, across);
-  }
+  map_grid(c, along.two, along.v ? across : grid, along.v ? grid : across);
 }
 
 std::vector<Grid> probed_grids(Test& t) {
@@ -76,30 +60,20 @@ namespace {
 
 void define_probe(gl::Case& c, const Along& along, float value) {
   const float width = std::max(1e-5f * std::abs(value), 1e-5f);
-  const std::vector<float> points = {0, 0.25f, 0.5f, 1, 0.25f, 0.5f};
-  if (!along.two) {
-    c.Map1f(GL_MAP1_VERTEX_3, value, value + width, 3, 2, points);
-  } else if (along.v) {
-    c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 6, 1, value, value + width, 3, 2, points);
+  const Interval ends = {value, value + width};
+  const std::vector<double> points = {0, 0.25, 0.5, 1, 0.25, 0.5};
+  if (along.v) {
+    define(c, over(make_map2(GL_MAP2_VERTEX_3, 1, 2, 6, 3, points), {0, 1}, ends));
   } else {
-    c.Map2f(GL_MAP2_VERTEX_3, value, value + width, 3, 2, 0, 1, 6, 1, points);
-  }
-}
-
-void evaluate_at(gl::Case& c, const Along& along, float value) {
-  if (!along.two) {
-    c.EvalCoord1f(value);
-  } else if (along.v) {
-    c.EvalCoord2f(0.5f, value);
-  } else {
-    c.EvalCoord2f(value, 0.5f);
+    define(c, over(make_map2(target_in(along.two, GL_MAP1_VERTEX_3), 2, 1, 3, 6, points), ends));
   }
 }
 
 // A primitive of the kind, all of whose vertices are that one.
 void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
   c.Begin(kind == kPoints ? GL_POINTS : kind == kLines ? GL_LINES : GL_QUADS);
-  for (int i = 0; i < (kind == kPoints ? 1 : kind == kLines ? 2 : 4); ++i) evaluate_at(c, along, value);
+  for (int i = 0; i < (kind == kPoints ? 1 : kind == kLines ? 2 : 4); ++i)
+    eval_coord(c, along.two, along.v ? 0.5 : value, along.v ? value : 0.5);
   c.End();
 }
 
@@ -116,7 +90,7 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
                       const std::function<void(gl::Case&, const Grid&)>& draw, std::size_t most_vertices) {
   const std::vector<Grid> grids = probed_grids(t);
   gl::Case c(fmt::format("{} grids", grids.size()));
-  c.Enable(along.two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+  c.Enable(target_in(along.two, GL_MAP1_VERTEX_3));
   float tag = 0;
   for (const Grid& grid : grids) {
     const float end = last ? grid.last : grid.first;

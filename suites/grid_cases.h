@@ -15,6 +15,8 @@ struct Grid {
 };
 gl::Ref map_grid(gl::Case& c, const Grid& u);
 gl::Ref map_grid(gl::Case& c, const Grid& u, const Grid& v);
+// MapGrid1f of u alone, or MapGrid2f.
+gl::Ref map_grid(gl::Case& c, bool two, const Grid& u, const Grid& v);
 
 // Grids whose ends and steps are awkward in single precision. None is the domain of awkward_domain maps.
 std::vector<Grid> awkward_grids();

@@ -20,7 +20,7 @@ std::string shown(const std::vector<double>& values) {
 // over [0,1] x [0,1], as a vertex shader sees it: not normalised.
 std::vector<double> normal_over(Test& t, double u1, double u2) {
   t.require(3, 0);
-  Map2 plane = make_map2(GL_MAP2_VERTEX_3, 2, 2, {-1, -1, 0, -1, 1, 0, 1, -1, 0, 1, 1, 0});
+  Map plane = make_map2(GL_MAP2_VERTEX_3, 2, 2, {-1, -1, 0, -1, 1, 0, 1, -1, 0, 1, 1, 0});
   plane.u1 = u1;
   plane.u2 = u2;
   gl::Case c(fmt::format("a plane over [{}, {}] x [0, 1]", u1, u2));
@@ -67,8 +67,6 @@ void follow_error(Test& t, const std::string& text, GLenum seen,
   for (const auto& [reading, error] : readings) values.push_back({reading, {static_cast<double>(error)}});
   follow(t, text, {static_cast<double>(seen)}, values, 0);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Interpretations, IntegersOfColors, interpretation, "EV-GETMAP-ROUND/1-D")
 (Test& t) {
@@ -118,4 +116,5 @@ EVALCTS_TEST(Interpretations, EndsThatDifferAsDoubles, interpretation, "EV-MAP1-
                {{"error", GL_INVALID_VALUE}, {"accepted", GL_NO_ERROR}});
 };
 
+}  // namespace
 }  // namespace evalcts::suite_interpretations

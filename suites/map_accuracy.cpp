@@ -6,6 +6,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "dimensions.h"
 #include "maps.h"
 
 namespace evalcts::suite_map_accuracy {
@@ -19,16 +20,16 @@ int step(Test& t, int order) {
 // The cross-check that gives a library its accuracy figures: every order, values spread over the domain and
 // crowded at its ends, ordinary and cancelling data. One case, so that a library compiles its shaders once.
 void measure1(Test& t, GLenum target, int values_per_map) {
-  const int k = gl::components_of(target);
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("every order, random and alternating points");
   enable_visibly(c, target);
   for (int order = 1; order <= t.max_order(); order += step(t, order)) {
     for (int kind = 0; kind < 2; ++kind) {
-      std::vector<double> points = random_values(t.random(), static_cast<std::size_t>(order * k));
+      Map map = random_map(t, target, order);
       if (kind == 1)
-        for (std::size_t i = 0; i < points.size(); ++i)
-          points[i] = std::abs(points[i]) * (i / static_cast<std::size_t>(k) % 2 ? -1 : 1);
-      define(c, make_map1(target, points));
+        for (std::size_t i = 0; i < map.points.size(); ++i)
+          map.points[i] = std::abs(map.points[i]) * (i / k % 2 ? -1 : 1);
+      define(c, map);
       std::vector<double> us;
       // The exact route slows down with the order: fewer values beyond those that libraries offer.
       const int count = order <= 32 ? values_per_map : values_per_map / 4;
@@ -50,19 +51,11 @@ void measure2(Test& t, GLenum target, int values_per_map) {
   gl::Case c("pairs of orders up to MAX, random and alternating points");
   enable_visibly(c, target);
   const int max = t.max_order();
-  for (const auto& [uorder, vorder] : {std::pair{1, 1},
-                                       {2, 2},
-                                       {3, 3},
-                                       {4, 4},
-                                       {6, 3},
-                                       {3, 6},
-                                       {8, 8},
-                                       {12, 5},
-                                       {max, 3},
-                                       {2, max},
-                                       {max, max}})
+  const std::vector<Orders> all_orders = {{1, 1}, {2, 2},  {3, 3},   {4, 4},   {6, 3},    {3, 6},
+                                          {8, 8}, {12, 5}, {max, 3}, {2, max}, {max, max}};
+  for (const auto& [uorder, vorder] : all_orders)
     for (const bool alternating : {false, true}) {
-      Map2 map = random_map2(t, target, uorder, vorder);
+      Map map = random_map(t, target, {uorder, vorder});
       if (alternating) {
         const int k = map.components();
         for (std::size_t i = 0; i < map.points.size(); ++i) {
@@ -85,19 +78,25 @@ void measure2(Test& t, GLenum target, int values_per_map) {
   t.expect_emission(c, attribute_of(target));
 }
 
-}  // namespace
+const auto kEachTarget = [](bool two) { return combine(visible_targets(two)); };
 
 // One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TEST(Map1Accuracy, Acceptable, must, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
-(Test& t, GLenum target) { measure1(t, target, t.by_depth(20, 40, 2000)); };
+EVALCTS_TEST_PAIR(Map1Accuracy.Acceptable, Map2Accuracy.Acceptable, must,
+                  decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
+(Test& t, bool two, GLenum target) {
+  two ? measure2(t, target, t.by_depth(12, 30, 1000)) : measure1(t, target, t.by_depth(20, 40, 2000));
+};
 
 // ... and one to warn where it is worse than good single precision.
-EVALCTS_TEST(Map1Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
-(Test& t, GLenum target) { measure1(t, target, t.by_depth(4, 4, 1000)); };
+EVALCTS_TEST_PAIR(Map1Accuracy.GoodSinglePrecision, Map2Accuracy.GoodSinglePrecision, quality,
+                  decide("EV-NUM-ACCURACY/1-D", "EV-NUM-ACCURACY/2-D"), kEachTarget)
+(Test& t, bool two, GLenum target) {
+  two ? measure2(t, target, t.by_depth(4, 8, 500)) : measure1(t, target, t.by_depth(4, 4, 1000));
+};
 
 // ... also next to an end of the domain, where one of t and s is small and may not be what rounding the other
 // one left of it: the point there is 0, so that nothing hides the error.
-EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets()))
+EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", combine(visible_targets(kCurves)))
 (Test& t, GLenum target) {
   const auto k = static_cast<std::size_t>(gl::components_of(target));
   gl::Case c("the numbers next to each end");
@@ -105,7 +104,7 @@ EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", comb
   for (const Interval domain : {Interval{0.1f, 0.7f}, {2, 5}, {-3, -1}, {1e3, 1e3 + 7}, {5, -2}})
     for (const int order : {2, 3, 4, 7})
       for (const bool last : {false, true}) {
-        Map1 map = over(random_map(t, target, order), domain);
+        Map map = over(random_map(t, target, order), domain);
         std::fill_n(last ? map.points.end() - static_cast<std::ptrdiff_t>(k) : map.points.begin(), k, 0.0);
         define(c, map);
         const auto end = static_cast<float>(last ? domain.last : domain.first);
@@ -118,12 +117,5 @@ EVALCTS_TEST(Map1Accuracy, GoodNearTheEnds, quality, "EV-NUM-ACCURACY/1-D", comb
   t.expect_emission(c, attribute_of(target));
 };
 
-// One test to fail where a result leaves the acceptance interval ...
-EVALCTS_TEST(Map2Accuracy, Acceptable, must, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
-(Test& t, GLenum target) { measure2(t, target, t.by_depth(12, 30, 1000)); };
-
-// ... and one to warn where it is worse than good single precision.
-EVALCTS_TEST(Map2Accuracy, GoodSinglePrecision, quality, "EV-NUM-ACCURACY/2-D", combine(visible_targets2()))
-(Test& t, GLenum target) { measure2(t, target, t.by_depth(4, 8, 500)); };
-
+}  // namespace
 }  // namespace evalcts::suite_map_accuracy

@@ -16,9 +16,10 @@ namespace evalcts::suite_map_values {
 
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
+const auto kEachTarget = combine(visible_targets(kCurves)).by(gl::curve_deliveries());
+
 // All orders of one target in one case: the map is defined anew before each Begin.
-EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("orders 1 to the largest");
   enable_visibly(c, target);
@@ -30,8 +31,7 @@ EVALCTS_TEST(Map1Values, AllOrders, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D
 };
 
 // Data on which terms cancel: alternating signs, steep steps, near-linear points, large offsets.
-EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("alternating, step, line, offset, one spike");
   enable_visibly(c, target);
@@ -54,7 +54,7 @@ EVALCTS_TEST(Map1Values, AwkwardData, must, "EV-MAP1-BEZIER", "EV-NUM-ACCURACY/1
 };
 
 // At uh = 0 and uh = 1 all powers but one are 0^0: other points, however large, do not show.
-EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("first and last point among points near the largest that the GL promises to hold");
   enable_visibly(c, target);
@@ -67,7 +67,7 @@ EVALCTS_TEST(Map1Values, Ends, must, "EV-MAP1-ZEROPOW", combine(visible_targets(
       points[points.size() - k + component] = -0.25 - static_cast<double>(component);
     }
     for (const Interval domain : {Interval{0, 1}, Interval{2, 5}, Interval{1, -3}}) {
-      define(c, make_map1(target, domain.first, domain.last, static_cast<int>(k), points));
+      define(c, over(make_map1(target, points), domain));
       evaluate_all(c, {domain.first, domain.last});
     }
   }
@@ -88,12 +88,8 @@ constexpr NamedDomain kReversedDomains[] = {{"1_TO_0", 1, 0}, {"5_TO_-2", 5, -2}
 
 void expect_over_domain(Test& t, const NamedDomain& named) {
   const Interval domain = {named.u1, named.u2};
-  // All kinds of data in one primitive: each attribute has a map of its own.
-  using Pair = std::pair<GLenum, GLenum>;
-  for (const auto& [vertex, texture] :
-       {Pair{GL_MAP1_VERTEX_3, GL_MAP1_TEXTURE_COORD_3}, Pair{GL_MAP1_VERTEX_4, GL_MAP1_TEXTURE_COORD_4}}) {
-    const std::array<GLenum, 4> targets = {vertex, GL_MAP1_COLOR_4, GL_MAP1_NORMAL, texture};
-    gl::Case c(fmt::format("{}, COLOR_4, NORMAL and {}", label(vertex), label(texture)));
+  for (const auto& [name, targets] : kKinds1) {
+    gl::Case c(fmt::format("{}, COLOR_4, NORMAL and {}", label(targets[0]), label(targets[3])));
     for (const GLenum target : targets) c.Enable(target);
     for (const int order : {1, 2, 3, 4, 6, 8, 20}) {
       if (order > t.max_order()) continue;
@@ -104,15 +100,12 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
   }
 }
 
-}  // namespace
-
 EVALCTS_TEST(Map1Values, Domain, must, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
 // Where all points but the first few are far from zero what is next to the first end tells how exactly the
 // argument is taken apart.
-EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("ramps that begin with zero");
   enable_visibly(c, target);
@@ -122,7 +115,7 @@ EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN",
     for (const int order : {2, 3}) {
       std::vector<double> points(static_cast<std::size_t>(order) * k);
       for (std::size_t i = k; i < points.size(); ++i) points[i] = points[i - k] + 1;
-      define(c, make_map1(target, domain.first, domain.last, static_cast<int>(k), points));
+      define(c, over(make_map1(target, points), domain));
       std::vector<double> us;
       auto u = static_cast<float>(domain.first);
       const auto towards = static_cast<float>(domain.last);
@@ -152,8 +145,7 @@ EVALCTS_TEST(Map1Values, ReversedDomain, must, "EV-MAP1-REVERSED",
              combine(kReversedDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
-EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("every order, to the left and to the right of the domain");
   enable_visibly(c, target);
@@ -173,14 +165,13 @@ EVALCTS_TEST(Map1Values, OutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACC
 };
 
 // So far that powers of the argument leave the usual range of magnitudes; the results do not.
-EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-ACCURACY/1-D", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("2^15 to 2^20 widths of the domain away");
   enable_visibly(c, target);
   for (const Interval domain : {Interval{0, 1}, {3, 1}})
     for (const int order : {2, 3, 4}) {
-      Map1 map = over(random_map(t, target, order), domain);
+      Map map = over(random_map(t, target, order), domain);
       for (double& value : map.points) value = std::ldexp(value, -20 * (order - 1) + 6);
       define(c, map);
       std::vector<double> us;
@@ -191,62 +182,52 @@ EVALCTS_TEST(Map1Values, FarOutsideDomain, must, "EV-MAP1-EXTRAPOLATE", "EV-NUM-
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, OrderOneIsConstant, must, "EV-MAP1-ORDER-ONE", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("one point, arguments in and outside the domain");
   enable_visibly(c, target);
   for (const int stride : {4, 9}) {
-    Map1 map = over(random_map(t, target, 1), {2, 5});
-    map = make_map1(target, 2, 5, stride, map.coefficients());
-    define(c, map);
-    const gl::Ref unused = c.GetError();
-    static_cast<void>(unused);
+    define(c, over(random_map(t, target, 1, stride), {2, 5}));
+    c.GetError();
     evaluate_all(c, {2, 5, 3.3, -7, 100});
   }
   t.expect_emission(c, attribute_of(target));
 };
 
 // Values that differ in every component, so that no permutation of them goes unseen.
-EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, ComponentOrder, must, "EV-MAP1-COMPORDER", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("components 1/8, 3/8, 5/8, 7/8");
-  const auto k = static_cast<std::size_t>(gl::components_of(target));
   std::vector<double> points;
   for (int i = 0; i < 2; ++i)
-    for (std::size_t component = 0; component < k; ++component)
-      points.push_back((2.0 * static_cast<double>(component) + 1) / 8);
+    for (int component = 0; component < gl::components_of(target); ++component)
+      points.push_back((2.0 * component + 1) / 8);
   define(c, make_map1(target, points));
   enable_visibly(c, target);
   evaluate_all(c, {0, 0.5, 1});
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, Stride, must, "EV-MAP1-STRIDE", "EV-MAP1-PADDING", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("strides k, k+1, 2k, 17 with poisoned padding");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
   for (const int stride : {k, k + 1, 2 * k, 17, 257})
     for (const int order : {1, 2, 5}) {
-      const Map1 tight = random_map(t, target, order);
-      define(c, make_map1(target, 0, 1, stride, tight.coefficients()));
+      define(c, random_map(t, target, order, stride));
       evaluate_all(c, {0, 0.25, 0.625, 1});
     }
   t.expect_emission(c, attribute_of(target));
 };
 
-EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING",
-             combine(visible_targets()).by(gl::curve_deliveries()))
+EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING", kEachTarget)
 (Test& t, GLenum target) {
   gl::Case c("padding of NaN and infinity");
   enable_visibly(c, target);
   const int k = gl::components_of(target);
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    const Map1 tight = random_map(t, target, 4);
-    Map1 map = make_map1(target, 0, 1, k + 3, tight.coefficients());
+    Map map = random_map(t, target, 4, k + 3);
     for (double& value : map.points)
       if (value == kPoison) value = padding;
     define(c, map);
@@ -257,9 +238,7 @@ EVALCTS_TEST(Map1Values, PaddingNaN, must, "EV-MAP1-PADDING",
 
 // --- Two-dimensional maps --------------------------------------------------------------------------------
 
-namespace {
-
-using Orders = std::pair<int, int>;
+const auto kEachCommand = by(gl::without(gl::kArrays, gl::surface_deliveries()));
 
 // A case of all kinds of data at once: `write` is called with what defines the four maps of a vertex, first
 // for VERTEX_3, then for VERTEX_4, which has precedence.
@@ -270,7 +249,8 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
   for (const Kinds& kinds : kKinds2) {
     for (const GLenum target : kinds.targets) c.Enable(target);
     write(c, [&](int uorder, int vorder, Interval u, Interval v) {
-      for (const GLenum target : kinds.targets) define(c, over(random_map2(t, target, uorder, vorder), u, v));
+      for (const GLenum target : kinds.targets)
+        define(c, over(random_map(t, target, {uorder, vorder}), u, v));
     });
   }
   t.expect_emission(c, kUnit0);
@@ -285,16 +265,14 @@ std::vector<gl::Delivery> both_forms() {
   return forms;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Map2Values, OrderPairs, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2-D", "EV-MAP2-ASYM",
-             combine(visible_targets2()).by(gl::surface_deliveries()))
+             combine(visible_targets(kSurfaces)).by(gl::surface_deliveries()))
 (Test& t, GLenum target) {
   gl::Case c("all pairs of orders up to 8x8");
   enable_visibly(c, target);
   for (int uorder = 1; uorder <= 8; ++uorder)
     for (int vorder = 1; vorder <= 8; ++vorder) {
-      define(c, random_map2(t, target, uorder, vorder));
+      define(c, random_map(t, target, {uorder, vorder}));
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(1, 5, 100)));
     }
   t.expect_emission(c, attribute_of(target));
@@ -305,19 +283,18 @@ EVALCTS_TEST(Map2Values, LargeOrders, must, "EV-MAP2-BEZIER", "EV-NUM-ACCURACY/2
 (Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "orders above 8", [&](gl::Case& c, const DefineAll& define_all) {
-    for (const Orders& orders :
+    for (const auto& [uorder, vorder] :
          {Orders{9, 9}, {10, 4}, {3, 17}, {13, 12}, {max, 2}, {5, max}, {max - 1, max - 2}, {max, max}}) {
-      if (orders.first > max || orders.second > max) continue;
-      define_all(orders.first, orders.second, {0, 1}, {0, 1});
-      const bool large = orders.first * orders.second > 256;
+      if (uorder > max || vorder > max) continue;
+      define_all(uorder, vorder, {0, 1}, {0, 1});
+      const bool large = uorder * vorder > 256;
       evaluate_all(c, arguments(t, {0, 1}, {0, 1}, large ? t.by_depth(1, 1, 10) : t.by_depth(2, 4, 40)));
     }
   });
 };
 
 // Every point of a grid: long runs of neighbours, along u and then along v.
-EVALCTS_TEST(Map2Values, GridOfArguments, must, "EV-MAP2-BEZIER",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, GridOfArguments, must, "EV-MAP2-BEZIER", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "8x8 arguments", [](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [uorder, vorder] : {Orders{4, 4}, {3, 5}, {2, 2}}) {
@@ -339,7 +316,7 @@ EVALCTS_TEST(Map2Values, Layouts, must, "EV-MAP2-ADDRESS", "EV-MAP2-STRIDE-FREE"
   gl::Case c("orders 3x5, 4x2, 1x6, 6x1");
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const auto& [uorder, vorder] : {Orders{3, 5}, {4, 2}, {1, 6}, {6, 1}}) {
-    for (const GLenum target : kKinds2[1].targets) define(c, random_map2(t, target, uorder, vorder, layout));
+    for (const GLenum target : kKinds2[1].targets) define(c, random_map(t, target, {uorder, vorder}, layout));
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, t.by_depth(4, 8, 100)));
   }
   t.expect_emission(c, kUnit0);
@@ -352,7 +329,7 @@ EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms())
   for (const double padding : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     for (const Layout& layout : {kLayouts[2], kLayouts[3]}) {
       for (const GLenum target : kKinds2[1].targets) {
-        Map2 map = random_map2(t, target, 4, 3, layout);
+        Map map = random_map(t, target, {4, 3}, layout);
         for (double& value : map.points)
           if (value == kPoison) value = padding;
         define(c, map);
@@ -362,8 +339,7 @@ EVALCTS_TEST(Map2Values, PaddingOfNaN, must, "EV-MAP2-PADDING", by(both_forms())
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
 (Test& t) {
   const std::pair<Interval, Interval> domains[] = {{{0, 1}, {2, 5}},
                                                    {{-3, -1}, {0, 1}},
@@ -383,8 +359,7 @@ EVALCTS_TEST(Map2Values, TwoIntervals, must, "EV-MAP2-DOMAIN",
 };
 
 // Each of the maps that make one vertex has intervals of its own, some of them as wide in u as in v.
-EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN", kEachCommand)
 (Test& t) {
   constexpr std::pair<Interval, Interval> kOwn[] = {
       {{0, 1}, {1, 2}}, {{-1, 2}, {0.5, 1.5}}, {{0, 1}, {0.25, 2.25}}, {{1.5, -0.5}, {2, 0}}};
@@ -394,7 +369,7 @@ EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN",
     for (std::size_t round = 0; round < 4; ++round) {
       for (std::size_t i = 0; i < 4; ++i) {
         const auto& [u, v] = kOwn[(i + round) % 4];
-        define(c, over(random_map2(t, kinds.targets[i], 3, 4), u, v));
+        define(c, over(random_map(t, kinds.targets[i], {3, 4}), u, v));
       }
       evaluate_all(c, arguments(t, {0, 1}, {0.5, 1.5}, t.by_depth(4, 6, 60)));
     }
@@ -402,8 +377,7 @@ EVALCTS_TEST(Map2Values, OwnIntervals, must, "EV-MAP2-DOMAIN",
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(
       t, "neither interval reversed, either, both", [&](gl::Case& c, const DefineAll& define_all) {
@@ -417,7 +391,7 @@ EVALCTS_TEST(Map2Values, ReversedIntervals, must, "EV-MAP2-REVERSED",
 };
 
 EVALCTS_TEST(Map2Values, OutsideTheRectangle, must, "EV-MAP2-EXTRAPOLATE", "EV-NUM-ACCURACY/2-D",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+             kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "beyond each edge and each corner", [&](gl::Case& c, const DefineAll& define_all) {
     for (const auto& [u, v] : {std::pair{Interval{0, 1}, Interval{0, 1}}, {{2, 5}, {1, -1}}})
@@ -433,8 +407,7 @@ EVALCTS_TEST(Map2Values, OutsideTheRectangle, must, "EV-MAP2-EXTRAPOLATE", "EV-N
   });
 };
 
-EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER", kEachCommand)
 (Test& t) {
   const int max = t.max_order();
   expect_of_all_kinds(t, "2x5, 7x1, 1x7, MAXx1, 1xMAX", [&](gl::Case& c, const DefineAll& define_all) {
@@ -446,8 +419,7 @@ EVALCTS_TEST(Map2Values, UnequalOrders, must, "EV-MAP2-ASYM", "EV-MAP2-BEZIER",
 };
 
 // Constant in the direction of order 1, far outside the domain as well; 1x1 is constant everywhere.
-EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE", kEachCommand)
 (Test& t) {
   expect_of_all_kinds(t, "1x1, 1x4, 4x1", [&](gl::Case& c, const DefineAll& define_all) {
     define_all(1, 1, {2, 5}, {0, 1});
@@ -460,8 +432,7 @@ EVALCTS_TEST(Map2Values, OrderOneInOneDirection, must, "EV-MAP2-ORDER-ONE",
 };
 
 // The weights of the other direction sum to 1 wherever it is evaluated.
-EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE", kEachCommand)
 (Test& t) {
   gl::Case c("R_ij = R_i and R_ij = R_j");
   for (const Kinds& kinds : kKinds2) {
@@ -489,8 +460,7 @@ EVALCTS_TEST(Map2Values, ConstantInOneDirection, must, "EV-MAP2-SEPARABLE",
 };
 
 // At the corners all other points, however large, have no weight.
-EVALCTS_TEST(Map2Values, Corners, must, "EV-NUM-CORNERS",
-             by(gl::without(gl::kArrays, gl::surface_deliveries())))
+EVALCTS_TEST(Map2Values, Corners, must, "EV-NUM-CORNERS", kEachCommand)
 (Test& t) {
   gl::Case c("among points near the largest that the GL promises to hold");
   for (const Kinds& kinds : kKinds2) {
@@ -522,7 +492,7 @@ EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(bo
   for (const GLenum target : kKinds2[1].targets) c.Enable(target);
   for (const Layout& layout : {kLayouts[0], kLayouts[3], kLayouts[5]}) {
     for (const GLenum target : kKinds2[1].targets)
-      define(c, random_map2(t, target, 4, 3, layout), false, fate.after);
+      define(c, random_map(t, target, {4, 3}, layout), false, fate.after);
     evaluate_all(c, arguments(t, {0, 1}, {0, 1}, 6));
   }
   t.expect_emission(c, kUnit0);
@@ -532,22 +502,20 @@ EVALCTS_TEST(Map2Values, PointsGone, must, "EV-MAP2-COPY", combine(kFates).by(bo
 EVALCTS_TEST(Map2Values, Redefinition, must, "EV-MAP2-REPLACE", "EV-MAP2-COPY", by(both_forms()))
 (Test& t) {
   gl::Case c("one map after the other, of each target in turn");
-  for (const GLenum target : kKinds2[1].targets) {
-    define(c, random_map2(t, target, 2, 2));
-    c.Enable(target);
-  }
+  for (const GLenum target : kKinds2[1].targets) define_and_enable(c, random_map(t, target, {2, 2}));
   for (int round = 0; round < t.by_depth(2, 4, 30); ++round)
     for (const GLenum target : kKinds2[1].targets) {
-      define_in_slot(c, random_map2(t, target, 4, 3), false, static_cast<int>(target));
+      define_in_slot(c, random_map(t, target, {4, 3}), false, static_cast<int>(target));
       evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
       for (int same_orders = 0; same_orders < 2; ++same_orders) {
-        define_in_slot(c, random_map2(t, target, 3, 4), false, static_cast<int>(target));
+        define_in_slot(c, random_map(t, target, {3, 4}), false, static_cast<int>(target));
         evaluate_all(c, {{0.25, 0.75}, {1, 0.5}});
       }
-      define(c, over(random_map2(t, target, 1 + round % 5, 5 - round % 4), {round + 0.5, -1}, {-1, 3}));
+      define(c, over(random_map(t, target, {1 + round % 5, 5 - round % 4}), {round + 0.5, -1}, {-1, 3}));
       evaluate_all(c, {{0.25, 0.75}, {-1, 3}});
     }
   t.expect_emission(c, kUnit0);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_map_values

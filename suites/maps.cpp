@@ -8,33 +8,20 @@
 namespace evalcts {
 namespace {
 
-std::size_t first_value(const Map2& map, int i, int j) {
+std::size_t first_value(const Map& map, int i, int j) {
   return static_cast<std::size_t>(map.ustride * i + map.vstride * j);
 }
 
-gl::Ref define_with(gl::Case& c, const Map1& map, bool doubles, const gl::Input& points) {
-  if (doubles) return c.Map1d(map.target, map.u1, map.u2, map.stride, map.order, points);
-  return c.Map1f(map.target, map.u1, map.u2, map.stride, map.order, points);
-}
-
-gl::Ref define_with(gl::Case& c, const Map2& map, bool doubles, const gl::Input& points) {
+gl::Ref define_with(gl::Case& c, const Map& m, bool doubles, const gl::Input& points) {
+  if (!m.two && doubles) return c.Map1d(m.target, m.u1, m.u2, m.ustride, m.uorder, points);
+  if (!m.two) return c.Map1f(m.target, m.u1, m.u2, m.ustride, m.uorder, points);
   if (doubles)
-    return c.Map2d(map.target, map.u1, map.u2, map.ustride, map.uorder, map.v1, map.v2, map.vstride,
-                   map.vorder, points);
-  return c.Map2f(map.target, map.u1, map.u2, map.ustride, map.uorder, map.v1, map.v2, map.vstride, map.vorder,
-                 points);
+    return c.Map2d(m.target, m.u1, m.u2, m.ustride, m.uorder, m.v1, m.v2, m.vstride, m.vorder, points);
+  return c.Map2f(m.target, m.u1, m.u2, m.ustride, m.uorder, m.v1, m.v2, m.vstride, m.vorder, points);
 }
 
-template <class Map>
 gl::Input points_of(const Map& map, bool doubles, gl::AfterCall after = gl::AfterCall::keep) {
   return doubles ? gl::array(map.points, after) : gl::array(converted<float>(map.points), after);
-}
-
-template <class Map>
-gl::Ref define_with_slot(gl::Case& c, const Map& map, bool doubles, int slot) {
-  gl::Input points = points_of(map, doubles);
-  points.slot = slot;
-  return define_with(c, map, doubles, points);
 }
 
 double random_between(Test& t, const Interval& interval) {
@@ -58,28 +45,7 @@ std::vector<GLenum> without_index(std::span<const GLenum> targets) {
   return others;
 }
 
-std::vector<double> Map1::coefficients() const {
-  std::vector<double> packed;
-  for (int i = 0; i < order; ++i)
-    for (int c = 0; c < components(); ++c) packed.push_back(points[static_cast<std::size_t>(i * stride + c)]);
-  return packed;
-}
-
-Map1 make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients) {
-  Map1 map{target, u1, u2, stride, 0, {}};
-  const std::size_t k = static_cast<std::size_t>(map.components());
-  map.order = static_cast<int>(coefficients.size() / k);
-  map.points.assign(static_cast<std::size_t>(map.order * stride), kPoison);
-  for (std::size_t i = 0; i < coefficients.size(); ++i)
-    map.points[i / k * static_cast<std::size_t>(stride) + i % k] = coefficients[i];
-  return map;
-}
-
-Map1 make_map1(GLenum target, const std::vector<double>& coefficients) {
-  return make_map1(target, 0, 1, gl::components_of(target), coefficients);
-}
-
-std::vector<double> Map2::coefficients() const {
+std::vector<double> Map::coefficients() const {
   std::vector<double> packed;
   for (int i = 0; i < uorder; ++i)
     for (int j = 0; j < vorder; ++j) {
@@ -89,9 +55,27 @@ std::vector<double> Map2::coefficients() const {
   return packed;
 }
 
-Map2 make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
-               const std::vector<double>& coefficients) {
-  Map2 map{target, 0, 1, 0, 1, ustride, vstride, uorder, vorder, {}};
+std::vector<GLint> Map::orders() const {
+  return two ? std::vector<GLint>{uorder, vorder} : std::vector<GLint>{uorder};
+}
+
+std::vector<double> Map::domain() const {
+  return two ? std::vector<double>{u1, u2, v1, v2} : std::vector<double>{u1, u2};
+}
+
+Map make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients) {
+  const auto k = static_cast<std::size_t>(gl::components_of(target));
+  const auto order = static_cast<int>(coefficients.size() / k);
+  return over(make_map2(target, order, 1, stride, stride, coefficients), {u1, u2});
+}
+
+Map make_map1(GLenum target, const std::vector<double>& coefficients) {
+  return make_map1(target, 0, 1, gl::components_of(target), coefficients);
+}
+
+Map make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
+              const std::vector<double>& coefficients) {
+  Map map{target, 0, 1, 0, 1, ustride, vstride, uorder, vorder, {}};
   const std::size_t last_block = static_cast<std::size_t>(std::min(ustride, vstride));
   map.points.assign(first_value(map, uorder - 1, vorder - 1) + last_block, kPoison);
   auto next = coefficients.begin();
@@ -104,7 +88,7 @@ Map2 make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
   return map;
 }
 
-Map2 make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients) {
+Map make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients) {
   const int k = gl::components_of(target);
   return make_map2(target, uorder, vorder, k * vorder, k, coefficients);
 }
@@ -119,28 +103,29 @@ std::vector<double> random_values(std::mt19937& random, std::size_t count) {
   return values;
 }
 
-Map1 random_map(Test& t, GLenum target, int order) {
+Map random_map(Test& t, GLenum target, int order) {
   return random_map(t, target, order, gl::components_of(target));
 }
 
-Map1 random_map(Test& t, GLenum target, int order, int stride) {
-  const auto count = static_cast<std::size_t>(order * gl::components_of(target));
-  return make_map1(target, 0, 1, stride, random_values(t.random(), count));
+Map random_map(Test& t, GLenum target, int order, int stride) {
+  return random_map(t, target, Orders{order}, stride, stride);
 }
 
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder) {
-  return random_map2(t, target, uorder, vorder, kLayouts[0]);
+Map random_map(Test& t, GLenum target, const Orders& orders) {
+  return random_map(t, target, orders, kLayouts[0]);
 }
 
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, int ustride, int vstride) {
-  const auto count = static_cast<std::size_t>(uorder * vorder * gl::components_of(target));
-  return make_map2(target, uorder, vorder, ustride, vstride, random_values(t.random(), count));
+Map random_map(Test& t, GLenum target, const Orders& orders, int ustride, int vstride) {
+  const int vorder = is_two_dimensional(target) ? orders.v : 1;
+  const auto count = static_cast<std::size_t>(orders.u * vorder * gl::components_of(target));
+  return make_map2(target, orders.u, vorder, ustride, vstride, random_values(t.random(), count));
 }
 
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, const Layout& layout) {
+Map random_map(Test& t, GLenum target, const Orders& orders, const Layout& layout) {
   const int k = gl::components_of(target);
-  return random_map2(t, target, uorder, vorder, layout.ustride(k, uorder, vorder),
-                     layout.vstride(k, uorder, vorder));
+  if (!is_two_dimensional(target)) return random_map(t, target, orders.u, k);
+  return random_map(t, target, orders, layout.ustride(k, orders.u, orders.v),
+                    layout.vstride(k, orders.u, orders.v));
 }
 
 std::vector<int> orders_too_high(const Test& t) {
@@ -156,90 +141,97 @@ std::vector<int> orders_too_high(const Test& t) {
 
 std::string label(GLenum token) { return gl::token_name(token).substr(3); }
 
-const std::vector<TargetForm>& target_forms() {
-  static const std::vector<TargetForm> all = make_target_forms(gl::kMap1Targets);
+std::span<const GLenum> targets(bool two) { return two ? gl::kMap2Targets : gl::kMap1Targets; }
+
+const std::vector<GLenum>& all_targets() {
+  static const std::vector<GLenum> all = [] {
+    std::vector<GLenum> both(gl::kMap1Targets.begin(), gl::kMap1Targets.end());
+    both.insert(both.end(), gl::kMap2Targets.begin(), gl::kMap2Targets.end());
+    return both;
+  }();
   return all;
 }
 
-const std::vector<TargetForm>& visible_target_forms() {
-  static const std::vector<TargetForm> all = make_target_forms(visible_targets());
+const std::vector<GLenum>& all_caps() {
+  static const std::vector<GLenum> all = [] {
+    std::vector<GLenum> caps = all_targets();
+    caps.push_back(GL_AUTO_NORMAL);
+    return caps;
+  }();
   return all;
 }
 
-const std::vector<GLenum>& visible_targets() {
-  static const std::vector<GLenum> all = without_index(gl::kMap1Targets);
-  return all;
+const std::vector<TargetForm>& target_forms(bool two) {
+  static const std::vector<TargetForm> all[] = {make_target_forms(targets(false)),
+                                                make_target_forms(targets(true))};
+  return all[two];
 }
 
-const std::vector<TargetForm>& target_forms2() {
-  static const std::vector<TargetForm> all = make_target_forms(gl::kMap2Targets);
-  return all;
+const std::vector<TargetForm>& visible_target_forms(bool two) {
+  static const std::vector<TargetForm> all[] = {make_target_forms(visible_targets(false)),
+                                                make_target_forms(visible_targets(true))};
+  return all[two];
 }
 
-const std::vector<TargetForm>& visible_target_forms2() {
-  static const std::vector<TargetForm> all = make_target_forms(visible_targets2());
-  return all;
+const std::vector<GLenum>& visible_targets(bool two) {
+  static const std::vector<GLenum> all[] = {without_index(targets(false)), without_index(targets(true))};
+  return all[two];
 }
 
-const std::vector<GLenum>& visible_targets2() {
-  static const std::vector<GLenum> all = without_index(gl::kMap2Targets);
-  return all;
-}
-
-gl::Ref define(gl::Case& c, const Map1& map, bool doubles, gl::AfterCall after) {
+gl::Ref define(gl::Case& c, const Map& map, bool doubles, gl::AfterCall after) {
   return define_with(c, map, doubles, points_of(map, doubles, after));
 }
 
-gl::Ref define(gl::Case& c, const Map2& map, bool doubles, gl::AfterCall after) {
-  return define_with(c, map, doubles, points_of(map, doubles, after));
+gl::Ref define_in_slot(gl::Case& c, const Map& map, bool doubles, int slot) {
+  gl::Input points = points_of(map, doubles);
+  points.slot = slot;
+  return define_with(c, map, doubles, points);
 }
 
-gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot) {
-  return define_with_slot(c, map, doubles, slot);
-}
-
-gl::Ref define_in_slot(gl::Case& c, const Map2& map, bool doubles, int slot) {
-  return define_with_slot(c, map, doubles, slot);
+void define_and_enable(gl::Case& c, const Map& map, bool doubles) {
+  define(c, map, doubles);
+  c.Enable(map.target);
 }
 
 gl::Ref evaluate(gl::Case& c, double u, bool doubles) {
   return doubles ? c.EvalCoord1d(u) : c.EvalCoord1f(u);
 }
 
-gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles) {
-  if (doubles) return c.EvalCoord1dv(std::vector<double>{u});
-  return c.EvalCoord1fv(std::vector<float>{static_cast<float>(u)});
-}
-
 gl::Ref evaluate2(gl::Case& c, double u, double v, bool doubles) {
   return doubles ? c.EvalCoord2d(u, v) : c.EvalCoord2f(u, v);
 }
 
-gl::Ref evaluate2_vector(gl::Case& c, double u, double v, bool doubles) {
-  if (doubles) return c.EvalCoord2dv(std::vector<double>{u, v});
-  return c.EvalCoord2fv(converted<float>({u, v}));
+gl::Ref eval_coord(gl::Case& c, bool two, double u, double v, bool doubles) {
+  return two ? evaluate2(c, u, v, doubles) : evaluate(c, u, doubles);
+}
+
+gl::Ref eval_coord_vector(gl::Case& c, bool two, double u, double v, bool doubles) {
+  const std::vector<double> at = two ? std::vector{u, v} : std::vector{u};
+  if (doubles) return two ? c.EvalCoord2dv(at) : c.EvalCoord1dv(at);
+  return two ? c.EvalCoord2fv(converted<float>(at)) : c.EvalCoord1fv(converted<float>(at));
+}
+
+gl::Ref eval_point(gl::Case& c, bool two, int i, int j) { return two ? c.EvalPoint2(i, j) : c.EvalPoint1(i); }
+
+gl::Ref eval_mesh(gl::Case& c, bool two, GLenum mode, int i1, int i2, int j1, int j2) {
+  return two ? c.EvalMesh2(mode, i1, i2, j1, j2) : c.EvalMesh1(mode, i1, i2);
 }
 
 void enable_visibly(gl::Case& c, GLenum target) {
   if (attribute_of(target) != kPosition) {
-    const std::vector<GLfloat> point = {0.25f, 0.5f, 0.75f};
+    const std::vector<double> point = {0.25, 0.5, 0.75};
     const bool two = is_two_dimensional(target);
-    if (two) {
-      c.Map2f(GL_MAP2_VERTEX_3, 0, 1, 3, 1, 0, 1, 3, 1, point);
-    } else {
-      c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 1, point);
-    }
-    c.Enable(two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
+    define_and_enable(c, make_map2(target_in(two, GL_MAP1_VERTEX_3), 1, 1, point));
   }
   c.Enable(target);
 }
 
-Map1 over(Map1 map, const Interval& u) {
+Map over(Map map, const Interval& u) {
   map.u1 = u.first, map.u2 = u.last;
   return map;
 }
 
-Map2 over(Map2 map, const Interval& u, const Interval& v) {
+Map over(Map map, const Interval& u, const Interval& v) {
   map.u1 = u.first, map.u2 = u.last, map.v1 = v.first, map.v2 = v.last;
   return map;
 }
@@ -270,14 +262,20 @@ void evaluate_all(gl::Case& c, const std::vector<double>& arguments) {
   c.End();
 }
 
-void evaluate_all(gl::Case& c, const std::vector<At>& arguments) {
+void evaluate_all(gl::Case& c, const std::vector<At>& arguments) { evaluate_all(c, kSurfaces, arguments); }
+
+void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool doubles) {
   c.Begin(GL_POINTS);
-  for (const auto& [u, v] : arguments) evaluate2(c, u, v);
+  for (const auto& [u, v] : arguments) eval_coord(c, two, u, v, doubles);
   c.End();
 }
 
 bool is_two_dimensional(GLenum target) {
   return std::ranges::find(gl::kMap2Targets, target) != gl::kMap2Targets.end();
+}
+
+GLenum target_in(bool two, GLenum map1_target) {
+  return two ? map1_target - gl::kMap1Targets[0] + gl::kMap2Targets[0] : map1_target;
 }
 
 std::vector<gl::Ref> query_everything(gl::Case& c, int max_order) {
@@ -323,18 +321,16 @@ MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles) {
   return query;
 }
 
-void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& orders,
-                    const std::vector<double>& domain, const std::vector<double>& coefficients,
-                    bool doubles) {
+void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles) {
   // Queries promise single precision, to one part in 10^5 (EV-GETMAP-FLOAT, EV-GETMAP-DOUBLE).
   constexpr double kRelative = 1e-5;
-  played.expect_values(query.order, orders);
+  played.expect_values(query.order, map.orders());
   if (doubles) {
-    played.expect_values_near(query.domain, domain, kRelative);
-    played.expect_values_near(query.coefficients, coefficients, kRelative);
+    played.expect_values_near(query.domain, map.domain(), kRelative);
+    played.expect_values_near(query.coefficients, map.coefficients(), kRelative);
   } else {
-    played.expect_values_near(query.domain, converted<float>(domain), kRelative);
-    played.expect_values_near(query.coefficients, converted<float>(coefficients), kRelative);
+    played.expect_values_near(query.domain, converted<float>(map.domain()), kRelative);
+    played.expect_values_near(query.coefficients, converted<float>(map.coefficients()), kRelative);
   }
 }
 

@@ -12,61 +12,66 @@
 
 namespace evalcts {
 
-// A map as Map1 is given it: `order` control points, `stride` values apart, each block whole (order*stride
-// values), so that nothing behind the last point is ever out of bounds (U-TAIL).
-struct Map1 {
-  GLenum target = GL_MAP1_VERTEX_3;
-  double u1 = 0, u2 = 1;
-  int stride = 3, order = 1;
-  std::vector<double> points;
+// For functions and parameters that take either dimension.
+inline constexpr bool kCurves = false, kSurfaces = true;
+bool is_two_dimensional(GLenum target);
+// The target of one dimension, or its namesake of two.
+GLenum target_in(bool two, GLenum map1_target);
+// The nine targets of one dimension.
+std::span<const GLenum> targets(bool two);
+// The 18 targets, those of one dimension first.
+const std::vector<GLenum>& all_targets();
+// The 18 targets and AUTO_NORMAL: everything that Enable takes.
+const std::vector<GLenum>& all_caps();
 
-  int components() const { return gl::components_of(target); }
-  // The control points, the orders and the domain as GetMap returns them.
-  std::vector<double> coefficients() const;
-  std::vector<GLint> orders() const { return {order}; }
-  std::vector<double> domain() const { return {u1, u2}; }
+struct Orders {
+  int u, v = 1;
+  friend bool operator==(const Orders&, const Orders&) = default;
 };
 
-// A map as Map2 is given it: R_ij begins ustride*i + vstride*j values after the first. The memory ends with
-// the whole block of the last point, the smaller stride, so that nothing legal is out of bounds (U-TAIL).
-struct Map2 {
-  GLenum target = GL_MAP2_VERTEX_3;
+// The domain of a map in one direction.
+struct Interval {
+  double first, last;
+};
+
+// A map as Map1 or Map2 is given it: R_ij begins ustride*i + vstride*j values after the first. In one
+// dimension vorder is 1, and Map1 is given what is of u. The memory ends with the whole block of the last
+// point, the smaller stride, so that nothing legal is out of bounds (U-TAIL).
+struct Map {
+  GLenum target = GL_MAP1_VERTEX_3;
   double u1 = 0, u2 = 1, v1 = 0, v2 = 1;
   int ustride = 3, vstride = 3, uorder = 1, vorder = 1;
   std::vector<double> points;
+  bool two = is_two_dimensional(target);
 
   int components() const { return gl::components_of(target); }
-  // v fastest.
+  // The control points (v fastest), the orders and the domain as GetMap returns them.
   std::vector<double> coefficients() const;
-  std::vector<GLint> orders() const { return {uorder, vorder}; }
-  std::vector<double> domain() const { return {u1, u2, v1, v2}; }
+  std::vector<GLint> orders() const;
+  std::vector<double> domain() const;
 };
 
 // What the padding between two control points holds in all tests: a value that spoils whatever reads it.
 inline constexpr double kPoison = 1e30;
 
 // `coefficients` (packed, order*k of them) laid out with the stride; padding is poisoned.
-Map1 make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients);
+Map make_map1(GLenum target, double u1, double u2, int stride, const std::vector<double>& coefficients);
 // Tightly packed over [0,1].
-Map1 make_map1(GLenum target, const std::vector<double>& coefficients);
+Map make_map1(GLenum target, const std::vector<double>& coefficients);
+// `coefficients` (packed, v fastest, uorder*vorder*k of them) over [0,1]x[0,1], laid out with the strides;
+// padding is poisoned. Where the strides make points share memory, the last one written stays:
+// Map::coefficients() says what the map then is.
+Map make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
+              const std::vector<double>& coefficients);
+// Tightly packed, v fastest.
+Map make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients);
+
+// The map with another domain.
+Map over(Map map, const Interval& u);
+Map over(Map map, const Interval& u, const Interval& v);
 
 // `count` numbers in [-1,1], exactly representable in single precision.
 std::vector<double> random_values(std::mt19937& random, std::size_t count);
-
-// A map over [0,1] with random points, tightly packed or with the stride.
-Map1 random_map(Test& t, GLenum target, int order);
-Map1 random_map(Test& t, GLenum target, int order, int stride);
-
-// `coefficients` (packed, v fastest, uorder*vorder*k of them) over [0,1]x[0,1], laid out with the strides;
-// padding is poisoned. Where the strides make points share memory, the last one written stays:
-// Map2::coefficients() says what the map then is.
-Map2 make_map2(GLenum target, int uorder, int vorder, int ustride, int vstride,
-               const std::vector<double>& coefficients);
-// Tightly packed, v fastest.
-Map2 make_map2(GLenum target, int uorder, int vorder, const std::vector<double>& coefficients);
-// Random points, tightly packed or with the strides.
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder);
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, int ustride, int vstride);
 
 // Where the control points lie in memory: the strides by k and the orders.
 struct Layout {
@@ -88,7 +93,14 @@ inline constexpr Layout kLayouts[] = {
      true},
     {"OVERLAPPING_POINTS", [](int k, int, int) { return k + 1; }, [](int k, int, int) { return k; }, true},
 };
-Map2 random_map2(Test& t, GLenum target, int uorder, int vorder, const Layout& layout);
+
+// Random points over [0,1], tightly packed or with the stride.
+Map random_map(Test& t, GLenum target, int order);
+Map random_map(Test& t, GLenum target, int order, int stride);
+// The same over [0,1]x[0,1]. Of a target of one dimension, the map has the order of u.
+Map random_map(Test& t, GLenum target, const Orders& orders);
+Map random_map(Test& t, GLenum target, const Orders& orders, int ustride, int vstride);
+Map random_map(Test& t, GLenum target, const Orders& orders, const Layout& layout);
 
 template <class T>
 std::vector<T> converted(const std::vector<double>& values) {
@@ -127,32 +139,29 @@ struct TargetForm {
   bool doubles;
 };
 std::vector<TargetForm> make_target_forms(std::span<const GLenum> targets);
-// The targets of one dimension but its INDEX.
+// The targets but INDEX, which shows in colour-index contexts only.
 std::vector<GLenum> without_index(std::span<const GLenum> targets);
-// All nine MAP1 targets, or the eight whose values show (INDEX shows in colour-index contexts only).
-const std::vector<TargetForm>& target_forms();
-const std::vector<TargetForm>& visible_target_forms();
-const std::vector<GLenum>& visible_targets();
-// The same of the MAP2 targets.
-const std::vector<TargetForm>& target_forms2();
-const std::vector<TargetForm>& visible_target_forms2();
-const std::vector<GLenum>& visible_targets2();
-bool is_two_dimensional(GLenum target);
+// The nine targets of one dimension in both forms, and the eight whose values show.
+const std::vector<TargetForm>& target_forms(bool two);
+const std::vector<TargetForm>& visible_target_forms(bool two);
+const std::vector<GLenum>& visible_targets(bool two);
 
 // Map1f or Map1d, Map2f or Map2d.
-gl::Ref define(gl::Case& c, const Map1& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
-gl::Ref define(gl::Case& c, const Map2& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
+gl::Ref define(gl::Case& c, const Map& map, bool doubles = false, gl::AfterCall after = gl::AfterCall::keep);
 // The control points have the same memory in every call with this slot, with the contents of the moment.
-gl::Ref define_in_slot(gl::Case& c, const Map1& map, bool doubles, int slot);
-gl::Ref define_in_slot(gl::Case& c, const Map2& map, bool doubles, int slot);
+gl::Ref define_in_slot(gl::Case& c, const Map& map, bool doubles, int slot);
+void define_and_enable(gl::Case& c, const Map& map, bool doubles = false);
 
 // EvalCoord1f or EvalCoord1d.
 gl::Ref evaluate(gl::Case& c, double u, bool doubles = false);
 // EvalCoord2f or EvalCoord2d.
 gl::Ref evaluate2(gl::Case& c, double u, double v, bool doubles = false);
-// EvalCoord1fv or EvalCoord1dv, EvalCoord2fv or EvalCoord2dv; the array ends before an inaccessible page.
-gl::Ref evaluate_vector(gl::Case& c, double u, bool doubles);
-gl::Ref evaluate2_vector(gl::Case& c, double u, double v, bool doubles);
+// Commands of one dimension, given what is of u or i, or of two: EvalCoord (by value, or from an array that
+// ends before an inaccessible page), EvalPoint and EvalMesh.
+gl::Ref eval_coord(gl::Case& c, bool two, double u, double v, bool doubles = false);
+gl::Ref eval_coord_vector(gl::Case& c, bool two, double u, double v, bool doubles);
+gl::Ref eval_point(gl::Case& c, bool two, int i, int j);
+gl::Ref eval_mesh(gl::Case& c, bool two, GLenum mode, int i1, int i2, int j1, int j2);
 
 // Maps of all kinds of data that go into one vertex: each attribute has a map of its own.
 struct Kinds {
@@ -166,24 +175,18 @@ inline constexpr Kinds kKinds2[] = {
     {"VERTEX_3", {GL_MAP2_VERTEX_3, GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_3}},
     {"VERTEX_4", {GL_MAP2_VERTEX_4, GL_MAP2_COLOR_4, GL_MAP2_NORMAL, GL_MAP2_TEXTURE_COORD_4}}};
 
+inline const auto& kinds_of(bool two) { return two ? kKinds2 : kKinds1; }
+
 // Enables the target and, where it gives no vertex itself, a constant vertex map of its dimension
 // as its carrier.
 void enable_visibly(gl::Case& c, GLenum target);
 
 // --- Arguments -------------------------------------------------------------------------------------------
 
-// The domain of a map in one direction.
-struct Interval {
-  double first, last;
-};
 // u and v of one evaluation.
 struct At {
   double u, v;
 };
-
-// The map with another domain.
-Map1 over(Map1 map, const Interval& u);
-Map2 over(Map2 map, const Interval& u, const Interval& v);
 
 // Points: the ends, the numbers next to them, and values in between.
 std::vector<double> arguments(Test& t, const Interval& domain, int count);
@@ -193,6 +196,8 @@ std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int cou
 // Evaluates at all arguments, in one primitive of points.
 void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
 void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
+// In either dimension.
+void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool doubles = false);
 
 // --- Queries ---------------------------------------------------------------------------------------------
 
@@ -221,12 +226,7 @@ struct MapQuery {
   gl::Ref order, domain, coefficients;
 };
 MapQuery query_map(gl::Case& c, GLenum target, int max_order, bool doubles = false);
-// The answers are these, to single precision where the map was given in doubles.
-void expect_answers(Played& played, const MapQuery& query, const std::vector<GLint>& orders,
-                    const std::vector<double>& domain, const std::vector<double>& coefficients, bool doubles);
-template <class Map>
-void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false) {
-  expect_answers(played, query, map.orders(), map.domain(), map.coefficients(), doubles);
-}
+// The answers are those of the map, to single precision where it was given in doubles.
+void expect_map(Played& played, const MapQuery& query, const Map& map, bool doubles = false);
 
 }  // namespace evalcts

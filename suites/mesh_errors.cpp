@@ -4,6 +4,8 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
+#include "dimensions.h"
 #include "refusal.h"
 
 namespace evalcts::suite_mesh_errors {
@@ -12,11 +14,7 @@ namespace {
 // EvalMesh1 or EvalMesh2, over a range that is small (U-INTMAX-MESH) or empty.
 void mesh(gl::Case& c, bool two, GLenum mode, bool empty = false) {
   const GLint last = empty ? -1 : 2;
-  if (two) {
-    c.EvalMesh2(mode, 0, last, 0, last);
-  } else {
-    c.EvalMesh1(mode, 0, last);
-  }
+  eval_mesh(c, two, mode, 0, last, 0, last);
 }
 
 // Whatever is no mode of the command, neighbours and primitives above all.
@@ -40,8 +38,7 @@ void enable_vertices(gl::Case& c) {
   c.Enable(GL_MAP2_VERTEX_4);
 }
 void disable_maps(gl::Case& c) {
-  for (const GLenum target : gl::kMap1Targets) c.Disable(target);
-  for (const GLenum target : gl::kMap2Targets) c.Disable(target);
+  for (const GLenum target : all_targets()) c.Disable(target);
 }
 
 std::vector<Calls> bad_meshes(bool two, bool empty = false) {
@@ -55,59 +52,50 @@ std::vector<Calls> bad_meshes(bool two, bool empty = false) {
   return calls;
 }
 
-void expect_bad_modes_refused(Test& t, bool two) {
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1BadMode, MeshErrors.Mesh2BadMode, must,
+                  decide("EV-MESH1-ERR-MODE", "EV-MESH2-ERR-MODE"), by(gl::list_deliveries()))
+(Test& t, bool two) {
   expect_refused(t, "every other second map enabled", bad_meshes(two), {GL_INVALID_ENUM});
 
   // The error is that of the mode: the same call with a good one is none.
-  gl::Case c("good modes, vertex maps enabled");
+  CheckedCase c(t, "good modes, vertex maps enabled");
   enable_vertices(c);
-  std::vector<gl::Ref> errors;
   for (const GLenum mode : good_modes(two)) {
     mesh(c, two, mode);
-    errors.push_back(c.GetError());
+    c.expect_no_error();
   }
-  Played played = t.play(c);
-  for (const gl::Ref error : errors) played.expect_no_error(error);
-}
+  c.check();
+};
 
-void expect_mode_checked_first(Test& t, bool two) {
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1ModeCheckedFirst, MeshErrors.Mesh2ModeCheckedFirst, must,
+                  decide("EV-MESH1-ERR-FIRST", "EV-MESH2-ERR-FIRST"), by(gl::list_deliveries()))
+(Test& t, bool two) {
   for (const bool enabled : {false, true})
     for (const bool empty : {false, true}) {
       if (enabled && !empty) continue;
-      gl::Case c(fmt::format("{}, {} range", enabled ? "vertex maps enabled" : "all maps disabled",
-                             empty ? "empty" : "small"));
-      if (enabled) {
-        enable_vertices(c);
-      } else {
-        disable_maps(c);
-      }
-      const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-      std::vector<gl::Ref> errors, none;
+      CheckedCase c(t, fmt::format("{}, {} range", enabled ? "vertex maps enabled" : "all maps disabled",
+                                   empty ? "empty" : "small"));
+      enabled ? enable_vertices(c) : disable_maps(c);
+      const std::vector<gl::Ref> before = c.query_everything();
       for (const Calls& call : bad_meshes(two, empty)) {
         call(c);
-        errors.push_back(c.GetError());
-        none.push_back(c.GetError());
+        c.expect_error(GL_INVALID_ENUM);
+        c.expect_no_error();
       }
       for (const GLenum mode : good_modes(two)) {
         mesh(c, two, mode, empty);
-        none.push_back(c.GetError());
+        c.expect_no_error();
       }
-      const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-      Played played = t.play(c);
-      for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_ENUM});
-      for (const gl::Ref error : none) played.expect_no_error(error);
-      expect_unchanged(played, before, after);
+      c.expect_unchanged(before);
+      c.check();
     }
-}
+};
 
-void expect_refused_inside(Test& t, bool two) {
-  const auto inside = [two](GLenum primitive, GLenum mode, bool empty, bool after_vertex) -> Calls {
-    return [=](gl::Case& c) {
-      c.Begin(primitive);
-      if (after_vertex) c.Vertex3f(1, 2, 3);
-      mesh(c, two, mode, empty);
-      c.End();
-    };
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1BetweenBeginAndEnd, MeshErrors.Mesh2BetweenBeginAndEnd, must,
+                  decide("EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND"), by(gl::list_deliveries()))
+(Test& t, bool two) {
+  const auto inside = [two](GLenum primitive, GLenum mode, bool empty, bool after_vertex) {
+    return in_primitive(primitive, after_vertex, [=](gl::Case& c) { mesh(c, two, mode, empty); });
   };
   std::vector<Calls> bad;
   for (const GLenum primitive : {GL_POINTS, GL_LINE_STRIP, GL_QUADS, GL_POLYGON})
@@ -126,16 +114,14 @@ void expect_refused_inside(Test& t, bool two) {
     bad.push_back(inside(GL_TRIANGLES, mode, false, false));
   expect_refused(t, "bad modes", bad, {GL_INVALID_ENUM, GL_INVALID_OPERATION});
 
-  gl::Case c("all maps disabled");
+  CheckedCase c(t, "all maps disabled");
   disable_maps(c);
-  std::vector<gl::Ref> errors;
   for (const GLenum mode : good_modes(two)) {
     inside(GL_LINES, mode, false, false)(c);
-    errors.push_back(c.GetError());
+    c.expect_error(GL_INVALID_OPERATION);
   }
-  Played played = t.play(c);
-  for (const gl::Ref error : errors) played.expect_error(error, {GL_INVALID_OPERATION});
-}
+  c.check();
+};
 
 // Maps and grids of both dimensions, as a mesh that is drawn would show.
 void define_vertices(gl::Case& c) {
@@ -149,7 +135,10 @@ void define_vertices(gl::Case& c) {
 }
 
 // A mesh that is refused draws nothing, and the primitive around it goes on.
-void expect_primitive_undisturbed(Test& t, bool two) {
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1PrimitiveUndisturbed, MeshErrors.Mesh2PrimitiveUndisturbed, must,
+                  decide("EV-MESH1-ERR-BEGINEND", "EV-MESH2-ERR-BEGINEND"),
+                  decide("EV-BE-IGNORED/1-D", "EV-BE-IGNORED/2-D"), by(gl::list_deliveries()))
+(Test& t, bool two) {
   for (const GLenum primitive : {GL_POINTS, GL_LINE_STRIP, GL_TRIANGLES})
     for (const GLenum mode : good_modes(two)) {
       gl::Case c(
@@ -163,9 +152,11 @@ void expect_primitive_undisturbed(Test& t, bool two) {
       c.End();
       t.expect_emission(c, kPosition);
     }
-}
+};
 
-void expect_nothing_drawn(Test& t, bool two) {
+EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDrawsNothing, must,
+                  decide("EV-MESH1-ERR-MODE", "EV-MESH2-ERR-MODE"), by(gl::list_deliveries()))
+(Test& t, bool two) {
   gl::Case c("bad modes between two points");
   define_vertices(c);
   const auto point = [&c](float x) {
@@ -180,41 +171,7 @@ void expect_nothing_drawn(Test& t, bool two) {
   }
   point(0.75);
   t.expect_emission(c, kPosition);
-}
-
-}  // namespace
-
-EVALCTS_TEST(MeshErrors, Mesh1BadMode, must, "EV-MESH1-ERR-MODE", by(gl::list_deliveries()))
-(Test& t) { expect_bad_modes_refused(t, false); };
-
-EVALCTS_TEST(MeshErrors, Mesh2BadMode, must, "EV-MESH2-ERR-MODE", by(gl::list_deliveries()))
-(Test& t) { expect_bad_modes_refused(t, true); };
-
-EVALCTS_TEST(MeshErrors, Mesh1ModeCheckedFirst, must, "EV-MESH1-ERR-FIRST", by(gl::list_deliveries()))
-(Test& t) { expect_mode_checked_first(t, false); };
-
-EVALCTS_TEST(MeshErrors, Mesh2ModeCheckedFirst, must, "EV-MESH2-ERR-FIRST", by(gl::list_deliveries()))
-(Test& t) { expect_mode_checked_first(t, true); };
-
-EVALCTS_TEST(MeshErrors, Mesh1BetweenBeginAndEnd, must, "EV-MESH1-ERR-BEGINEND", by(gl::list_deliveries()))
-(Test& t) { expect_refused_inside(t, false); };
-
-EVALCTS_TEST(MeshErrors, Mesh2BetweenBeginAndEnd, must, "EV-MESH2-ERR-BEGINEND", by(gl::list_deliveries()))
-(Test& t) { expect_refused_inside(t, true); };
-
-EVALCTS_TEST(MeshErrors, Mesh1RefusedDrawsNothing, must, "EV-MESH1-ERR-MODE", by(gl::list_deliveries()))
-(Test& t) { expect_nothing_drawn(t, false); };
-
-EVALCTS_TEST(MeshErrors, Mesh2RefusedDrawsNothing, must, "EV-MESH2-ERR-MODE", by(gl::list_deliveries()))
-(Test& t) { expect_nothing_drawn(t, true); };
-
-EVALCTS_TEST(MeshErrors, Mesh1PrimitiveUndisturbed, must, "EV-MESH1-ERR-BEGINEND", "EV-BE-IGNORED/1-D",
-             by(gl::list_deliveries()))
-(Test& t) { expect_primitive_undisturbed(t, false); };
-
-EVALCTS_TEST(MeshErrors, Mesh2PrimitiveUndisturbed, must, "EV-MESH2-ERR-BEGINEND", "EV-BE-IGNORED/2-D",
-             by(gl::list_deliveries()))
-(Test& t) { expect_primitive_undisturbed(t, true); };
+};
 
 // Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
 EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::list_deliveries()))
@@ -233,54 +190,32 @@ EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::
                             mesh(c, two, mode);
                           },
                           GL_NO_ERROR});
-      attempts.push_back({[=](gl::Case& c) {
-                            c.Begin(GL_LINES);
-                            mesh(c, two, mode);
-                            c.End();
-                          },
-                          GL_INVALID_OPERATION});
+      attempts.push_back(
+          {in_primitive(GL_LINES, false, [=](gl::Case& c) { mesh(c, two, mode); }), GL_INVALID_OPERATION});
     }
     for (const GLenum mode : good_modes(two))  // of one point
-      attempts.push_back({[=](gl::Case& c) {
-                            if (two) {
-                              c.EvalMesh2(mode, 1, 1, 0, 0);
-                            } else {
-                              c.EvalMesh1(mode, 1, 1);
-                            }
-                          },
-                          GL_NO_ERROR});
+      attempts.push_back({[=](gl::Case& c) { eval_mesh(c, two, mode, 1, 1, 0, 0); }, GL_NO_ERROR});
     attempts.push_back({[=](gl::Case& c) { mesh(c, two, GL_QUADS); }, GL_INVALID_ENUM});
   }
   for (const bool begin : {true, false}) {
-    gl::Case c(begin ? "Begin and End after each" : "End alone after each");
-    std::vector<gl::Ref> own, after;
+    CheckedCase c(t, begin ? "Begin and End after each" : "End alone after each");
     for (const Attempt& attempt : attempts) {
       enable_vertices(c);
       attempt.call(c);
-      own.push_back(c.GetError());
+      c.expect_error(attempt.error);
       if (begin) c.Begin(GL_POINTS);
       c.End();
-      after.push_back(c.GetError());
+      c.expect_error(begin ? GL_NO_ERROR : GL_INVALID_OPERATION);
     }
-    Played played = t.play(c);
-    for (std::size_t i = 0; i < attempts.size(); ++i) {
-      played.expect_error(own[i], {attempts[i].error});
-      played.expect_error(after[i], {begin ? GLenum{GL_NO_ERROR} : GLenum{GL_INVALID_OPERATION}});
-    }
+    c.check();
   }
 };
 
 // Far outside the grid, up to the ends of int: neither an error nor the end of the library (U-INTMIN-POINT).
 EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE", by(gl::list_deliveries()))
 (Test& t) {
-  constexpr GLint kIndices[] = {-3,
-                                12,
-                                -1,
-                                0x1000001,
-                                std::numeric_limits<GLint>::max(),
-                                -0x7FFFFFFF,
-                                std::numeric_limits<GLint>::min()};
-  gl::Case c("-3, n+4, -1, 2^24+1, the highest, the lowest but one and the lowest int");
+  constexpr GLint kIndices[] = {-3, 12, -1, 0x1000001, kHighest, -0x7FFFFFFF, kLowest};
+  CheckedCase c(t, "-3, n+4, -1, 2^24+1, the highest, the lowest but one and the lowest int");
   define(c, make_map1(GL_MAP1_VERTEX_3, {1, 2, 3, 4, 5, 6}));
   define(c, make_map2(GL_MAP2_VERTEX_3, 1, 2, {1, 2, 3, 4, 5, 6}));
   enable_vertices(c);
@@ -288,22 +223,20 @@ EVALCTS_TEST(PointErrors, NoIndexIsAnError, must, "EV-POINT-RANGE", by(gl::list_
   c.Enable(GL_MAP2_VERTEX_3);
   c.MapGrid1f(8, 0.25f, 0.75f);
   c.MapGrid2f(8, 0.25f, 0.75f, 5, 1, -1);
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
-  std::vector<gl::Ref> errors;
+  const std::vector<gl::Ref> before = c.query_everything();
   for (const GLint i : kIndices) {
     c.Begin(GL_POINTS);
     c.EvalPoint1(i);
     c.End();
-    errors.push_back(c.GetError());
+    c.expect_no_error();
     c.Begin(GL_POINTS);
     for (const GLint j : kIndices) c.EvalPoint2(i, j);
     c.End();
-    errors.push_back(c.GetError());
+    c.expect_no_error();
   }
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  for (const gl::Ref error : errors) played.expect_no_error(error);
-  expect_unchanged(played, before, after);
+  c.expect_unchanged(before);
+  c.check();
 };
 
+}  // namespace
 }  // namespace evalcts::suite_mesh_errors

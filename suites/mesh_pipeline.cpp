@@ -155,11 +155,7 @@ void expect_outlines(Picture& picture, const Part& part, bool holds, const Outli
                         describe(expected), seen);
 }
 
-struct PolygonMode {
-  const char* name;
-  GLenum mode;
-};
-constexpr PolygonMode kOutlined[] = {{"POINT", GL_POINT}, {"LINE", GL_LINE}};
+constexpr GLenum kOutlined[] = {GL_POINT, GL_LINE};
 
 gl::Case polygon_mode(GLenum mode) {
   gl::Case state;
@@ -169,35 +165,41 @@ gl::Case polygon_mode(GLenum mode) {
 
 // In either polygon mode, with the edge flag.
 void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing) {
-  for (const PolygonMode& outlined : kOutlined) {
-    gl::Case state = polygon_mode(outlined.mode);
+  for (const GLenum outlined : kOutlined) {
+    gl::Case state = polygon_mode(outlined);
     state.EdgeFlag(static_cast<GLboolean>(flag));
-    scenes.emplace_back(fmt::format("polygon mode {}, edge flag {}", outlined.name, flag ? "TRUE" : "FALSE"),
-                        state, drawing);
+    scenes.emplace_back(
+        fmt::format("polygon mode {}, edge flag {}", label(outlined), flag ? "TRUE" : "FALSE"), state,
+        drawing);
   }
 }
 
 // Explicit quad strips have to come out as quads.
 void require_quads(const Picture& control) {
   for (std::size_t i = 0; i < control.parts.size(); ++i)
-    if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2].mode))
+    if (outlines_of(control.parts[i]) != outlines_of_quads(kOutlined[i % 2]))
       throw NotObservable("pipeline: explicit quad strips do not come out as the edges or corners of quads");
 }
 
-}  // namespace
+// A mesh in either polygon mode, with each of the edge flags.
+Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
+  std::vector<Scene> strips, evaluated;
+  for (const bool flag : flags) {
+    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
+    add_outlined(evaluated, flag, mesh(GL_FILL));
+  }
+  require_quads(feedback(t, "control: explicit quad strips", strips));
+  return feedback(t, "evaluated", evaluated);
+}
 
 // --- Quads -----------------------------------------------------------------------------------------------
 
 // A quad has four edges, none of them inside; in POINT, a point where each of them begins.
 EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
 (Test& t) {
-  std::vector<Scene> strips, evaluated;
-  add_outlined(strips, true, explicit_strips(t, mesh(GL_FILL)));
-  add_outlined(evaluated, true, mesh(GL_FILL));
-  require_quads(feedback(t, "control: explicit quad strips", strips));
-  Picture picture = feedback(t, "evaluated", evaluated);
+  Picture picture = outlined_meshes(t, {true});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
-    const Outlines quads = outlines_of_quads(kOutlined[i].mode);
+    const Outlines quads = outlines_of_quads(kOutlined[i]);
     expect_outlines(picture, picture.parts[i], outlines_of(picture.parts[i]) == quads, quads);
   }
 };
@@ -205,17 +207,11 @@ EVALCTS_TEST(Mesh2, FillIsQuads, must, "EV-MESH2-ISQUADS")
 // Edges of quad strips are always boundaries; what else comes out, FillIsQuads says.
 EVALCTS_TEST(Mesh2, EdgeFlagHasNoInfluence, must, "EV-MESH2-EDGEFLAG")
 (Test& t) {
-  std::vector<Scene> strips, evaluated;
-  for (const bool flag : {true, false}) {
-    add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
-    add_outlined(evaluated, flag, mesh(GL_FILL));
-  }
-  require_quads(feedback(t, "control: explicit quad strips", strips));
-  Picture picture = feedback(t, "evaluated", evaluated);
+  Picture picture = outlined_meshes(t, {true, false});
   for (std::size_t i = 0; i < picture.parts.size(); ++i) {
     const Part& part = picture.parts[i];
     const Outlines seen = outlines_of(part), with = outlines_of(picture.parts[i % 2]);
-    const Outlines quads = outlines_of_quads(kOutlined[i % 2].mode);
+    const Outlines quads = outlines_of_quads(kOutlined[i % 2]);
     const bool has_all =
         std::ranges::includes(seen.edges, quads.edges) && std::ranges::includes(seen.points, quads.points);
     expect_outlines(picture, part, has_all, quads);
@@ -290,8 +286,6 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
 
 // --- Flat shading ----------------------------------------------------------------------------------------
 
-namespace {
-
 // Each quad has one colour, that of the vertex (i + 1, j + 1) or (i, j).
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
@@ -306,8 +300,6 @@ void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   });
   expect_like_explicit(pixels(t, "evaluated", state, mesh(GL_FILL), areas), control);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT")
 (Test& t) {
@@ -329,8 +321,6 @@ EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST")
 };
 
 // --- Facing ----------------------------------------------------------------------------------------------
-
-namespace {
 
 // A way to draw the patch, and how each pixel of it is to look.
 struct Facing {
@@ -361,8 +351,6 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
   }
   expect_like_explicit(pixels(t, "evaluated", evaluated, areas), control);
 }
-
-}  // namespace
 
 // The quads run (i,j), (i,j+1), (i+1,j+1), (i+1,j): clockwise, with u along +x and v along +y.
 EVALCTS_TEST(Mesh2, Winding, must, "EV-MESH2-WINDING")
@@ -418,8 +406,6 @@ EVALCTS_TEST(Mesh2, TwoSidedLighting, must, "EV-MESH2-TWOSIDE")
 };
 
 // --- What is of polygons only ----------------------------------------------------------------------------
-
-namespace {
 
 // Polygons change by it, points and lines do not.
 struct OfPolygons {
@@ -508,8 +494,6 @@ class Looks {
   Picture picture_;
 };
 
-}  // namespace
-
 EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
@@ -563,4 +547,5 @@ EVALCTS_TEST(Mesh2, FillsArePolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStag
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_mesh_pipeline

@@ -7,6 +7,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "dimensions.h"
 #include "drawings.h"
 
 namespace evalcts::suite_mesh_stippling {
@@ -50,8 +51,8 @@ gl::Case stippled_mesh2() {
   map_grid(c, {kSegments, 0, 1}, {kSegments, 0, 1});
   const double low = at_pixel(kFirst), right = at_pixel(kFirst + kSegments * kStepU),
                top = at_pixel(kFirst + kSegments * kStepV);
-  define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
-  c.Enable(GL_MAP2_VERTEX_3);
+  define_and_enable(
+      c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {low, low, 0, low, top, 0, right, low, 0, right, top, 0}));
   c.EvalMesh2(GL_LINE, 0, kSegments, 0, kSegments);
   return c;
 }
@@ -137,27 +138,21 @@ void expect_starts(Test& t, const gl::Case& evaluated) {
                           "LINE_TOKEN", "LINE_RESET_TOKEN");
 }
 
-}  // namespace
-
-EVALCTS_TEST(Mesh1, Stipple, must, "EV-MESH1-STIPPLE", combine(kStipples))
-(Test& t, const Stipple& stipple) {
-  expect_stipple(t, stipple, stippled_mesh1(), {{0, 16, kSide, 1}, {0, 40, kSide, 1}});
-};
-
-EVALCTS_TEST(Mesh1, StippleInFeedback, must, "EV-MESH1-STIPPLE")
-(Test& t) { expect_starts(t, stippled_mesh1()); };
-
-EVALCTS_TEST(Mesh2, Stipple, must, "EV-MESH2-STIPPLE", combine(kStipples))
-(Test& t, const Stipple& stipple) {
+EVALCTS_TEST_PAIR(Mesh1.Stipple, Mesh2.Stipple, must, decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"),
+                  combine(kStipples))
+(Test& t, bool two, const Stipple& stipple) {
   std::vector<Area> areas;
-  for (int i = 0; i <= kSegments; ++i) {
+  if (!two) areas = {{0, 16, kSide, 1}, {0, 40, kSide, 1}};
+  for (int i = 0; two && i <= kSegments; ++i) {
     areas.push_back({0, static_cast<int>(kFirst + i * kStepV), kSide, 1});
     areas.push_back({static_cast<int>(kFirst + i * kStepU), 0, 1, kSide});
   }
-  expect_stipple(t, stipple, stippled_mesh2(), areas);
+  expect_stipple(t, stipple, two ? stippled_mesh2() : stippled_mesh1(), areas);
 };
 
-EVALCTS_TEST(Mesh2, StippleInFeedback, must, "EV-MESH2-STIPPLE")
-(Test& t) { expect_starts(t, stippled_mesh2()); };
+EVALCTS_TEST_PAIR(Mesh1.StippleInFeedback, Mesh2.StippleInFeedback, must,
+                  decide("EV-MESH1-STIPPLE", "EV-MESH2-STIPPLE"))
+(Test& t, bool two) { expect_starts(t, two ? stippled_mesh2() : stippled_mesh1()); };
 
+}  // namespace
 }  // namespace evalcts::suite_mesh_stippling

@@ -9,6 +9,7 @@
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
+#include "dimensions.h"
 #include "grid_cases.h"
 
 namespace evalcts::suite_meshes {
@@ -19,35 +20,32 @@ constexpr std::span kModes2(kMeshModes);
 
 const Grid kV = {5, 1.9f, 1.2f};
 
-// i1, i2, j1, j2.
+// Of one dimension i1 and i2 only.
 struct Range {
-  int i1, i2, j1, j2;
+  int i1, i2, j1 = 0, j2 = 0;
 };
 
-// Meshes over the ranges, for each of the grids.
-void expect_meshes1(Test& t, const MeshMode& mode, const std::string& identity,
-                    const std::vector<Grid>& grids, const std::vector<std::pair<int, int>>& ranges) {
+// Meshes over the ranges, for each of the grids. That of v is for two dimensions.
+void expect_meshes(Test& t, bool two, const MeshMode& mode, const std::string& identity,
+                   const std::vector<std::pair<Grid, Grid>>& grids, const std::vector<Range>& ranges) {
   gl::Case c(identity);
-  enable_maps(t, c, false);
-  for (const Grid& grid : grids) {
-    map_grid(c, grid);
-    for (const auto& [first, last] : ranges) c.EvalMesh1(mode.mode, first, last);
+  enable_maps(t, c, two);
+  for (const auto& [u, v] : grids) {
+    map_grid(c, two, u, v);
+    for (const auto& [i1, i2, j1, j2] : ranges) eval_mesh(c, two, mode.mode, i1, i2, j1, j2);
   }
   t.expect_emission(c, kUnit0);
 }
-
+void expect_meshes1(Test& t, const MeshMode& mode, const std::string& identity,
+                    const std::vector<Grid>& grids, const std::vector<Range>& ranges) {
+  std::vector<std::pair<Grid, Grid>> pairs;
+  for (const Grid& grid : grids) pairs.emplace_back(grid, kV);
+  expect_meshes(t, false, mode, identity, pairs, ranges);
+}
 void expect_meshes2(Test& t, const MeshMode& mode, const std::string& identity,
                     const std::vector<std::pair<Grid, Grid>>& grids, const std::vector<Range>& ranges) {
-  gl::Case c(identity);
-  enable_maps(t, c, true);
-  for (const auto& [u, v] : grids) {
-    map_grid(c, u, v);
-    for (const auto& [i1, i2, j1, j2] : ranges) c.EvalMesh2(mode.mode, i1, i2, j1, j2);
-  }
-  t.expect_emission(c, kUnit0);
+  expect_meshes(t, true, mode, identity, grids, ranges);
 }
-
-}  // namespace
 
 // --- EvalMesh1 -------------------------------------------------------------------------------------------
 
@@ -73,23 +71,11 @@ EVALCTS_TEST(Mesh1, SubRange, must, "EV-MESH1-SUBRANGE", "EV-MESH1-COORDS",
                  {{1, 3}, {2, 3}, {0, 2}, {5, 9}, {40, 44}, {997, 1000}, {65530, 65536}});
 };
 
-EVALCTS_TEST(Mesh1, OutsideTheGrid, must, "EV-MESH1-NEGATIVE", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "indices below 0 and above n",
-                 {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
-                 {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
-};
-
 EVALCTS_TEST(Mesh1, EmptyRange, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes1(t, mode, "i1 above i2 draws nothing", {{4, 0, 1}},
                  {{1, 0}, {4, 0}, {0, -1}, {5, -5}, {3, 2}, {kHighest, -kHighest}, {kHighest, kLowest}});
 };
-EVALCTS_TEST(Mesh1, EmptyRangeBetween, must, "EV-MESH1-EMPTY", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "nothing between meshes that draw", {{4, 0, 1}}, {{0, 2}, {1, 0}, {2, 4}, {0, -1}});
-};
-
 // One point, or a strip of one vertex, which is nothing.
 EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
@@ -97,59 +83,89 @@ EVALCTS_TEST(Mesh1, SinglePoint, must, "EV-MESH1-SINGLE", combine(kModes1).by(gl
                  {{0, 0}, {1, 1}, {3, 3}, {4, 4}, {-1, -1}, {7, 7}});
 };
 
-EVALCTS_TEST(Mesh1, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
+// Meshes of one dimension have no FILL.
+const auto kEachMode = [](bool two) { return combine(two ? kModes2 : kModes1).by(gl::list_deliveries()); };
+
+EVALCTS_TEST_PAIR(Mesh1.OutsideTheGrid, Mesh2.OutsideTheGrid, must,
+                  decide("EV-MESH1-NEGATIVE", "EV-MESH2-RANGE"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "indices below 0 and above un and vn",
+                       {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
+                       {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}})
+      : expect_meshes1(t, mode, "indices below 0 and above n",
+                       {{4, 0, 1}, {3, 0.1f, 0.7f}, {5, 2, -1}, {1, 1, 1.5f}},
+                       {{-2, 6}, {-7, -3}, {8, 11}, {-1, 0}, {3, 8}});
 };
 
-EVALCTS_TEST(Mesh1, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
+EVALCTS_TEST_PAIR(Mesh1.EmptyRangeBetween, Mesh2.EmptyRangeBetween, must,
+                  decide("EV-MESH1-EMPTY", "EV-MESH2-EMPTY"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  const auto ranges = two ? std::vector<Range>{{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}}
+                          : std::vector<Range>{{0, 2}, {1, 0}, {2, 4}, {0, -1}};
+  expect_meshes(t, two, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}}, ranges);
 };
 
-EVALCTS_TEST(Mesh1, NothingWithoutVertexMap, must, "EV-MESH1-NOVERTEX",
-             combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  gl::Case c("all maps but those of vertices, and those of two dimensions");
-  enable_maps(t, c, false);
-  enable_maps(t, c, true);
-  c.Disable(GL_MAP1_VERTEX_4);
-  map_grid(c, {4, 0, 1});
-  c.EvalMesh1(mode.mode, 0, 4);
+EVALCTS_TEST_PAIR(Mesh1.EqualEnds, Mesh2.EqualEnds, must, "EV-GRID-EQUAL", kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "all points, or all of a row, coincide",
+                       {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
+                       {{0, 3, 0, 2}})
+      : expect_meshes1(t, mode, "all points coincide", {{3, 0.7f, 0.7f}, {1, -1, -1}}, {{0, 3}, {-1, 5}});
+};
+
+EVALCTS_TEST_PAIR(Mesh1.ReversedGrid, Mesh2.ReversedGrid, must, "EV-GRID-REVERSED", kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  two ? expect_meshes2(t, mode, "du, dv and both negative",
+                       {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
+                       {{0, 3, 0, 2}})
+      : expect_meshes1(t, mode, "du is negative", {{3, 0.7f, 0.1f}, {8, 2.5f, -0.9f}}, {{0, 3}, {2, 8}});
+};
+
+EVALCTS_TEST_PAIR(Mesh1.NothingWithoutVertexMap, Mesh2.NothingWithoutVertexMap, must,
+                  decide("EV-MESH1-NOVERTEX", "EV-MESH2-NOVERTEX"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  gl::Case c(fmt::format("all maps but those of vertices, and those of {}",
+                         two ? "one dimension" : "two dimensions"));
+  enable_maps(t, c, two);
+  enable_maps(t, c, !two);
+  c.Disable(target_in(two, GL_MAP1_VERTEX_4));
+  if (two) c.Enable(GL_AUTO_NORMAL);
+  map_grid(c, two, {4, 0, 1}, kV);
+  eval_mesh(c, two, mode.mode, 0, 4, 0, 3);
   t.expect_emission(c, kPosition);
 };
 
-EVALCTS_TEST(Mesh1, OtherDimensionHasNoEffect, must, "EV-MESH1-ONLY1D",
-             combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  gl::Case c("MAP2 maps, another grid and AUTO_NORMAL");
-  set_current_values(c);
-  enable_maps(t, c, true);
-  c.Enable(GL_AUTO_NORMAL);
-  map_grid(c, {4, 0.1f, 0.7f});
-  map_grid(c, {3, -1, 2}, kV);
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
-  c.EvalMesh1(mode.mode, 0, 4);
+EVALCTS_TEST_PAIR(Mesh1.OtherDimensionHasNoEffect, Mesh2.OtherDimensionHasNoEffect, must,
+                  decide("EV-MESH1-ONLY1D", "EV-MESH2-ONLY2D"), kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
+  gl::Case c =
+      with_current_values(two ? "MAP1 maps and another grid" : "MAP2 maps, another grid and AUTO_NORMAL");
+  enable_maps(t, c, !two);
+  if (!two) c.Enable(GL_AUTO_NORMAL);
+  const int segments = two ? 3 : 4;
+  map_grid(c, two, {segments, 0.1f, 0.7f}, kV);
+  map_grid(c, !two, {two ? 4 : 3, -1, 2}, kV);
+  define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_3), {4, 3}));
+  eval_mesh(c, two, mode.mode, 0, segments, 0, 3);
   t.expect_emission(c, kUnit0);
 };
 
-EVALCTS_TEST(Mesh1, CurrentValues, must, "EV-MESH1-CURRENT", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
+EVALCTS_TEST_PAIR(Mesh1.CurrentValues, Mesh2.CurrentValues, must,
+                  decide("EV-MESH1-CURRENT", "EV-MESH2-COORDS"), decide(nullptr, "EV-COORD-CURRENT/2-D"),
+                  kEachMode)
+(Test& t, bool two, const MeshMode& mode) {
   gl::Case c("a vertex map only, current values changed between meshes");
-  define(c, random_map(t, GL_MAP1_VERTEX_4, 4));
-  c.Enable(GL_MAP1_VERTEX_4);
-  map_grid(c, {6, 0, 1});
-  c.EvalMesh1(mode.mode, 0, 6);
+  define_and_enable(c, random_map(t, target_in(two, GL_MAP1_VERTEX_4), {4, 3}));
+  const int segments = two ? 3 : 6;
+  map_grid(c, two, {segments, 0, 1}, {2, 0, 1});
+  eval_mesh(c, two, mode.mode, 0, segments, 0, 2);
   set_current_values(c);
-  c.EvalMesh1(mode.mode, 0, 6);
+  eval_mesh(c, two, mode.mode, 0, segments, 0, 2);
   c.Color3f(0.9f, 0.8f, 0.7f);
   c.TexCoord1f(-3);
-  c.EvalMesh1(mode.mode, 2, 4);
+  eval_mesh(c, two, mode.mode, segments / 3, two ? 2 : 4, 1, 2);
   t.expect_emission(c, kUnit0);
 };
-
-namespace {
 
 // Whole meshes where that is not much, else some steps up to the end that is looked at and beyond.
 std::pair<int, int> range_at(const Grid& grid, bool last, int whole) {
@@ -163,7 +179,9 @@ std::pair<int, int> range_ending_at(const Grid& grid, bool last) {
   return last ? std::pair{grid.segments - steps, grid.segments} : std::pair{0, steps};
 }
 
-void expect_exact1(Test& t, const MeshMode& mode, bool last) {
+EVALCTS_TEST_PAIR(Mesh1.FirstIsExact, Mesh1.LastIsExact, must, decide("EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"),
+                  combine(kModes1).by(gl::list_deliveries()))
+(Test& t, bool last, const MeshMode& mode) {
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t)) most += 2 * static_cast<std::size_t>(grid.segments + 8);
   expect_exact_end(
@@ -175,16 +193,17 @@ void expect_exact1(Test& t, const MeshMode& mode, bool last) {
         c.EvalMesh1(mode.mode, at_first, at_end);
       },
       2 * most);
-}
+};
 
-struct Exactness2 {
+// A mode and a direction of two dimensions, and an end of the grid.
+struct MeshAlong {
   std::string name;
   MeshMode mode;
   Along along;
   bool last;
 };
-std::vector<Exactness2> exactness2() {
-  std::vector<Exactness2> all;
+std::vector<MeshAlong> all_along() {
+  std::vector<MeshAlong> all;
   for (const MeshMode& mode : kModes2)
     for (const Along& along : {kAlong[1], kAlong[2]})
       for (const bool last : {false, true})
@@ -193,16 +212,9 @@ std::vector<Exactness2> exactness2() {
   return all;
 }
 
-}  // namespace
-
-EVALCTS_TEST(Mesh1, FirstIsExact, must, "EV-MESH1-EXACT-0", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) { expect_exact1(t, mode, false); };
-EVALCTS_TEST(Mesh1, LastIsExact, must, "EV-MESH1-EXACT-N", combine(kModes1).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) { expect_exact1(t, mode, true); };
-
 // In both directions; across it one step, so that FILL has both sides of a strip.
-EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(exactness2()).by(gl::list_deliveries()))
-(Test& t, const Exactness2& which) {
+EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(all_along()).by(gl::list_deliveries()))
+(Test& t, const MeshAlong& which) {
   const int whole = t.by_depth(20, 40, 300);
   std::size_t most = 0;
   for (const Grid& grid : probed_grids(t))
@@ -211,20 +223,14 @@ EVALCTS_TEST(Mesh2, EndsAreExact, must, "EV-MESH2-EXACT", combine(exactness2()).
       t, which.along, which.last, which.mode.kind,
       [&](gl::Case& c, const Grid& grid) {
         for (const auto& [first, end] :
-             {range_at(grid, which.last, whole), range_ending_at(grid, which.last)}) {
-          if (which.along.v) {
-            c.EvalMesh2(which.mode.mode, 0, 1, first, end);
-          } else {
-            c.EvalMesh2(which.mode.mode, first, end, 1, 2);
-          }
-        }
+             {range_at(grid, which.last, whole), range_ending_at(grid, which.last)})
+          which.along.v ? c.EvalMesh2(which.mode.mode, 0, 1, first, end)
+                        : c.EvalMesh2(which.mode.mode, first, end, 1, 2);
       },
       most);
 };
 
 // --- EvalMesh2 -------------------------------------------------------------------------------------------
-
-namespace {
 
 const std::vector<std::pair<Grid, Grid>> kGrids2 = {
     {{1, 0, 1}, {1, 0, 1}}, {{4, -0.5f, 2.5f}, {3, 0.1f, 0.7f}}, {{3, 2, -1}, {6, 1, 2}}};
@@ -235,8 +241,6 @@ void expect_whole_meshes2(Test& t, const MeshMode& mode) {
   // Long strips along u and along v, and their ends.
   expect_meshes2(t, mode, "long strips", {{{90, -0.5f, 2.5f}, {90, 2, 1}}}, {{0, 90, 0, 1}, {0, 1, 0, 90}});
 }
-
-}  // namespace
 
 EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[0]); };
@@ -258,13 +262,6 @@ EVALCTS_TEST(Mesh2, SubRange, must, "EV-MESH2-COORDS", combine(kModes2).by(gl::l
                  {{1, 2, 996, 998}, {300, 302, 2, 3}, {999, 1000, 513, 514}});
 };
 
-EVALCTS_TEST(Mesh2, OutsideTheGrid, must, "EV-MESH2-RANGE", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "indices below 0 and above un and vn",
-                 {{{4, 0, 1}, {3, 1, 2}}, {{3, 0.1f, 0.7f}, {1, 1.5f, 1}}},
-                 {{-1, 5, -1, 4}, {-4, -2, 1, 2}, {1, 2, 5, 6}, {6, 8, -3, -1}});
-};
-
 EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
   expect_meshes2(t, mode, "i1 above i2, j1 above j2, both", {{{4, 0, 1}, {3, 1, 2}}},
@@ -281,12 +278,6 @@ EVALCTS_TEST(Mesh2, EmptyRange, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::
                    {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}});
 };
 
-EVALCTS_TEST(Mesh2, EmptyRangeBetween, must, "EV-MESH2-EMPTY", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "nothing between meshes that draw", {{{4, 0, 1}, {3, 1, 2}}},
-                 {{0, 2, 0, 1}, {1, 0, 0, 3}, {2, 4, 1, 3}, {0, 4, 1, 0}});
-};
-
 // A strip along one direction only, or nothing.
 EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE", by(gl::list_deliveries()))
 (Test& t) {
@@ -294,66 +285,7 @@ EVALCTS_TEST(Mesh2, LinesOfOneRow, must, "EV-MESH2-LINE-DEGENERATE", by(gl::list
                  {{2, 2, 0, 3}, {0, 4, 1, 1}, {1, 1, 2, 2}, {0, 0, 0, 1}, {4, 4, 3, 3}});
 };
 
-EVALCTS_TEST(Mesh2, EqualEnds, must, "EV-GRID-EQUAL", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "all points, or all of a row, coincide",
-                 {{{3, 0.7f, 0.7f}, {2, 1, 1}}, {{3, 0.7f, 0.7f}, {2, 1, 2}}, {{3, 0, 1}, {2, 1, 1}}},
-                 {{0, 3, 0, 2}});
-};
-
-EVALCTS_TEST(Mesh2, ReversedGrid, must, "EV-GRID-REVERSED", combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  expect_meshes2(t, mode, "du, dv and both negative",
-                 {{{3, 0.7f, 0.1f}, {2, 1, 2}}, {{3, 0, 1}, {2, 2, 1}}, {{3, 1, -1}, {2, 1.7f, 1.1f}}},
-                 {{0, 3, 0, 2}});
-};
-
-EVALCTS_TEST(Mesh2, NothingWithoutVertexMap, must, "EV-MESH2-NOVERTEX",
-             combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  gl::Case c("all maps but those of vertices, and those of one dimension");
-  enable_maps(t, c, true);
-  enable_maps(t, c, false);
-  c.Disable(GL_MAP2_VERTEX_4);
-  c.Enable(GL_AUTO_NORMAL);
-  map_grid(c, {4, 0, 1}, kV);
-  c.EvalMesh2(mode.mode, 0, 4, 0, 3);
-  t.expect_emission(c, kPosition);
-};
-
-EVALCTS_TEST(Mesh2, OtherDimensionHasNoEffect, must, "EV-MESH2-ONLY2D",
-             combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  gl::Case c("MAP1 maps and another grid");
-  set_current_values(c);
-  enable_maps(t, c, false);
-  map_grid(c, {3, 0.1f, 0.7f}, kV);
-  map_grid(c, {4, -1, 2});
-  define(c, random_map2(t, GL_MAP2_VERTEX_3, 4, 3));
-  c.Enable(GL_MAP2_VERTEX_3);
-  c.EvalMesh2(mode.mode, 0, 3, 0, 3);
-  t.expect_emission(c, kUnit0);
-};
-
-EVALCTS_TEST(Mesh2, CurrentValues, must, "EV-MESH2-COORDS", "EV-COORD-CURRENT/2-D",
-             combine(kModes2).by(gl::list_deliveries()))
-(Test& t, const MeshMode& mode) {
-  gl::Case c("a vertex map only, current values changed between meshes");
-  define(c, random_map2(t, GL_MAP2_VERTEX_4, 4, 3));
-  c.Enable(GL_MAP2_VERTEX_4);
-  map_grid(c, {3, 0, 1}, {2, 0, 1});
-  c.EvalMesh2(mode.mode, 0, 3, 0, 2);
-  set_current_values(c);
-  c.EvalMesh2(mode.mode, 0, 3, 0, 2);
-  c.Color3f(0.9f, 0.8f, 0.7f);
-  c.TexCoord1f(-3);
-  c.EvalMesh2(mode.mode, 1, 2, 1, 2);
-  t.expect_emission(c, kUnit0);
-};
-
 // --- Long meshes -----------------------------------------------------------------------------------------
-
-namespace {
 
 // A mesh of many steps through a map on which the argument itself shows, as it is linear over the grid. What
 // a sum of as many steps loses leaves the acceptance interval, what a product and a sum lose does not. Steps
@@ -361,28 +293,16 @@ namespace {
 void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
   const Grid grid = {10005, 1, 3};
   gl::Case map;
-  if (!along.two) {
-    define(map, make_map1(GL_MAP1_VERTEX_3, grid.first, grid.last, 3, {-1, 0, 1, 1, 2, -1}));
-    map.Enable(GL_MAP1_VERTEX_3);
-  } else {
-    Map2 net = along.v ? make_map2(GL_MAP2_VERTEX_3, 1, 2, {-1, 0, 1, 1, 2, -1})
-                       : make_map2(GL_MAP2_VERTEX_3, 2, 1, {-1, 0, 1, 1, 2, -1});
-    (along.v ? net.v1 : net.u1) = grid.first;
-    (along.v ? net.v2 : net.u2) = grid.last;
-    define(map, net);
-    map.Enable(net.target);
-  }
+  const Interval ends = {grid.first, grid.last};
+  const Map net = make_map2(target_in(along.two, GL_MAP1_VERTEX_3), along.v ? 1 : 2, along.v ? 2 : 1,
+                            {-1, 0, 1, 1, 2, -1});
+  define_and_enable(map, along.v ? over(net, {0, 1}, ends) : over(net, ends));
   map_grid(map, along, grid);
   const auto mesh = [&](GLenum how, int first, int last) {
     const int across = how == GL_FILL ? 1 : 0;
     gl::Case c = map;
-    if (!along.two) {
-      c.EvalMesh1(how, first, last);
-    } else if (along.v) {
-      c.EvalMesh2(how, 0, across, first, last);
-    } else {
-      c.EvalMesh2(how, first, last, 0, across);
-    }
+    along.v ? eval_mesh(c, true, how, 0, across, first, last)
+            : eval_mesh(c, along.two, how, first, last, 0, across);
     return c;
   };
   // Judged are points in the middle and near the end; that the end itself is exact is a rule of its own.
@@ -436,47 +356,36 @@ std::vector<LongMesh> long_meshes2() {
   return all;
 }
 
-// The test judges by itself what comes out.
-std::vector<gl::Delivery> once() { return gl::without(gl::kRepetition, gl::list_deliveries()); }
-
-}  // namespace
-
-EVALCTS_TEST(Mesh1, ErrorDoesNotAccumulate, must, "EV-MESH1-NOACCUM", combine(kModes1).by(once()))
+EVALCTS_TEST(Mesh1, ErrorDoesNotAccumulate, must, "EV-MESH1-NOACCUM", combine(kModes1).by(in_lists()))
 (Test& t, const MeshMode& mode) { expect_no_accumulation(t, mode, kAlong[0]); };
-EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, must, "EV-MESH2-NOACCUM", combine(long_meshes2()).by(once()))
+EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, must, "EV-MESH2-NOACCUM", combine(long_meshes2()).by(in_lists()))
 (Test& t, const LongMesh& mesh) { expect_no_accumulation(t, mesh.mode, mesh.along); };
 
 // --- The same vertex wherever it is drawn ----------------------------------------------------------------
-
-namespace {
 
 // What came out, by the index of the grid point.
 using ByPoint = std::map<std::pair<int, int>, std::vector<std::array<float, 4>>>;
 
 // Meshes over the ranges. Texture coordinates are linear over the grid and tell which point a vertex is.
-ByPoint draw_numbered(Test& t, const MeshMode& mode, const std::vector<Range>& ranges, const Map2& vertices) {
-  const Grid u = {37, 0.1f, 0.7f}, v = {11, 1.9f, 1.2f};
-  gl::Case c(fmt::format("{} in {}", ranges.size() == 1 ? "a whole mesh" : "a mesh in parts", mode.name));
-  define(c, vertices);
-  c.Enable(vertices.target);
-  Map2 numbers = make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, {0, 0, 0, 11, 37, 0, 37, 11});
-  numbers.u1 = u.first;
-  numbers.u2 = u.last;
-  numbers.v1 = v.first;
-  numbers.v2 = v.last;
-  define(c, numbers);
-  c.Enable(numbers.target);
-  map_grid(c, u, v);
-  for (const auto& [i1, i2, j1, j2] : ranges) c.EvalMesh2(mode.mode, i1, i2, j1, j2);
-  const Observation seen = t.observe(c, kPosition | kTextureCoordinate0, 6 * 40 * 12, mode.kind);
+ByPoint draw_numbered(Test& t, const MeshMode& mode, const std::vector<Range>& ranges, const Map& vertices) {
+  const bool two = vertices.two;
+  const Grid u = {two ? 37 : 100, 0.1f, 0.7f}, v = {11, 1.9f, 1.2f};
+  const char* const drawn = ranges.size() == 1 ? "a whole mesh" : two ? "a mesh in parts" : "parts of it";
+  gl::Case c(two ? fmt::format("{} in {}", drawn, mode.name) : drawn);
+  define_and_enable(c, vertices);
+  define_and_enable(c, two ? over(make_map2(GL_MAP2_TEXTURE_COORD_2, 2, 2, {0, 0, 0, 11, 37, 0, 37, 11}),
+                                  {u.first, u.last}, {v.first, v.last})
+                           : make_map1(GL_MAP1_TEXTURE_COORD_1, u.first, u.last, 1, {0, 100}));
+  map_grid(c, two, u, v);
+  for (const auto& [i1, i2, j1, j2] : ranges) eval_mesh(c, two, mode.mode, i1, i2, j1, j2);
   ByPoint points;
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    for (const ObservedVertex& vertex : primitive.vertices) {
-      const auto index = [&](std::size_t k) {
-        return static_cast<int>(std::lround(std::clamp(vertex.texture_coordinate[0][k], -100.0f, 100.0f)));
-      };
-      points[{index(0), index(1)}].push_back(vertex.position);
-    }
+  for (const ObservedVertex& vertex :
+       vertices_of(t.observe(c, kPosition | kTextureCoordinate0, two ? 6 * 40 * 12 : 300, mode.kind))) {
+    const auto index = [&](std::size_t k) {
+      return static_cast<int>(std::lround(std::clamp(vertex.texture_coordinate[0][k], -200.0f, 200.0f)));
+    };
+    points[{index(0), index(1)}].push_back(vertex.position);
+  }
   return points;
 }
 
@@ -506,13 +415,11 @@ void expect_same_bits(Test& t, const std::string& what, const ByPoint& all, cons
 
 const Range kWhole = {0, 37, 0, 11};
 
-}  // namespace
-
 // Within one mesh a point that several primitives share is the same vertex in all of them: no cracks.
 EVALCTS_TEST(Mesh2, SharedVertices, must, "EV-MESH2-SHAREDROW",
              combine((std::vector<MeshMode>{kModes2[1], kModes2[2]})).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
-  const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map2(t, GL_MAP2_VERTEX_4, 4, 4));
+  const ByPoint points = draw_numbered(t, mode, {kWhole}, random_map(t, GL_MAP2_VERTEX_4, {4, 4}));
   std::size_t shared = 0;
   for (const auto& [point, positions] : points) {
     if (positions.size() > 1) ++shared;
@@ -526,7 +433,7 @@ EVALCTS_TEST(Mesh2, SharedVertices, must, "EV-MESH2-SHAREDROW",
 
 EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE", by(gl::list_deliveries()))
 (Test& t) {
-  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
+  const Map map = random_map(t, GL_MAP2_VERTEX_4, {4, 4});
   const ByPoint points = draw_numbered(t, kModes2[0], {kWhole}, map);
   expect_same_bits(t, "in LINE than in POINT", points, draw_numbered(t, kModes2[1], {kWhole}, map));
   expect_same_bits(t, "in FILL than in POINT", points, draw_numbered(t, kModes2[2], {kWhole}, map));
@@ -534,7 +441,7 @@ EVALCTS_TEST(Mesh2, ModesAgree, quality, "EV-MESH2-MODESAGREE", by(gl::list_deli
 
 EVALCTS_TEST(Mesh2, PartsAgree, quality, "EV-MESH2-MODESAGREE", combine(kModes2).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
-  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 4);
+  const Map map = random_map(t, GL_MAP2_VERTEX_4, {4, 4});
   const ByPoint whole = draw_numbered(t, mode, {kWhole}, map);
   expect_same_bits(t, "in a part of the mesh", whole,
                    draw_numbered(t, mode, {{3, 9, 2, 4}, {30, 37, 5, 11}, {20, 22, 0, 1}}, map));
@@ -543,25 +450,11 @@ EVALCTS_TEST(Mesh2, PartsAgree, quality, "EV-MESH2-MODESAGREE", combine(kModes2)
 // ... and in one dimension.
 EVALCTS_TEST(Mesh1, PartsAgree, quality, "EV-MESH1-SUBRANGE", combine(kModes1).by(gl::list_deliveries()))
 (Test& t, const MeshMode& mode) {
-  Map1 map = random_map(t, GL_MAP1_VERTEX_4, 4);
-  const auto draw = [&](const std::vector<std::pair<int, int>>& ranges) {
-    gl::Case c(ranges.size() == 1 ? "a whole mesh" : "parts of it");
-    define(c, map);
-    c.Enable(map.target);
-    define(c, make_map1(GL_MAP1_TEXTURE_COORD_1, 0.1f, 0.7f, 1, {0, 100}));
-    c.Enable(GL_MAP1_TEXTURE_COORD_1);
-    map_grid(c, {100, 0.1f, 0.7f});
-    for (const auto& [first, last] : ranges) c.EvalMesh1(mode.mode, first, last);
-    const Observation seen = t.observe(c, kPosition | kTextureCoordinate0, 300, mode.kind);
-    ByPoint points;
-    for (const ObservedPrimitive& primitive : seen.primitives)
-      for (const ObservedVertex& vertex : primitive.vertices) {
-        const float s = std::clamp(vertex.texture_coordinate[0][0], -1.0f, 101.0f);
-        points[{static_cast<int>(std::lround(s)), 0}].push_back(vertex.position);
-      }
-    return points;
-  };
-  expect_same_bits(t, "in a part of the mesh", draw({{0, 100}}), draw({{2, 9}, {50, 60}, {97, 100}}));
+  const Map map = random_map(t, GL_MAP1_VERTEX_4, 4);
+  const ByPoint whole = draw_numbered(t, mode, {{0, 100}}, map);
+  expect_same_bits(t, "in a part of the mesh", whole,
+                   draw_numbered(t, mode, {{2, 9}, {50, 60}, {97, 100}}, map));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_meshes

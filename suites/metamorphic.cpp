@@ -13,6 +13,7 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/testkit/registration.h>
+#include "dimensions.h"
 #include "maps.h"
 
 namespace evalcts::suite_metamorphic {
@@ -20,22 +21,10 @@ namespace {
 
 using reference::Rational;
 
-// A map of either dimension: in one dimension the target is a MAP1 target and vorder 1.
-bool is_curve(const Map2& map) { return map.target < GL_MAP2_COLOR_4; }
-
-void define_either(gl::Case& c, const Map2& map) {
-  if (is_curve(map)) {
-    define(c, Map1{map.target, map.u1, map.u2, map.ustride, map.uorder, map.points});
-  } else {
-    define(c, map);
-  }
-}
-
-Rational bound_of(const Map2& map, std::size_t component, const At& at) {
+Rational bound_of(const Map& map, std::size_t component, const At& at) {
   const auto u = reference::Argument::coordinate(at.u), v = reference::Argument::coordinate(at.v);
   const double* first = map.points.data() + component;
-  if (is_curve(map))
-    return acceptance_bound(reference::Curve{first, map.ustride, map.uorder, map.u1, map.u2}, u);
+  if (!map.two) return acceptance_bound(reference::Curve{first, map.ustride, map.uorder, map.u1, map.u2}, u);
   return acceptance_bound(reference::Surface{first, map.ustride, map.vstride, map.uorder, map.vorder, map.u1,
                                              map.u2, map.v1, map.v2},
                           u, v);
@@ -58,7 +47,7 @@ float value_of(const ObservedVertex& vertex, GLenum target, std::size_t componen
 
 // The same domain and target, other points.
 template <class PointValue>
-Map2 made_of(const Map2& map, int uorder, int vorder, const PointValue& value) {
+Map made_of(const Map& map, int uorder, int vorder, const PointValue& value) {
   std::vector<double> points;
   for (int i = 0; i < uorder; ++i)
     for (int j = 0; j < vorder; ++j)
@@ -67,39 +56,32 @@ Map2 made_of(const Map2& map, int uorder, int vorder, const PointValue& value) {
         if (static_cast<double>(static_cast<float>(points.back())) != points.back())
           throw std::logic_error("a control point that is not exact in single precision");
       }
-  Map2 made = make_map2(map.target, uorder, vorder, points);
-  made.u1 = map.u1;
-  made.u2 = map.u2;
-  made.v1 = map.v1;
-  made.v2 = map.v2;
-  return made;
+  return over(make_map2(map.target, uorder, vorder, points), {map.u1, map.u2}, {map.v1, map.v2});
 }
 
-double point(const Map2& map, int i, int j, int component) {
+double point(const Map& map, int i, int j, int component) {
   return map.points[static_cast<std::size_t>(i * map.ustride + j * map.vstride + component)];
 }
 
-Map2 reversed(const Map2& map, bool along_u, bool along_v) {
+Map reversed(const Map& map, bool along_u, bool along_v) {
   return made_of(map, map.uorder, map.vorder, [&](int i, int j, int component) {
     return point(map, along_u ? map.uorder - 1 - i : i, along_v ? map.vorder - 1 - j : j, component);
   });
 }
 
-Map2 scaled(const Map2& map, double scale, double offset) {
+Map scaled(const Map& map, double scale, double offset) {
   return made_of(map, map.uorder, map.vorder,
                  [&](int i, int j, int component) { return scale * point(map, i, j, component) + offset; });
 }
 
-Map2 transposed(const Map2& map) {
-  Map2 made = made_of(map, map.vorder, map.uorder,
-                      [&](int i, int j, int component) { return point(map, j, i, component); });
-  std::swap(made.u1, made.v1);
-  std::swap(made.u2, made.v2);
-  return made;
+Map transposed(const Map& map) {
+  return over(made_of(map, map.vorder, map.uorder,
+                      [&](int i, int j, int component) { return point(map, j, i, component); }),
+              {map.v1, map.v2}, {map.u1, map.u2});
 }
 
 // The same memory, read the other way round.
-Map2 with_roles_swapped(Map2 map) {
+Map with_roles_swapped(Map map) {
   std::swap(map.u1, map.v1);
   std::swap(map.u2, map.v2);
   std::swap(map.ustride, map.vstride);
@@ -114,7 +96,7 @@ Rational binomial(int n, int k) {
 }
 
 // Q_i = SUM r of C(n,r)*C(m-n,i-r)/C(m,i) * R_r: the same polynomial as one of degree m.
-Map2 elevated_in_u(const Map2& map, int order) {
+Map elevated_in_u(const Map& map, int order) {
   const int n = map.uorder - 1, m = order - 1;
   std::vector<std::vector<Rational>> weights;
   for (int i = 0; i <= m; ++i) {
@@ -134,14 +116,14 @@ Map2 elevated_in_u(const Map2& map, int order) {
   });
 }
 
-Map2 elevated(const Map2& map, int uorder, int vorder) {
-  const Map2 in_u = elevated_in_u(map, uorder);
+Map elevated(const Map& map, int uorder, int vorder) {
+  const Map in_u = elevated_in_u(map, uorder);
   return vorder == map.vorder ? in_u : transposed(elevated_in_u(transposed(in_u), vorder));
 }
 
 // Points that are multiples of `unit` times 2^-24 in [-1,1].
-Map2 random_multiples(Test& t, GLenum target, int uorder, int vorder, int unit) {
-  Map2 map = random_map2(t, target, uorder, vorder);
+Map random_multiples(Test& t, GLenum target, const Orders& orders, int unit) {
+  Map map = random_map(t, target, orders);
   for (double& value : map.points) value = std::trunc(value * 0x1p24 / unit) * unit * 0x1p-24;
   return map;
 }
@@ -149,7 +131,7 @@ Map2 random_multiples(Test& t, GLenum target, int uorder, int vorder, int unit) 
 // --- Relations -------------------------------------------------------------------------------------------
 
 struct Side {
-  std::vector<Map2> maps;  // of one dimension and of attributes that differ
+  std::vector<Map> maps;  // of one dimension and of attributes that differ
   std::vector<At> arguments;
 };
 
@@ -174,10 +156,7 @@ class Relations {
   void check() {
     const Observation seen =
         t_.observe(script_, kPosition | kColor | kNormal | kTextureCoordinate0, vertices_ + 8);
-    seen_.clear();
-    for (const ObservedPrimitive& primitive : seen.primitives)
-      seen_.insert(seen_.end(), primitive.vertices.begin(), primitive.vertices.end());
-    if (seen_.size() != vertices_) throw NotObservable("the vertices do not come out, which other tests say");
+    seen_ = vertices_of(seen, vertices_);
     clamped_colors_ = seen.clamped_colors;
     for (const Relation& relation : relations_) check(relation);
     for (const Convex& convex : convex_) check(convex);
@@ -197,13 +176,9 @@ class Relations {
 
   // Returns the number of its first vertex.
   std::size_t draw(const Side& side) {
-    for (const Map2& map : side.maps) {
-      define_either(script_, map);
-      script_.Enable(map.target);
-    }
+    for (const Map& map : side.maps) define_and_enable(script_, map);
     script_.Begin(GL_POINTS);
-    for (const auto& [u, v] : side.arguments)
-      is_curve(side.maps.front()) ? evaluate(script_, u) : evaluate2(script_, u, v);
+    for (const auto& [u, v] : side.arguments) eval_coord(script_, side.maps.front().two, u, v);
     script_.End();
     vertices_ += side.arguments.size();
     return vertices_ - side.arguments.size();
@@ -246,7 +221,7 @@ class Relations {
 
   void check(const Convex& convex) {
     const Side& side = convex.side;
-    for (const Map2& map : side.maps)
+    for (const Map& map : side.maps)
       for (std::size_t i = 0; i < side.arguments.size(); ++i)
         for (std::size_t k = 0; k < static_cast<std::size_t>(map.components()); ++k) {
           const float got = value_of(seen_[convex.first + i], map.target, k);
@@ -266,18 +241,15 @@ class Relations {
         }
   }
 
-  void fail(const std::string& what, const Map2& map, const At& at, std::size_t component, float is,
+  void fail(const std::string& what, const Map& map, const At& at, std::size_t component, float is,
             double expected, double tolerance, std::size_t vertex) {
-    Failure failure;
-    failure.case_identity = script_.identity();
-    failure.what =
+    const std::string value =
         fmt::format("vertex {}, component {} of {}", vertex, component, gl::token_name(map.target));
-    failure.expected = fmt::format("{:.9g} +- {:.3g}", expected, tolerance);
-    failure.captured = fmt::format("{:.9g} ({:a})", is, is);
-    failure.message =
-        fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what, failure.what,
-                    map.uorder, map.vorder, at.u, at.v, failure.captured, failure.expected);
-    t_.fail(std::move(failure),
+    const std::string wanted = fmt::format("{:.9g} +- {:.3g}", expected, tolerance);
+    const std::string captured = fmt::format("{:.9g} ({:a})", is, is);
+    const std::string message = fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what,
+                                            value, map.uorder, map.vorder, at.u, at.v, captured, wanted);
+    t_.fail(failure_of(script_, value, message, wanted, captured),
             [&] { return gl::to_c(script_, 0, static_cast<int>(script_.commands().size()) - 1); });
   }
 
@@ -292,11 +264,9 @@ class Relations {
 
 // --- What the tests go through ---------------------------------------------------------------------------
 
-using Orders = std::pair<int, int>;
-
 std::vector<Orders> all_orders(Test& t, bool two) {
   const int max = t.max_order();
-  if (!two) return {{1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}, {8, 1}, {std::min(13, max), 1}, {max, 1}};
+  if (!two) return {{1}, {2}, {3}, {4}, {5}, {8}, {std::min(13, max)}, {max}};
   return {{1, 1}, {2, 2}, {3, 4}, {4, 4}, {1, 5}, {6, 2}, {8, 7}, {max, 2}, {3, max}};
 }
 
@@ -309,7 +279,7 @@ std::vector<At> unit_arguments(Test& t, int count) {
 }
 std::vector<At> unit_arguments(Test& t) { return unit_arguments(t, t.by_depth(4, 7, 60)); }
 
-std::vector<At> over_domain(std::vector<At> unit, const Map2& map) {
+std::vector<At> over_domain(std::vector<At> unit, const Map& map) {
   for (auto& [u, v] : unit) {
     u = map.u1 + (map.u2 - map.u1) * u;
     v = map.v1 + (map.v2 - map.v1) * v;
@@ -324,8 +294,8 @@ std::vector<At> changed(std::vector<At> arguments, const Change& change) {
 }
 
 template <class Change>
-std::vector<Map2> changed(std::vector<Map2> maps, const Change& change) {
-  for (Map2& map : maps) map = change(map);
+std::vector<Map> changed(std::vector<Map> maps, const Change& change) {
+  for (Map& map : maps) map = change(map);
   return maps;
 }
 
@@ -339,32 +309,27 @@ void expect_relations(Test& t, bool two, const std::string& identity, const Add&
   }
 }
 
-std::vector<Map2> random_maps(Test& t, const Kinds& kinds, const Orders& orders, int unit = 1 << 8) {
-  std::vector<Map2> maps;
-  for (const GLenum target : kinds.targets)
-    maps.push_back(random_multiples(t, target, orders.first, orders.second, unit));
+std::vector<Map> random_maps(Test& t, const Kinds& kinds, const Orders& orders, int unit = 1 << 8) {
+  std::vector<Map> maps;
+  for (const GLenum target : kinds.targets) maps.push_back(random_multiples(t, target, orders, unit));
   return maps;
 }
 
-}  // namespace
-
 // --- EV-NUM-SYMMETRY -------------------------------------------------------------------------------------
 
-namespace {
-
-void expect_symmetry(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Metamorphic.ReversedCurve, Metamorphic.ReversedSurface, must,
+                  decide("EV-NUM-SYMMETRY/1-D", "EV-NUM-SYMMETRY/2-D"), by(in_lists()))
+(Test& t, bool two) {
   expect_relations(t, two, "points reversed", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
-      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+      const std::vector<Map> maps = changed(random_maps(t, kinds, orders), [](const Map& map) {
         return over(map, {-2, 6}, {1, 3});
       });
       const Side plain = {maps, over_domain(unit_arguments(t), maps[0])};
-      const std::vector<std::pair<bool, bool>> directions =
-          two ? std::vector<std::pair<bool, bool>>{{true, false}, {false, true}, {true, true}}
-              : std::vector<std::pair<bool, bool>>{{true, false}};
-      for (const auto& [u, v] : directions) {
-        const auto reverse = [&, u = u, v = v](const Map2& map) { return reversed(map, u, v); };
-        const auto reverse_domain = [&, u = u, v = v](const Map2& map) {
+      for (const auto& [u, v] : {std::pair{true, false}, {false, true}, {true, true}}) {
+        if (v && !two) continue;
+        const auto reverse = [&, u = u, v = v](const Map& map) { return reversed(map, u, v); };
+        const auto reverse_domain = [&, u = u, v = v](const Map& map) {
           return over(map, {u ? map.u2 : map.u1, u ? map.u1 : map.u2},
                       {v ? map.v2 : map.v1, v ? map.v1 : map.v2});
         };
@@ -379,51 +344,37 @@ void expect_symmetry(Test& t, bool two) {
       }
     }
   });
-}
-
-}  // namespace
-
-EVALCTS_TEST(Metamorphic, ReversedCurve, must, "EV-NUM-SYMMETRY/1-D", by(in_lists()))
-(Test& t) { expect_symmetry(t, false); };
-EVALCTS_TEST(Metamorphic, ReversedSurface, must, "EV-NUM-SYMMETRY/2-D", by(in_lists()))
-(Test& t) { expect_symmetry(t, true); };
+};
 
 // --- EV-NUM-ELEVATION ------------------------------------------------------------------------------------
 
-namespace {
-
-void expect_elevation(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Metamorphic.ElevatedCurve, Metamorphic.ElevatedSurface, must,
+                  decide("EV-NUM-ELEVATION/1-D", "EV-NUM-ELEVATION/2-D"), by(in_lists()))
+(Test& t, bool two) {
   expect_relations(t, two, "a higher degree", [&](Relations& relations, const Kinds& kinds) {
     // 420 is a multiple of C(m,i)/gcd for all m up to 7, so that every elevated point is exact.
     constexpr int kUnit = 420;
-    const std::vector<Map2> maps = random_maps(t, kinds, {4, two ? 4 : 1}, two ? kUnit * kUnit : kUnit);
+    const std::vector<Map> maps = random_maps(t, kinds, {4, two ? 4 : 1}, two ? kUnit * kUnit : kUnit);
     const Side plain = {maps, unit_arguments(t)};
     for (int order = 5; order <= 8; ++order)
       for (const auto& [uorder, vorder] : two ? std::vector<Orders>{{order, 4}, {4, order}, {order, order}}
                                               : std::vector<Orders>{{order, 1}})
         relations.add(
             "degree elevated", plain,
-            {changed(maps, [&, u = uorder, v = vorder](const Map2& map) { return elevated(map, u, v); }),
+            {changed(maps, [&, u = uorder, v = vorder](const Map& map) { return elevated(map, u, v); }),
              plain.arguments});
     // A straight line is a map of any order.
     for (int order = 3; order <= t.max_order(); order += two || order > 10 ? 7 : 1) {
-      const std::vector<Map2> lines = random_maps(t, kinds, {2, two ? 2 : 1}, (order - 1) << 4);
+      const std::vector<Map> lines = random_maps(t, kinds, {2, two ? 2 : 1}, (order - 1) << 4);
       const Side line = {lines, unit_arguments(t, 4)};
-      const auto straight = [&](const Map2& map) { return elevated(map, order, map.vorder); };
+      const auto straight = [&](const Map& map) { return elevated(map, order, map.vorder); };
       relations.add("a line of higher degree", line, {changed(lines, straight), line.arguments});
       if (!two) continue;
-      const auto across = [&](const Map2& map) { return elevated(map, 2, order); };
+      const auto across = [&](const Map& map) { return elevated(map, 2, order); };
       relations.add("a line of higher degree", line, {changed(lines, across), line.arguments});
     }
   });
-}
-
-}  // namespace
-
-EVALCTS_TEST(Metamorphic, ElevatedCurve, must, "EV-NUM-ELEVATION/1-D", by(in_lists()))
-(Test& t) { expect_elevation(t, false); };
-EVALCTS_TEST(Metamorphic, ElevatedSurface, must, "EV-NUM-ELEVATION/2-D", by(in_lists()))
-(Test& t) { expect_elevation(t, true); };
+};
 
 // --- EV-NUM-TRANSPOSE ------------------------------------------------------------------------------------
 
@@ -431,11 +382,11 @@ EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE", by(in_lists()))
 (Test& t) {
   expect_relations(t, true, "u and v change their roles", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, true)) {
-      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+      const std::vector<Map> maps = changed(random_maps(t, kinds, orders), [](const Map& map) {
         return over(map, {0, 1}, {4, -1});
       });
       std::vector<At> arguments = over_domain(unit_arguments(t), maps[0]);
-      if (orders.first * orders.second <= 16) arguments.push_back({-0.5, 4.5});
+      if (orders.u * orders.v <= 16) arguments.push_back({-0.5, 4.5});
       const Side plain = {maps, arguments};
       const std::vector<At> swapped = changed(arguments, [](const At& at) { return At{at.v, at.u}; });
       relations.add("transposed", plain, {changed(maps, transposed), swapped});
@@ -446,9 +397,9 @@ EVALCTS_TEST(Metamorphic, Transposed, must, "EV-NUM-TRANSPOSE", by(in_lists()))
 
 // --- EV-NUM-AFFINE ---------------------------------------------------------------------------------------
 
-namespace {
-
-void expect_affine(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Metamorphic.MovedCurve, Metamorphic.MovedSurface, must,
+                  decide("EV-NUM-AFFINE/1-D", "EV-NUM-AFFINE/2-D"), by(in_lists()))
+(Test& t, bool two) {
   constexpr SameUpTo kChanges[] = {{1, 0.25}, {1, -8}, {0.5, 0}, {-4, 0}, {16, -4}};
   expect_relations(t, two, "points scaled and moved", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
@@ -456,35 +407,28 @@ void expect_affine(Test& t, bool two) {
       for (const SameUpTo& change : kChanges)
         relations.add(
             fmt::format("points times {} plus {}", change.scale, change.offset), plain,
-            {changed(plain.maps, [&](const Map2& map) { return scaled(map, change.scale, change.offset); }),
+            {changed(plain.maps, [&](const Map& map) { return scaled(map, change.scale, change.offset); }),
              plain.arguments},
             change);
     }
   });
-}
-
-}  // namespace
-
-EVALCTS_TEST(Metamorphic, MovedCurve, must, "EV-NUM-AFFINE/1-D", by(in_lists()))
-(Test& t) { expect_affine(t, false); };
-EVALCTS_TEST(Metamorphic, MovedSurface, must, "EV-NUM-AFFINE/2-D", by(in_lists()))
-(Test& t) { expect_affine(t, true); };
+};
 
 // --- EV-NUM-CONVEX ---------------------------------------------------------------------------------------
 
-namespace {
-
-void expect_convex(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Metamorphic.ConvexHullOfCurve, Metamorphic.ConvexHullOfSurface, must,
+                  decide("EV-NUM-CONVEX/1-D", "EV-NUM-CONVEX/2-D"), by(in_lists()))
+(Test& t, bool two) {
   expect_relations(t, two, "inside the range of the points", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
       const std::vector<At> arguments = unit_arguments(t, t.by_depth(8, 20, 200));
-      const std::vector<Map2> maps = random_maps(t, kinds, orders);
+      const std::vector<Map> maps = random_maps(t, kinds, orders);
       relations.add_convex({maps, arguments});
       // Flat: no room at all.
-      relations.add_convex({changed(maps, [](const Map2& map) { return scaled(map, 0, 0.625); }), arguments});
+      relations.add_convex({changed(maps, [](const Map& map) { return scaled(map, 0, 0.625); }), arguments});
       // Only 0 and 1.
       relations.add_convex({changed(maps,
-                                    [](const Map2& map) {
+                                    [](const Map& map) {
                                       return made_of(map, map.uorder, map.vorder, [&](int i, int j, int k) {
                                         return point(map, i, j, k) > 0 ? 1.0 : 0.0;
                                       });
@@ -492,52 +436,37 @@ void expect_convex(Test& t, bool two) {
                             arguments});
     }
   });
-}
-
-}  // namespace
-
-EVALCTS_TEST(Metamorphic, ConvexHullOfCurve, must, "EV-NUM-CONVEX/1-D", by(in_lists()))
-(Test& t) { expect_convex(t, false); };
-EVALCTS_TEST(Metamorphic, ConvexHullOfSurface, must, "EV-NUM-CONVEX/2-D", by(in_lists()))
-(Test& t) { expect_convex(t, true); };
+};
 
 // --- EV-MAP2-SEPARABLE -----------------------------------------------------------------------------------
 
-namespace {
-
-struct Along {
-  const char* name;
-  bool v;
-};
-constexpr Along kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
-
-}  // namespace
+constexpr Named<bool> kAlong[] = {{"ALONG_U", false}, {"ALONG_V", true}};
 
 // A net that is constant in one direction is the curve of the other, whatever the other argument.
 EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAlong).by(in_lists()))
-(Test& t, const Along& along) {
+(Test& t, const Named<bool>& along) {
   for (std::size_t kind = 0; kind < std::size(kKinds1); ++kind) {
     Relations relations(t, fmt::format("{}: against the map of one dimension", kKinds1[kind].name));
     for (const int order : {1, 2, 3, 4, 8, t.max_order()})
       for (const int across : {1, 2, 3, 6}) {
-        const std::vector<Map2> curves = random_maps(t, kKinds1[kind], {order, 1});
-        std::vector<Map2> surfaces;
+        const std::vector<Map> curves = random_maps(t, kKinds1[kind], {order, 1});
+        std::vector<Map> surfaces;
         for (std::size_t i = 0; i < curves.size(); ++i) {
-          const Map2& curve = curves[i];
-          surfaces.push_back(made_of(curve, order, across, [&](int r, int, int component) {
-            return point(curve, r, 0, component);
-          }));
-          surfaces.back().target = kKinds2[kind].targets[i];
-          if (along.v) surfaces.back() = transposed(surfaces.back());
+          const Map& curve = curves[i];
+          Map surface = made_of(curve, order, across,
+                                [&](int r, int, int component) { return point(curve, r, 0, component); });
+          surface.target = kKinds2[kind].targets[i];
+          surface.two = true;
+          surfaces.push_back(along.value ? transposed(surface) : surface);
         }
         std::vector<At> arguments = unit_arguments(t, t.by_depth(4, 6, 60));
         arguments.push_back({0.375, 1.25});
         arguments.push_back({0.75, -0.5});
-        const std::vector<At> at = along.v ? changed(arguments,
-                                                     [](const At& p) {
-                                                       return At{p.v, p.u};
-                                                     })
-                                           : arguments;
+        const std::vector<At> at = along.value ? changed(arguments,
+                                                         [](const At& p) {
+                                                           return At{p.v, p.u};
+                                                         })
+                                               : arguments;
         relations.add("constant across", {curves, arguments}, {surfaces, at});
       }
     relations.check();
@@ -545,8 +474,6 @@ EVALCTS_TEST(Metamorphic, CurveInSurface, must, "EV-MAP2-SEPARABLE", combine(kAl
 };
 
 // --- EV-NUM-DOMAINSHIFT ----------------------------------------------------------------------------------
-
-namespace {
 
 // Domain and argument scaled by a power of two and moved: both exact in single precision, but not the
 // quotients by the widths, 3 and 5: in those a large offset drowns what matters.
@@ -558,7 +485,7 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
                                {0x1p-20, 0}, {0x1p20, 0}, {0.25, 64}};
   expect_relations(t, two, "domain moved and scaled", [&](Relations& relations, const Kinds& kinds) {
     for (const Orders& orders : all_orders(t, two)) {
-      const std::vector<Map2> maps = changed(random_maps(t, kinds, orders), [](const Map2& map) {
+      const std::vector<Map> maps = changed(random_maps(t, kinds, orders), [](const Map& map) {
         return over(map, {0.5, 3.5}, {3, -2});
       });
       const Side plain = {maps, over_domain(unit_arguments(t), over(maps[0], {0.5, 2.5}, {3, -1}))};
@@ -567,7 +494,7 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
         relations.add(
             fmt::format("domain and arguments times {} plus {}", scale, offset), plain,
             {changed(maps,
-                     [&](const Map2& map) {
+                     [&](const Map& map) {
                        return over(map, {moved(map.u1), moved(map.u2)}, {moved(map.v1), moved(map.v2)});
                      }),
              changed(plain.arguments,
@@ -580,16 +507,13 @@ void expect_domain_shift(Test& t, bool two, bool bits) {
   });
 }
 
-}  // namespace
-
-EVALCTS_TEST(Metamorphic, ShiftedDomainOfCurve, must, "EV-NUM-DOMAINSHIFT/1-D", by(in_lists()))
-(Test& t) { expect_domain_shift(t, false, false); };
-EVALCTS_TEST(Metamorphic, ShiftedDomainOfSurface, must, "EV-NUM-DOMAINSHIFT/2-D", by(in_lists()))
-(Test& t) { expect_domain_shift(t, true, false); };
+EVALCTS_TEST_PAIR(Metamorphic.ShiftedDomainOfCurve, Metamorphic.ShiftedDomainOfSurface, must,
+                  decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
+(Test& t, bool two) { expect_domain_shift(t, two, false); };
 // u - u1 and u2 - u1 are exact and their quotient the same: so are the bits, evaluated literally.
-EVALCTS_TEST(Metamorphic, SameBitsOfCurve, quality, "EV-NUM-DOMAINSHIFT/1-D", by(in_lists()))
-(Test& t) { expect_domain_shift(t, false, true); };
-EVALCTS_TEST(Metamorphic, SameBitsOfSurface, quality, "EV-NUM-DOMAINSHIFT/2-D", by(in_lists()))
-(Test& t) { expect_domain_shift(t, true, true); };
+EVALCTS_TEST_PAIR(Metamorphic.SameBitsOfCurve, Metamorphic.SameBitsOfSurface, quality,
+                  decide("EV-NUM-DOMAINSHIFT/1-D", "EV-NUM-DOMAINSHIFT/2-D"), by(in_lists()))
+(Test& t, bool two) { expect_domain_shift(t, two, true); };
 
+}  // namespace
 }  // namespace evalcts::suite_metamorphic

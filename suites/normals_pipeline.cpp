@@ -17,7 +17,7 @@ const std::vector<float> kTurnedTwice = {0, 2, 0, 0, 0, 0, 2, 0, 2, 0, 0, 0, 0, 
 const std::vector<float> kSheared = {1, 0, 0, 0, 0.75f, 2, 0, 0, -0.5f, 0, 0.5f, 0, 0, 0, 0, 1};
 
 // A bicubic patch within -0.25 to 0.25, curved in both directions, times the size.
-Map2 patch(double size) {
+Map patch(double size) {
   std::vector<double> points;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
@@ -26,7 +26,7 @@ Map2 patch(double size) {
   return make_map2(GL_MAP2_VERTEX_3, 4, 4, points);
 }
 
-gl::Case points_of(const Map2& map, bool automatic = true) {
+gl::Case points_of(const Map& map, bool automatic = true) {
   gl::Case c;
   define(c, map);
   c.Enable(map.target);
@@ -58,8 +58,6 @@ struct Stage {
 const Stage kStages[] = {{"MODEL_VIEW", 0, {kTwice, kSheared}},
                          {"NORMALIZE", GL_NORMALIZE, {kTurnedTwice, kSheared}},
                          {"RESCALE", GL_RESCALE_NORMAL, {kTurnedTwice}}};
-
-}  // namespace
 
 EVALCTS_TEST(AutomaticNormals, Transformed, must, "EV-AUTON-FFTRANSFORM", combine(kStages))
 (Test& t, const Stage& stage) {
@@ -131,8 +129,6 @@ EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF")
   expect_like_explicit(feedback(t, "evaluated", state, evaluated), control);
 };
 
-namespace {
-
 // The normal as texture coordinates, the rest as without a program.
 constexpr char kNormalProgram[] =
     "!!ARBvp1.0\n"
@@ -151,12 +147,10 @@ constexpr Plane kPlanes[] = {{"10 by 10", {10, 0, 0}, {0, 10, 0}, 2, 2},
                              {"a quarter by a quarter", {0.25, 0, 0}, {0, 0.25, 0}, 2, 2},
                              {"tilted, order 4 by 3", {6, 3, -1.5}, {-1, 4, 2}, 4, 3}};
 
-}  // namespace
-
 // n = du x dv as it is.
 EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP")
 (Test& t) {
-  if (!t.gl().extensions.count("GL_ARB_vertex_program")) throw NotSupported("needs GL_ARB_vertex_program");
+  require_extension(t, "GL_ARB_vertex_program");
   gl::Case state;
   set_up_texture(state);
   state.MatrixMode(GL_PROJECTION);
@@ -196,4 +190,5 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_normals_pipeline

@@ -11,6 +11,8 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/testkit/registration.h>
+#include "checked_case.h"
+#include "dimensions.h"
 #include "numeric.h"
 
 namespace evalcts::suite_numeric {
@@ -24,13 +26,6 @@ std::vector<gl::Delivery> in_one_dimension() {
   std::vector<gl::Delivery> deliveries = of_curves();
   std::erase_if(deliveries, [](const gl::Delivery& delivery) { return delivery.lifted; });
   return deliveries;
-}
-
-std::vector<ObservedVertex> vertices_of(const Observation& seen) {
-  std::vector<ObservedVertex> all;
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    all.insert(all.end(), primitive.vertices.begin(), primitive.vertices.end());
-  return all;
 }
 
 namespace {
@@ -82,50 +77,39 @@ void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> exp
   }
 }
 
-void define_random(Test& t, gl::Case& c, const Kinds& kinds, bool two, int order, const Interval& domain) {
+void define_random(Test& t, gl::Case& c, const Kinds& kinds, int order, const Interval& domain) {
   for (const GLenum target : kinds.targets) {
     c.Enable(target);
-    if (two) {
-      Map2 map = random_map2(t, target, order, order % 4 + 1);
-      map.u1 = map.v1 = domain.first;
-      map.u2 = map.v2 = domain.last;
-      define(c, map);
-    } else {
-      Map1 map = random_map(t, target, order);
-      map.u1 = domain.first;
-      map.u2 = domain.last;
-      define(c, map);
-    }
+    define(c, over(random_map(t, target, {order, order % 4 + 1}), domain, domain));
   }
 }
 
-void evaluate_at(gl::Case& c, bool two, double u) {
-  if (two) {
-    evaluate2(c, u, u);
-  } else {
-    evaluate(c, u);
-  }
-}
+void evaluate_at(gl::Case& c, bool two, double u) { eval_coord(c, two, u, u); }
 
 // --- The ends --------------------------------------------------------------------------------------------
 
 namespace {
 
-void expect_end(Test& t, const char* identity, double Interval::*end) {
-  gl::Case c(identity);
+EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, must,
+                  decide("EV-NUM-START/1-D", "EV-NUM-END/1-D"), by(of_curves()))
+(Test& t, bool last) {
+  gl::Case c(last ? "u2, every order" : "u1, every order");
   for (const Kinds& kinds : kKinds1)
     for (int order = 1; order <= t.max_order(); order += order < 8 || t.depth() != Depth::quick ? 1 : 5) {
       const Interval& domain = kDomains[static_cast<std::size_t>(order) % std::size(kDomains)];
-      define_random(t, c, kinds, false, order, domain);
+      define_random(t, c, kinds, order, domain);
       c.Begin(GL_POINTS);
-      evaluate(c, domain.*end);
+      evaluate(c, last ? domain.last : domain.first);
       c.End();
     }
   t.expect_emission(c, kUnit0);
-}
+};
 
 // At the start of the domain: the first control point, bit for bit.
-void expect_first_point(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, quality,
+                  decide("EV-NUM-START/1-D", "EV-NUM-START/2-D"),
+                  [](bool two) { return by(two ? of_surfaces() : in_one_dimension()); })
+(Test& t, bool two) {
   gl::Case c("u1 of each domain");
   std::vector<ObservedVertex> expected;
   for (const Kinds& kinds : kinds_of(two))
@@ -134,24 +118,15 @@ void expect_first_point(Test& t, bool two) {
         ObservedVertex vertex;
         vertex.position[3] = vertex.texture_coordinate[0][3] = 1;
         for (const GLenum target : kinds.targets) {
-          const std::vector<double> points = random_values(
-              t.random(), static_cast<std::size_t>(order * (two ? 3 : 1) * gl::components_of(target)));
-          if (two) {
-            Map2 map = make_map2(target, order, 3, points);
-            map.u1 = map.v1 = domain.first;
-            map.u2 = map.v2 = domain.last;
-            define(c, map);
-          } else {
-            define(c, make_map1(target, domain.first, domain.last, gl::components_of(target), points));
-          }
-          c.Enable(target);
+          const Map map = over(random_map(t, target, {order, 3}), domain, domain);
+          define_and_enable(c, map);
           const Attributes attribute = attribute_of(target);
           float* first = attribute == kPosition ? vertex.position.data()
                          : attribute == kColor  ? vertex.color.data()
                          : attribute == kNormal ? vertex.normal.data()
                                                 : vertex.texture_coordinate[0].data();
           for (std::size_t k = 0; k < static_cast<std::size_t>(gl::components_of(target)); ++k)
-            first[k] = static_cast<float>(points[k]);
+            first[k] = static_cast<float>(map.points[k]);
         }
         c.Begin(GL_POINTS);
         evaluate_at(c, two, domain.first);
@@ -159,28 +134,13 @@ void expect_first_point(Test& t, bool two) {
         expected.push_back(vertex);
       }
   const Observation seen = t.observe(c, kUnit0, expected.size() + 8);
-  const std::vector<ObservedVertex> got = vertices_of(seen);
-  if (got.size() != expected.size())
-    throw NotObservable("the vertices do not come out, which other tests say");
+  const std::vector<ObservedVertex> got = vertices_of(seen, expected.size());
   const Attributes compared = seen.clamped_colors ? kUnit0 & ~static_cast<Attributes>(kColor) : kUnit0;
   expect_same(t, c, expected, got, compared, "the first control point is",
               [](std::size_t i) { return fmt::format("vertex {}", i); });
-}
-
-}  // namespace
-
-EVALCTS_TEST(Numeric, StartOfDomain, must, "EV-NUM-START/1-D", by(of_curves()))
-(Test& t) { expect_end(t, "u1, every order", &Interval::first); };
-EVALCTS_TEST(Numeric, EndOfDomain, must, "EV-NUM-END/1-D", by(of_curves()))
-(Test& t) { expect_end(t, "u2, every order", &Interval::last); };
-EVALCTS_TEST(Numeric, StartIsFirstPoint, quality, "EV-NUM-START/1-D", by(in_one_dimension()))
-(Test& t) { expect_first_point(t, false); };
-EVALCTS_TEST(Numeric, StartIsCorner, quality, "EV-NUM-START/2-D", by(of_surfaces()))
-(Test& t) { expect_first_point(t, true); };
+};
 
 // --- Magnitudes ------------------------------------------------------------------------------------------
-
-namespace {
 
 double largest(Test& t, GLenum target) {
   return std::ldexp(1.0, reference::guaranteed_range(target, 10 * t.gl().major + t.gl().minor));
@@ -195,23 +155,18 @@ std::vector<double> large_points(Test& t, GLenum target, int order) {
   return points;
 }
 
-void expect_large_points_kept(Test& t, const std::vector<GLenum>& targets) {
+void expect_large_points_kept(Test& t, const std::vector<GLenum>& curve_targets) {
   for (const Form& form : kForms) {
-    gl::Case c(fmt::format("form {}", form.name));
-    std::vector<std::pair<Map1, MapQuery>> curves;
-    std::vector<std::pair<Map2, MapQuery>> surfaces;
-    for (const GLenum target : targets) {
-      const Map1 curve = make_map1(target, large_points(t, target, 4));
-      define(c, curve, form.doubles);
-      curves.emplace_back(curve, query_map(c, target, t.max_order(), form.doubles));
-      const GLenum two = target - gl::kMap1Targets[0] + gl::kMap2Targets[0];
-      const Map2 surface = make_map2(two, 2, 3, large_points(t, two, 6));
-      define(c, surface, form.doubles);
-      surfaces.emplace_back(surface, query_map(c, two, t.max_order(), form.doubles));
+    CheckedCase c(t, fmt::format("form {}", form.name));
+    for (const GLenum target : curve_targets) {
+      const GLenum namesake = target_in(kSurfaces, target);
+      for (const Map& map : {make_map1(target, large_points(t, target, 4)),
+                             make_map2(namesake, 2, 3, large_points(t, namesake, 6))}) {
+        define(c, map, form.doubles);
+        c.expect_map(map, form.doubles);
+      }
     }
-    Played played = t.play(c);
-    for (const auto& [map, query] : curves) expect_map(played, query, map, form.doubles);
-    for (const auto& [map, query] : surfaces) expect_map(played, query, map, form.doubles);
+    c.check();
   }
 }
 
@@ -219,18 +174,14 @@ const std::vector<GLenum> kNotColors = {
     GL_MAP1_VERTEX_3,        GL_MAP1_VERTEX_4,        GL_MAP1_NORMAL,         GL_MAP1_TEXTURE_COORD_1,
     GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_3, GL_MAP1_TEXTURE_COORD_4};
 
-}  // namespace
-
 EVALCTS_TEST(Numeric, LargePoints, must, "EV-NUM-RANGE-POS/1-D", "EV-NUM-RANGE-COLOR/1-D", by(of_curves()))
 (Test& t) {
   gl::Case c("points up to the largest of each target");
   for (const Kinds& kinds : kKinds1)
     for (const int order : {1, 2, 3, 4, 7, 12}) {
       if (order > t.max_order()) continue;
-      for (const GLenum target : kinds.targets) {
-        define(c, make_map1(target, large_points(t, target, order)));
-        c.Enable(target);
-      }
+      for (const GLenum target : kinds.targets)
+        define_and_enable(c, make_map1(target, large_points(t, target, order)));
       c.Begin(GL_POINTS);
       for (const double u : {0.0, 0.25, 0.7, 0.9375, 1.0}) evaluate(c, static_cast<float>(u));
       c.End();
@@ -250,7 +201,7 @@ EVALCTS_TEST(Numeric, LargeDomain, must, "EV-NUM-RANGE-POS/1-D", by(of_curves())
   for (const Kinds& kinds : kKinds1)
     for (const Interval& domain : {Interval{0, 0x1p32}, {-0x1p32, 0x1p32}, {0x1p31, 0x1p32}, {-0x1p32, 1}})
       for (const int order : {2, 4, 7}) {
-        define_random(t, c, kinds, false, order, domain);
+        define_random(t, c, kinds, order, domain);
         c.Begin(GL_POINTS);
         for (const double x : {0.0, 0.25, 0.7, 1.0})
           evaluate(c, static_cast<float>(domain.first + (domain.last - domain.first) * x));
@@ -268,13 +219,11 @@ EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D", by(
     for (const Interval& domain : {Interval{0, 1}, {-0.0, 2}, {-1, 3}, {1, -0.0}})
       for (const int order : {1, 2, 4, 8}) {
         for (const GLenum target : kinds.targets) {
-          std::vector<double> points =
-              random_values(t.random(), static_cast<std::size_t>(order * gl::components_of(target)));
+          Map map = over(random_map(t, target, order), domain);
           // Some of them, or all.
-          for (std::size_t i = 0; i < points.size(); ++i)
-            if (domain.last == 3 || i % 2) points[i] = kSmall[i % std::size(kSmall)];
-          define(c, make_map1(target, domain.first, domain.last, gl::components_of(target), points));
-          c.Enable(target);
+          for (std::size_t i = 0; i < map.points.size(); ++i)
+            if (domain.last == 3 || i % 2) map.points[i] = kSmall[i % std::size(kSmall)];
+          define_and_enable(c, map);
         }
         c.Begin(GL_POINTS);
         for (const double u : kSmall) evaluate(c, u);
@@ -285,39 +234,29 @@ EVALCTS_TEST(Numeric, DenormalsAndNegativeZero, must, "EV-NUM-DENORMAL/1-D", by(
   t.expect_emission(c, kUnit0);
 };
 
-namespace {
-
-void expect_zeros_alike(Test& t, bool two) {
+EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, quality,
+                  decide("EV-NUM-DENORMAL/1-D", "EV-NUM-DENORMAL/2-D"), by(in_lists()))
+(Test& t, bool two) {
   for (const Kinds& kinds : kinds_of(two)) {
     gl::Case c(fmt::format("{}: u = -0, u = 0", kinds.name));
     std::size_t count = 0;
     for (const Interval& domain : {Interval{0, 1}, {-1, 3}, {0.1f, 0.7f}, {1, 0}})
       for (const int order : {2, 4, t.max_order()}) {
-        define_random(t, c, kinds, two, order, domain);
+        define_random(t, c, kinds, order, domain);
         c.Begin(GL_POINTS);
         evaluate_at(c, two, 0.0);
         evaluate_at(c, two, -0.0);
         c.End();
         count += 2;
       }
-    const std::vector<ObservedVertex> seen = vertices_of(t.observe(c, kUnit0, count + 8));
-    if (seen.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+    const std::vector<ObservedVertex> seen = vertices_of(t.observe(c, kUnit0, count + 8), count);
     for (std::size_t i = 0; i < count; i += 2)
       expect_same(t, c, {&seen[i], 1}, {&seen[i + 1], 1}, kUnit0, "at u = 0 it was",
                   [&](std::size_t) { return fmt::format("vertex {} (u = -0)", i + 1); });
   }
-}
-
-}  // namespace
-
-EVALCTS_TEST(Numeric, NegativeZeroIsZero1, quality, "EV-NUM-DENORMAL/1-D", by(in_lists()))
-(Test& t) { expect_zeros_alike(t, false); };
-EVALCTS_TEST(Numeric, NegativeZeroIsZero2, quality, "EV-NUM-DENORMAL/2-D", by(in_lists()))
-(Test& t) { expect_zeros_alike(t, true); };
+};
 
 // --- What is no number -----------------------------------------------------------------------------------
-
-namespace {
 
 // Values that are no finite single-precision number; the last is one in double precision.
 constexpr double kSpecials[] = {kNaN, kInfinity, -kInfinity, 1e300};
@@ -332,95 +271,58 @@ struct Special {
 };
 
 void draw_with_maps(gl::Case& c, bool two, bool doubles, const Modes& modes) {
-  c.Begin(GL_POINTS);
-  for (const double u : {0.0, 0.5, 1.0}) {
-    if (two) {
-      evaluate2(c, u, 0.25, doubles);
-    } else {
-      evaluate(c, u, doubles);
-    }
-  }
-  c.End();
-  for (const GLenum mode : modes) {
-    if (two) {
-      c.EvalMesh2(mode, 0, 2, -1, 2);
-    } else if (mode != GL_FILL) {
-      c.EvalMesh1(mode, -1, 3);
-    }
-  }
+  evaluate_all(c, two, {{0, 0.25}, {0.5, 0.25}, {1, 0.25}}, doubles);
+  for (const GLenum mode : modes)
+    if (two || mode != GL_FILL) eval_mesh(c, two, mode, two ? 0 : -1, two ? 2 : 3, -1, 2);
 }
 
 void feed_argument(Test&, gl::Case& c, bool two, bool doubles, double value, const Modes&) {
   c.Begin(GL_POINTS);
-  if (two) {
-    evaluate2(c, value, 0.5, doubles);
-    evaluate2(c, 0.5, value, doubles);
-    evaluate2_vector(c, value, value, doubles);
-  } else {
-    evaluate(c, value, doubles);
-    evaluate_vector(c, value, doubles);
-  }
+  eval_coord(c, two, value, 0.5, doubles);
+  if (two) evaluate2(c, 0.5, value, doubles);
+  eval_coord_vector(c, two, value, value, doubles);
   c.End();
 }
 
 void feed_points(Test& t, gl::Case& c, bool two, bool doubles, double value, const Modes& modes) {
   for (const GLenum target : kinds_of(two)[1].targets) {
-    if (two) {
-      Map2 map = random_map2(t, target, 3, 4);
-      map.points[0] = map.points[5] = map.points.back() = value;
-      define(c, map, doubles);
-    } else {
-      Map1 map = random_map(t, target, 4);
-      map.points[0] = map.points[5] = map.points.back() = value;
-      define(c, map, doubles);
-    }
+    Map map = random_map(t, target, two ? Orders{3, 4} : Orders{4});
+    map.points[0] = map.points[5] = map.points.back() = value;
+    define(c, map, doubles);
     draw_with_maps(c, two, doubles, modes);
   }
 }
 
+// Intervals with the value at one end, or at both.
+std::vector<Interval> intervals_with(double value) {
+  return {{value, 1}, {0, value}, {value, value}, {value, -value}};
+}
+
 void feed_domain(Test& t, gl::Case& c, bool two, bool doubles, double value, const Modes& modes) {
-  for (const Interval& domain : {Interval{value, 1}, {0, value}, {value, value}, {value, -value}})
+  for (const Interval& domain : intervals_with(value))
     for (const GLenum target : kinds_of(two)[1].targets) {
-      if (two) {
-        for (const bool of_v : {false, true}) {
-          Map2 map = random_map2(t, target, 3, 4);
-          (of_v ? map.v1 : map.u1) = domain.first;
-          (of_v ? map.v2 : map.u2) = domain.last;
-          define(c, map, doubles);
-        }
-      } else {
-        Map1 map = random_map(t, target, 4);
-        map.u1 = domain.first;
-        map.u2 = domain.last;
-        define(c, map, doubles);
-      }
+      define(c, over(random_map(t, target, two ? Orders{3, 4} : Orders{4}), domain), doubles);
+      if (two) define(c, over(random_map(t, target, {3, 4}), {0, 1}, domain), doubles);
       draw_with_maps(c, two, doubles, modes);
     }
 }
 
 void feed_grid(Test&, gl::Case& c, bool two, bool doubles, double value, const Modes& modes) {
-  for (const Interval& ends : {Interval{value, 1}, {0, value}, {value, value}, {value, -value}}) {
-    const auto u1 = static_cast<float>(ends.first), u2 = static_cast<float>(ends.last);
+  for (const Interval& ends : intervals_with(value)) {
     if (two && doubles) {
       c.MapGrid2d(2, ends.first, ends.last, 3, 0, 1);
       c.MapGrid2d(2, 0, 1, 3, ends.first, ends.last);
     } else if (two) {
-      c.MapGrid2f(2, u1, u2, 3, 0, 1);
-      c.MapGrid2f(2, 0, 1, 3, u1, u2);
+      c.MapGrid2f(2, ends.first, ends.last, 3, 0, 1);
+      c.MapGrid2f(2, 0, 1, 3, ends.first, ends.last);
     } else if (doubles) {
       c.MapGrid1d(3, ends.first, ends.last);
     } else {
-      c.MapGrid1f(3, u1, u2);
+      c.MapGrid1f(3, ends.first, ends.last);
     }
     draw_with_maps(c, two, doubles, modes);
     c.Begin(GL_POINTS);
-    for (const int i : {0, 1, 2, 5}) {
-      if (two) {
-        c.EvalPoint2(i, 1);
-      } else {
-        c.EvalPoint1(i);
-      }
-    }
+    for (const int i : {0, 1, 2, 5}) eval_point(c, two, i, 1);
     c.End();
   }
 }
@@ -429,60 +331,47 @@ constexpr Special kFeeds[] = {
     {"ARGUMENT", feed_argument}, {"POINTS", feed_points}, {"DOMAIN", feed_domain}, {"GRID", feed_grid}};
 
 // Finite maps and grids drawn by all commands; returns how many points that are.
-std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map1>& curves,
-                        const std::vector<Map2>& surfaces) {
-  for (const Map1& map : curves) define(c, map);
-  for (const Map2& map : surfaces) define(c, map);
-  two ? map_grid(c, {3, 0, 1}, {2, 1, 0.5f}) : map_grid(c, {3, 0, 1});
+std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map>& maps) {
+  for (const Map& map : maps) define(c, map);
+  map_grid(c, two, {3, 0, 1}, {2, 1, 0.5f});
   c.Begin(GL_POINTS);
   for (int i = 0; i <= 3; ++i) {
-    if (two) {
-      evaluate2(c, i / 4.0, 0.25);
-      c.EvalPoint2(i, 1);
-    } else {
-      evaluate(c, i / 4.0);
-      c.EvalPoint1(i);
-    }
+    eval_coord(c, two, i / 4.0, 0.25);
+    eval_point(c, two, i, 1);
   }
   c.End();
-  two ? c.EvalMesh2(GL_POINT, 0, 3, 0, 2) : c.EvalMesh1(GL_POINT, 0, 3);
+  eval_mesh(c, two, GL_POINT, 0, 3, 0, 2);
   return 8 + (two ? 12 : 4);
 }
 
 // What is drawn after such values is what is drawn without them.
-void expect_results_later(Test& t, const Special& special, bool two) {
+EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, must,
+                  decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
+                  combine(kFeeds).by(in_lists()))
+(Test& t, bool two, const Special& special) {
   const Kinds& kinds = kinds_of(two)[1];
   // Those drawn before are others: what is drawn afterwards has to be defined afterwards.
-  std::vector<Map1> curves, curves_before;
-  std::vector<Map2> surfaces, surfaces_before;
+  std::vector<Map> maps, maps_before;
   for (const GLenum target : kinds.targets) {
-    if (two) {
-      surfaces.push_back(random_map2(t, target, 4, 3));
-      surfaces_before.push_back(random_map2(t, target, 2, 5));
-    } else {
-      curves.push_back(random_map(t, target, 4));
-      curves_before.push_back(random_map(t, target, 6));
-    }
+    maps.push_back(random_map(t, target, {4, 3}));
+    maps_before.push_back(random_map(t, target, two ? Orders{2, 5} : Orders{6}));
   }
   const auto begin = [&](gl::Case& c) {
     for (const GLenum target : kinds.targets) c.Enable(target);
-    return draw_finite(c, two, curves_before, surfaces_before);
+    return draw_finite(c, two, maps_before);
   };
   gl::Case clean("finite values only");
   const std::size_t before = begin(clean);
-  const std::size_t count = draw_finite(clean, two, curves, surfaces);
-  const std::vector<ObservedVertex> expected = vertices_of(t.observe(clean, kUnit0, before + count + 8));
-  if (expected.size() != before + count)
-    throw NotObservable("the vertices do not come out, which other tests say");
+  const std::size_t count = draw_finite(clean, two, maps);
+  const std::vector<ObservedVertex> expected =
+      vertices_of(t.observe(clean, kUnit0, before + count + 8), before + count);
 
   gl::Case c("NaN, infinity and what overflows");
   begin(c);
   for (const double value : kSpecials)
     for (const Form& form : kForms) special.feed(t, c, two, form.doubles, value, {GL_POINT});
-  // Unspecified: whether such a domain is an error (U-NAN-DOMAIN).
-  const gl::Ref unused = c.GetError();
-  static_cast<void>(unused);
-  draw_finite(c, two, curves, surfaces);
+  c.GetError();  // whether such a domain is an error is unspecified (U-NAN-DOMAIN)
+  draw_finite(c, two, maps);
   const std::vector<ObservedVertex> got = vertices_of(t.observe(c, kUnit0, 20000));
   if (got.size() < count) {
     fail(t, c, "the number of vertices", "at least to come are", static_cast<float>(count),
@@ -492,54 +381,36 @@ void expect_results_later(Test& t, const Special& special, bool two) {
   expect_same(t, c, std::span(expected).last(count), std::span(got).last(count), kUnit0,
               "without values that are no numbers it is",
               [&](std::size_t i) { return fmt::format("vertex {} of those drawn afterwards", i); });
-}
+};
 
 // ... also where they are rasterized, in all modes. Other maps, enables and current values are what they
 // were.
-void expect_state_later(Test& t, const Special& special, bool two) {
-  gl::Case c("NaN, infinity and what overflows");
-  const Map1 other1 = random_map(t, GL_MAP1_TEXTURE_COORD_1, 5);
-  const Map2 other2 = random_map2(t, GL_MAP2_TEXTURE_COORD_1, 3, 2);
-  define(c, other1);
-  define(c, other2);
-  for (const GLenum target : kinds_of(two)[1].targets) c.Enable(target);
+EVALCTS_TEST_PAIR(Numeric.StateAfterSpecials1, Numeric.StateAfterSpecials2, must,
+                  decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
+                  combine(kFeeds).by(in_lists()))
+(Test& t, bool two, const Special& special) {
+  const Kinds& kinds = kinds_of(two)[1];
+  CheckedCase c(t, "NaN, infinity and what overflows");
+  const Map others[] = {random_map(t, GL_MAP1_TEXTURE_COORD_1, 5),
+                        random_map(t, GL_MAP2_TEXTURE_COORD_1, {3, 2})};
+  for (const Map& other : others) define(c, other);
+  for (const GLenum target : kinds.targets) c.Enable(target);
   c.Enable(GL_AUTO_NORMAL);
   for (const double value : kSpecials)
     for (const Form& form : kForms) {
-      define_random(t, c, kinds_of(two)[1], two, 4, {0, 1});
+      define_random(t, c, kinds, 4, {0, 1});
       special.feed(t, c, two, form.doubles, value, {GL_POINT, GL_LINE, GL_FILL});
     }
-  const gl::Ref unused = c.GetError();  // U-NAN-DOMAIN
-  static_cast<void>(unused);
-  const MapQuery query1 = query_map(c, other1.target, t.max_order());
-  const MapQuery query2 = query_map(c, other2.target, t.max_order());
-  const gl::Ref enabled = c.IsEnabled(kinds_of(two)[1].targets[0]);
+  c.GetError();  // U-NAN-DOMAIN
+  for (const Map& other : others) c.expect_map(other);
+  c.expect_enabled(kinds.targets[0], true);
   // A new definition works again.
-  const Map1 map1 = random_map(t, GL_MAP1_VERTEX_4, 4);
-  const Map2 map2 = random_map2(t, GL_MAP2_VERTEX_4, 3, 4);
-  define(c, map1);
-  define(c, map2);
-  const gl::Ref error = c.GetError();
-  const MapQuery again1 = query_map(c, map1.target, t.max_order());
-  const MapQuery again2 = query_map(c, map2.target, t.max_order());
-  Played played = t.play(c);
-  expect_map(played, query1, other1);
-  expect_map(played, query2, other2);
-  played.expect_result(enabled, GL_TRUE);
-  played.expect_no_error(error);
-  expect_map(played, again1, map1);
-  expect_map(played, again2, map2);
-}
+  const Map maps[] = {random_map(t, GL_MAP1_VERTEX_4, 4), random_map(t, GL_MAP2_VERTEX_4, {3, 4})};
+  for (const Map& map : maps) define(c, map);
+  c.expect_no_error();
+  for (const Map& map : maps) c.expect_map(map);
+  c.check();
+};
 
 }  // namespace
-
-EVALCTS_TEST(Numeric, ResultsAfterSpecials1, must, "EV-NUM-SPECIAL-SAFE/1-D", combine(kFeeds).by(in_lists()))
-(Test& t, const Special& special) { expect_results_later(t, special, false); };
-EVALCTS_TEST(Numeric, ResultsAfterSpecials2, must, "EV-NUM-SPECIAL-SAFE/2-D", combine(kFeeds).by(in_lists()))
-(Test& t, const Special& special) { expect_results_later(t, special, true); };
-EVALCTS_TEST(Numeric, StateAfterSpecials1, must, "EV-NUM-SPECIAL-SAFE/1-D", combine(kFeeds).by(in_lists()))
-(Test& t, const Special& special) { expect_state_later(t, special, false); };
-EVALCTS_TEST(Numeric, StateAfterSpecials2, must, "EV-NUM-SPECIAL-SAFE/2-D", combine(kFeeds).by(in_lists()))
-(Test& t, const Special& special) { expect_state_later(t, special, true); };
-
 }  // namespace evalcts::suite_numeric

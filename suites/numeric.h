@@ -23,8 +23,6 @@ std::vector<gl::Delivery> of_curves();
 std::vector<gl::Delivery> of_surfaces();
 std::vector<gl::Delivery> in_one_dimension();
 
-std::vector<ObservedVertex> vertices_of(const Observation& seen);
-
 bool same_bits(float a, float b);
 
 void fail(Test& t, const gl::Case& c, const std::string& what, const std::string& why, float expected,
@@ -35,10 +33,8 @@ void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> exp
                  std::span<const ObservedVertex> got, Attributes attributes, const std::string& why,
                  const std::function<std::string(std::size_t)>& name);
 
-inline const auto& kinds_of(bool two) { return two ? kKinds2 : kKinds1; }
-
 // Random maps of all the kinds, enabled: over the domain, in two dimensions also along v.
-void define_random(Test& t, gl::Case& c, const Kinds& kinds, bool two, int order, const Interval& domain);
+void define_random(Test& t, gl::Case& c, const Kinds& kinds, int order, const Interval& domain);
 
 void evaluate_at(gl::Case& c, bool two, double u);
 

@@ -3,6 +3,8 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
+#include "grid_cases.h"
 #include "pictures.h"
 #include "refusal.h"
 
@@ -11,9 +13,7 @@ namespace {
 
 constexpr GLenum kAttributeMaps1 = 0x8660, kAttributeMaps2 = 0x8670;  // 16 each
 
-void require_nv(Test& t) {
-  if (!t.gl().extensions.contains("GL_NV_vertex_program")) throw NotSupported("needs GL_NV_vertex_program");
-}
+void require_nv(Test& t) { require_extension(t, "GL_NV_vertex_program"); }
 
 // All of them but the one that ARB_vertex_program took for PROGRAM_BINDING_ARB.
 std::vector<GLenum> attribute_maps(Test& t) {
@@ -27,37 +27,32 @@ std::vector<GLenum> attribute_maps(Test& t) {
 
 bool is_curve(GLenum target) { return target < kAttributeMaps2; }
 
-// Of order 2, or 2x2.
-void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
-  if (is_curve(target)) {
-    c.Map1f(target, 0.0f, 1.0f, stride, 2, points);
-  } else {
-    c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
-  }
+std::vector<GLint> orders_of(GLenum target, GLint order) {
+  return std::vector<GLint>(is_curve(target) ? 1 : 2, order);
 }
 
-}  // namespace
+// Of order 2, or 2x2.
+void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
+  is_curve(target) ? c.Map1f(target, 0.0f, 1.0f, stride, 2, points)
+                   : c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
+}
 
 EVALCTS_TEST(NvVertexProgram, Tokens, must, "EV-EXT-NVVP-TOKENS")
 (Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
-    gl::Case c(fmt::format("map 0x{:04X}", target));
+    CheckedCase c(t, fmt::format("map 0x{:04X}", target));
     const std::vector<float> points = converted<float>(random_values(t.random(), is_curve(target) ? 8 : 16));
     define_attribute_map(c, target, 4, points);
-    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(points.size() + 4));
-    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2));
+    c.expect_values(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(points.size() + 4)), points);
+    c.expect_values(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(2)), orders_of(target, 2));
     c.Enable(target);
-    const gl::Ref on = c.IsEnabled(target), got = c.GetIntegerv(target, gl::out<GLint>(2));
+    c.expect_enabled(target, true);
+    c.expect_values(c.GetIntegerv(target, gl::out<GLint>(2)), {GL_TRUE});
     c.Disable(target);
-    const gl::Ref off = c.IsEnabled(target), error = c.GetError();
-    Played played = t.play(c);
-    played.expect_values<float>(coefficients, points);
-    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{2} : std::vector<GLint>{2, 2});
-    played.expect_result(on, GL_TRUE);
-    played.expect_values<GLint>(got, {GL_TRUE});
-    played.expect_result(off, GL_FALSE);
-    played.expect_no_error(error);
+    c.expect_enabled(target, false);
+    c.expect_no_error();
+    c.check();
   }
 };
 
@@ -74,14 +69,11 @@ EVALCTS_TEST(NvVertexProgram, Initial, must, "EV-EXT-NVVP-INIT")
 (Test& t) {
   require_nv(t);
   for (const GLenum target : attribute_maps(t)) {
-    gl::Case c(fmt::format("map 0x{:04X}", target));
-    const gl::Ref on = c.IsEnabled(target);
-    const gl::Ref order = c.GetMapiv(target, GL_ORDER, gl::out<GLint>(3));
-    const gl::Ref coefficients = c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8));
-    Played played = t.play(c);
-    played.expect_result(on, GL_FALSE);
-    played.expect_values<GLint>(order, is_curve(target) ? std::vector<GLint>{1} : std::vector<GLint>{1, 1});
-    played.expect_values<float>(coefficients, {0, 0, 0, 1});
+    CheckedCase c(t, fmt::format("map 0x{:04X}", target));
+    c.expect_enabled(target, false);
+    c.expect_values(c.GetMapiv(target, GL_ORDER, gl::out<GLint>(3)), orders_of(target, 1));
+    c.expect_values(c.GetMapfv(target, GL_COEFF, gl::out<GLfloat>(8)), {0, 0, 0, 1});
+    c.check();
   }
 };
 
@@ -89,32 +81,22 @@ EVALCTS_TEST(NvVertexProgram, AttributeStack, must, "EV-EXT-NVVP-STACK")
 (Test& t) {
   require_nv(t);
   for (const GLbitfield bit : {GL_ENABLE_BIT, GL_EVAL_BIT}) {
-    gl::Case c(bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
+    CheckedCase c(t, bit == GL_ENABLE_BIT ? "ENABLE_BIT" : "EVAL_BIT");
     const std::vector<GLenum> maps = attribute_maps(t);
     const auto set = [&](bool even) {
-      for (std::size_t i = 0; i < maps.size(); ++i) {
-        if ((i % 2 == 0) == even) {
-          c.Enable(maps[i]);
-        } else {
-          c.Disable(maps[i]);
-        }
-      }
+      for (std::size_t i = 0; i < maps.size(); ++i)
+        (i % 2 == 0) == even ? c.Enable(maps[i]) : c.Disable(maps[i]);
     };
     set(true);
     c.PushAttrib(bit);
     set(false);
     c.PopAttrib();
-    std::vector<gl::Ref> restored;
-    for (const GLenum target : maps) restored.push_back(c.IsEnabled(target));
-    Played played = t.play(c);
-    for (std::size_t i = 0; i < maps.size(); ++i)
-      played.expect_result(restored[i], i % 2 == 0 ? GL_TRUE : GL_FALSE);
+    for (std::size_t i = 0; i < maps.size(); ++i) c.expect_enabled(maps[i], i % 2 == 0);
+    c.check();
   }
 };
 
 // --- Programs: what of the attributes comes out as the colour ----------------------------------------------
-
-namespace {
 
 // Attributes that alias conventional ones (table X.1 of the extension).
 constexpr GLenum kPositionAttribute = 0, kColorAttribute = 3;
@@ -129,20 +111,9 @@ void use_nv_program(gl::Case& c, const std::string& color) {
   c.Enable(GL_VERTEX_PROGRAM_NV);
 }
 
-struct Dimension {
-  const char* name;
-  bool two;
-};
-constexpr Dimension kDimensions[] = {{"1-D", false}, {"2-D", true}};
-
 GLenum attribute_map(const Dimension& dimension, GLenum attribute) {
   return (dimension.two ? kAttributeMaps2 : kAttributeMaps1) + attribute;
 }
-// The conventional target of this dimension.
-GLenum target_of(const Dimension& dimension, GLenum map1) {
-  return dimension.two ? map1 - GL_MAP1_COLOR_4 + GL_MAP2_COLOR_4 : map1;
-}
-
 // Of order 2 in u, constant in v: from one value to the other. Four components, or the first three.
 void define_ramp(gl::Case& c, const Dimension& dimension, GLenum target, const Color& from, const Color& to,
                  int components = 4) {
@@ -150,11 +121,8 @@ void define_ramp(gl::Case& c, const Dimension& dimension, GLenum target, const C
   for (const Color* end : {&from, &to})
     for (int i = 0; i < components; ++i)
       points.push_back(static_cast<float>((*end)[static_cast<std::size_t>(i)]));
-  if (dimension.two) {
-    c.Map2f(target, 0.0f, 1.0f, components, 2, 0.0f, 1.0f, components, 1, points);
-  } else {
-    c.Map1f(target, 0.0f, 1.0f, components, 2, points);
-  }
+  dimension.two ? c.Map2f(target, 0.0f, 1.0f, components, 2, 0.0f, 1.0f, components, 1, points)
+                : c.Map1f(target, 0.0f, 1.0f, components, 2, points);
   c.Enable(target);
 }
 
@@ -164,8 +132,6 @@ constexpr Color kFromOther{1, 0, 0.5, 0.25}, kToOther{0, 1, 0.25, 0.75};
 constexpr Color kCurrent{0.0625, 0.5, 0.9375, 0.375};
 constexpr double kAt[] = {0, 0.25, 0.75, 1};
 
-double between(double from, double to, double u) { return from + u * (to - from); }
-
 void set_current_color(gl::Case& c) {
   c.Color4f(static_cast<float>(kCurrent[0]), static_cast<float>(kCurrent[1]), static_cast<float>(kCurrent[2]),
             static_cast<float>(kCurrent[3]));
@@ -174,13 +140,7 @@ void set_current_color(gl::Case& c) {
 // Evaluated at four arguments between Begin and End.
 void draw(gl::Case& c, const Dimension& dimension) {
   c.Begin(GL_POINTS);
-  for (const double u : kAt) {
-    if (dimension.two) {
-      c.EvalCoord2f(static_cast<float>(u), 0.5f);
-    } else {
-      c.EvalCoord1f(static_cast<float>(u));
-    }
-  }
+  for (const double u : kAt) eval_coord(c, dimension.two, u, 0.5);
   c.End();
 }
 
@@ -203,18 +163,14 @@ std::string wrong_points(const Part& part, std::size_t count, const std::functio
   return {};
 }
 
-Color position_at(double u) {
-  Color p;
-  for (std::size_t k = 0; k < 4; ++k) p[k] = between(kFromPosition[k], kToPosition[k], u);
-  return p;
-}
 std::function<Color(double)> ramp(const Color& from, const Color& to) {
   return [=](double u) {
     Color c;
-    for (std::size_t k = 0; k < 4; ++k) c[k] = between(from[k], to[k], u);
+    for (std::size_t k = 0; k < 4; ++k) c[k] = from[k] + u * (to[k] - from[k]);
     return c;
   };
 }
+const auto kPositionAt = ramp(kFromPosition, kToPosition);
 
 // The program has to work with explicit vertices, or nothing can be said.
 void require_programs(Test& t, const std::string& color_source,
@@ -224,29 +180,27 @@ void require_programs(Test& t, const std::string& color_source,
   drawing.Begin(GL_POINTS);
   for (const double u : kAt) {
     set_source(drawing);
-    const Color p = position_at(u);
+    const Color p = kPositionAt(u);
     drawing.Vertex4f(static_cast<float>(p[0]), static_cast<float>(p[1]), 0, 1);
   }
   drawing.End();
   const Picture control = feedback(t, "control: explicit vertices", state, drawing);
   const std::string why = wrong_points(
-      control.parts.at(0), std::size(kAt), [&](double) { return shown; }, position_at);
+      control.parts.at(0), std::size(kAt), [&](double) { return shown; }, kPositionAt);
   if (!why.empty()) throw NotObservable("pipeline: with explicit vertices " + why);
 }
 
 void expect_points(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
                    std::size_t count, const std::function<Color(double)>& color) {
   Picture picture = feedback(t, identity, state, drawing);
-  const std::string why = wrong_points(picture.parts.at(0), count, color, position_at);
+  const std::string why = wrong_points(picture.parts.at(0), count, color, kPositionAt);
   picture.played.expect(why.empty(), picture.parts.at(0).shown, why, "what the maps of attributes say", why);
 }
-
-}  // namespace
 
 EVALCTS_TEST(NvVertexProgram, IgnoredWithoutProgram, must, "EV-EXT-NVVP-MODE", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
-  const GLenum vertex = target_of(dimension, GL_MAP1_VERTEX_4);
+  const GLenum vertex = target_in(dimension.two, GL_MAP1_VERTEX_4);
   gl::Case drawing;
   set_current_color(drawing);
   define_ramp(drawing, dimension, attribute_map(dimension, kColorAttribute), kFromOther, kToOther);
@@ -270,8 +224,8 @@ EVALCTS_TEST(NvVertexProgram, BeatConventionalMaps, must, "EV-EXT-NVVP-PRIORITY"
   for (const bool on : {true, false}) {
     gl::Case drawing;
     set_current_color(drawing);
-    define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_VERTEX_4), kFromPosition, kToPosition);
-    define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_COLOR_4), kFromColor, kToColor);
+    define_ramp(drawing, dimension, target_in(dimension.two, GL_MAP1_VERTEX_4), kFromPosition, kToPosition);
+    define_ramp(drawing, dimension, target_in(dimension.two, GL_MAP1_COLOR_4), kFromColor, kToColor);
     define_ramp(drawing, dimension, attribute_map(dimension, kColorAttribute), kFromOther, kToOther);
     if (!on) drawing.Disable(attribute_map(dimension, kColorAttribute));
     draw(drawing, dimension);
@@ -290,7 +244,8 @@ EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, must, "EV-EXT-NVVP-VERTEX",
     gl::Case drawing;
     set_current_color(drawing);
     define_ramp(drawing, dimension, attribute_map(dimension, kPositionAttribute), kFromPosition, kToPosition);
-    if (colored) define_ramp(drawing, dimension, target_of(dimension, GL_MAP1_COLOR_4), kFromColor, kToColor);
+    if (colored)
+      define_ramp(drawing, dimension, target_in(dimension.two, GL_MAP1_COLOR_4), kFromColor, kToColor);
     draw(drawing, dimension);
     expect_points(t, colored ? "attribute 0 and COLOR_4" : "attribute 0 alone", state, drawing,
                   std::size(kAt), colored ? ramp(kFromColor, kToColor) : ramp(kCurrent, kCurrent));
@@ -302,7 +257,7 @@ EVALCTS_TEST(NvVertexProgram, Attribute0IsTheVertex, must, "EV-EXT-NVVP-VERTEX",
 EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON")
 (Test& t) {
   require_nv(t);
-  constexpr Dimension kSurface{"2-D", true};
+  const Dimension& kSurface = kDimensions[1];
   const auto set_normal = [](gl::Case& c) { c.Normal3f(0, 0, 2); };
   require_programs(t, "v[NRML]", set_normal, {0, 0, 1, 1});  // colours are clamped
   gl::Case state, drawing;
@@ -338,7 +293,7 @@ EVALCTS_TEST(NvVertexProgram, AutoNormal, must, "EV-EXT-NVVP-AUTON")
 EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, must, "EV-EXT-NVVP-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   require_nv(t);
-  gl::Case c("all 16 attributes have maps");
+  CheckedCase c(t, "all 16 attributes have maps");
   use_nv_program(c, "v[COL0]");
   set_current_color(c);
   c.Normal3f(0.25f, -0.5f, 0.75f);
@@ -347,13 +302,12 @@ EVALCTS_TEST(NvVertexProgram, CurrentAttributesStay, must, "EV-EXT-NVVP-CURRENT"
     if (is_curve(target) != dimension.two) define_ramp(c, dimension, target, kFromOther, kToOther);
   c.GetError();
   draw(c, dimension);
-  const gl::Ref color = c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
-  const gl::Ref normal = c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
-  const gl::Ref texture = c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
-  Played played = t.play(c);
-  played.expect_values_near(color, std::vector<double>(kCurrent.begin(), kCurrent.end()), 1e-5);
-  played.expect_values_near(normal, std::vector<double>{0.25, -0.5, 0.75}, 1e-5);
-  played.expect_values_near(texture, std::vector<double>{0.5, -0.25, 0.125, 1.5}, 1e-5);
+  c.expect_values_near(c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4)),
+                       {kCurrent.begin(), kCurrent.end()});
+  c.expect_values_near(c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3)), {0.25, -0.5, 0.75});
+  c.expect_values_near(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)), {0.5, -0.25, 0.125, 1.5});
+  c.check();
 };
 
+}  // namespace
 }  // namespace evalcts::suite_nv_vertex_program

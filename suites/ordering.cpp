@@ -4,33 +4,13 @@
 
 #include <evalcts/judge/prediction.h>
 #include <evalcts/testkit/registration.h>
-#include "maps.h"
-#include "pictures.h"
+#include "checked_case.h"
+#include "dimensions.h"
+#include "drawings.h"
 #include "refusal.h"
 
 namespace evalcts::suite_ordering {
 namespace {
-
-std::vector<NamedCalls> allowed() {
-  return {
-      {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
-      {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
-      {"EvalCoord1fv", [](gl::Case& c) { c.EvalCoord1fv(std::vector<float>{0.5f}); }},
-      {"EvalCoord1dv", [](gl::Case& c) { c.EvalCoord1dv(std::vector<double>{0.5}); }},
-      {"EvalCoord2f", [](gl::Case& c) { c.EvalCoord2f(0.5f, 0.25f); }},
-      {"EvalCoord2d", [](gl::Case& c) { c.EvalCoord2d(0.5, 0.25); }},
-      {"EvalCoord2fv",
-       [](gl::Case& c) {
-         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
-       }},
-      {"EvalCoord2dv",
-       [](gl::Case& c) {
-         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
-       }},
-      {"EvalPoint1", [](gl::Case& c) { c.EvalPoint1(1); }},
-      {"EvalPoint2", [](gl::Case& c) { c.EvalPoint2(1, 0); }},
-  };
-}
 
 // And what switches and asks.
 std::vector<NamedCalls> forbidden() {
@@ -52,7 +32,7 @@ std::vector<NamedCalls> forbidden() {
 // Vertex maps of both dimensions, and grids.
 void enable_vertices(Test& t, gl::Case& c) {
   define(c, random_map(t, GL_MAP1_VERTEX_3, 3));
-  define(c, random_map2(t, GL_MAP2_VERTEX_3, 2, 3));
+  define(c, random_map(t, GL_MAP2_VERTEX_3, {2, 3}));
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(GL_MAP2_VERTEX_3);
   c.MapGrid1f(2, 0, 1);
@@ -62,46 +42,38 @@ void enable_vertices(Test& t, gl::Case& c) {
 constexpr GLenum kModes[] = {GL_POINTS,         GL_LINES,        GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES,
                              GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,     GL_QUAD_STRIP, GL_POLYGON};
 
-}  // namespace
-
-EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed()))
+EVALCTS_TEST(Ordering, AllowedInPrimitives, must, "EV-BE-ALLOWED", combine(allowed_in_primitives()))
 (Test& t, const NamedCalls& command) {
-  gl::Case c("in every primitive");
+  CheckedCase c(t, "in every primitive");
   enable_vertices(t, c);
-  std::vector<gl::Ref> errors;
   for (const GLenum mode : kModes) {
     c.Begin(mode);
     for (int i = 0; i < 4; ++i) command.issue(c);
     c.End();
-    errors.push_back(c.GetError());
+    c.expect_no_error();
   }
-  Played played = t.play(c);
-  for (const gl::Ref error : errors) played.expect_no_error(error);
+  c.check();
 };
 
 EVALCTS_TEST(Ordering, ForbiddenInPrimitives, must, "EV-BE-ALLOWED", "EV-BE-IGNORED",
              combine(forbidden()).by(gl::list_deliveries()))
 (Test& t, const NamedCalls& command) {
-  gl::Case c("between two points of a primitive");
+  CheckedCase c(t, "between two points of a primitive");
   enable_vertices(t, c);
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> before = c.query_everything();
   c.Begin(GL_POINTS);
   c.EvalCoord1f(0.25f);
   command.issue(c);
   c.EvalCoord1f(0.75f);
   c.End();
-  const gl::Ref error = c.GetError(), no_more = c.GetError();
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
-  Played played = t.play(c);
-  played.expect_error(error, {GL_INVALID_OPERATION});
-  played.expect_no_error(no_more);
-  expect_unchanged(played, before, after);
+  c.expect_error(GL_INVALID_OPERATION);
+  c.expect_no_error();
+  c.expect_unchanged(before);
+  c.check();
   t.expect_emission(c, kPosition);
 };
 
 // --- Order -----------------------------------------------------------------------------------------------
-
-namespace {
 
 constexpr std::string_view kAnotherGrid = "another grid";
 
@@ -118,16 +90,12 @@ const std::vector<float> kMoved = {0.5f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 0.5f, 0,
 // Positions that fill [-0.75,0.75], `sign` says which way.
 void define_vertices(gl::Case& c, bool two, double sign) {
   const double a = 0.75 * sign;
-  if (two)
-    define(c, make_map2(GL_MAP2_VERTEX_3, 2, 2, {-a, -a, 0, a, -0.5 * a, 0, -0.5 * a, a, 0.25, a, a, 0.5}));
-  else
-    define(c, make_map1(GL_MAP1_VERTEX_3, {-a, -a, 0, 0.5 * a, -a, 0.25, a, a, 0.5}));
+  define(c, two ? make_map2(GL_MAP2_VERTEX_3, 2, 2, {-a, -a, 0, a, -0.5 * a, 0, -0.5 * a, a, 0.25, a, a, 0.5})
+                : make_map1(GL_MAP1_VERTEX_3, {-a, -a, 0, 0.5 * a, -a, 0.25, a, a, 0.5}));
 }
 void define_colors(gl::Case& c, bool two, double red) {
-  if (two)
-    define(c, make_map2(GL_MAP2_COLOR_4, 1, 2, {red, 0, 0.5, 1, 1 - red, 1, 0.5, 1}));
-  else
-    define(c, make_map1(GL_MAP1_COLOR_4, {red, 0, 0.5, 1, 1 - red, 1, 0.5, 1}));
+  const std::vector<double> ends = {red, 0, 0.5, 1, 1 - red, 1, 0.5, 1};
+  define(c, two ? make_map2(GL_MAP2_COLOR_4, 1, 2, ends) : make_map1(GL_MAP1_COLOR_4, ends));
 }
 
 std::vector<Step> steps(bool two) {
@@ -135,12 +103,9 @@ std::vector<Step> steps(bool two) {
            [=](gl::Case& c) {
              define_vertices(c, two, 1);
              define_colors(c, two, 1);
-             c.Enable(two ? GL_MAP2_VERTEX_3 : GL_MAP1_VERTEX_3);
-             c.Enable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4);
-             if (two)
-               c.MapGrid2f(2, 0, 1, 1, 0, 1);
-             else
-               c.MapGrid1f(3, 0, 1);
+             c.Enable(target_in(two, GL_MAP1_VERTEX_3));
+             c.Enable(target_in(two, GL_MAP1_COLOR_4));
+             map_grid(c, two, {two ? 2 : 3, 0, 1}, {1, 0, 1});
            }},
           {"another matrix", [](gl::Case& c) { c.LoadMatrixf(kSmall); }, true},
           {"another vertex map", [=](gl::Case& c) { define_vertices(c, two, -0.75); }},
@@ -148,16 +113,13 @@ std::vector<Step> steps(bool two) {
           // The current colour is given anew: whether evaluated ones replace it is for section 11.
           {"no colour map",
            [=](gl::Case& c) {
-             c.Disable(two ? GL_MAP2_COLOR_4 : GL_MAP1_COLOR_4);
+             c.Disable(target_in(two, GL_MAP1_COLOR_4));
              c.Color4f(1, 1, 0, 1);
            }},
           {"another current colour", [](gl::Case& c) { c.Color4f(0.25f, 1, 0.75f, 1); }},
           {kAnotherGrid,
            [=](gl::Case& c) {
-             if (two)
-               c.MapGrid2f(2, 1, 0.25f, 1, 0.5f, 0.75f);
-             else
-               c.MapGrid1f(3, 0.75f, 0.25f);
+             map_grid(c, two, {two ? 2 : 3, two ? 1 : 0.75f, 0.25f}, {1, 0.5f, 0.75f});
            }},
           {"lighting",
            [](gl::Case& c) {
@@ -178,37 +140,24 @@ struct Drawn {
   bool on_grid;
   void (*draw)(gl::Case&, bool two);
 };
-constexpr Drawn kDrawn[] = {{"EVALMESH", true,
-                             [](gl::Case& c, bool two) {
-                               if (two)
-                                 c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
-                               else
-                                 c.EvalMesh1(GL_POINT, 0, 3);
-                             }},
-                            {"EVALCOORD", false,
-                             [](gl::Case& c, bool two) {
-                               c.Begin(GL_POINTS);
-                               for (const float u : {0.0f, 0.25f, 1.0f}) {
-                                 if (two)
-                                   c.EvalCoord2f(u, 0.25f);
-                                 else
-                                   c.EvalCoord1f(u);
-                               }
-                               c.End();
-                             }},
-                            {"EVALPOINT", true, [](gl::Case& c, bool two) {
-                               c.Begin(GL_POINTS);
-                               for (const GLint i : {2, 0, 1}) {
-                                 if (two)
-                                   c.EvalPoint2(i, 1);
-                                 else
-                                   c.EvalPoint1(i);
-                               }
-                               c.End();
-                             }}};
+constexpr Drawn kDrawn[] = {
+    {"EVALMESH", true, [](gl::Case& c, bool two) { eval_mesh(c, two, GL_POINT, 0, two ? 2 : 3, 0, 1); }},
+    {"EVALCOORD", false,
+     [](gl::Case& c, bool two) {
+       c.Begin(GL_POINTS);
+       for (const double u : {0.0, 0.25, 1.0}) eval_coord(c, two, u, 0.25);
+       c.End();
+     }},
+    {"EVALPOINT", true, [](gl::Case& c, bool two) {
+       c.Begin(GL_POINTS);
+       for (const GLint i : {2, 0, 1}) eval_point(c, two, i, 1);
+       c.End();
+     }}};
 
 // One picture of ten drawings with a change of state before each; the explicit vertices get the same changes.
-void expect_in_order(Test& t, const Drawn& drawn, bool two) {
+EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, must,
+                  decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn))
+(Test& t, bool two, const Drawn& drawn) {
   gl::Case evaluated, vertices;
   std::size_t drawn_before = 0;
   std::vector<Step> all = steps(two);
@@ -232,18 +181,14 @@ void expect_in_order(Test& t, const Drawn& drawn, bool two) {
     require_an_effect(std::vector<double>(begin, begin + size), std::vector<double>(begin - size, begin));
   }
   Picture picture = feedback(t, "evaluated, state changed between the drawings", {}, evaluated);
-  if (predict(evaluated, t.max_order()).has_meshes())
-    expect_meshes_like_explicit(picture, control);
-  else
-    expect_like_explicit(picture, control);
-}
-
-}  // namespace
+  predict(evaluated, t.max_order()).has_meshes() ? expect_meshes_like_explicit(picture, control)
+                                                 : expect_like_explicit(picture, control);
+};
 
 // The changes that concern the evaluator show in what comes out of it, too.
-namespace {
-
-void expect_evaluated_in_order(Test& t, const Drawn& drawn, bool two) {
+EVALCTS_TEST_PAIR(Ordering.EvaluatesInOrder1, Ordering.EvaluatesInOrder2, must,
+                  decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, bool two, const Drawn& drawn) {
   gl::Case c("drawn after each change");
   for (const Step& step : steps(two)) {
     if (step.of_pipeline) continue;
@@ -251,34 +196,21 @@ void expect_evaluated_in_order(Test& t, const Drawn& drawn, bool two) {
     drawn.draw(c, two);
   }
   t.expect_emission(c, kPosition | kColor);
-}
-
-}  // namespace
-
-EVALCTS_TEST(Ordering, EvaluatesInOrder1, must, "EV-BE-ORDER/1-D", combine(kDrawn).by(gl::list_deliveries()))
-(Test& t, const Drawn& drawn) { expect_evaluated_in_order(t, drawn, false); };
-EVALCTS_TEST(Ordering, EvaluatesInOrder2, must, "EV-BE-ORDER/2-D", combine(kDrawn).by(gl::list_deliveries()))
-(Test& t, const Drawn& drawn) { expect_evaluated_in_order(t, drawn, true); };
-
-namespace {
+};
 
 // The map of each attribute switched on and off again, a drawing after each change. Current values are given
 // anew, as above.
-void expect_enables_in_order(Test& t, const Drawn& drawn, bool two) {
+EVALCTS_TEST_PAIR(Ordering.SeesEnables1, Ordering.SeesEnables2, must,
+                  decide("EV-BE-ORDER/1-D", "EV-BE-ORDER/2-D"), combine(kDrawn).by(gl::list_deliveries()))
+(Test& t, bool two, const Drawn& drawn) {
   gl::Case c("drawn with each map, and without it");
   enable_vertices(t, c);
-  for (std::size_t i = 0; i < gl::kMap1Targets.size(); ++i) {
-    const GLenum target = two ? gl::kMap2Targets[i] : gl::kMap1Targets[i], kind = gl::kMap1Targets[i];
+  for (const GLenum kind : gl::kMap1Targets) {
+    const GLenum target = target_in(two, kind);
     if (kind == GL_MAP1_INDEX || kind == GL_MAP1_VERTEX_3) continue;
-    if (two)
-      define(c, random_map2(t, target, 2, 2));
-    else
-      define(c, random_map(t, target, 3));
+    define(c, random_map(t, target, two ? Orders{2, 2} : Orders{3}));
     for (const bool on : {true, false}) {
-      if (on)
-        c.Enable(target);
-      else
-        c.Disable(target);
+      on ? c.Enable(target) : c.Disable(target);
       c.Color4f(0.25f, 0.5f, 0.75f, 1);
       c.Normal3f(0.5f, -0.25f, 0.125f);
       c.TexCoord4f(2, 3, 4, 5);
@@ -286,18 +218,7 @@ void expect_enables_in_order(Test& t, const Drawn& drawn, bool two) {
     }
   }
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
-}
+};
 
 }  // namespace
-
-EVALCTS_TEST(Ordering, SeesEnables1, must, "EV-BE-ORDER/1-D", combine(kDrawn).by(gl::list_deliveries()))
-(Test& t, const Drawn& drawn) { expect_enables_in_order(t, drawn, false); };
-EVALCTS_TEST(Ordering, SeesEnables2, must, "EV-BE-ORDER/2-D", combine(kDrawn).by(gl::list_deliveries()))
-(Test& t, const Drawn& drawn) { expect_enables_in_order(t, drawn, true); };
-
-EVALCTS_TEST(Ordering, SeesEarlierState1, must, "EV-BE-ORDER/1-D", combine(kDrawn))
-(Test& t, const Drawn& drawn) { expect_in_order(t, drawn, false); };
-EVALCTS_TEST(Ordering, SeesEarlierState2, must, "EV-BE-ORDER/2-D", combine(kDrawn))
-(Test& t, const Drawn& drawn) { expect_in_order(t, drawn, true); };
-
 }  // namespace evalcts::suite_ordering

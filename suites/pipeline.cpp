@@ -97,8 +97,6 @@ void define_maps(gl::Case& c) {
     c.Enable(target);
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).by(without_lists()))
 (Test& t, const Stage& stage) {
   const View view = stage.view;
@@ -136,8 +134,6 @@ EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).b
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
 };
 
-namespace {
-
 // Commands that are legal between Begin and End, each before one vertex.
 struct Between {
   const char* name;
@@ -161,8 +157,6 @@ constexpr Between kBetween[] = {
      }},
     {"CALL_LIST", false, [](gl::Case& c) { c.CallList(kList); }}};
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
              combine(kBetween).by(without_lists()))
 (Test& t, const Between& between) {
@@ -176,8 +170,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
   state.EndList();
 
   gl::Case map;
-  define(map, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
-  map.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(map, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.25, -0.5, 0.25, 0.75, 0.25, 0.75, -0.5, 0.5}));
   const float us[] = {0.0f, 0.25f, 0.75f, 1.0f};
   gl::Case positions = map;
   positions.Begin(GL_POINTS);
@@ -224,8 +217,7 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_l
   const auto flag = [](std::size_t vertex) { return static_cast<GLboolean>(vertex % 3 != 1); };
 
   gl::Case evaluated;
-  define(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0, 0.75, -0.25, 0, 0.5, 0.75, 0}));
-  evaluated.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(evaluated, make_map1(GL_MAP1_VERTEX_3, {-0.5, -0.5, 0, 0.75, -0.25, 0, 0.5, 0.75, 0}));
   evaluated.Begin(GL_TRIANGLES);
   for (std::size_t i = 0; i < 6; ++i) {
     evaluated.EdgeFlag(flag(i));
@@ -253,15 +245,13 @@ EVALCTS_TEST(Pipeline, ArraysHaveNoInfluence, must, "EV-COORD-NOARRAYS/1-D", by(
   for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY})
     c.EnableClientState(array);
   set_current_values(c);
-  define(c, random_map(t, GL_MAP1_VERTEX_3, 4));
-  c.Enable(GL_MAP1_VERTEX_3);
+  define_and_enable(c, random_map(t, GL_MAP1_VERTEX_3, 4));
   evaluate_some(c);
-  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2}) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
+  for (const GLenum target : {GL_MAP1_COLOR_4, GL_MAP1_NORMAL, GL_MAP1_TEXTURE_COORD_2})
+    define_and_enable(c, random_map(t, target, 3));
   evaluate_some(c);
   t.expect_emission(c, kUnit0);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_pipeline

@@ -5,6 +5,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "dimensions.h"
 #include "grid_cases.h"
 
 namespace evalcts::suite_points {
@@ -12,25 +13,13 @@ namespace {
 
 const Grid kOther = {5, 1.9f, 1.2f};  // of v
 
-void define_grid(gl::Case& c, bool two, const Grid& grid) {
-  if (two) {
-    map_grid(c, grid, kOther);
-  } else {
-    map_grid(c, grid);
-  }
-}
-
-void eval_point(gl::Case& c, bool two, int i) {
-  if (two) {
-    c.EvalPoint2(i, (3 * i % 7 + 7) % 7 - 1);  // from -1 to 5
-  } else {
-    c.EvalPoint1(i);
-  }
-}
+void point(gl::Case& c, bool two, int i) {
+  eval_point(c, two, i, (3 * i % 7 + 7) % 7 - 1);
+}  // j from -1 to 5
 
 void eval_points(gl::Case& c, bool two, int first, int last) {
   c.Begin(GL_POINTS);
-  for (int i = first; i <= last; ++i) eval_point(c, two, i);
+  for (int i = first; i <= last; ++i) point(c, two, i);
   c.End();
 }
 
@@ -39,10 +28,10 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
   gl::Case c(identity);
   // Maps and grid of the other dimension have no say.
   enable_maps(t, c, !two);
-  define_grid(c, !two, {6, 0.3f, 1.9f});
+  map_grid(c, !two, {6, 0.3f, 1.9f}, kOther);
   enable_maps(t, c, two);
   for (const Grid& grid : grids) {
-    define_grid(c, two, grid);
+    map_grid(c, two, grid, kOther);
     eval_points(c, two, -outside, std::min(grid.segments, 12) + outside);
     if (grid.segments > 12) eval_points(c, two, grid.segments / 2, grid.segments / 2 + 3);
     if (grid.segments > 12) eval_points(c, two, grid.segments - 3, grid.segments + outside);
@@ -56,14 +45,11 @@ void expect_points(Test& t, bool two, const std::string& identity, const std::ve
   t.expect_emission(c, kUnit0);
 }
 
-}  // namespace
-
-EVALCTS_TEST(Points, SameAsEvalCoord1, must, "EV-POINT1-EQUIV", "EV-GRID-NOTMAP/1-D", "EV-POINT-LIKEMESH/1-D",
-             by(gl::list_deliveries()))
-(Test& t) { expect_points(t, false, "awkward grids", awkward_grids(), 0); };
-EVALCTS_TEST(Points, SameAsEvalCoord2, must, "EV-POINT2-EQUIV", "EV-GRID-NOTMAP/2-D", "EV-POINT-LIKEMESH/2-D",
-             by(gl::list_deliveries()))
-(Test& t) { expect_points(t, true, "awkward grids", awkward_grids(), 0); };
+EVALCTS_TEST_PAIR(Points.SameAsEvalCoord1, Points.SameAsEvalCoord2, must,
+                  decide("EV-POINT1-EQUIV", "EV-POINT2-EQUIV"),
+                  decide("EV-GRID-NOTMAP/1-D", "EV-GRID-NOTMAP/2-D"),
+                  decide("EV-POINT-LIKEMESH/1-D", "EV-POINT-LIKEMESH/2-D"), by(gl::list_deliveries()))
+(Test& t, bool two) { expect_points(t, two, "awkward grids", awkward_grids(), 0); };
 
 EVALCTS_TEST(Points, OutsideTheGrid, must, "EV-POINT-RANGE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
@@ -88,15 +74,9 @@ EVALCTS_TEST(Points, LargestCounts, must, "EV-GRID-LARGE", combine(kDimensions).
   gl::Case c("up to 2^31-1 segments");
   enable_maps(t, c, d.two);
   for (const int segments : {1 << 20, 1 << 24, (1 << 24) + 1, 1 << 30, 0x7fffffff}) {
-    define_grid(c, d.two, {segments, 0.25f, 2});
+    map_grid(c, d.two, {segments, 0.25f, 2}, kOther);
     c.Begin(GL_POINTS);
-    for (const int i : {0, 1, segments / 3, segments / 2, segments - 1, segments}) {
-      if (d.two) {
-        c.EvalPoint2(i, 2);
-      } else {
-        c.EvalPoint1(i);
-      }
-    }
+    for (const int i : {0, 1, segments / 3, segments / 2, segments - 1, segments}) eval_point(c, d.two, i, 2);
     c.End();
   }
   t.expect_emission(c, kUnit0);
@@ -106,17 +86,13 @@ EVALCTS_TEST(Points, LargestCounts, must, "EV-GRID-LARGE", combine(kDimensions).
 EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions).by(gl::list_deliveries()))
 (Test& t, const Dimension& d) {
   gl::Case c("grids change between points, between meshes, with and without maps");
-  define_grid(c, d.two, {4, 0, 1});
+  map_grid(c, d.two, {4, 0, 1}, kOther);
   enable_maps(t, c, d.two);
   eval_points(c, d.two, 0, 4);
   for (const Grid& grid : {Grid{4, 1, 2}, Grid{8, 1, 2}, Grid{8, 0, 2}, Grid{2, -1, 1}}) {
-    define_grid(c, d.two, grid);
+    map_grid(c, d.two, grid, kOther);
     eval_points(c, d.two, 0, 3);
-    if (d.two) {
-      c.EvalMesh2(GL_POINT, 0, 2, 1, 2);
-    } else {
-      c.EvalMesh1(GL_POINT, 0, 3);
-    }
+    eval_mesh(c, d.two, GL_POINT, 0, d.two ? 2 : 3, 1, 2);
   }
   if (d.two)  // only what v has is another
     for (const Grid& v : {Grid{5, 1, 1.75f}, Grid{3, 1, 1.75f}}) {
@@ -127,30 +103,17 @@ EVALCTS_TEST(Points, GridOfTheMoment, must, "EV-GRID-LATE", combine(kDimensions)
   t.expect_emission(c, kUnit0);
 };
 
-namespace {
-
-void expect_exact(Test& t, const Along& along, bool last) {
+EVALCTS_TEST_PAIR(Points.FirstIsExact, Points.LastIsExact, must,
+                  decide("EV-POINT-EXACT-0", "EV-POINT-EXACT-N"), combine(kAlong).by(gl::list_deliveries()))
+(Test& t, bool last, const Along& along) {
   const auto draw = [&](gl::Case& c, const Grid& grid) {
     const int i = last ? grid.segments : 0;
     c.Begin(GL_POINTS);
-    if (!along.two) {
-      c.EvalPoint1(i);
-    } else if (along.v) {
-      c.EvalPoint2(1, i);
-    } else {
-      c.EvalPoint2(i, 1);
-    }
+    eval_point(c, along.two, along.v ? 1 : i, along.v ? i : 1);
     c.End();
   };
   expect_exact_end(t, along, last, kPoints, draw, 20000);
-}
-
-}  // namespace
-
-EVALCTS_TEST(Points, FirstIsExact, must, "EV-POINT-EXACT-0", combine(kAlong).by(gl::list_deliveries()))
-(Test& t, const Along& along) { expect_exact(t, along, false); };
-EVALCTS_TEST(Points, LastIsExact, must, "EV-POINT-EXACT-N", combine(kAlong).by(gl::list_deliveries()))
-(Test& t, const Along& along) { expect_exact(t, along, true); };
+};
 
 // The same index is the same domain value in both, and so the same vertex.
 EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
@@ -161,26 +124,19 @@ EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
   std::size_t count = 0;
   for (const Grid& grid : awkward_grids()) {
     const int last = std::min(grid.segments, 40);
-    define_grid(c, d.two, grid);
+    map_grid(c, d.two, grid, kOther);
     c.Begin(GL_POINTS);
     for (int j = 0; j <= (d.two ? 2 : 0); ++j)
       for (int i = -2; i <= last; ++i) {
-        if (d.two) {
-          c.EvalPoint2(i, j);
-        } else {
-          c.EvalPoint1(i);
-        }
+        eval_point(c, d.two, i, j);
         ++count;
       }
     c.End();
-    if (!d.two) c.EvalMesh1(GL_POINT, -2, last);
     // A row each: the order of rows is not the point.
-    for (int j = 0; d.two && j <= 2; ++j) c.EvalMesh2(GL_POINT, -2, last, j, j);
+    for (int j = 0; j <= (d.two ? 2 : 0); ++j) eval_mesh(c, d.two, GL_POINT, -2, last, j, j);
   }
   const Observation seen = t.observe(c, kUnit0, 2 * count);
-  std::vector<ObservedVertex> vertices;
-  for (const ObservedPrimitive& primitive : seen.primitives)
-    vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
+  const std::vector<ObservedVertex> vertices = vertices_of(seen);
   if (vertices.size() != 2 * count)
     throw NotObservable("the number of vertices is wrong, which other tests say");
   std::size_t first = 0;
@@ -188,20 +144,16 @@ EVALCTS_TEST(Points, SameBitsAsMesh, quality, "EV-POINT-LIKEMESH",
     const auto of_grid = static_cast<std::size_t>(std::min(grid.segments, 40) + 3) * (d.two ? 3 : 1);
     for (std::size_t i = first; i < first + of_grid; ++i) {
       const ObservedVertex &point = vertices[i], &mesh = vertices[i + of_grid];
-      if (point.position == mesh.position && point.color == mesh.color && point.normal == mesh.normal &&
-          point.texture_coordinate[0] == mesh.texture_coordinate[0])
-        continue;
-      Failure failure;
-      failure.case_identity = c.identity();
-      failure.what = fmt::format("point {} of the grid of {} segments from {:a} to {:a}", i - first,
-                                 grid.segments, grid.first, grid.last);
-      failure.expected = fmt::format("x = {:a} as by EvalPoint", point.position[0]);
-      failure.captured = fmt::format("x = {:a}", mesh.position[0]);
-      failure.message = failure.what + " has other values in a mesh";
-      t.fail(std::move(failure));
+      if (same_vertex(point, mesh)) continue;
+      const std::string what = fmt::format("point {} of the grid of {} segments from {:a} to {:a}", i - first,
+                                           grid.segments, grid.first, grid.last);
+      t.fail(failure_of(c, what, what + " has other values in a mesh",
+                        fmt::format("x = {:a} as by EvalPoint", point.position[0]),
+                        fmt::format("x = {:a}", mesh.position[0])));
     }
     first += 2 * of_grid;
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_points

@@ -57,8 +57,6 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
                           std::to_string(control.count(i)), std::to_string(counted.count(i)));
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, SamplesPassed, must, "EV-PIPE-QUERY")
 (Test& t) {
   t.require(1, 5, "GL_ARB_occlusion_query");
@@ -73,17 +71,12 @@ EVALCTS_TEST(Pipeline, PrimitivesGenerated, must, "EV-PIPE-PRIMGEN", combine(kMe
 
 // --- Conditional rendering -------------------------------------------------------------------------------
 
-namespace {
-
 // Each drawing under a query that no sample passed, and under one that some did.
 struct Conditional {
   Played played;
   std::vector<gl::Ref> failed, passed;
 
-  std::size_t count_lit(gl::Ref read) const {
-    const std::vector<GLfloat> values = played.trace().values<GLfloat>(read);
-    return static_cast<std::size_t>(std::ranges::count_if(values, [](float value) { return value > 0.05f; }));
-  }
+  std::size_t lit(gl::Ref read) const { return count_lit(played, read); }
 };
 
 Conditional render(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
@@ -116,23 +109,21 @@ Conditional render(Test& t, const std::string& identity, const std::vector<Scene
 void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
   const Conditional control = render(t, "control: explicit vertices", scenes_of(drawings, false));
   for (std::size_t i = 0; i < drawings.size(); ++i)
-    if (control.count_lit(control.failed[i]) > 0 || control.count_lit(control.passed[i]) == 0)
+    if (control.lit(control.failed[i]) > 0 || control.lit(control.passed[i]) == 0)
       throw NotObservable("pipeline: explicit vertices are not discarded, or are whatever the query says");
   const std::vector<Scene> scenes = scenes_of(drawings, true);
   Conditional evaluated = render(t, "evaluated", scenes);
   for (std::size_t i = 0; i < drawings.size(); ++i) {
-    const std::size_t lit = evaluated.count_lit(evaluated.failed[i]);
+    const std::size_t lit = evaluated.lit(evaluated.failed[i]);
     evaluated.played.expect(
         lit == 0, evaluated.failed[i],
         fmt::format("{}: {} pixels are drawn, though no sample passed", scenes[i].name, lit), "no pixel",
         fmt::format("{} pixels", lit));
-    evaluated.played.expect(evaluated.count_lit(evaluated.passed[i]) > 0, evaluated.passed[i],
+    evaluated.played.expect(evaluated.lit(evaluated.passed[i]) > 0, evaluated.passed[i],
                             fmt::format("{}: nothing is drawn, though samples passed", scenes[i].name),
                             "some pixels", "no pixel");
   }
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, ConditionalMeshes, must, "EV-PIPE-CONDRENDER")
 (Test& t) {
@@ -146,4 +137,5 @@ EVALCTS_TEST(Pipeline, ConditionalPrimitives, must, "EV-PIPE-CONDRENDER-COORD")
   expect_discarded(t, primitives(t));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_queries_of_primitives

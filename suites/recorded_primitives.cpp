@@ -7,6 +7,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "checked_case.h"
 #include "drawings.h"
 #include "programs.h"
 
@@ -192,8 +193,6 @@ void require_recorded(const Recordings& control, const std::vector<Drawing>& dra
       throw NotObservable("pipeline: explicit vertices are not recorded as they come");
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
 (Test& t) {
   t.require(3, 0);
@@ -239,29 +238,27 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD")
 EVALCTS_TEST(Pipeline, ErrorsWithRasterizerDiscard, must, "EV-PIPE-DISCARD")
 (Test& t) {
   t.require(3, 0);
-  gl::Case c("errors with RASTERIZER_DISCARD");
+  CheckedCase c(t, "errors with RASTERIZER_DISCARD");
   define_curve(c);
   define_patch(c);
   c.Enable(GL_RASTERIZER_DISCARD);
-  std::vector<std::pair<gl::Ref, GLenum>> errors;
-  const auto expect = [&](GLenum error) { errors.emplace_back(c.GetError(), error); };
   c.EvalMesh1(GL_FILL, 0, kColumns);
-  expect(GL_INVALID_ENUM);
+  c.expect_error(GL_INVALID_ENUM);
   c.EvalMesh2(GL_LINE_STRIP, 0, kColumns, 0, kRows);
-  expect(GL_INVALID_ENUM);
+  c.expect_error(GL_INVALID_ENUM);
   c.Begin(GL_POINTS);
   c.EvalMesh1(GL_POINT, 0, kColumns);
   c.End();
-  expect(GL_INVALID_OPERATION);
+  c.expect_error(GL_INVALID_OPERATION);
   c.Begin(GL_POINTS);
   c.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
   c.End();
-  expect(GL_INVALID_OPERATION);
+  c.expect_error(GL_INVALID_OPERATION);
   c.EvalMesh1(GL_LINE, 0, kColumns);
   c.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
-  expect(GL_NO_ERROR);
-  Played played = t.play(c);
-  for (const auto& [asked, error] : errors) played.expect_error(asked, {error});
+  c.expect_error(GL_NO_ERROR);
+  c.check();
 };
 
+}  // namespace
 }  // namespace evalcts::suite_recorded_primitives

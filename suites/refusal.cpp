@@ -21,9 +21,8 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
     const bool enabled = (i % 2 == 1) == odd_enabled;
     if (all) {
       const int uorder = 2 + i % 2, vorder = 4 - i % 3;
-      Map2 map = make_map2(two, uorder, vorder, points(two, uorder * vorder));
-      map.u1 = -2.0 - i, map.u2 = 3, map.v1 = 5, map.v2 = -4.5 - i;
-      define(c, map);
+      define(c, over(make_map2(two, uorder, vorder, points(two, uorder * vorder)), {-2.0 - i, 3},
+                     {5, -4.5 - i}));
     }
     if (enabled || all) c.Enable(enabled ? one : two);
   }
@@ -32,6 +31,27 @@ void prepare(gl::Case& c, Prepared prepared, bool odd_enabled) {
   c.MapGrid1f(7, -1.5f, 2.25f);
   c.MapGrid2f(5, 0.5f, -3, 9, 2, 6.5f);
   c.GetError();  // an error of these legal calls is for other tests to find
+}
+
+std::vector<NamedCalls> allowed_in_primitives() {
+  return {
+      {"EvalCoord1f", [](gl::Case& c) { c.EvalCoord1f(0.5f); }},
+      {"EvalCoord1d", [](gl::Case& c) { c.EvalCoord1d(0.5); }},
+      {"EvalCoord1fv", [](gl::Case& c) { c.EvalCoord1fv(std::vector<float>{0.5f}); }},
+      {"EvalCoord1dv", [](gl::Case& c) { c.EvalCoord1dv(std::vector<double>{0.5}); }},
+      {"EvalCoord2f", [](gl::Case& c) { c.EvalCoord2f(0.5f, 0.25f); }},
+      {"EvalCoord2d", [](gl::Case& c) { c.EvalCoord2d(0.5, 0.25); }},
+      {"EvalCoord2fv",
+       [](gl::Case& c) {
+         c.EvalCoord2fv(std::vector<float>{0.5f, 0.25f});
+       }},
+      {"EvalCoord2dv",
+       [](gl::Case& c) {
+         c.EvalCoord2dv(std::vector<double>{0.5, 0.25});
+       }},
+      {"EvalPoint1", [](gl::Case& c) { c.EvalPoint1(1); }},
+      {"EvalPoint2", [](gl::Case& c) { c.EvalPoint2(1, 0); }},
+  };
 }
 
 std::vector<NamedCalls> forbidden_in_primitives() {
@@ -72,14 +92,34 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
   expect_unchanged(played, before, after);
 }
 
-template <>
-Map1 legal_map(GLenum target) {
-  return {target, 0, 1, std::max(gl::components_of(target), 1), 3, std::vector<double>(4096, 0.5)};
+Map legal_map(GLenum target) {
+  std::vector<double> points(4096, 0.5);
+  if (is_two_dimensional(target)) return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::move(points)};
+  const int k = std::max(gl::components_of(target), 1);
+  return {target, 0, 1, 0, 1, k, k, 3, 1, std::move(points)};
 }
 
-template <>
-Map2 legal_map(GLenum target) {
-  return {target, 0, 1, 0, 1, 12, 4, 2, 3, std::vector<double>(4096, 0.5)};
+std::vector<Direction> directions(bool two) {
+  return two ? std::vector<Direction>{kU, kV} : std::vector<Direction>{kU};
+}
+
+Calls defining(const Map& map, bool doubles) {
+  return [map, doubles](gl::Case& c) { define(c, map, doubles); };
+}
+
+Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls) {
+  return [=](gl::Case& c) {
+    c.Begin(mode);
+    if (after_vertex) c.Vertex3f(1, 2, 3);
+    calls(c);
+    c.End();
+  };
+}
+
+void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
+                    std::initializer_list<GLenum> allowed) {
+  expect_refused(t, identity, {defining(bad, doubles)}, allowed,
+                 bad.two ? Prepared::everything : Prepared::maps1);
 }
 
 }  // namespace evalcts

@@ -4,7 +4,6 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "maps.h"
@@ -22,6 +21,9 @@ struct NamedCalls {
 // End, each would have an effect outside.
 std::vector<NamedCalls> forbidden_in_primitives();
 
+// The commands that evaluate, in all forms: they may stand there.
+std::vector<NamedCalls> allowed_in_primitives();
+
 // State that differs from the initial one before a bad call: the current values and, with every second map
 // enabled, the nine one-dimensional maps or all maps and grids.
 enum class Prepared { maps1, everything };
@@ -37,49 +39,26 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
 
 // A legal map, to be spoiled by the test. Memory for much more than it needs stands behind it (for order 65
 // at any stride used here), so that a library which checks late reads nothing that it must not.
-template <class Map>
 Map legal_map(GLenum target);
-template <>
-Map1 legal_map(GLenum target);
-template <>
-Map2 legal_map(GLenum target);
 
 // A direction of a map: where its parameters lie.
-template <class Map>
 struct Direction {
   int Map::*order;
   int Map::*stride;
   double Map::*first;
   double Map::*last;
 };
-inline constexpr Direction<Map1> kU1 = {&Map1::order, &Map1::stride, &Map1::u1, &Map1::u2};
-inline constexpr Direction<Map2> kU = {&Map2::uorder, &Map2::ustride, &Map2::u1, &Map2::u2};
-inline constexpr Direction<Map2> kV = {&Map2::vorder, &Map2::vstride, &Map2::v1, &Map2::v2};
-template <class Map>
-std::vector<Direction<Map>> directions() {
-  if constexpr (std::is_same_v<Map, Map1>) {
-    return {kU1};
-  } else {
-    return {kU, kV};
-  }
-}
+inline constexpr Direction kU = {&Map::uorder, &Map::ustride, &Map::u1, &Map::u2};
+inline constexpr Direction kV = {&Map::vorder, &Map::vstride, &Map::v1, &Map::v2};
+std::vector<Direction> directions(bool two);
 
-template <class Map>
-Calls defining(const Map& map, bool doubles) {
-  return [map, doubles](gl::Case& c) { define(c, map, doubles); };
-}
+Calls defining(const Map& map, bool doubles);
 
-// One bad call, in one dimension among one-dimensional maps only.
-template <class Map>
-void expect_refused(Test& t, const std::string& identity, const Calls& bad_call,
-                    std::initializer_list<GLenum> allowed) {
-  expect_refused(t, identity, std::vector{bad_call}, allowed,
-                 std::is_same_v<Map, Map1> ? Prepared::maps1 : Prepared::everything);
-}
-template <class Map>
+// The calls between Begin and End, first or after a vertex.
+Calls in_primitive(GLenum mode, bool after_vertex, const Calls& calls);
+
+// One bad call; of a map of one dimension, among one-dimensional maps only.
 void expect_refused(Test& t, const std::string& identity, const Map& bad, bool doubles,
-                    std::initializer_list<GLenum> allowed) {
-  expect_refused<Map>(t, identity, defining(bad, doubles), allowed);
-}
+                    std::initializer_list<GLenum> allowed);
 
 }  // namespace evalcts

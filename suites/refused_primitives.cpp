@@ -139,8 +139,6 @@ void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, co
 
 const std::vector<GLenum> kNone = {};
 
-}  // namespace
-
 // --- Framebuffers ----------------------------------------------------------------------------------------
 
 EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
@@ -160,7 +158,11 @@ EVALCTS_TEST(Pipeline, IncompleteFramebuffer, must, "EV-PIPE-FBO")
 
 // --- Programs that cannot run ----------------------------------------------------------------------------
 
-namespace {
+// The program in use.
+Refusal in_use(std::string name, const Program& program, std::vector<GLenum> allowed) {
+  return {std::move(name), [=](gl::Case& to) { to.UseProgram(program.name); },
+          [](gl::Case& to) { to.UseProgram(0); }, std::move(allowed)};
+}
 
 struct Invalid {
   const char* name;
@@ -170,12 +172,9 @@ struct Invalid {
 constexpr Invalid kInvalid[] = {{"VERTEX_PROGRAM", "GL_ARB_vertex_program", GL_VERTEX_PROGRAM_ARB},
                                 {"FRAGMENT_PROGRAM", "GL_ARB_fragment_program", GL_FRAGMENT_PROGRAM_ARB}};
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, NoValidAssemblyProgram, must, "EV-PIPE-INVALIDPROGRAM", combine(kInvalid))
 (Test& t, const Invalid& invalid) {
-  if (!t.gl().extensions.count(invalid.extension))
-    throw NotSupported(std::string("needs ") + invalid.extension);
+  require_extension(t, invalid.extension);
   expect_refused_like_begin(
       t, meshes(t),
       [&](gl::Case&) {
@@ -197,20 +196,14 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
             c, {{GL_FRAGMENT_SHADER,
                  "uniform sampler2D flat_one;\nuniform sampler3D deep_one;\nvoid main() {\n  gl_FragColor = "
                  "texture2D(flat_one, gl_FragCoord.xy) + texture3D(deep_one, gl_FragCoord.xyz);\n}\n"}});
-        return Prepared{{{"samplers in conflict", [=](gl::Case& to) { to.UseProgram(program.name); },
-                          [](gl::Case& to) { to.UseProgram(0); }, kNone}},
-                        {program}};
+        return Prepared{{in_use("samplers in conflict", program, kNone)}, {program}};
       },
       GL_INVALID_OPERATION);
 };
 
 // --- Transform feedback ----------------------------------------------------------------------------------
 
-namespace {
-
 constexpr std::size_t kRecordedFloats = 4096;
-
-}  // namespace
 
 // What is not refused is recorded like explicit vertices.
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
@@ -249,8 +242,6 @@ EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
 
 // --- Geometry shaders and tessellation -------------------------------------------------------------------
 
-namespace {
-
 constexpr char kVertexShader[] = "#version 150 compatibility\nvoid main() {\n  gl_Position = gl_Vertex;\n}\n";
 constexpr char kFragmentShader[] =
     "#version 150 compatibility\nvoid main() {\n  gl_FragColor = vec4(1.0);\n}\n";
@@ -261,8 +252,6 @@ std::string geometry_shader(const char* input, const char* output, int vertices)
       "(int i = 0; i < {}; ++i) {{\n    gl_Position = gl_in[i].gl_Position;\n    EmitVertex();\n  }}\n}}\n",
       input, output, vertices, vertices);
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKinds))
 (Test& t, const MeshKind& kind) {
@@ -287,9 +276,8 @@ EVALCTS_TEST(Pipeline, GeometryShaderInputs, must, "EV-PIPE-GS", combine(kMeshKi
                   {GL_GEOMETRY_SHADER, geometry_shader(input.name, input.output, input.vertices)},
                   {GL_FRAGMENT_SHADER, kFragmentShader}});
           prepared.programs.push_back(program);
-          prepared.refusals.push_back({std::string("geometry shader of ") + input.name,
-                                       [=](gl::Case& to) { to.UseProgram(program.name); },
-                                       [](gl::Case& to) { to.UseProgram(0); }, input.allowed});
+          prepared.refusals.push_back(
+              in_use(std::string("geometry shader of ") + input.name, program, input.allowed));
         }
         return prepared;
       },
@@ -324,4 +312,5 @@ EVALCTS_TEST(Pipeline, Tessellation, must, "EV-PIPE-TESS")
       GL_INVALID_OPERATION);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_refused_primitives

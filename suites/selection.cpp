@@ -99,8 +99,6 @@ gl::Case moved(float x, float z, float z_scale) {
   return state;
 }
 
-}  // namespace
-
 // Each mesh and each primitive at two depths, and outside the clip volume.
 EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT")
 (Test& t) {
@@ -211,4 +209,5 @@ EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY")
         fmt::format("{}", expected), fmt::format("{}", selection.names()));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_selection

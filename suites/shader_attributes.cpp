@@ -15,26 +15,18 @@ constexpr std::size_t kVertices = 9;
 
 // Every map on, so that a map that fed the wrong attribute would show.
 void enable_all_maps(Test& t, gl::Case& c) {
-  for (const GLenum target : gl::kMap1Targets) {
-    define(c, random_map(t, target, 3));
-    c.Enable(target);
-  }
+  for (const GLenum target : gl::kMap1Targets) define_and_enable(c, random_map(t, target, 3));
 }
 
 float argument(std::size_t vertex) { return static_cast<float>(vertex) / (kVertices - 1); }
 
 void expect_count(Test& t, const gl::Case& c, const RecordedVaryings& recorded) {
   if (recorded.vertices == kVertices && !recorded.overflow) return;
-  Failure failure;
-  failure.case_identity = c.identity();
-  failure.what = "number of vertices";
-  failure.expected = std::to_string(kVertices);
-  failure.captured = std::to_string(recorded.vertices);
-  failure.message = fmt::format("{} vertices came out, {} should have", failure.captured, failure.expected);
-  t.fail(std::move(failure));
+  const std::string captured = std::to_string(recorded.vertices), expected = std::to_string(kVertices);
+  t.fail(failure_of(c, "number of vertices",
+                    fmt::format("{} vertices came out, {} should have", captured, expected), expected,
+                    captured));
 }
-
-}  // namespace
 
 // Secondary colour, fog coordinate and generic attributes (6 and 7, which nothing aliases) change between the
 // vertices of one primitive.
@@ -63,11 +55,7 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::c
       c.FogCoordf(values[3]);
       c.VertexAttrib4f(6, values[4], values[5], values[6], values[7]);
       c.VertexAttrib4f(7, values[8], values[9], values[10], values[11]);
-      if (evaluated) {
-        c.EvalCoord1f(argument(i));
-      } else {
-        c.Vertex3f(argument(i), 0, 0);
-      }
+      evaluated ? c.EvalCoord1f(argument(i)) : c.Vertex3f(argument(i), 0, 0);
     }
     c.End();
     return c;
@@ -92,14 +80,13 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::c
   if (vertex == kVertices) return;
   const char* const names[] = {"secondary colour", "fog coordinate", "generic attribute 6",
                                "generic attribute 7"};
-  Failure failure;
-  failure.case_identity = c.identity();
-  failure.what = names[component < 3 ? 0 : component < 4 ? 1 : component < 8 ? 2 : 3];
-  failure.expected = fmt::format("{}", given(vertex)[component]);
-  failure.captured = fmt::format("{}", recorded.values[vertex * 12 + component]);
-  failure.message = fmt::format("the {} of vertex {} is {}, the current value is {}", failure.what, vertex,
-                                failure.captured, failure.expected);
-  t.fail(std::move(failure));
+  const char* const name = names[component < 3 ? 0 : component < 4 ? 1 : component < 8 ? 2 : 3];
+  const std::string expected = fmt::format("{}", given(vertex)[component]);
+  const std::string captured = fmt::format("{}", recorded.values[vertex * 12 + component]);
+  t.fail(failure_of(
+      c, name,
+      fmt::format("the {} of vertex {} is {}, the current value is {}", name, vertex, captured, expected),
+      expected, captured));
 };
 
 // Vertex and VertexAttrib 0 are the same command: what gl_Vertex gives, generic attribute 0 gives bit for
@@ -123,13 +110,8 @@ EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
   const auto draw = [&](const char* identity, bool evaluated) {
     gl::Case c(identity);
     c.Begin(GL_POINTS);
-    for (std::size_t i = 0; i < kVertices; ++i) {
-      if (evaluated) {
-        c.EvalCoord1f(argument(i));
-      } else {
-        c.Vertex4f(argument(i), 2, 3, 4);
-      }
-    }
+    for (std::size_t i = 0; i < kVertices; ++i)
+      evaluated ? c.EvalCoord1f(argument(i)) : c.Vertex4f(argument(i), 2, 3, 4);
     c.End();
     return c;
   };
@@ -141,20 +123,16 @@ EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
     throw NotObservable("pipeline: generic attribute 0 is not the vertex with explicit vertices, either");
 
   gl::Case c("evaluated");
-  define(c, random_map(t, target, 5));
-  c.Enable(target);
+  define_and_enable(c, random_map(t, target, 5));
   c.append(draw("", true));
   const auto [seen, generic_seen] = both(c);
   expect_count(t, c, seen);
   expect_count(t, c, generic_seen);
   if (seen.values == generic_seen.values) return;
-  Failure failure;
-  failure.case_identity = c.identity();
-  failure.what = "generic attribute 0";
-  failure.expected = "gl_Vertex, bit for bit";
-  failure.captured = "other values";
-  failure.message = "generic attribute 0 of an evaluated vertex is not its position";
-  t.fail(std::move(failure));
+  t.fail(failure_of(c, "generic attribute 0",
+                    "generic attribute 0 of an evaluated vertex is not its position",
+                    "gl_Vertex, bit for bit", "other values"));
 };
 
+}  // namespace
 }  // namespace evalcts::suite_shader_attributes

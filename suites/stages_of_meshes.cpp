@@ -70,16 +70,10 @@ gl::Case seen_from_a_distance() {
   return state;
 }
 
-struct Normals {
-  const char* name;
-  bool generated;
-};
-constexpr Normals kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
-
-}  // namespace
+constexpr Named<bool> kNormals[] = {{"EVALUATED", false}, {"GENERATED", true}};
 
 EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNormals))
-(Test& t, const Normals& normals) {
+(Test& t, const Named<bool>& normals) {
   std::vector<Stage> stages = {{"no generation", seen_from_a_distance()}};
   for (const Generation& generation : kGenerations) {
     const bool late = generation.mode == GL_NORMAL_MAP || generation.mode == GL_REFLECTION_MAP;
@@ -99,8 +93,8 @@ EVALCTS_TEST(Pipeline, TextureGeneration, must, "EV-PIPE-TEXGEN", combine(kNorma
   }
   gl::Case automatic;
   automatic.Enable(GL_AUTO_NORMAL);
-  std::vector<Drawing> drawings = normals.generated ? meshes(t, automatic) : meshes(t);
-  if (normals.generated) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
+  std::vector<Drawing> drawings = normals.value ? meshes(t, automatic) : meshes(t);
+  if (normals.value) std::erase_if(drawings, [](const Drawing& drawing) { return !drawing.two; });
   expect_stages_in_feedback(t, stages, drawings);
 };
 
@@ -123,8 +117,6 @@ EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX")
 };
 
 // --- Clip planes -----------------------------------------------------------------------------------------
-
-namespace {
 
 // Between two columns of vertices.
 constexpr int kPlaneAt = 38;
@@ -156,8 +148,6 @@ std::vector<Stage> right_halves_clipped() {
   }
   return stages;
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
 (Test& t) {
@@ -200,8 +190,6 @@ EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE")
 };
 
 // --- Fog -------------------------------------------------------------------------------------------------
-
-namespace {
 
 // Eye coordinates: z from -2 to -1, in front of the eye.
 gl::Case fog(GLint mode) {
@@ -256,8 +244,6 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
                          control);
   }
 }
-
-}  // namespace
 
 EVALCTS_TEST(Pipeline, FogByDistance, must, "EV-PIPE-FOG")
 (Test& t) {
@@ -356,4 +342,5 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART")
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_stages_of_meshes

@@ -8,6 +8,7 @@
 
 #include <evalcts/testkit/registration.h>
 
+#include "dimensions.h"
 #include "numeric.h"
 
 namespace evalcts::suite_numeric {
@@ -31,8 +32,7 @@ class Repetition {
 
   void check(Test& t, Attributes attributes, std::size_t vertices_each) {
     const std::size_t count = (1 + whats_.size()) * vertices_each;
-    const std::vector<ObservedVertex> seen = vertices_of(t.observe(script_, attributes, count + 8));
-    if (seen.size() != count) throw NotObservable("the vertices do not come out, which other tests say");
+    const std::vector<ObservedVertex> seen = vertices_of(t.observe(script_, attributes, count + 8), count);
     const std::span all(seen);
     for (std::size_t i = 0; i < whats_.size(); ++i)
       expect_same(t, script_, all.first(vertices_each), all.subspan((i + 1) * vertices_each, vertices_each),
@@ -51,13 +51,10 @@ constexpr std::size_t kDrawn1 = 12 + 4 + 7, kDrawn2 = 12 + 4 + 12;
 // Evaluation by all commands.
 void draw_some(gl::Case& c, bool two) {
   c.Begin(GL_POINTS);
-  for (int i = 0; i < 12; ++i) {
-    const double u = static_cast<float>(i * 0.11 - 0.1);
-    two ? evaluate2(c, u, static_cast<float>(0.93 - i * 0.07)) : evaluate(c, u);
-  }
-  for (int i = 0; i < 4; ++i) two ? c.EvalPoint2(i, 2 - i) : c.EvalPoint1(i);
+  for (int i = 0; i < 12; ++i) eval_coord(c, two, i * 0.11 - 0.1, 0.93 - i * 0.07);
+  for (int i = 0; i < 4; ++i) eval_point(c, two, i, 2 - i);
   c.End();
-  two ? c.EvalMesh2(GL_POINT, 0, 3, 0, 2) : c.EvalMesh1(GL_POINT, 0, 6);
+  eval_mesh(c, two, GL_POINT, 0, two ? 3 : 6, 0, 2);
 }
 
 struct Unrelated {
@@ -120,18 +117,14 @@ void change_maps_not_used(Test& t, Repetition& r, bool two) {
   gl::Case& c = r.script();
   const std::vector<GLenum> used(kinds_of(two)[1].targets.begin(), kinds_of(two)[1].targets.end());
   for (const bool other : {false, true})
-    for (const GLenum target : other ? gl::kMap2Targets : gl::kMap1Targets) {
+    for (const GLenum target : targets(other)) {
       if (std::ranges::count(used, target)) continue;
-      if (other) {
-        define(c, random_map2(t, target, 5, 6));
-      } else {
-        define(c, random_map(t, target, 7));
-      }
+      define(c, random_map(t, target, other ? Orders{5, 6} : Orders{7}));
       // Those of the other dimension may be enabled.
       if (other != two) c.Enable(target);
     }
   r.after("definitions of other maps");
-  two ? map_grid(c, {17, 3, 5}) : map_grid(c, {17, 3, 5}, {3, -1, 1});
+  map_grid(c, !two, {17, 3, 5}, {3, -1, 1});
   r.after("the grid of the other dimension");
 }
 
@@ -157,8 +150,7 @@ void change_rasterization(Test&, Repetition& r, bool) {
 }
 
 void change_texture_units(Test& t, Repetition& r, bool) {
-  t.require(1, 3, "GL_ARB_multitexture");
-  if (t.gl().texture_units < 2) throw NotSupported("has one texture unit only");
+  require_texture_units(t);
   gl::Case& c = r.script();
   c.MultiTexCoord4f(GL_TEXTURE1, 5, 6, 7, 8);
   r.after("MultiTexCoord of TEXTURE1");
@@ -196,8 +188,7 @@ void give_wrong_commands(Test&, Repetition& r, bool) {
 
 void ask_for_everything(Test& t, Repetition& r, bool) {
   for (const bool doubles : {false, true}) {
-    for (const GLenum target : gl::kMap1Targets) query_map(r.script(), target, t.max_order(), doubles);
-    for (const GLenum target : gl::kMap2Targets) query_map(r.script(), target, t.max_order(), doubles);
+    for (const GLenum target : all_targets()) query_map(r.script(), target, t.max_order(), doubles);
     r.after(doubles ? "GetMapdv of all maps" : "GetMapfv of all maps");
   }
 }
@@ -209,87 +200,66 @@ constexpr Unrelated kUnrelated[] = {
     {"FRAGMENTS", change_fragment_state},      {"OTHER_MAPS", change_maps_not_used},
     {"PIXEL_STORE", change_client_state},      {"RASTERIZATION", change_rasterization}};
 
-void expect_same_bits_in_spite_of(Test& t, const Unrelated& unrelated, bool two) {
+// Draws with the maps, which are in the first drawing only: redefining them is not what must keep the
+// results.
+Repetition repeated(const std::string& identity, gl::Case maps, bool two) {
+  map_grid(maps, two, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
+  return {identity, [=, first = true](gl::Case& c) mutable {
+            if (std::exchange(first, false)) c.append(maps);
+            draw_some(c, two);
+          }};
+}
+
+EVALCTS_TEST_PAIR(Numeric.UnrelatedState1, Numeric.UnrelatedState2, must,
+                  decide("EV-NUM-INVARIANT-STATE/1-D", "EV-NUM-INVARIANT-STATE/2-D"),
+                  combine(kUnrelated).by(in_lists()))
+(Test& t, bool two, const Unrelated& unrelated) {
   for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
-    // The maps are in the first drawing only: redefining them is not what must keep the results.
     gl::Case maps;
-    define_random(t, maps, kinds_of(two)[1], two, order, {0.1f, 0.7f});
-    two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
-    bool first = true;
-    Repetition repetition(fmt::format("order {}", order), [&](gl::Case& c) {
-      if (first) c.append(maps);
-      first = false;
-      draw_some(c, two);
-    });
+    define_random(t, maps, kinds_of(two)[1], order, {0.1f, 0.7f});
+    Repetition repetition = repeated(fmt::format("order {}", order), maps, two);
     repetition.after("nothing");
     unrelated.change(t, repetition, two);
     repetition.check(t, kUnit0, two ? kDrawn2 : kDrawn1);
   }
-}
+};
 
-void expect_vertex_stays(Test& t, bool two) {
-  for (const Kinds& kinds : kinds_of(two)) {
+EVALCTS_TEST_PAIR(Numeric.UnrelatedMaps1, Numeric.UnrelatedMaps2, quality,
+                  decide("EV-NUM-UNRELATEDMAPS/1-D", "EV-NUM-UNRELATEDMAPS/2-D"), by(in_lists()))
+(Test& t, bool two) {
+  for (const Kinds& kinds : kinds_of(two))
     for (int order = 3; order <= t.by_depth(3, 7, 7); order += 4) {
-      const GLenum vertex = kinds.targets[0];
+      const std::span others = std::span(kinds.targets).subspan(1);  // the first is that of vertices
       gl::Case maps;
-      define_random(t, maps, kinds, two, order, {0.1f, 0.7f});
-      for (const GLenum target : kinds.targets)
-        if (target != vertex) maps.Disable(target);
-      two ? map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f}) : map_grid(maps, {7, 0.1f, 0.8f});
-      bool first = true;
-      Repetition repetition(fmt::format("{}, order {}", kinds.name, order), [&](gl::Case& c) {
-        if (first) c.append(maps);
-        first = false;
-        draw_some(c, two);
-      });
+      define_random(t, maps, kinds, order, {0.1f, 0.7f});
+      for (const GLenum target : others) maps.Disable(target);
+      Repetition repetition = repeated(fmt::format("{}, order {}", kinds.name, order), maps, two);
       gl::Case& c = repetition.script();
-      for (const GLenum target : kinds.targets) {
-        if (target == vertex) continue;
+      for (const GLenum target : others) {
         c.Enable(target);
         repetition.after("Enable of " + label(target));
       }
-      const GLenum texture = two ? GL_MAP2_TEXTURE_COORD_1 : GL_MAP1_TEXTURE_COORD_1;
-      define_random(t, c, {"", {texture, texture, texture, texture}}, two, 6, {-1, 2});
+      const GLenum texture = target_in(two, GL_MAP1_TEXTURE_COORD_1);
+      define_random(t, c, {"", {texture, texture, texture, texture}}, 6, {-1, 2});
       repetition.after("Enable of " + label(texture) + " of another order");
-      for (const GLenum target : kinds.targets) {
-        if (target == vertex) continue;
+      for (const GLenum target : others) {
         c.Disable(target);
         repetition.after("Disable of " + label(target));
       }
       repetition.check(t, kPosition, two ? kDrawn2 : kDrawn1);
     }
-  }
-}
-
-}  // namespace
-
-EVALCTS_TEST(Numeric, UnrelatedState1, must, "EV-NUM-INVARIANT-STATE/1-D", combine(kUnrelated).by(in_lists()))
-(Test& t, const Unrelated& unrelated) { expect_same_bits_in_spite_of(t, unrelated, false); };
-EVALCTS_TEST(Numeric, UnrelatedState2, must, "EV-NUM-INVARIANT-STATE/2-D", combine(kUnrelated).by(in_lists()))
-(Test& t, const Unrelated& unrelated) { expect_same_bits_in_spite_of(t, unrelated, true); };
-
-EVALCTS_TEST(Numeric, UnrelatedMaps1, quality, "EV-NUM-UNRELATEDMAPS/1-D", by(in_lists()))
-(Test& t) { expect_vertex_stays(t, false); };
-EVALCTS_TEST(Numeric, UnrelatedMaps2, quality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
-(Test& t) { expect_vertex_stays(t, true); };
+};
 
 // AUTO_NORMAL is evaluator state as well (appendix A).
 EVALCTS_TEST(Numeric, AutomaticNormals, quality, "EV-NUM-UNRELATEDMAPS/2-D", by(in_lists()))
 (Test& t) {
   gl::Case maps;
-  const Map2 map = random_map2(t, GL_MAP2_VERTEX_4, 4, 3);
-  define(maps, map);
-  maps.Enable(map.target);
-  map_grid(maps, {7, 0.1f, 0.8f}, {3, 1, 0.3f});
-  bool first = true;
-  Repetition repetition("a vertex map alone", [&](gl::Case& c) {
-    if (first) c.append(maps);
-    first = false;
-    draw_some(c, true);
-  });
+  define_and_enable(maps, random_map(t, GL_MAP2_VERTEX_4, {4, 3}));
+  Repetition repetition = repeated("a vertex map alone", maps, true);
   repetition.script().Enable(GL_AUTO_NORMAL);
   repetition.after("Enable of AUTO_NORMAL");
   repetition.check(t, kPosition, kDrawn2);
 };
 
+}  // namespace
 }  // namespace evalcts::suite_numeric

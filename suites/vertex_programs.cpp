@@ -46,19 +46,15 @@ void set_values_without_maps(gl::Case& c) {
   c.MultiTexCoord4f(GL_TEXTURE1, 0.5f, -0.25f, 0.125f, 1.5f);
 }
 
-struct Kind {
-  const char* name;
-  bool assembly;
-};
-constexpr Kind kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
+constexpr Named<bool> kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
 
-Picture look(Test& t, const Kind& kind, const std::string& identity, const std::vector<Drawing>& drawings,
-             bool evaluated, bool with_program = true) {
+Picture look(Test& t, const Named<bool>& kind, const std::string& identity,
+             const std::vector<Drawing>& drawings, bool evaluated, bool with_program = true) {
   gl::Case state;
   set_up_texture(state);
   set_values_without_maps(state);
   Program program;
-  if (with_program && kind.assembly) {
+  if (with_program && kind.value) {
     load_assembly(state, GL_VERTEX_PROGRAM_ARB, 1, kAssembly);
     state.Enable(GL_VERTEX_PROGRAM_ARB);
   } else if (with_program) {
@@ -72,15 +68,9 @@ Picture look(Test& t, const Kind& kind, const std::string& identity, const std::
   return picture;
 }
 
-}  // namespace
-
 EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
-(Test& t, const Kind& kind) {
-  if (!kind.assembly) {
-    t.require(2, 0);
-  } else if (!t.gl().extensions.count("GL_ARB_vertex_program")) {
-    throw NotSupported("needs GL_ARB_vertex_program");
-  }
+(Test& t, const Named<bool>& kind) {
+  kind.value ? require_extension(t, "GL_ARB_vertex_program") : t.require(2, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
   const Picture control = look(t, kind, "control: explicit vertices", drawings, false);
   const Picture without = look(t, kind, "control: explicit vertices, no program", drawings, false, false);
@@ -89,8 +79,6 @@ EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
   Picture picture = look(t, kind, "evaluated", drawings, true);
   expect_drawn_like_explicit(picture, drawings, control);
 };
-
-namespace {
 
 constexpr std::size_t kFloats = 4 * 4 + 3 + 3 + 1;
 const VaryingShader kEachAttribute = {
@@ -113,8 +101,6 @@ std::vector<float> expected_of(const reference::Vertex& vertex) {
           at(s[0]) + 1, at(s[1]) + 2, at(s[2]) + 3, at(s[3]) + 4, -0.5f,    0.25f,    -0.125f,  -1.5f,
           normal[1],    normal[2],    normal[0],    0.25f,        0.75f,    0.5f,     0.625f};
 }
-
-}  // namespace
 
 // The values themselves, as transform feedback records them: within 1e-4, ten times the steps of these maps.
 EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
@@ -168,23 +154,19 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
     const RecordedVaryings seen = in_order(t.record_varyings(evaluated, kEachAttribute, vertices));
     if (whole(seen)) continue;
     const std::size_t where = first_wrong(seen);
-    Failure failure;
-    failure.case_identity = evaluated.identity();
-    if (seen.vertices != vertices || seen.overflow) {
-      failure.what = "number of vertices";
-      failure.expected = std::to_string(vertices);
-      failure.captured = std::to_string(seen.vertices);
-      failure.message =
-          fmt::format("the shader runs for {} vertices, expected {}", failure.captured, failure.expected);
-    } else {
-      failure.what = fmt::format("value {} of vertex {}", where % kFloats, where / kFloats);
-      failure.expected = fmt::format("{}", expected[where]);
-      failure.captured = fmt::format("{}", seen.values[where]);
-      failure.message = fmt::format("{} that the shader gives is {}, expected {}", failure.what,
-                                    failure.captured, failure.expected);
+    std::string what = "number of vertices", expected_text = std::to_string(vertices),
+                captured = std::to_string(seen.vertices),
+                message =
+                    fmt::format("the shader runs for {} vertices, expected {}", captured, expected_text);
+    if (seen.vertices == vertices && !seen.overflow) {
+      what = fmt::format("value {} of vertex {}", where % kFloats, where / kFloats);
+      expected_text = fmt::format("{}", expected[where]);
+      captured = fmt::format("{}", seen.values[where]);
+      message = fmt::format("{} that the shader gives is {}, expected {}", what, captured, expected_text);
     }
-    t.fail(std::move(failure));
+    t.fail(failure_of(evaluated, what, message, expected_text, captured));
   }
 };
 
+}  // namespace
 }  // namespace evalcts::suite_vertex_programs
