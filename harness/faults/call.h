@@ -1,4 +1,4 @@
-// Calls of entry points as data: what the expressions and steps of rules.h read and change.
+// Calls of entry points as data, which the expressions and steps of rules.h read and change.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct Map {
 
   void define() const;  // by the original Map1d or Map2d
 };
-// The map as it is defined now, from queries: outside primitives.
+// Queries the present definition of a map. Not between Begin and End.
 Map current_map(GLenum target);
 
 // One call of an entry point with a rule, with its arguments as numbers.

@@ -94,6 +94,14 @@ Value keep(std::initializer_list<Value> values) {
   for (const Value& value : values) all = sequence({all, set(kept(i++), value)});
   return all;
 }
+Value keep_state(GLenum pname) {
+  return keep({real_state(pname), real_state(pname, 1), real_state(pname, 2), real_state(pname, 3)});
+}
+std::vector<Value> kept_values(int count) {
+  std::vector<Value> values;
+  for (int i = 0; i < count; ++i) values.push_back(kept(i));
+  return values;
+}
 Value forget() {
   return [](Call&) {
     numbers.clear();
@@ -244,9 +252,9 @@ Value exchange(Value i, Value j) {
     c.write(index(j(c)), first);
   };
 }
-Value answer(std::initializer_list<Value> values) {
-  return [list = std::vector<Value>(values)](Call& c) {
-    for (std::size_t i = 0; i < list.size(); ++i) c.write(i, list[i](c));
+Value answer(std::vector<Value> values) {
+  return [=](Call& c) {
+    for (std::size_t i = 0; i < values.size(); ++i) c.write(i, values[i](c));
   };
 }
 Value swap(Place one, Place other) {
@@ -282,11 +290,11 @@ Value replace_error(GLenum kind, GLenum by) {
   };
 }
 
-Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments) {
-  return [entry, list = std::vector<Value>(arguments)](Call& c) {
+Value call(gl::EntryPoint entry, std::vector<Value> arguments) {
+  return [=](Call& c) {
     Call other;
     other.entry = entry;
-    for (std::size_t i = 0; i < list.size(); ++i) other.numbers[i] = list[i](c);
+    for (std::size_t i = 0; i < arguments.size(); ++i) other.numbers[i] = arguments[i](c);
     other.go_original();
     return other.result;
   };

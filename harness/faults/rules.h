@@ -84,18 +84,25 @@ inline const Value kComponents{[](Call& c) { return gl::components_of(c.target()
 
 // --- Memory. All of it is 0 in a fresh context. ------------------------------------------------------------
 
-Place remembered(Value key);  // one number for each key
+// The number with that key.
+Place remembered(Value key);
 inline const Place kFlag = remembered(-1), kCount = remembered(-2), kNumber = remembered(-3);
 // Counters of loops.
 inline const Place kRow = remembered(-4), kColumn = remembered(-5);
-// A list of numbers for lambdas.
+// A list of numbers, for lambdas.
 std::vector<double>& remembered_list();
-Value keep(std::initializer_list<Value> values);  // a step: kept(0), kept(1), ... become the values
+// Numbers in a row, and the first `count` of them.
 Place kept(int i);
-Value forget();  // a step: memory is as in a fresh context
+std::vector<Value> kept_values(int count);
+// Steps: set kept(0), kept(1), ... to the values, or to the four values that GetDoublev answers.
+Value keep(std::initializer_list<Value> values);
+Value keep_state(GLenum pname);
+// A step: sets all memory to 0.
+Value forget();
 
 // --- State -------------------------------------------------------------------------------------------------
 
+// Noted from the calls of the application (see watched.h), and available anywhere.
 inline const Value kInside{[](Call&) { return is_inside(); }};
 inline const Value kOpenMode{[](Call&) { return open_mode(); }};
 inline const Value kUnit{[](Call&) { return watched.unit; }};           // by the last ActiveTexture
@@ -105,14 +112,16 @@ inline const Value kKind{[](Call&) { return watched.kind; }};  // the argument o
 // The argument of the PushAttrib that the next PopAttrib undoes.
 inline const Value kLevelMask{[](Call&) { return watched.masks.empty() ? 0 : watched.masks.back(); }};
 inline const Value kLevel{[](Call&) { return watched.masks.size(); }};  // of the attribute stack
-Value enabled(Value cap);                                               // a query, outside primitives
-Value state(Value pname, int i = 0);       // the same: an element of what GetIntegerv answers
-Value real_state(Value pname, int i = 0);  // the same, of what GetDoublev answers
-Value noted_on(Value cap);                 // by the last Enable or Disable
-Value maps_vertices(Value dimension);      // the same
-Value evaluates();                         // a query, outside primitives: a vertex map is enabled
+Value noted_on(Value cap);
+Value maps_vertices(Value dimension);
 Value has_buffer(Value target);
-// The grids, by queries: the arguments of MapGrid1 and MapGrid2 that set them.
+
+// Queries: not between Begin and End.
+Value enabled(Value cap);
+Value evaluates();                         // true if a vertex map of either dimension is enabled
+Value state(Value pname, int i = 0);       // element i of the answer of GetIntegerv
+Value real_state(Value pname, int i = 0);  // element i of the answer of GetDoublev
+// The grids: argument i of the MapGrid1 or MapGrid2 that sets them.
 Value grid1(int i);
 Value grid2(int i);
 
@@ -151,8 +160,8 @@ Value in_bits(Value a, int bits);           // the low bits, as a signed number
 Value with_precision(Value a, int bits);    // rounded to a significand of that length
 double with_precision(double a, int bits);
 Value choose(Value condition, Value yes, Value no);
-Value swapped(Value token, GLenum one, GLenum other);  // each of the two for the other
-Value element(Value i);  // behind the pointer: the answer of a query, the control points
+Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two, keeps others
+Value element(Value i);  // behind the pointer: answers of queries, control points
 
 // --- Steps -------------------------------------------------------------------------------------------------
 
@@ -167,15 +176,17 @@ struct Steps {
 inline Value sequence(std::initializer_list<Value> steps) { return Steps(steps); }
 Value when(Value condition, Steps steps);
 Value set(Place place, Value value);
-Value put(Value i, Value value);                    // behind the pointer
-Value exchange(Value i, Value j);                   // behind the pointer
-Value answer(std::initializer_list<Value> values);  // behind the pointer, from its first element on
+Value put(Value i, Value value);          // behind the pointer
+Value exchange(Value i, Value j);         // behind the pointer
+Value answer(std::vector<Value> values);  // behind the pointer, from its first element on
 Value swap(Place one, Place other);
-Value error(GLenum kind);      // leaves an error, wherever the call is
-Value error_inside();          // leaves INVALID_OPERATION in a primitive
-Value error_now(GLenum kind);  // leaves an error, outside primitives, even while a list is compiled
-Value replace_error(GLenum kind, GLenum by);  // the same, in the place of one of that kind
-Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments = {});  // the original command
+// Raises an error: by a command that may go into a list; INVALID_OPERATION between Begin and End; outside
+// primitives, at once even while a list is compiled; the same, in place of an error of that kind.
+Value error(GLenum kind);
+Value error_inside();
+Value error_now(GLenum kind);
+Value replace_error(GLenum kind, GLenum by);
+Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // the original command
 Value enable(Value cap);
 Value disable(Value cap);
 Value switch_to(Value cap, Value on);  // enables or disables
@@ -183,16 +194,17 @@ Value switch_to(Value cap, Value on);  // enables or disables
 Value loop(Place counter, Value first, Value last, Steps steps, int step = 1);
 Value primitive(Value mode, Steps steps);               // the steps between Begin and End
 inline const Value kGo{[](Call& call) { call.go(); }};  // the original call, with the present arguments
-// Calls that are made later. The memory behind their pointers is not copied.
+// Delayed calls. The memory behind their pointers is not copied.
 Value hold();     // keeps a copy of the call
-Value release();  // makes the calls that were kept
-Value drop();     // forgets them
+Value release();  // executes the calls that were kept
+Value drop();     // discards them
 // Map1 and Map2: changes the control points of a legal call, and nothing in others.
 Value change_points(void (*change)(Net& net));
 Value change_points(void (*change)(Net& net, Call& call));
 Value change_values(double (*change)(double value));
 Value swap_components(int one, int other);
-// The points of the last call with this step instead, if the condition holds and they are as many.
+// Gives the call the points of the previous call with this step, if the condition holds and there are as
+// many.
 Value repeat_points(Value condition);
 // Defines a map over [0, 1] with one or more control points, those of a surface along v.
 Value define(GLenum target, std::initializer_list<double> points);
@@ -210,18 +222,18 @@ Value change_answers(double (*change)(double exact, double answered));
 // --- State that can be saved. Outside primitives. ----------------------------------------------------------
 
 using Restore = std::function<void()>;
-// Saves state; what it returns brings it back.
+// Saves state and returns a function that restores it.
 using State = std::function<Restore()>;
 State enable_of(GLenum cap);
 State map_of(GLenum target);
-// What a command sets, with the queries of its arguments. If `part` is not negative, only that argument is
-// brought back, and the others stay as they are then.
+// The state that a command sets, with the queries of its arguments. If `part` is not negative, only that
+// argument is restored; the others are queried again then.
 State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
 State grid1_state(int part = -1);
 State grid2_state(int part = -1);
 State parameter(gl::EntryPoint command, GLenum pname);  // of Fogi and the like
 State current(gl::EntryPoint command, GLenum pname);    // of Color4d and the like
-// A step: sets the state to what it is, for instance in a list that is compiled.
+// A step: sets the state to its present value, for instance in a list that is compiled.
 Value send(const State& state);
 
 // --- Rules -------------------------------------------------------------------------------------------------
@@ -265,7 +277,7 @@ struct Rule {
   Value condition, step;
   bool late = false;                           // the call comes first, otherwise it is replaced by the step
   bool missing = false;                        // there is no such command
-  std::function<void(Primitives&)> emitted{};  // changes what comes out, if the condition holds then
+  std::function<void(Primitives&)> emitted{};  // changes the output, if the condition holds then
 };
 // One rule or several.
 struct Rules {
@@ -273,38 +285,38 @@ struct Rules {
   Rules(std::initializer_list<Rules> several);
   std::vector<Rule> all;
 };
-// In all of these, steps are carried out if the condition holds, and only then.
+// Take the steps before or after the call, or in its place, if the condition holds.
 Rule before(const Entries& entries, Value condition, Steps steps);
 Rule before(const Entries& entries, Steps steps);
 Rule after(const Entries& entries, Value condition, Steps steps);
 Rule after(const Entries& entries, Steps steps);
-Rule instead(const Entries& entries, Value condition, Steps steps);  // of the call
+Rule instead(const Entries& entries, Value condition, Steps steps);
 Rule instead(const Entries& entries, Steps steps);
 Rule skip(const Entries& entries, Value condition);
 Rule missing(gl::EntryPoint entry);  // the implementation lacks the command
 // Takes the steps in a fresh context.
 Rules initially(Steps steps);
-// In these, Begin among the entries stands for the primitive: the last steps come after End.
+// Takes steps before and after the call. If Begin is among the entries, the last steps follow the End.
 Rules around(const Entries& entries, Value condition, Steps first, Steps last);
 // The capability is off, or on, during the call.
 Rules without(const Entries& entries, Value condition, GLenum cap);
 Rules with(const Entries& entries, Value condition, GLenum cap);
-// Takes the steps before the call and brings the state back after it.
+// Takes the steps before the call and restores the state after it.
 Rules keeping(const Entries& entries, Value condition, const State& state, Steps steps = 0);
-// The call is made with unit 0 active.
+// Unit 0 is active during the call.
 Rules on_unit_0(const Entries& entries, Value condition);
 // Enable and Disable of any map or of AUTO_NORMAL leave the capability off unless the condition holds.
 Rules only_if(GLenum cap, Value condition);
-// One number stands for the other wherever maps are named.
+// Exchanges two tokens wherever maps are named.
 Rules swap_targets(GLenum one, GLenum other);
-// PopAttrib leaves the state as it is, or brings it back, if the condition holds, as for kLevelMask. Not in
-// lists.
+// PopAttrib fails to restore the state, or restores it without being asked to, if the condition (usually of
+// kLevelMask) holds. Not in lists.
 Rules not_restored(const State& state, Value condition);
 Rules restored(const State& state, Value condition);
-// Changes what comes out if the condition holds.
+// Changes the output if the condition holds.
 Rules change_output(Value condition, std::function<void(Primitives&)> change);
-// Changes what comes out of a context in which something was evaluated: all of it, each primitive, each
-// vertex, or each vertex after another one in its primitive, from the last to the one with that index.
+// Changes the output of a context in which something was evaluated: all of it, each primitive, each vertex,
+// or each vertex given the previous one of its primitive, from the last vertex down to index `from`.
 Rules change_evaluated(std::function<void(Primitives&)> change);
 Rules change_primitives(std::function<void(ObservedPrimitive&)> change);
 Rules change_vertices(void (*change)(ObservedVertex& vertex));
@@ -315,8 +327,9 @@ void scale(std::array<float, kSize>& vector, float factor) {
   for (float& x : vector) x *= factor;
 }
 
+// Puts the rules into effect.
 void apply(Injection& in, std::initializer_list<Rules> rules);
-// To be called before a fault is injected.
+// Removes all rules and clears memory. Called before a fault is injected.
 void forget_rules();
 
 #define EVALCTS_RULES(name, implementation, level, requirements, what, ...) \

@@ -10,7 +10,7 @@ Value is_enable_only(Value mask) { return (mask & GL_ENABLE_BIT) && !(mask & GL_
 const Value kIsEvalOnly = (kLevelMask & GL_EVAL_BIT) && !(kLevelMask & GL_ENABLE_BIT);
 const Value kHasNeither = !(kLevelMask & (GL_ENABLE_BIT | GL_EVAL_BIT));
 
-// A part of a map, which is brought back into the map as it is then.
+// A part of a map. It is restored into the map as that is defined at the time.
 template <class Bring>
 State part_of(GLenum target, Bring bring) {
   return [=]() -> Restore {
@@ -33,7 +33,7 @@ State points_of(GLenum target) {
   });
 }
 
-// The context is current for the first time.
+// True if the context becomes current for the first time.
 const Value kIsNewContext = kFirst && !remembered(kFirst);
 Rule note_contexts() { return before(kOtherContexts, set(remembered(kFirst), 1)); }
 
@@ -101,10 +101,11 @@ EVALCTS_RULES(AllBitsOf10AreCurrentOnly, production, must, "EV-ATTRIB-ALL",
 
 EVALCTS_RULES(TransformBitRestoresAutoNormal, production, must, "EV-ATTRIB-OTHERBITS",
               "AUTO_NORMAL is in the group of NORMALIZE",
-              restored(enable_of(GL_AUTO_NORMAL), kLevelMask& GL_TRANSFORM_BIT&& kHasNeither));
+              restored(enable_of(GL_AUTO_NORMAL), (kLevelMask & GL_TRANSFORM_BIT) != 0 && kHasNeither));
 EVALCTS_RULES(TextureBitRestoresTextureMap, production, must, "EV-ATTRIB-OTHERBITS",
               "MAP2_TEXTURE_COORD_2 is in the group of textures",
-              restored(enable_of(GL_MAP2_TEXTURE_COORD_2), kLevelMask& GL_TEXTURE_BIT&& kHasNeither));
+              restored(enable_of(GL_MAP2_TEXTURE_COORD_2),
+                       (kLevelMask & GL_TEXTURE_BIT) != 0 && kHasNeither));
 EVALCTS_RULES(NoBitRestoresGrid, production, must, "EV-ATTRIB-OTHERBITS",
               "PushAttrib(0) saves the grid of two dimensions", restored(grid2_state(), kLevelMask == 0));
 EVALCTS_RULES(HintBitRestoresIndexMap, production, must, "EV-ATTRIB-OTHERBITS",
@@ -116,7 +117,7 @@ EVALCTS_RULES(HintBitRestoresIndexMap, production, must, "EV-ATTRIB-OTHERBITS",
 EVALCTS_RULES(OneSlotForTheGrid, production, must, "EV-ATTRIB-NEST",
               "the grid is saved in one place for all levels: each PopAttrib brings back the last saved",
               before(PushAttrib, kFirst& GL_EVAL_BIT, keep({grid1(0), grid1(1), grid1(2)})),
-              after(PopAttrib, kept(0), call(MapGrid1d, {kept(0), kept(1), kept(2)})));
+              after(PopAttrib, kept(0), call(MapGrid1d, kept_values(3))));
 EVALCTS_RULES(OneSlotForEnables, production, must, "EV-ATTRIB-NEST",
               "ENABLE_BIT saves MAP2_NORMAL in one place for all levels",
               before(PushAttrib, is_enable_only(kFirst), set(kFlag, enabled(GL_MAP2_NORMAL))),
@@ -151,7 +152,7 @@ EVALCTS_RULES(ContextsShareEnable, production, must, "EV-CTX-PRIVATE",
 EVALCTS_RULES(SharingContextsShareAutoNormal, osmesa, must, "EV-CTX-PRIVATE",
               "contexts that share objects have AUTO_NORMAL together",
               after(SharingContextEVALCTS, set(kFlag, 1)),
-              keeping(OtherContextEVALCTS, kFlag&& kFirst < 2, enable_of(GL_AUTO_NORMAL)));
+              keeping(OtherContextEVALCTS, kFirst < 2 && kFlag, enable_of(GL_AUTO_NORMAL)));
 EVALCTS_RULES(ContextsShareDomain, production, must, "EV-CTX-PRIVATE",
               "a second context has the domain of MAP2_COLOR_4 of the first",
               keeping(kOtherContexts, true, domain_of(GL_MAP2_COLOR_4)));

@@ -8,7 +8,7 @@
 namespace evalcts::faults {
 namespace {
 
-// Changes what comes out once AUTO_NORMAL was enabled, if the condition holds as well.
+// Changes the output once AUTO_NORMAL was enabled, if the condition holds as well.
 Rules with_auto_normal(void (*change)(ObservedPrimitive& primitive), Value condition = true) {
   return {after(Enable, kName == GL_AUTO_NORMAL, set(kFlag, 1)),
           change_output(kFlag && condition, [=](Primitives& all) { std::ranges::for_each(all, change); })};

@@ -8,7 +8,7 @@ EVALCTS_RULES(MeshLeavesWhite, production, must, "EV-CUR-COLOR",
               "EvalMesh1 with a colour map resets the current colour",
               after(EvalMesh1, noted_on(GL_MAP1_COLOR_4), call(Color4f, {1, 1, 1, 1})));
 
-// A flush in the middle of a primitive, as it is rarely seen.
+// A flush in the middle of a primitive: only long primitives show the mistake.
 EVALCTS_RULES(ColorLostInLongPrimitives, production, must, "EV-CUR-COLOR",
               "the 257th evaluated vertex of a primitive leaves its colour as the current one",
               before(Begin, set(kCount, 0)),

@@ -20,7 +20,7 @@ EVALCTS_RULES(GridSetAtEndList, production, must, "EV-DL-COMPILED",
 
 EVALCTS_RULES(AutoNormalNotCompiled, production, must, "EV-DL-EXECUTE",
               "Enable and Disable of AUTO_NORMAL are left out of lists",
-              skip(kSwitches, kCompiling&& kName == GL_AUTO_NORMAL));
+              skip(kSwitches, kListMode == GL_COMPILE && kName == GL_AUTO_NORMAL));
 EVALCTS_RULES(CompiledGridSwapsDirections, production, must, "EV-DL-EXECUTE",
               "a compiled MapGrid2d has the segments of u and v the other way round",
               before(MapGrid2d, kListMode, swap(kSegments, kVSegments)));
@@ -35,16 +35,17 @@ EVALCTS_RULES(CompiledMesh2RangeIsShort, production, must, "EV-DL-EXECUTE",
               before(EvalMesh2, kListMode, {set(kJ1, kJ1 & 0xFFFF), set(kJ2, kJ2 & 0xFFFF)}));
 EVALCTS_RULES(CompiledSegmentsAreShorts, production, must, "EV-DL-EXECUTE",
               "the segments of a compiled MapGrid1f are kept in sixteen bits",
-              before(MapGrid1f, kListMode&& kSegments > 0, set(kSegments, kSegments & 0xFFFF)));
+              before(MapGrid1f, kListMode != 0 && kSegments > 0, set(kSegments, kSegments & 0xFFFF)));
 EVALCTS_RULES(CompiledOrderInFourBits, production, must, "EV-DL-EXECUTE EV-DL-STRIDE-KEPT",
               "orders from 16 on are compiled as 15",
-              before(kMap1, kListMode&& kOrder > 15 && kOrder <= state(GL_MAX_EVAL_ORDER), set(kOrder, 15)));
+              before(kMap1, kListMode != 0 && kOrder > 15 && kOrder <= state(GL_MAX_EVAL_ORDER),
+                     set(kOrder, 15)));
 EVALCTS_RULES(CallRestoresGrid, production, must, "EV-DL-EXECUTE",
               "CallList leaves the grid of one dimension as it was",
               keeping(CallList, !kInside && !kListMode, grid1_state()));
 EVALCTS_RULES(CompiledLargeNetCut, production, must, "EV-DL-EXECUTE",
               "of a compiled net of more than 256 points the last row repeats the one before",
-              before(kMap2, kListMode&& kOrder* kVOrder > 256, change_points([](Net& net) {
+              before(kMap2, kListMode != 0 && kOrder * kVOrder > 256, change_points([](Net& net) {
                        std::copy_n(net.point(net.rows - 2), net.columns * net.components,
                                    net.point(net.rows - 1));
                      })));
@@ -66,20 +67,20 @@ EVALCTS_RULES(CompiledMap2fReadAtEndList, production, must, "EV-DL-POINTS-COPIED
               before(EndList, release()));
 EVALCTS_RULES(CompiledPointsFoundByAddress, production, must, "EV-DL-POINTS-COPIED",
               "a list takes points from an address that an earlier list had as they were then",
-              before(kMap1, kListMode&& kIsLegal,
+              before(kMap1, kListMode != 0 && kIsLegal,
                      {set(kFlag, kNumber == kAddress), set(kNumber, kAddress), repeat_points(kFlag)}));
 EVALCTS_RULES(CompiledStrideInAByte, production, must, "EV-DL-STRIDE-KEPT",
               "the stride of a compiled Map1 is kept in a byte",
-              before(kMap1, kListMode&& kStride > 255, set(kStride, 255)));
+              before(kMap1, kListMode != 0 && kStride > 255, set(kStride, 255)));
 EVALCTS_RULES(CompiledMap1dPacked, production, must, "EV-DL-STRIDE-KEPT",
               "a compiled Map1d of colours takes its points for packed",
-              before(Map1d, kListMode&& kTarget == GL_MAP1_COLOR_4 && kStride > 4, set(kStride, 4)));
+              before(Map1d, kListMode != 0 && kTarget == GL_MAP1_COLOR_4 && kStride > 4, set(kStride, 4)));
 EVALCTS_RULES(CompiledRowsWithoutPadding, production, must, "EV-DL-STRIDE-KEPT",
               "a compiled Map2f whose rows are longer than the net takes them for packed",
-              before(Map2f, kListMode&& kStride > kVOrder * kVStride, set(kStride, kVOrder* kVStride)));
+              before(Map2f, kListMode != 0 && kStride > kVOrder * kVStride, set(kStride, kVOrder* kVStride)));
 EVALCTS_RULES(CompiledVMajorTransposed, production, must, "EV-DL-STRIDE-KEPT",
               "a compiled Map2d in which u runs faster is taken for one in which v does",
-              before(Map2d, kListMode&& kStride < kVStride && kVStride == kStride * kOrder,
+              before(Map2d, kListMode != 0 && kStride < kVStride && kVStride == kStride * kOrder,
                      {set(kVStride, kStride), set(kStride, kVOrder* kVStride)}));
 
 // --- Doubles -----------------------------------------------------------------------------------------------
@@ -97,69 +98,71 @@ EVALCTS_RULES(CompiledArgumentInHalf, production, must, "EV-DL-DOUBLE",
 
 EVALCTS_RULES(CompiledOrderCheckedAtOnce, production, must, "EV-DL-ERR-LATE",
               "an order that is too low is an error of the compilation",
-              instead(kMap1, kCompiling&& kOrder < 1, error_now(GL_INVALID_VALUE)));
+              instead(kMap1, kListMode == GL_COMPILE && kOrder < 1, error_now(GL_INVALID_VALUE)));
 EVALCTS_RULES(CompiledMeshCheckedAtOnce, production, must, "EV-DL-ERR-LATE",
               "a mode that EvalMesh2 does not know is an error of the compilation as well",
               before(EvalMesh2, kCompiling && !kIsMode2, error_now(GL_INVALID_ENUM)));
 EVALCTS_RULES(CompiledErrorAtEndList, production, must, "EV-DL-ERR-LATE",
               "EndList raises the error of a compiled MapGrid",
-              before(kMapGrid1, kCompiling&& kSegments <= 0, set(kFlag, 1)),
+              before(kMapGrid1, kListMode == GL_COMPILE && kSegments <= 0, set(kFlag, 1)),
               after(EndList, kFlag, {set(kFlag, 0), error_now(GL_INVALID_VALUE)}));
 EVALCTS_RULES(CompiledBadTargetDropped, production, must, "EV-DL-ERR-ALL",
               "a Map2 with a target that is none is left out of lists",
               skip(kMap2, kCompiling && (kComponents == 0 || kTarget < GL_MAP2_COLOR_4)));
 EVALCTS_RULES(CompiledSmallVStrideDropped, production, must, "EV-DL-ERR-ALL",
               "in lists a vstride below k is taken for k",
-              before(kMap2, kListMode&& kVStride > 0, set(kVStride, max(kVStride, kComponents))));
+              before(kMap2, kListMode != 0 && kVStride > 0, set(kVStride, max(kVStride, kComponents))));
 EVALCTS_RULES(CompiledEqualEndsMoved, production, must, "EV-DL-ERR-ALL",
               "in lists v1 equal to v2 is no error",
-              before(kMap2, kListMode&& kV1 == kV2, set(kV2, kV2 + 1)));
+              before(kMap2, kListMode != 0 && kV1 == kV2, set(kV2, kV2 + 1)));
 EVALCTS_RULES(CompiledGridErrorIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
               "MapGrid2 without segments in a list raises INVALID_ENUM",
               instead(kMapGrid2, kListMode && (kSegments <= 0 || kVSegments <= 0),
                       call(EvalMesh1, {GL_FILL, 0, 0})));
 EVALCTS_RULES(CompiledFillTakenForLine, production, must, "EV-DL-ERR-ALL",
               "EvalMesh1 with FILL in a list draws lines",
-              before(EvalMesh1, kListMode&& kMode == GL_FILL, set(kMode, GL_LINE)));
+              before(EvalMesh1, kListMode != 0 && kMode == GL_FILL, set(kMode, GL_LINE)));
 EVALCTS_RULES(CompiledStrideZeroMeansPacked, production, must, "EV-DL-ERR-ALL",
               "stride 0 of a compiled Map1f means packed points",
-              before(Map1f, kListMode&& kStride == 0, set(kStride, kComponents)));
+              before(Map1f, kListMode != 0 && kStride == 0, set(kStride, kComponents)));
 EVALCTS_RULES(CompiledHighOrderClamped, production, must, "EV-DL-ERR-ALL",
               "an order of a compiled Map1d above MAX_EVAL_ORDER is clamped",
               before(Map1d, kListMode, set(kOrder, min(kOrder, state(GL_MAX_EVAL_ORDER)))));
 EVALCTS_RULES(CompiledHighUOrderDropped, production, must, "EV-DL-ERR-ALL",
               "a Map2f of a uorder above MAX_EVAL_ORDER is left out of lists",
-              skip(Map2f, kCompiling&& kOrder > state(GL_MAX_EVAL_ORDER)));
+              skip(Map2f, kListMode == GL_COMPILE && kOrder > state(GL_MAX_EVAL_ORDER)));
 EVALCTS_RULES(CompiledEmptyGridDropped, production, must, "EV-DL-ERR-ALL",
               "a MapGrid1d of no segments is left out of lists",
-              skip(MapGrid1d, kCompiling&& kSegments == 0));
+              skip(MapGrid1d, kListMode == GL_COMPILE && kSegments == 0));
 EVALCTS_RULES(CompiledMesh2ModeIsInvalidValue, production, must, "EV-DL-ERR-ALL",
               "EvalMesh2 with a mode of Begin in a list raises INVALID_VALUE",
               instead(EvalMesh2, kListMode && (kMode == GL_TRIANGLES || kMode == GL_QUAD_STRIP),
                       error(GL_INVALID_VALUE)));
 EVALCTS_RULES(CompiledHighVOrderDropped, production, must, "EV-DL-ERR-ALL",
               "a Map2d of a vorder above MAX_EVAL_ORDER is left out of lists",
-              skip(Map2d, kCompiling&& kVOrder > state(GL_MAX_EVAL_ORDER)));
+              skip(Map2d, kListMode == GL_COMPILE && kVOrder > state(GL_MAX_EVAL_ORDER)));
 EVALCTS_RULES(CompiledNegativeUOrderDropped, production, must, "EV-DL-ERR-ALL",
-              "a Map2f of a negative uorder is left out of lists", skip(Map2f, kCompiling&& kOrder < 0));
+              "a Map2f of a negative uorder is left out of lists",
+              skip(Map2f, kListMode == GL_COMPILE && kOrder < 0));
 EVALCTS_RULES(CompiledEmptyGrid2fInVDropped, production, must, "EV-DL-ERR-ALL",
               "a MapGrid2f of no segments in v is left out of lists",
-              skip(MapGrid2f, kCompiling&& kVSegments <= 0));
+              skip(MapGrid2f, kListMode == GL_COMPILE && kVSegments <= 0));
 EVALCTS_RULES(CompiledEmptyGrid2dInUDropped, production, must, "EV-DL-ERR-ALL",
               "a MapGrid2d of no segments in u is left out of lists",
-              skip(MapGrid2d, kCompiling&& kSegments <= 0));
+              skip(MapGrid2d, kListMode == GL_COMPILE && kSegments <= 0));
 EVALCTS_RULES(CompiledStrideOfOnePointNotChecked, production, must, "EV-DL-ERR-ALL",
               "the stride of a compiled Map1 of order 1 is not checked",
-              before(kMap1, kListMode&& kOrder == 1, set(kStride, max(kStride, kComponents))));
+              before(kMap1, kListMode != 0 && kOrder == 1, set(kStride, max(kStride, kComponents))));
 EVALCTS_RULES(CompiledNegativeOrderIsInvalidEnum, production, must, "EV-DL-ERR-ALL",
               "a negative vorder in a list raises INVALID_ENUM",
-              before(kMap2, kListMode&& kVOrder < 0, set(kTarget, 0)));
+              before(kMap2, kListMode != 0 && kVOrder < 0, set(kTarget, 0)));
 
 // --- State of the compilation instead of the call ----------------------------------------------------------
 
 EVALCTS_RULES(CompiledMeshCarriesMap, production, must, "EV-DL-EXECSTATE-MAP",
               "a compiled EvalMesh1 brings the vertex map of the compilation along",
-              before(EvalMesh1, kCompiling&& enabled(GL_MAP1_VERTEX_3), send(map_of(GL_MAP1_VERTEX_3))));
+              before(EvalMesh1, kListMode == GL_COMPILE && enabled(GL_MAP1_VERTEX_3),
+                     send(map_of(GL_MAP1_VERTEX_3))));
 EVALCTS_RULES(CompiledMeshCarriesEnable, production, must, "EV-DL-EXECSTATE-MAP",
               "a compiled EvalMesh2 has colours if the colour map was on while it was compiled",
               before(EvalMesh2, kCompiling, switch_to(GL_MAP2_COLOR_4, enabled(GL_MAP2_COLOR_4))));
@@ -181,7 +184,7 @@ EVALCTS_RULES(CompiledEvalPoint2IsEvalCoord, production, must, "EV-DL-EXECSTATE-
                                          grid2(4) + kJ*(grid2(5) - grid2(4)) / grid2(3)})));
 EVALCTS_RULES(ActiveTextureOfTheCompilation, production, must, "EV-DL-ACTIVETEX",
               "ACTIVE_TEXTURE is judged while Map1 is compiled",
-              instead(kMap1, kCompiling&& state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
+              instead(kMap1, kListMode == GL_COMPILE && state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
                       call(NewList, {1, GL_COMPILE})));
 
 // --- Queries while a list is open --------------------------------------------------------------------------
@@ -189,10 +192,10 @@ EVALCTS_RULES(ActiveTextureOfTheCompilation, production, must, "EV-DL-ACTIVETEX"
 EVALCTS_RULES(IsEnabledSeesCompiled, production, must, "EV-DL-GETMAP",
               "IsEnabled answers for what the open list enables",
               before(Enable, kCompiling, set(remembered(kName), 1)), after(EndList, forget()),
-              after(IsEnabled, kCompiling&& remembered(kName), set(kResult, 1)));
+              after(IsEnabled, kListMode == GL_COMPILE && remembered(kName), set(kResult, 1)));
 EVALCTS_RULES(GetMapSeesCompiledOrder, production, must, "EV-DL-GETMAP",
               "GetMapiv tells the order of the Map1 that the open list has",
-              before(kMap1, kCompiling&& kOrder > 0, set(remembered(kTarget), kOrder)),
+              before(kMap1, kListMode == GL_COMPILE && kOrder > 0, set(remembered(kTarget), kOrder)),
               after(EndList, forget()),
               after(GetMapiv, kQuery == GL_ORDER && kCompiling && remembered(kTarget),
                     put(0, remembered(kTarget))));
@@ -201,10 +204,10 @@ EVALCTS_RULES(GetnMapWritesNothingInLists, production, must, "EV-DL-GETMAP",
 EVALCTS_RULES(GetDoublevSeesCompiledGrid, production, must, "EV-DL-GETMAP",
               "GetDoublev tells the ends of the grid that the open list has",
               before(MapGrid1f, kCompiling, {set(kFlag, 1), keep({kU1, kU2})}), after(EndList, forget()),
-              after(kGet, kName == GL_MAP1_GRID_DOMAIN && kFlag, answer({kept(0), kept(1)})));
+              after(kGet, kName == GL_MAP1_GRID_DOMAIN && kFlag, answer(kept_values(2))));
 EVALCTS_RULES(GetBooleanvIgnoredInLists, production, must, "EV-DL-GETMAP",
               "GetBooleanv of a map does nothing while a list is open",
-              skip(GetBooleanv, kListMode&& is_map(kName)));
+              skip(GetBooleanv, kListMode != 0 && is_map(kName)));
 EVALCTS_RULES(GetnMapdvIgnoredInLists, production, must, "EV-DL-GETMAP",
               "GetnMapdv does nothing while a list is open", skip(GetnMapdv, kListMode));
 EVALCTS_RULES(GetMapIgnoredWhileExecuted, production, must, "EV-DL-GETMAP",
@@ -215,10 +218,10 @@ EVALCTS_RULES(GetMapOfCompiledDomain, production, must, "EV-DL-GETMAP",
               before(kMap2, kCompiling, {set(kFlag, 1), keep({kU1, kU2, kV1, kV2})}),
               after(EndList, forget()),
               after(GetMapdv, kQuery == GL_DOMAIN && kTarget >= GL_MAP2_COLOR_4 && kFlag,
-                    answer({kept(0), kept(1), kept(2), kept(3)})));
+                    answer(kept_values(4))));
 EVALCTS_RULES(MaxOrderUnknownInLists, production, must, "EV-DL-GETMAP",
               "MAX_EVAL_ORDER is 0 while a list is open",
-              after(GetIntegerv, kListMode&& kName == GL_MAX_EVAL_ORDER, put(0, 0)));
+              after(GetIntegerv, kListMode != 0 && kName == GL_MAX_EVAL_ORDER, put(0, 0)));
 
 // --- Begin and End -----------------------------------------------------------------------------------------
 

@@ -60,11 +60,11 @@ EVALCTS_RULES(IsEnabledAnswersInPrimitives, production, must, "EV-EN-BEGINEND",
               after(IsEnabled, kInside, set(kResult, remembered(kName))));
 EVALCTS_RULES(EnableInPrimitiveIsKept, production, must, "EV-EN-BEGINEND",
               "Enable of a map of one dimension in a primitive raises its error and enables it",
-              before(Enable, kInside&& is_map1(kName), set(kCount, kName)),
+              before(Enable, is_map1(kName) && kInside, set(kCount, kName)),
               after(End, kCount, {enable(kCount), set(kCount, 0)}));
 EVALCTS_RULES(DisableInPrimitiveIsSilent, production, must, "EV-EN-BEGINEND",
               "Disable of AUTO_NORMAL in a primitive raises no error",
-              skip(Disable, kInside&& kName == GL_AUTO_NORMAL));
+              skip(Disable, kName == GL_AUTO_NORMAL && kInside));
 EVALCTS_RULES(TextureMapsPerUnit, production, must, "EV-EN-NOTUNIT",
               "Enable of a texture map counts for the active unit only",
               skip(Enable, kUnit != GL_TEXTURE0 && is_map2(kName) && is_texture_map(kName)));
@@ -94,7 +94,7 @@ EVALCTS_RULES(EnableInPointsSilent, production, must, "EV-EN-BEGINEND",
 EVALCTS_RULES(IsEnabledSilentAfterVertex, production, must, "EV-EN-BEGINEND",
               "IsEnabled after the first vertex of a primitive gives FALSE without an error",
               before(Vertex3f, set(kFlag, 1)), before(End, set(kFlag, 0)),
-              skip(IsEnabled, kFlag&& is_map(kName)));
+              skip(IsEnabled, is_map(kName) && kFlag));
 EVALCTS_RULES(EnableLostOnLastUnit, production, must, "EV-EN-NOTUNIT",
               "Enable of a texture map is lost on units above 1, which have no evaluators",
               skip(Enable, kUnit > GL_TEXTURE1 && is_texture_map(kName)));

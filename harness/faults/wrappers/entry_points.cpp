@@ -49,7 +49,7 @@ EVALCTS_RULES(GetMapdvAnswersFromLastMap2d, production, must, "EV-API-FD/2-D",
               "GetMapdv answers the domain that the last Map2d gave, although a Map2f came after it",
               before(Map2d, {set(kNumber, kTarget), keep({kU1, kU2, kV1, kV2})}),
               after(GetMapdv, kQuery == GL_DOMAIN && is_map2(kTarget) && kTarget == kNumber,
-                    answer({kept(0), kept(1), kept(2), kept(3)})));
+                    answer(kept_values(4))));
 EVALCTS_RULES(MapGrid2fKeepsVOfMapGrid2d, production, must, "EV-API-FD/2-D EV-GRID-FD",
               "MapGrid2f leaves the v interval that MapGrid2d set",
               before(MapGrid2d, {set(kFlag, 1), keep({kV1, kV2})}),

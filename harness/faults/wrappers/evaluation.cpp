@@ -10,7 +10,7 @@ const Value kMapsVertices = maps_vertices(1) || maps_vertices(2);
 Rules lost_after_evaluation(const Entries& command) {
   return {before(Begin | End, set(kFlag, 0)), before(kPoints, set(kFlag, 1)), skip(command, kFlag)};
 }
-// kFlag is set once the array was enabled.
+// Sets kFlag once the array was enabled.
 Rule note_array(GLenum array) { return before(EnableClientState, kFirst == array, set(kFlag, 1)); }
 
 // --- Dimensions
@@ -41,7 +41,7 @@ EVALCTS_RULES(EvalCoord2dvTakesVFirst, production, must, "EV-COORD-ARGORDER", "E
               before(EvalCoord2dv, swap(kU, kV)));
 EVALCTS_RULES(EvalPoint2TakesJFirstInSquareGrids, production, must, "EV-COORD-ARGORDER EV-POINT2-EQUIV",
               "EvalPoint2 mixes i and j up, unless one of them is 0",
-              before(EvalPoint2, kI&& kJ, swap(kI, kJ)));
+              before(EvalPoint2, kI != 0 && kJ, swap(kI, kJ)));
 
 // --- Without a vertex map
 
@@ -79,7 +79,7 @@ EVALCTS_RULES(EvalCoordRefusedInPolygons, production, must, "EV-COORD-INBEGIN",
               before(EvalCoord2dv, kOpenMode == GL_POLYGON, error_inside()));
 EVALCTS_RULES(EvalCoordRefusedInAdjacency, production, must, "EV-COORD-INBEGIN",
               "EvalCoord1 raises INVALID_OPERATION in primitives with adjacency, which it is older than",
-              before(kEvalCoord1, kInside&& kOpenMode > GL_POLYGON, error_inside()));
+              before(kEvalCoord1, kOpenMode > GL_POLYGON && kInside, error_inside()));
 EVALCTS_RULES(EvalPointRefusedInLoops, production, must, "EV-COORD-INBEGIN",
               "EvalPoint1 raises INVALID_OPERATION in a LINE_LOOP, but draws",
               before(EvalPoint1, kOpenMode == GL_LINE_LOOP, error_inside()));
@@ -109,12 +109,13 @@ EVALCTS_RULES(VertexAfterEvaluationLost, production, must, "EV-COORD-MIX",
               around(Vertex4f, true, 0, set(kCount, 0)), skip(Vertex4f, kCount == 2));
 EVALCTS_RULES(ColorInsidePrimitiveWaits, production, must, "EV-COORD-CURRENT",
               "a Color after an evaluation counts from the next primitive on", before(kPoints, set(kFlag, 1)),
-              before(Begin, set(kFlag, 0)), instead(Color4f, kInside&& kFlag, {drop(), hold()}),
+              before(Begin, set(kFlag, 0)), instead(Color4f, kInside != 0 && kFlag, {drop(), hold()}),
               after(End, release()));
 EVALCTS_RULES(TexCoord2BetweenEvaluationsKeepsRAndQ, production, must, "EV-COORD-CURRENT",
               "TexCoord2 between evaluations leaves the r and q of an earlier TexCoord4",
               before(kPoints, set(kFlag, 1)), before(TexCoord4f, {set(kCount, 1), keep({kThird, kFourth})}),
-              instead(TexCoord2f, kFlag&& kCount, call(TexCoord4f, {kFirst, kSecond, kept(0), kept(1)})));
+              instead(TexCoord2f, kFlag != 0 && kCount,
+                      call(TexCoord4f, {kFirst, kSecond, kept(0), kept(1)})));
 
 // --- Attributes before the vertex
 
@@ -164,7 +165,7 @@ EVALCTS_RULES(EveryFifthEvaluationOneUlpOff, production, must, "EV-COORD-REPEAT"
                      {set(kCount, kCount + 1), when(kCount % 5 == 0, set(kU, next_float(kU, 2)))}));
 EVALCTS_RULES(RepeatedArgumentIsSkipped, production, must, "EV-COORD-REPEAT",
               "EvalCoord2 with the arguments of the last one draws nothing", before(Begin, set(kFlag, 0)),
-              skip(kEvalCoord2, kFlag&& kU == kept(0) && kV == kept(1)),
+              skip(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1)),
               before(kEvalCoord2, {set(kFlag, 1), keep({kU, kV})}));
 EVALCTS_RULES(SecondPrimitiveHalfAnUlpOff, production, must, "EV-COORD-REPEAT",
               "from the second primitive on EvalCoord2 evaluates by another path", after(End, set(kFlag, 1)),

@@ -43,7 +43,7 @@ EVALCTS_RULES(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
               "each segment of a LINE mesh has LINE_RESET_TOKEN",
               after(FeedbackBuffer, {set(kNumber, kAddress), set(kCount, kFirst), set(kFlag, 0)}),
               after(kMeshes, set(kFlag, 1)),
-              after(RenderMode, kFlag&& kFirst == GL_RENDER && kNumber && kResult <= kCount, [](Call& c) {
+              after(RenderMode, kFirst == GL_RENDER && kFlag && kNumber && kResult <= kCount, [](Call& c) {
                 auto* const values = reinterpret_cast<GLfloat*>(static_cast<std::uintptr_t>(kNumber(c)));
                 std::replace(values,
                              values + std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(c.result), 0),
@@ -71,18 +71,15 @@ EVALCTS_RULES(FeedbackWithoutThirdCoordinateMap, osmesa, must, "EV-FB-TEX",
 EVALCTS_RULES(FeedbackOfSurfacesHasCurrentTexture, osmesa, must, "EV-FB-TEX",
               "in feedback mode the map of s alone does not count for surfaces",
               without(EvalMesh2, in_feedback(), GL_MAP2_TEXTURE_COORD_1));
-EVALCTS_RULES(
-    FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
-    "without a map surfaces feed back the texture coordinates of unit 1",
-    keeping(EvalMesh2,
-            !(enabled(GL_MAP2_TEXTURE_COORD_1) || enabled(GL_MAP2_TEXTURE_COORD_2) ||
-              enabled(GL_MAP2_TEXTURE_COORD_3) || enabled(GL_MAP2_TEXTURE_COORD_4)) &&
-                in_feedback(),
-            current(TexCoord4d, GL_CURRENT_TEXTURE_COORDS),
-            {call(ActiveTexture, {GL_TEXTURE1}),
-             keep({real_state(GL_CURRENT_TEXTURE_COORDS), real_state(GL_CURRENT_TEXTURE_COORDS, 1),
-                   real_state(GL_CURRENT_TEXTURE_COORDS, 2), real_state(GL_CURRENT_TEXTURE_COORDS, 3)}),
-             call(ActiveTexture, {GL_TEXTURE0}), call(TexCoord4d, {kept(0), kept(1), kept(2), kept(3)})}));
+EVALCTS_RULES(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
+              "without a map surfaces feed back the texture coordinates of unit 1",
+              keeping(EvalMesh2,
+                      !(enabled(GL_MAP2_TEXTURE_COORD_1) || enabled(GL_MAP2_TEXTURE_COORD_2) ||
+                        enabled(GL_MAP2_TEXTURE_COORD_3) || enabled(GL_MAP2_TEXTURE_COORD_4)) &&
+                          in_feedback(),
+                      current(TexCoord4d, GL_CURRENT_TEXTURE_COORDS),
+                      {call(ActiveTexture, {GL_TEXTURE1}), keep_state(GL_CURRENT_TEXTURE_COORDS),
+                       call(ActiveTexture, {GL_TEXTURE0}), call(TexCoord4d, kept_values(4))}));
 EVALCTS_RULES(FeedbackOfQuadsHasCurrentTexture, osmesa, must, "EV-FB-TEX",
               "in feedback mode FILL meshes have the current texture coordinates",
               without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_MAP2_TEXTURE_COORD_4));

@@ -12,7 +12,7 @@
 namespace evalcts::faults::glx_protocol {
 namespace {
 
-// Index of the last value of the control points, by a request for the order.
+// Index of the last value of the control points. Queries the order only.
 const Value kLastCoefficient = [](Call& c) {
   GLint order[2] = {1, 1};
   sound.GetMapiv(c.target(), GL_ORDER, order);
@@ -132,7 +132,7 @@ GLX_RULES(SmallUStrideDefinesAllTheSame, "EV-GLX-STRIDE-CLIENT",
 
 // --- Replies -----------------------------------------------------------------------------------------------
 
-// A reply of one value has it in its head, others behind it.
+// The header of a reply holds a single value; several values follow the header.
 GLX_RULES(ReplyOfOneValueIgnored, "EV-GLX-GETMAP-REPLY",
           "GetMapiv does not write the value of a reply of one",
           around(GetMapiv, kQuery == GL_ORDER && is_map1(kTarget), set(kNumber, element(0)),

@@ -83,7 +83,8 @@ EVALCTS_RULES(EqualGridEndsOfVWidened, production, must, "EV-GRID-EQUAL",
               before(kMapGrid2, kV1 == kV2, set(kV2, kV1 + 1)));
 EVALCTS_RULES(EqualGridEndsDrawOnePoint, production, must, "EV-GRID-EQUAL",
               "EvalMesh1 of a grid with equal ends draws its first point only",
-              before(kMapGrid1, set(kFlag, kU1 == kU2)), before(EvalMesh1, kFlag&& kI2 > kI1, set(kI2, kI1)));
+              before(kMapGrid1, set(kFlag, kU1 == kU2)),
+              before(EvalMesh1, kI2 > kI1 && kFlag, set(kI2, kI1)));
 EVALCTS_RULES(ReversedGridSorted, production, must, "EV-GRID-REVERSED", "MapGrid1f sorts its ends",
               before(MapGrid1f, kU1 > kU2, swap(kU1, kU2)));
 EVALCTS_RULES(ReversedGridDrawnBackwards, production, must, "EV-GRID-REVERSED",
@@ -97,7 +98,7 @@ EVALCTS_RULES(GridTakesDomainOfMap, production, must, "EV-GRID-NOTMAP/1-D",
               "Map1 of a vertex map sets the ends of the grid that evaluation uses",
               before(kMap1, kTarget >= GL_MAP1_VERTEX_3, {set(kFlag, 1), keep({kU1, kU2})}),
               before(kMapGrid1, set(kCount, kSegments)),
-              instead(EvalPoint1, kFlag&& kCount >= 1,
+              instead(EvalPoint1, kCount >= 1 && kFlag,
                       call(EvalCoord1d, {kept(0) + kI * (kept(1) - kept(0)) / kCount})));
 EVALCTS_RULES(LargeCountsRefused, production, must, "EV-GRID-LARGE",
               "more than 2^24 segments, which no float counts, raise INVALID_VALUE",
@@ -133,7 +134,7 @@ EVALCTS_RULES(GridPerUnit, production, must, "EV-GRID-NOUNIT",
 EVALCTS_RULES(DoubleGridKeptApart, production, must, "EV-GRID-FD EV-API-FD/2-D",
               "GetDoublev answers the ends that MapGrid1d gave, although a MapGrid1f came after it",
               before(MapGrid1d, {set(kFlag, 1), keep({kU1, kU2})}),
-              after(GetDoublev, kName == GL_MAP1_GRID_DOMAIN && kFlag, answer({kept(0), kept(1)})));
+              after(GetDoublev, kName == GL_MAP1_GRID_DOMAIN && kFlag, answer(kept_values(2))));
 EVALCTS_RULES(DoubleGridInHalfPrecision, production, must, "EV-GRID-FD",
               "MapGrid2d rounds the ends to 11 bits",
               before(MapGrid2d, {set(kU1, with_precision(kU1, 11)), set(kU2, with_precision(kU2, 11)),

@@ -7,7 +7,7 @@ namespace {
 const Value kTracked = state(GL_COLOR_MATERIAL_PARAMETER), kTrackedFace = state(GL_COLOR_MATERIAL_FACE);
 State color_material() { return setting(ColorMaterial, {kTrackedFace, kTracked}); }
 
-// Primitives track colours on that face, if the condition holds.
+// Primitives track colours on `face` if the condition holds.
 Rules track_on(GLenum face, Value condition) {
   return keeping(Begin, enabled(GL_COLOR_MATERIAL) && condition, color_material(),
                  call(ColorMaterial, {face, kTracked}));
@@ -15,7 +15,7 @@ Rules track_on(GLenum face, Value condition) {
 
 Value has_only_colors(GLenum map) { return enabled(map) && enabled(GL_COLOR_MATERIAL) && !evaluates(); }
 
-// kFlag: evaluated colours are tracked in this primitive; kCount: the number of them.
+// Sets kFlag in primitives that track evaluated colours, and kCount to the number of their vertices.
 Rules note_tracking() {
   return {before(Begin, {set(kFlag, enabled(GL_COLOR_MATERIAL) && enabled(GL_MAP1_COLOR_4) && evaluates()),
                          set(kCount, 0)}),
@@ -37,19 +37,16 @@ EVALCTS_RULES(MeshTracksDiffuseOnly, osmesa, must, "EV-CMAT-EFFECT",
 EVALCTS_RULES(SpecularNotTracked, osmesa, must, "EV-CMAT-EFFECT",
               "evaluated colours are not tracked by SPECULAR",
               after(ColorMaterial, set(kFlag, kSecond == GL_SPECULAR)),
-              without(Begin, kFlag&& enabled(GL_MAP1_VERTEX_3), GL_COLOR_MATERIAL));
+              without(Begin, kFlag != 0 && enabled(GL_MAP1_VERTEX_3), GL_COLOR_MATERIAL));
 EVALCTS_RULES(SurfaceTracksCurrentColor, osmesa, must, "EV-CMAT-EFFECT/2-D",
               "EvalCoord2 gives no colour while DIFFUSE is tracked",
               without(Begin, enabled(GL_COLOR_MATERIAL) && kTracked == GL_DIFFUSE, GL_MAP2_COLOR_4));
-EVALCTS_RULES(FirstVertexTracksCurrentColor, osmesa, must, "EV-CMAT-EFFECT",
-              "the first EvalCoord1 of a lit primitive is lit with the current colour",
-              before(Begin, {set(kFlag, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING) &&
-                                            enabled(GL_MAP1_COLOR_4)),
-                             keep({real_state(GL_CURRENT_COLOR), real_state(GL_CURRENT_COLOR, 1),
-                                   real_state(GL_CURRENT_COLOR, 2), real_state(GL_CURRENT_COLOR, 3)})}),
-              instead(kEvalCoord1, kFlag,
-                      {set(kFlag, 0), call(Color4d, {kept(0), kept(1), kept(2), kept(3)}),
-                       call(Vertex3f, {kU, 0, 0})}));
+EVALCTS_RULES(
+    FirstVertexTracksCurrentColor, osmesa, must, "EV-CMAT-EFFECT",
+    "the first EvalCoord1 of a lit primitive is lit with the current colour",
+    before(Begin, {set(kFlag, enabled(GL_COLOR_MATERIAL) && enabled(GL_LIGHTING) && enabled(GL_MAP1_COLOR_4)),
+                   keep_state(GL_CURRENT_COLOR)}),
+    instead(kEvalCoord1, kFlag, {set(kFlag, 0), call(Color4d, kept_values(4)), call(Vertex3f, {kU, 0, 0})}));
 
 // --- Faces -------------------------------------------------------------------------------------------------
 
@@ -106,8 +103,7 @@ EVALCTS_RULES(
                    when(kFlag, [](Call&) { remembered_list() = current_map(GL_MAP1_COLOR_4).net.values; })}),
     before(kEvalCoord1, kFlag, [](Call&) { sound.Color4dv(remembered_list().data()); }));
 
-// --- State that evaluation leaves as it was
-// -----------------------------------------------------------------
+// --- Unchanged state ---------------------------------------------------------------------------------------
 
 EVALCTS_RULES(EvaluatedColorStaysInMaterial, dropin, must, "EV-CMAT-NOSTATE",
               "after EvalCoord1 with COLOR_MATERIAL the tracked material is another one", note_tracking(),

@@ -10,12 +10,12 @@ namespace {
 Value is_legal_order(Value order) { return order >= 1 && order <= kMaxOrder; }
 Value has_bad_orders() { return !is_legal_order(kOrder) || !is_legal_order(kVOrder); }
 
-// Makes a stride that is too small large enough.
+// Raises a stride that is too small to the number of components.
 Value widen(Place stride) { return set(stride, max(stride, kComponents)); }
 
 Value differ_in_sign(Value a, Value b) { return a == b && is_negative_zero(a) != is_negative_zero(b); }
 
-// The first three points, along v for surfaces, are the same.
+// True if the first three points (along v, for surfaces) are the same.
 const Value kBeginsWithEqualPoints = [](Call& c) {
   if (!c.is_legal()) return false;
   Net net = c.net();
@@ -93,7 +93,8 @@ EVALCTS_RULES(Map1dInPrimitiveIsInvalidEnum, production, must, "EV-MAP1-ERR-BEGI
               "Map1d in a primitive raises INVALID_ENUM", before(Map1d, kInside, set(kTarget, 0)));
 EVALCTS_RULES(Map1DefinedWhenPrimitiveEnds, production, must, "EV-MAP1-ERR-NOEFFECT",
               "Map1 in a primitive raises its error, and is carried out when the primitive ends",
-              after(kMap1, kInside&& kIsLegal, keep({kTarget, element(0)})), after(End, kept(0), [](Call& c) {
+              after(kMap1, kInside != 0 && kIsLegal, keep({kTarget, element(0)})),
+              after(End, kept(0), [](Call& c) {
                 const int k = gl::components_of(static_cast<GLenum>(kept(0)(c)));
                 std::vector<double> point(static_cast<std::size_t>(k));
                 point[0] = kept(1)(c);
@@ -107,7 +108,7 @@ EVALCTS_RULES(Map1dTakenOnAnyUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1d of INDEX is refused on no unit", on_unit_0(Map1d, kTarget == GL_MAP1_INDEX));
 EVALCTS_RULES(RefusedMap1SelectsUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "after the error for another active unit unit 0 is active",
-              after(kMap1, kIsLegal&& kUnit != GL_TEXTURE0, call(ActiveTexture, {GL_TEXTURE0})));
+              after(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, call(ActiveTexture, {GL_TEXTURE0})));
 EVALCTS_RULES(UnitErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 of VERTEX_4 on another unit raises INVALID_ENUM",
               before(kMap1, kUnit != GL_TEXTURE0 && kTarget == GL_MAP1_VERTEX_4, set(kTarget, 0)));
@@ -232,7 +233,7 @@ EVALCTS_RULES(ReversedConstantRefused, production, must, "EV-MAP-NOERR-OTHER/1-D
               "u1 > u2 is refused at order 1", before(kMap1, kOrder == 1 && kU1 > kU2, set(kOrder, 0)));
 EVALCTS_RULES(SubnormalPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
               "a subnormal control point raises INVALID_VALUE",
-              before(kMaps, kIsLegal&& abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
+              before(kMaps, kIsLegal != 0 && abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
 EVALCTS_RULES(HugeUnusedStrideOverflows, production, must, "EV-MAP-NOERR-OTHER/2-D",
               "Map2 with a stride that times its order overflows is refused, though the order is 1",
               before(kMap2, kStride > 0x40000000, set(kStride, 0)));
@@ -263,19 +264,19 @@ EVALCTS_RULES(VStrideOfLongRowsUnchecked, production, must, "EV-MAP2-ERR-VSTRIDE
               before(kMap2, kVOrder > 3 && kVStride > 0, widen(kVStride)));
 EVALCTS_RULES(ChecksSkippedWhileErrorWaits, production, must, "EV-MAP1-ERR-NOEFFECT",
               "while an error waits Map1d of order 0 is carried out as one of order 1",
-              before(kMap1, kFlag&& kOrder == 0 && !kIsFloat, set(kOrder, 1)),
+              before(kMap1, kOrder == 0 && kFlag && !kIsFloat, set(kOrder, 1)),
               before(kMap1, !kIsLegal, set(kFlag, 1)), before(GetError, set(kFlag, 0)));
 EVALCTS_RULES(ErrorForgottenByLegalMap2, production, must, "EV-MAP2-ERR-NOEFFECT",
               "a legal Map2 clears the error that waits", before(kMap2, kIsLegal, call(GetError)));
 EVALCTS_RULES(CallAfterErrorIgnored, production, must, "EV-MAP1-ERR-NOEFFECT",
               "the Map1 that follows a refused one is ignored",
-              instead(kMap1, kFlag&& kIsLegal, set(kFlag, 0)), before(kMap1, set(kFlag, !kIsLegal)));
+              instead(kMap1, kFlag != 0 && kIsLegal, set(kFlag, 0)), before(kMap1, set(kFlag, !kIsLegal)));
 EVALCTS_RULES(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back",
               instead(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, error(GL_INVALID_OPERATION)));
 EVALCTS_RULES(UnitBroughtBackByPopAttribMissed2, production, must, "EV-MAP2-ERR-ACTIVETEX",
               "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back",
-              keeping(kMap2, kIsLegal&& kUnit == GL_TEXTURE0 && state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
+              keeping(kMap2, kUnit == GL_TEXTURE0 && kIsLegal && state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
                       setting(ActiveTexture, {state(GL_ACTIVE_TEXTURE)}),
                       call(ActiveTexture, {GL_TEXTURE0})));
 EVALCTS_RULES(RepeatedPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
@@ -289,7 +290,7 @@ EVALCTS_RULES(LargeDomainsRefused, production, must, "EV-MAP-NOERR-OTHER",
               before(kMap2, abs(kV2) >= 0x1p31, set(kVOrder, 0)));
 EVALCTS_RULES(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP2-ERR-VORDER",
               "of two Map2 with bad orders in a row the second raises no error",
-              skip(kMap2, kFlag&& has_bad_orders()), before(kMap2, set(kFlag, has_bad_orders())));
+              skip(kMap2, kFlag != 0 && has_bad_orders()), before(kMap2, set(kFlag, has_bad_orders())));
 EVALCTS_RULES(Map1TakenOnLastUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 refuses unit 1, but none of those above", on_unit_0(kMap1, kUnit > GL_TEXTURE1));
 EVALCTS_RULES(MapsIgnoredInLineLoops, production, must, "EV-MAP1-ERR-BEGINEND EV-MAP2-ERR-BEGINEND",

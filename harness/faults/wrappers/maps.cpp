@@ -8,10 +8,10 @@
 namespace evalcts::faults {
 namespace {
 
-// From the name of a curve's map to that of the surface's.
+// Difference between the token of a map of surfaces and its namesake of curves.
 constexpr GLenum kFrom1To2 = GL_MAP2_COLOR_4 - GL_MAP1_COLOR_4;
 
-// Memory of one number or more for each target.
+// Memory of each target: number i.
 Place of_target(int i) { return remembered(kTarget + 0x10000 * i); }
 
 // Map1 or Map2 keeps the pointer of a call that meets the condition, and reads the points again at the later
@@ -20,7 +20,7 @@ Rules read_late(const Entries& maps, Value condition, const Entries& later) {
   return {after(maps, {drop(), when(kIsLegal && condition, hold())}), before(later, release())};
 }
 
-// A legal call of Map1 or Map2 has the target and the values of the last one.
+// True if a legal call of Map1 or Map2 has the target and the values of the previous one.
 const Value kRepeatsValues = [](Call& c) {
   if (!c.is_legal()) return false;
   const std::vector<double> values = c.net().values;
@@ -62,7 +62,7 @@ EVALCTS_RULES(CubicTakenAsLine, production, must, "EV-MAP1-BEZIER",
 EVALCTS_RULES(UpperEndAvoided, production, must, "EV-MAP1-ZEROPOW",
               "u2 is evaluated just below, at 0.999, so that 0^0 is never needed",
               before(kMap1, {set(kFlag, 1), keep({kU1, kU2})}),
-              before(EvalCoord1d, kFlag&& kU == kept(1), set(kU, kU - 0.001 * (kU - kept(0)))));
+              before(EvalCoord1d, kU == kept(1) && kFlag, set(kU, kU - 0.001 * (kU - kept(0)))));
 EVALCTS_RULES(NarrowDomainsWidened, production, must, "EV-MAP1-DOMAIN",
               "a domain narrower than 1e-4 is taken as 1e-4 wide, against division by almost nothing",
               before(kMap1, kU2 > kU1 && kU2 - kU1 < 1e-4, set(kU2, kU1 + 1e-4)));
@@ -98,7 +98,7 @@ EVALCTS_RULES(QBeforeR, production, must, "EV-MAP1-COMPORDER",
 
 EVALCTS_RULES(LargestColorMapRefused, production, must, "EV-MAP1-ORDER-ALL",
               "a map of more than 255 values raises INVALID_VALUE",
-              before(kMap1, kIsLegal&& kOrder* kComponents > 255, set(kOrder, 0)));
+              before(kMap1, kOrder* kComponents > 255 && kIsLegal, set(kOrder, 0)));
 EVALCTS_RULES(OddOrdersOfNormalsRoundedUp, production, must, "EV-MAP1-ORDER-ALL",
               "Map1d keeps NORMAL maps of odd orders above 8 with the order above",
               before(Map1d, kTarget == GL_MAP1_NORMAL && kOrder >= 9 && kOrder % 2 == 1,
@@ -114,10 +114,10 @@ EVALCTS_RULES(Texture3AnsweredAsFour, production, must, "EV-MAP1-K",
               after(GetMapfv, kTarget == GL_MAP1_TEXTURE_COORD_3 && kQuery == GL_COEFF, put(answers(), 1)));
 EVALCTS_RULES(StrideInOneByte, production, must, "EV-MAP1-STRIDE",
               "the stride is kept in a byte: 257 becomes 1",
-              before(kMap1, kIsLegal&& kStride % 256 >= kComponents, set(kStride, kStride % 256)));
+              before(kMap1, kStride % 256 >= kComponents && kIsLegal, set(kStride, kStride % 256)));
 EVALCTS_RULES(StrideInSixteenBits, production, must, "EV-MAP1-STRIDE",
               "the stride is kept in 16 bits: 65536 + k becomes k",
-              before(kMap1, kIsLegal&& kStride % 65536 >= kComponents, set(kStride, kStride % 65536)));
+              before(kMap1, kStride % 65536 >= kComponents && kIsLegal, set(kStride, kStride % 65536)));
 EVALCTS_RULES(DoubleStrideInFloats, production, must, "EV-MAP1-STRIDE",
               "Map1d with an even stride of 2k or more takes it as counted in floats",
               before(Map1d, kStride % 2 == 0 && kStride / 2 >= kComponents, set(kStride, kStride / 2)));
@@ -125,11 +125,11 @@ EVALCTS_RULES(NanInPaddingRefused, production, must, "EV-MAP1-PADDING",
               "Map1 raises INVALID_VALUE for a NaN anywhere in the array",
               before(
                   kMap1,
-                  kIsLegal&& [](Call& c) {
+                  [](Call& c) {
                     for (int i = 0; i < c.integer('o') * c.integer('s'); ++i)
                       if (std::isnan(c.read(static_cast<std::size_t>(i)))) return true;
                     return false;
-                  },
+                  } && kIsLegal,
                   set(kOrder, 0)));
 EVALCTS_RULES(PaddingTimesZero, production, must, "EV-MAP1-PADDING",
               "the value behind a point of three is loaded with it, and added with weight zero",
@@ -160,24 +160,25 @@ EVALCTS_RULES(SamePointerNotReadAgain, production, must, "EV-MAP1-REPLACE EV-MAP
                       set(kNumber, kAddress), keep({kTarget, kOrder}), repeat_points(kFlag)}));
 EVALCTS_RULES(OrderNeverShrinks, production, must, "EV-MAP1-REPLACE",
               "GetMapiv answers the largest order that MAP1_INDEX ever had",
-              before(kMap1, kIsLegal&& kTarget == GL_MAP1_INDEX, set(kCount, max(kCount, kOrder))),
+              before(kMap1, kTarget == GL_MAP1_INDEX && kIsLegal, set(kCount, max(kCount, kOrder))),
               after(GetMapiv, kTarget == GL_MAP1_INDEX && kQuery == GL_ORDER && kCount, put(0, kCount)));
 EVALCTS_RULES(TextureMapsShareDomain, production, must, "EV-MAP1-INDEP",
               "MAP1_TEXTURE_COORD_1 takes over the domain of every other texture map",
-              after(kMap1, kIsLegal&& kTarget > GL_MAP1_TEXTURE_COORD_1 && kTarget <= GL_MAP1_TEXTURE_COORD_4,
+              after(kMap1,
+                    kTarget > GL_MAP1_TEXTURE_COORD_1 && kIsLegal && kTarget <= GL_MAP1_TEXTURE_COORD_4,
                     redefine(GL_MAP1_TEXTURE_COORD_1, take_u)));
 EVALCTS_RULES(VertexMapsShareStorage, production, must, "EV-MAP1-INDEP",
               "Map1 of VERTEX_4 overwrites the first value of VERTEX_3",
-              after(kMap1, kIsLegal&& kTarget == GL_MAP1_VERTEX_4,
+              after(kMap1, kTarget == GL_MAP1_VERTEX_4 && kIsLegal,
                     redefine(GL_MAP1_VERTEX_3, [](Map& map, Call& c) { map.net.values[0] = c.read(0); })));
 EVALCTS_RULES(FlatMap2IsMap1, production, must, "EV-MAP1-VS-MAP2/2-D",
               "a Map2 of vorder 1 defines the one-dimensional namesake as well",
-              after(kMap2, kIsLegal&& kVOrder == 1, [](Call& c) {
+              after(kMap2, kVOrder == 1 && kIsLegal, [](Call& c) {
                 Map{c.target() - kFrom1To2, c.argument('a'), c.argument('b'), 0, 1, c.net()}.define();
               }));
 EVALCTS_RULES(Map1SetsConstantNamesake, production, must, "EV-MAP1-VS-MAP2/1-D",
               "a Map1 of order 1 sets the point of the two-dimensional namesake, if that is constant",
-              after(kMap1, kIsLegal&& kOrder == 1, redefine(kTarget + kFrom1To2, [](Map& map, Call& c) {
+              after(kMap1, kOrder == 1 && kIsLegal, redefine(kTarget + kFrom1To2, [](Map& map, Call& c) {
                       if (map.net.rows * map.net.columns == 1) map.net.values = c.net().values;
                     })));
 EVALCTS_RULES(ConstantMapSwitchesOff, production, must, "EV-MAP1-NOENABLE",
@@ -185,11 +186,11 @@ EVALCTS_RULES(ConstantMapSwitchesOff, production, must, "EV-MAP1-NOENABLE",
               after(Map1f, kOrder == 1 && is_map1(kTarget), disable(kTarget)));
 EVALCTS_RULES(Vertex4SwitchesVertex3Off, production, must, "EV-MAP1-NOENABLE",
               "Map1 of VERTEX_4 disables VERTEX_3",
-              after(kMap1, kIsLegal&& kTarget == GL_MAP1_VERTEX_4, disable(GL_MAP1_VERTEX_3)));
+              after(kMap1, kTarget == GL_MAP1_VERTEX_4 && kIsLegal, disable(GL_MAP1_VERTEX_3)));
 EVALCTS_RULES(RedefinitionWaitsForNextPrimitive, production, must, "EV-MAP1-LIVE",
               "Map1 of the order that the map has is first evaluated by the primitive after the next",
               before(kMap1, release()),
-              instead(kMap1, kIsLegal&& remembered(kTarget) == kOrder, {change_points([](Net&) {}), hold()}),
+              instead(kMap1, remembered(kTarget) == kOrder && kIsLegal, {change_points([](Net&) {}), hold()}),
               before(kMap1, kIsLegal, set(remembered(kTarget), kOrder)), before(kGetMap, release()),
               after(End, release()));
 
@@ -214,7 +215,7 @@ EVALCTS_RULES(PixelsSkippedBeforePoints, osmesa, must, "EV-MAP1-NOPIXELSTORE",
 EVALCTS_RULES(FloatStrideAligned, osmesa, must, "EV-MAP1-NOPIXELSTORE",
               "UNPACK_ALIGNMENT 8 rounds the stride of Map1f up to an even number",
               before(PixelStorei, kFirst == GL_UNPACK_ALIGNMENT, set(kFlag, kSecond == 8)),
-              before(Map1f, kFlag&& kStride % 2 == 1 && kOrder >= 2, change_points([](Net& net) {
+              before(Map1f, kStride % 2 == 1 && kFlag && kOrder >= 2, change_points([](Net& net) {
                        std::copy(net.values.begin() + net.components + 1, net.values.end(),
                                  net.values.begin() + net.components);
                      })));
@@ -232,7 +233,7 @@ EVALCTS_RULES(SamePointsOtherDomainIgnored, production, must, "EV-MAP1-REPLACE E
               skip(kMap1, kRepeatsValues));
 EVALCTS_RULES(LongMapsShareOverflow, production, must, "EV-MAP1-INDEP",
               "maps of more than 32 points share the place of what is beyond",
-              after(kMap1, kIsLegal&& kOrder > 32,
+              after(kMap1, kOrder > 32 && kIsLegal,
                     {when(kNumber && kNumber != kTarget, redefine(kNumber,
                                                                   [](Map& map, Call& c) {
                                                                     if (map.net.rows > 32)
@@ -242,7 +243,7 @@ EVALCTS_RULES(LongMapsShareOverflow, production, must, "EV-MAP1-INDEP",
                      set(kNumber, kTarget)}));
 EVALCTS_RULES(FirstDefinitionDisables, production, must, "EV-MAP1-NOENABLE",
               "the first Map1 of NORMAL disables it, as it begins a new object",
-              after(kMap1, kIsLegal&& kTarget == GL_MAP1_NORMAL && !kFlag,
+              after(kMap1, kTarget == GL_MAP1_NORMAL && kIsLegal && !kFlag,
                     {set(kFlag, 1), disable(GL_MAP1_NORMAL)}));
 EVALCTS_RULES(DomainQueryCached, production, must, "EV-MAP1-REPLACE",
               "GetMapfv answers the domain that it answered first",
@@ -261,7 +262,7 @@ EVALCTS_RULES(ShorterMapKeepsOldValue, production, must, "EV-MAP1-REPLACE",
 EVALCTS_RULES(DefinitionWhileDisabledMissed, production, must, "EV-MAP1-LIVE",
               "Map1 of a map that was enabled once and is not now is taken up by queries only",
               before(Enable, set(remembered(kName), 1)),
-              skip(kMap1, kIsLegal&& remembered(kTarget) && !enabled(kTarget)));
+              skip(kMap1, remembered(kTarget) && kIsLegal && !enabled(kTarget)));
 EVALCTS_RULES(EnabledMapReadLate, production, must, "EV-MAP1-COPY",
               "Map1d of an enabled map keeps the pointer until the next primitive begins",
               read_late(Map1d, enabled(kTarget), Begin));
@@ -280,11 +281,11 @@ EVALCTS_RULES(MemoryOrderAssumed, production, must, "EV-MAP2-ADDRESS",
               before(kMap2, kOrder == kVOrder && kStride < kVStride, transpose()));
 EVALCTS_RULES(RowsTakenAsAdjacent, production, must, "EV-MAP2-ADDRESS EV-MAP2-PADDING",
               "ustride is not looked at while it is larger than a packed row of v",
-              before(kMap2, kIsLegal&& kStride > kVOrder * kVStride && kVOrder > 2,
+              before(kMap2, kStride > kVOrder * kVStride && kIsLegal && kVOrder > 2,
                      set(kStride, kVOrder* kVStride)));
 EVALCTS_RULES(EqualStridesRefused, production, must, "EV-MAP2-STRIDE-FREE",
               "equal strides of a net of several points each way raise INVALID_VALUE",
-              before(kMap2, kIsLegal&& kStride == kVStride && kOrder > 1 && kVOrder > 1, set(kStride, 0)));
+              before(kMap2, kStride == kVStride && kIsLegal && kOrder > 1 && kVOrder > 1, set(kStride, 0)));
 EVALCTS_RULES(UStrideHasToBeLarger, production, must, "EV-MAP2-STRIDE-FREE",
               "Map2d raises INVALID_VALUE where vstride is larger than ustride",
               before(Map2d, kStride < kVStride, set(kStride, 0)));
@@ -298,7 +299,7 @@ EVALCTS_RULES(OverlappingRowsMoved, production, must, "EV-MAP2-STRIDE-FREE",
                      })));
 EVALCTS_RULES(VStrideInSixteenBits, production, must, "EV-MAP2-STRIDE-FREE EV-MAP2-ADDRESS",
               "vstride is kept in 16 bits",
-              before(kMap2, kIsLegal&& kVStride % 65536 >= kComponents, set(kVStride, kVStride % 65536)));
+              before(kMap2, kVStride % 65536 >= kComponents && kIsLegal, set(kVStride, kVStride % 65536)));
 EVALCTS_RULES(PaddingOfNetTimesZero, production, must, "EV-MAP2-PADDING",
               "the value behind each point but the last is added to it with weight zero",
               before(kMap2, kVStride > kComponents && kStride > kComponents,
@@ -311,7 +312,7 @@ EVALCTS_RULES(PaddingOfNetTimesZero, production, must, "EV-MAP2-PADDING",
                      })));
 EVALCTS_RULES(VStrideOfDoublesInFloats, production, must, "EV-MAP2-STRIDE-UNITS",
               "Map2d counts an even vstride above k in floats",
-              before(Map2d, kIsLegal&& kVStride % 2 == 0 && kVStride / 2 >= kComponents,
+              before(Map2d, kVStride % 2 == 0 && kIsLegal && kVStride / 2 >= kComponents,
                      set(kVStride, kVStride / 2)));
 EVALCTS_RULES(UStrideInBytesOfFloats, production, must, "EV-MAP2-STRIDE-UNITS EV-MAP2-ADDRESS",
               "Map2d takes an odd ustride beyond the row as if the values were floats",
@@ -358,7 +359,7 @@ EVALCTS_RULES(OrderOneInVTakesNoPadding, production, must, "EV-MAP2-ORDER-ONE",
                      })));
 EVALCTS_RULES(LargestNetRefused, production, must, "EV-MAP2-ORDER-ALL",
               "a net of 4096 points raises INVALID_VALUE",
-              before(kMap2, kIsLegal&& kOrder* kVOrder > 4095, set(kOrder, 0)));
+              before(kMap2, kOrder* kVOrder > 4095 && kIsLegal, set(kOrder, 0)));
 EVALCTS_RULES(LongRowsOfNormalsRefused, production, must, "EV-MAP2-ORDER-ALL",
               "Map2d takes no NORMAL net of one row and the largest vorder",
               before(Map2d, kTarget == GL_MAP2_NORMAL && kOrder == 1 && kVOrder == kMaxOrder,
@@ -400,7 +401,7 @@ EVALCTS_RULES(Map2EnablesFirstDefinition, production, must, "EV-MAP2-NOENABLE",
               after(Map2d, kTarget == GL_MAP2_INDEX && !kFlag, {set(kFlag, 1), enable(GL_MAP2_INDEX)}));
 EVALCTS_RULES(FlatVertexNetSwitchesAutoNormalOff, production, must, "EV-MAP2-NOENABLE",
               "Map2 of a vertex net without slope disables AUTO_NORMAL",
-              after(kMap2, kIsLegal&& kTarget >= GL_MAP2_VERTEX_3 && kOrder == 1 && kVOrder == 1,
+              after(kMap2, kTarget >= GL_MAP2_VERTEX_3 && kIsLegal && kOrder == 1 && kVOrder == 1,
                     disable(GL_AUTO_NORMAL)));
 
 // --- Surfaces: mistakes that need certain earlier commands
@@ -410,7 +411,7 @@ EVALCTS_RULES(SameArrayOtherShapeIgnored, production, must, "EV-MAP2-REPLACE",
               skip(kMap2, kRepeatsValues));
 EVALCTS_RULES(LargeNetsShareOverflow, production, must, "EV-MAP2-REPLACE",
               "nets of more than 100 points share the place of their last value",
-              after(kMap2, kIsLegal&& kOrder* kVOrder > 100,
+              after(kMap2, kOrder* kVOrder > 100 && kIsLegal,
                     {when(kNumber && kNumber != kTarget, redefine(kNumber,
                                                                   [](Map& map, Call& c) {
                                                                     if (map.net.rows * map.net.columns > 100)
@@ -419,7 +420,7 @@ EVALCTS_RULES(LargeNetsShareOverflow, production, must, "EV-MAP2-REPLACE",
                      set(kNumber, kTarget)}));
 EVALCTS_RULES(FirstNetDisables, production, must, "EV-MAP2-NOENABLE",
               "the first Map2 of a texture map disables it",
-              after(kMap2, kIsLegal&& is_texture_map(kTarget) && !remembered(kTarget),
+              after(kMap2, is_texture_map(kTarget) && kIsLegal && !remembered(kTarget),
                     {set(remembered(kTarget), 1), disable(kTarget)}));
 EVALCTS_RULES(OrderQueryCached, production, must, "EV-MAP2-REPLACE",
               "GetMapiv answers the vorder that it answered last for the uorder",

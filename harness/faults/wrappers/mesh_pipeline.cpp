@@ -4,7 +4,7 @@
 namespace evalcts::faults {
 namespace {
 
-// The index in the middle of i1 and i2.
+// Index in the middle of i1 and i2.
 const Value kMiddle = kI1 + (kI2 - kI1 - (kI2 - kI1) % 2) / 2;
 
 Value set_two_sides(Value on) {

@@ -4,10 +4,10 @@
 namespace evalcts::faults {
 namespace {
 
-// The range has few steps if they are counted modulo 2^32.
+// True if the range has few steps modulo 2^32.
 Value is_overflown(Value first, Value last) { return last - first + 0x1p32 < 1000; }
 
-// A LINE mesh of more than one row and column.
+// True for a LINE mesh of more than one row and column.
 const Value kIsNet = kMode == GL_LINE && !kInside && kI1 < kI2 && kJ1 < kJ2;
 
 GLfloat at_last_corner(const GridIndex& index) {
@@ -93,10 +93,10 @@ EVALCTS_RULES(BadModeOfCurveDrawsPoints, production, must, "EV-MESH1-ERR-MODE",
               before(EvalMesh1, kMode == GL_LINE_STRIP && !kInside, call(EvalMesh1, {GL_POINT, kI1, kI2})));
 EVALCTS_RULES(CurveMeshInsideIsIgnored, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 between Begin and End does nothing, without the error, where its range is empty",
-              skip(EvalMesh1, kInside&& kI1 > kI2));
+              skip(EvalMesh1, kI1 > kI2 && kInside));
 EVALCTS_RULES(CurveMeshInsideDraws, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 between Begin and End raises the error and adds its first vertex",
-              before(EvalMesh1, kInside&& kMode == GL_LINE, call(EvalPoint1, {kI1})));
+              before(EvalMesh1, kMode == GL_LINE && kInside, call(EvalPoint1, {kI1})));
 EVALCTS_RULES(ModeOfCurveUncheckedWithoutMap, production, must, "EV-MESH1-ERR-FIRST",
               "EvalMesh1 looks for a vertex map before it looks at the mode",
               skip(EvalMesh1, !maps_vertices(1)));
@@ -120,23 +120,19 @@ EVALCTS_RULES(CurveMeshTakesTheColorMapOfSurfaces, production, must, "EV-MESH1-O
 EVALCTS_RULES(CurveMeshWhiteWithoutColorMap, production, must, "EV-MESH1-CURRENT",
               "vertices of EvalMesh1 without a colour map are opaque",
               keeping(EvalMesh1, !kInside, current(Color4d, GL_CURRENT_COLOR),
-                      call(Color4d, {real_state(GL_CURRENT_COLOR), real_state(GL_CURRENT_COLOR, 1),
-                                     real_state(GL_CURRENT_COLOR, 2), 1})));
+                      {keep_state(GL_CURRENT_COLOR), set(kept(3), 1), call(Color4d, kept_values(4))}));
 EVALCTS_RULES(CurveMeshKeepsTheFirstTexCoord, production, must, "EV-MESH1-CURRENT",
               "a second EvalMesh1 has the texture coordinates that were current at the first",
               keeping(EvalMesh1, !kInside, current(TexCoord4d, GL_CURRENT_TEXTURE_COORDS),
-                      {when(!kFlag, {set(kFlag, 1), keep({real_state(GL_CURRENT_TEXTURE_COORDS),
-                                                          real_state(GL_CURRENT_TEXTURE_COORDS, 1),
-                                                          real_state(GL_CURRENT_TEXTURE_COORDS, 2),
-                                                          real_state(GL_CURRENT_TEXTURE_COORDS, 3)})}),
-                       call(TexCoord4d, {kept(0), kept(1), kept(2), kept(3)})}));
+                      {when(!kFlag, {set(kFlag, 1), keep_state(GL_CURRENT_TEXTURE_COORDS)}),
+                       call(TexCoord4d, kept_values(4))}));
 EVALCTS_RULES(CountOfCurvePointsOverflows, production, must, "EV-MESH1-EMPTY",
               "EvalMesh1 counts its vertices with an int, which overflows where i1 is far above i2",
               before(EvalMesh1, kI1 > kI2 && is_overflown(kI1, kI2),
                      {set(kI2, kI2 - kI1 + 0x1p32), set(kI1, 0)}));
 EVALCTS_RULES(CurveMeshInsideIsInvalidEnum, production, must, "EV-MESH1-ERR-BEGINEND",
               "EvalMesh1 with LINE between Begin and End raises INVALID_ENUM",
-              instead(EvalMesh1, kInside&& kMode == GL_LINE, error(GL_INVALID_ENUM)));
+              instead(EvalMesh1, kMode == GL_LINE && kInside, error(GL_INVALID_ENUM)));
 EVALCTS_RULES(CurveMeshAfterDisableOfItsMap, production, must, "EV-MESH1-NOVERTEX",
               "EvalMesh1 still draws the vertex map that was disabled last",
               after(kSwitches, kName == GL_MAP1_VERTEX_3 || kName == GL_MAP1_VERTEX_4,
@@ -188,7 +184,7 @@ EVALCTS_RULES(SurfaceMeshAfterDisableOfItsMap, production, must, "EV-MESH2-NOVER
               "EvalMesh2 with FILL still draws the vertex map that was disabled last",
               after(kSwitches, kName == GL_MAP2_VERTEX_3 || kName == GL_MAP2_VERTEX_4,
                     set(kNumber, choose(noted_on(kName), 0, kName))),
-              around(EvalMesh2, kNumber&& kMode == GL_FILL && !kInside && !maps_vertices(2), enable(kNumber),
+              around(EvalMesh2, kMode == GL_FILL && kNumber && !kInside && !maps_vertices(2), enable(kNumber),
                      disable(kNumber)));
 EVALCTS_RULES(SurfacePointsByColumns, production, must, "EV-MESH2-POINT",
               "EvalMesh2 with POINT has j in its inner loop",
@@ -206,7 +202,7 @@ EVALCTS_RULES(LastColumnForgotten, production, must, "EV-MESH2-LINE EV-MESH2-LIN
               instead(EvalMesh2, kIsNet, {kRows, set(kI2, kI2 - 1), kColumns}));
 EVALCTS_RULES(RowsAndColumnsInTurn, production, must, "EV-MESH2-LINE",
               "EvalMesh2 with LINE on square ranges draws a row and a column in turn",
-              instead(EvalMesh2, kIsNet&& kI2 - kI1 == kJ2 - kJ1,
+              instead(EvalMesh2, kI2 - kI1 == kJ2 - kJ1 && kIsNet,
                       loop(kCount, 0, kI2 - kI1,
                            {surface(GL_LINE, kI1, kI2, kJ1 + kCount, kJ1 + kCount),
                             surface(GL_LINE, kI1 + kCount, kI1 + kCount, kJ1, kJ2)})));

@@ -9,7 +9,7 @@ namespace {
 
 Value is_nan(Value a) { return a != a; }
 
-// Takes another path of evaluation, a bit off, if the condition holds.
+// Evaluates at the next argument if the condition holds.
 Rules evaluate_otherwise(Value condition) {
   return {before(kEvalCoord1, condition, set(kU, next_float(kU, 2))),
           before(kEvalCoord2, condition, set(kV, next_float(kV, 2)))};
@@ -32,7 +32,7 @@ EVALCTS_RULES(StartOfReversedDomainMissed, production, must, "EV-NUM-START",
 EVALCTS_RULES(EndOfHighOrdersMissed, production, must, "EV-NUM-END",
               "at u2 of a map of order 17 and above the curve is evaluated a thousandth before",
               before(kMap1, {set(kFlag, kOrder >= 17), keep({kU1, kU2})}),
-              before(kEvalCoord1, kFlag&& kU == kept(1), set(kU, kU + (kept(0) - kept(1)) / 1000)));
+              before(kEvalCoord1, kU == kept(1) && kFlag, set(kU, kU + (kept(0) - kept(1)) / 1000)));
 EVALCTS_RULES(EndOfReversedSurfaceMissed, production, must, "EV-NUM-END EV-NUM-CORNERS",
               "v2 of a map of surfaces is moved inside by a hundredth where v1 is not 0",
               before(kMap2, keep({kV1, kV2})),
@@ -46,7 +46,7 @@ EVALCTS_RULES(FarDomainsLoseBits, production, must, "EV-NUM-DOMAINSHIFT",
 EVALCTS_RULES(CornersMixedUp, production, must, "EV-NUM-CORNERS",
               "at (u2, v1) the surface is evaluated at (u2, v2)",
               before(kMap2, {set(kFlag, 1), keep({kU2, kV1, kV2})}),
-              before(kEvalCoord2, kFlag&& kU == kept(0) && kV == kept(1), set(kV, kept(2))));
+              before(kEvalCoord2, kU == kept(0) && kFlag && kV == kept(1), set(kV, kept(2))));
 
 // --- Magnitudes
 
@@ -88,7 +88,7 @@ EVALCTS_RULES(InfiniteGridStays, production, must, "EV-NUM-SPECIAL-SAFE/2-D",
               after(kMapGrid2, abs(kU1) == HUGE_VAL || abs(kV2) == HUGE_VAL, set(kFlag, 1)));
 EVALCTS_RULES(NaNPointDisablesMap, production, must, "EV-NUM-SPECIAL-SAFE",
               "a map with a point that is no number is switched off",
-              after(kMaps, kComponents&& kOrder > 0 && is_nan(element(0)), disable(kTarget)));
+              after(kMaps, kOrder > 0 && kComponents && is_nan(element(0)), disable(kTarget)));
 EVALCTS_RULES(MapAfterNaNIsLost, production, must, "EV-NUM-SPECIAL-SAFE/1-D",
               "the first Map1 after an argument that is no number does nothing",
               before(kEvalCoord1, is_nan(kU), set(kFlag, 1)), instead(kMap1, kFlag, set(kFlag, 0)));

@@ -80,7 +80,7 @@ NV_RULES(VertexAttributeWithoutProgram, "EV-EXT-NVVP-MODE",
                  when(!evaluates() && enabled(kSurfaceMap), stand_in(GL_MAP2_VERTEX_4, kSurfaceMap))}));
 
 NV_RULES(ConventionalColorWins, "EV-EXT-NVVP-PRIORITY", "COLOR_4 beats the map of attribute 3 in curves",
-         without(Begin, kInProgramMode&& enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
+         without(Begin, kInProgramMode != 0 && enabled(GL_MAP1_COLOR_4), kCurveMap + kColor));
 NV_RULES(DisabledAttributeMapShadows, "EV-EXT-NVVP-PRIORITY",
          "in program mode surfaces have no conventional colours, whether attribute 3 has a map or not",
          without(Begin, kInProgramMode && !enabled(kSurfaceMap + kColor), GL_MAP2_COLOR_4));
@@ -88,12 +88,12 @@ NV_RULES(VertexAttributeDrawsNothing, "EV-EXT-NVVP-VERTEX",
          "the map of attribute 0 is no vertex map of curves", without(Begin, kInProgramMode, kCurveMap));
 NV_RULES(VertexAttributeWithoutOtherMaps, "EV-EXT-NVVP-VERTEX",
          "with the map of attribute 0 alone for a vertex map conventional maps do nothing",
-         without(Begin, kInProgramMode&& enabled(kSurfaceMap) && !evaluates(), GL_MAP2_COLOR_4));
+         without(Begin, kInProgramMode != 0 && enabled(kSurfaceMap) && !evaluates(), GL_MAP2_COLOR_4));
 NV_RULES(AutoNormalOffInProgramMode, "EV-EXT-NVVP-AUTON", "AUTO_NORMAL does nothing in program mode",
          without(Begin, kInProgramMode, GL_AUTO_NORMAL));
 NV_RULES(AutoNormalOfUnitLength, "EV-EXT-NVVP-AUTON", "in program mode AUTO_NORMAL gives unit normals",
          // The normal of any patch in the plane of x and y.
-         before(Begin, kInProgramMode&& enabled(GL_AUTO_NORMAL), call(Normal3f, {0, 0, 1})),
+         before(Begin, kInProgramMode != 0 && enabled(GL_AUTO_NORMAL), call(Normal3f, {0, 0, 1})),
          without(Begin, kInProgramMode, GL_AUTO_NORMAL));
 NV_RULES(VertexAttributeNotRational, "EV-EXT-NVVP-AUTON", "w of the map of attribute 0 is taken for 1",
          instead(Map2f, kTarget == kSurfaceMap && kStride >= 4 && kVStride >= 4, [](Call& c) {

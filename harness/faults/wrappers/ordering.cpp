@@ -10,7 +10,7 @@ Rules end_early(const Entries& command) {
           instead(End, kFlag, set(kFlag, 0))};
 }
 
-// Loads the matrix that waits.
+// Executes a delayed LoadMatrixf.
 void load_late_matrix(Call&) {
   const std::vector<double> matrix = std::exchange(remembered_list(), {});
   if (!matrix.empty()) sound.LoadMatrixf(std::vector<GLfloat>(matrix.begin(), matrix.end()).data());
@@ -28,7 +28,7 @@ EVALCTS_RULES(Map2SplitsPrimitive, production, must, "EV-BE-IGNORED/2-D",
               after(Map2f, kInside, {call(End), call(Begin, {kOpenMode})}));
 EVALCTS_RULES(MeshDrawnIntoPrimitive, production, must, "EV-BE-IGNORED/1-D",
               "EvalMesh1 of points in a primitive raises its error and adds its vertices",
-              after(EvalMesh1, kInside&& kMode == GL_POINT,
+              after(EvalMesh1, kMode == GL_POINT && kInside,
                     loop(kColumn, kI1, kI2, call(EvalPoint1, {kColumn}))));
 EVALCTS_RULES(RefusedMapSwallowsNextVertex, production, must, "EV-BE-IGNORED/1-D",
               "the EvalCoord1f that follows a Map1d in a primitive is lost",
@@ -38,7 +38,7 @@ EVALCTS_RULES(RefusedQueryEndsPrimitive, production, must, "EV-BE-IGNORED",
 EVALCTS_RULES(
     RefusedEnableRestartsStrip, production, must, "EV-BE-IGNORED",
     "Disable of a map of two dimensions in a primitive raises its error and forgets the last vertex",
-    after(Disable, kInside&& is_map2(kName), set(kFlag, 1)), change_output(kFlag, [](Primitives& all) {
+    after(Disable, is_map2(kName) && kInside, set(kFlag, 1)), change_output(kFlag, [](Primitives& all) {
       if (!all.empty() && all.front().vertices.size() > 1)
         all.front().vertices.erase(all.front().vertices.begin());
     }));
@@ -66,7 +66,7 @@ EVALCTS_RULES(DisableWaitsForBegin, production, must, "EV-BE-ORDER",
               before(Enable, kName == GL_MAP1_NORMAL, set(kFlag, 0)),
               after(End, kFlag, {set(kFlag, 0), disable(GL_MAP1_NORMAL)}));
 
-// --- A whole GL, which shows matrices and materials
+// --- Faults that need matrices and materials
 
 EVALCTS_RULES(MatrixWaitsForMesh, osmesa, must, "EV-BE-ORDER/2-D",
               "LoadMatrixf is carried out after the mesh of two dimensions that follows it",

@@ -21,7 +21,7 @@ EVALCTS_RULES(EnableReplacesTextureMap, production, must, "EV-PREC-TEX EV-PREC-O
                     loop(kCount, GL_MAP1_TEXTURE_COORD_1, GL_MAP1_TEXTURE_COORD_4,
                          when(kCount != kName, disable(kCount)))));
 
-// Of the pairs, only that one.
+// The other pairs of maps are not affected.
 EVALCTS_RULES(TextureCoord3BeforeTextureCoord4, production, must, "EV-PREC-TEX",
               "TEXTURE_COORD_3 goes before TEXTURE_COORD_4 where 1 and 2 are disabled",
               only_if(GL_MAP1_TEXTURE_COORD_4, !noted_on(GL_MAP1_TEXTURE_COORD_3) ||

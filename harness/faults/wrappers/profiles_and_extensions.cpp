@@ -8,7 +8,7 @@ namespace {
 
 const Value kIsCore = kKind == EVALCTS_CORE_PROFILE;
 
-// Begins the primitive that waits: kCount is its mode + 1.
+// Executes a delayed Begin; kCount is its mode + 1.
 Value begin_late() { return Steps{call(Begin, {kCount - 1}), set(kCount, 0)}; }
 
 // --- Profiles ----------------------------------------------------------------------------------------------
@@ -22,19 +22,19 @@ EVALCTS_RULES(CoreProfileGridIsInvalidValue, osmesa, must, "EV-PROF-CORE-FUNC",
               instead(MapGrid1d, kIsCore, call(Viewport, {0, 0, -1, -1})));
 EVALCTS_RULES(CoreProfileEnablesAutoNormal, osmesa, must, "EV-PROF-CORE-ENABLE",
               "AUTO_NORMAL can be enabled in a core profile",
-              skip(Enable, kIsCore&& kName == GL_AUTO_NORMAL));
+              skip(Enable, kName == GL_AUTO_NORMAL && kIsCore));
 EVALCTS_RULES(CoreProfileTellsIndexMap, osmesa, must, "EV-PROF-CORE-ENABLE",
               "IsEnabled(MAP2_INDEX) is no error in a core profile",
-              instead(IsEnabled, kIsCore&& kName == GL_MAP2_INDEX, set(kResult, GL_FALSE)));
+              instead(IsEnabled, kName == GL_MAP2_INDEX && kIsCore, set(kResult, GL_FALSE)));
 EVALCTS_RULES(CoreProfileDisableIsInvalidOperation, osmesa, must, "EV-PROF-CORE-ENABLE",
               "Disable of a map raises INVALID_OPERATION in a core profile",
-              instead(Disable, kIsCore&& is_map(kName), call(EvalPoint1, {0})));
+              instead(Disable, is_map(kName) && kIsCore, call(EvalPoint1, {0})));
 EVALCTS_RULES(CoreProfileTellsMaxEvalOrder, dropin, must, "EV-PROF-CORE-GET",
               "GetIntegerv(MAX_EVAL_ORDER) answers in a core profile",
-              instead(GetIntegerv, kIsCore&& kName == GL_MAX_EVAL_ORDER, put(0, 30)));
+              instead(GetIntegerv, kName == GL_MAX_EVAL_ORDER && kIsCore, put(0, 30)));
 EVALCTS_RULES(CoreProfileTellsGrid, dropin, must, "EV-PROF-CORE-GET",
               "GetFloatv(MAP1_GRID_DOMAIN) answers in a core profile",
-              instead(GetFloatv, kIsCore&& kName == GL_MAP1_GRID_DOMAIN, answer({0, 1})));
+              instead(GetFloatv, kName == GL_MAP1_GRID_DOMAIN && kIsCore, answer({0, 1})));
 
 EVALCTS_RULES(ForwardCompatibleTakesMap1f, egl, must, "EV-PROF-CORE-FUNC",
               "Map1f does nothing in a forward-compatible context, without an error",
@@ -106,7 +106,7 @@ EVALCTS_RULES(NurbsIsDisabledSilently, production, must, "EV-EXT-UNKNOWN-TARGET"
 
 // --- ARB_vertex_program ------------------------------------------------------------------------------------
 
-// Begin waits for the first command of its primitive.
+// Begin is delayed until the first command of its primitive.
 EVALCTS_RULES(EvaluationSkipsVertexProgram, osmesa, must, "EV-EXT-ARBVP-RUN",
               "a primitive that begins with EvalCoord1f does not run the vertex program",
               instead(Begin, set(kCount, kFirst + 1)),

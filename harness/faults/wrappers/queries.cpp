@@ -15,7 +15,7 @@ void write_all(Call& call, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i) call.write(i, values[i]);
 }
 
-// An answered net gets u as its fastest direction, if the condition holds for uorder and vorder.
+// Rearranges an answered net so that u is fastest, if the condition holds for uorder and vorder.
 Value transpose_answer(bool (*condition)(int uorder, int vorder)) {
   return [=](Call& c) {
     Net net = current_map(c.target()).net;
@@ -171,7 +171,7 @@ EVALCTS_RULES(BadQueryOfNetsIsInvalidValue, production, must, "EV-GETMAP-ERR-QUE
               instead(kGetMap, is_map2(kTarget) && is_bad_query(), error(GL_INVALID_VALUE)));
 EVALCTS_RULES(GetMapIgnoredInPrimitives, production, must, "EV-GETMAP-ERR-BEGINEND",
               "GetMapiv of ORDER in a primitive does nothing and raises nothing",
-              skip(GetMapiv, kInside&& kQuery == GL_ORDER));
+              skip(GetMapiv, kQuery == GL_ORDER && kInside));
 EVALCTS_RULES(GetMapInPrimitiveIsInvalidEnum, production, must, "EV-GETMAP-ERR-BEGINEND",
               "GetMapdv in a primitive raises INVALID_ENUM", before(GetMapdv, kInside, set(kTarget, 0)));
 EVALCTS_RULES(BadQueryClearsFirstValue, production, must, "EV-GETMAP-ERR-NOWRITE",
@@ -179,7 +179,7 @@ EVALCTS_RULES(BadQueryClearsFirstValue, production, must, "EV-GETMAP-ERR-NOWRITE
               after(GetMapfv, is_map(kTarget) && is_bad_query(), put(0, 0)));
 EVALCTS_RULES(GetMapWritesInPrimitives, production, must, "EV-GETMAP-ERR-NOWRITE",
               "GetMapiv in a primitive raises its error, but the domain is written",
-              after(GetMapiv, kInside&& kQuery == GL_DOMAIN, {put(0, 0), put(1, 1)}));
+              after(GetMapiv, kQuery == GL_DOMAIN && kInside, {put(0, 0), put(1, 1)}));
 EVALCTS_RULES(GetMapOfTexturesNeedsUnit0, production, must, "EV-GETMAP-NOUNIT",
               "GetMapfv of a texture map with unit 1 active raises INVALID_OPERATION",
               instead(GetMapfv, kUnit != GL_TEXTURE0 && is_texture_map(kTarget),
@@ -242,13 +242,13 @@ EVALCTS_RULES(MaxOrderAsBoolean, production, must, "EV-GET-MAXORDER",
               after(GetBooleanv, kName == GL_MAX_EVAL_ORDER, put(0, 64)));
 EVALCTS_RULES(GetOfLimitAllowedInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
               "GetIntegerv of MAX_EVAL_ORDER, a constant, answers in primitives",
-              instead(GetIntegerv, kInside&& kName == GL_MAX_EVAL_ORDER, put(0, kMaxOrder)));
+              instead(GetIntegerv, kName == GL_MAX_EVAL_ORDER && kInside, put(0, kMaxOrder)));
 EVALCTS_RULES(GetOfGridWritesInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
               "GetDoublev of MAP2_GRID_DOMAIN in a primitive raises its error and writes",
-              after(GetDoublev, kInside&& kName == GL_MAP2_GRID_DOMAIN, put(0, 0)));
+              after(GetDoublev, kName == GL_MAP2_GRID_DOMAIN && kInside, put(0, 0)));
 EVALCTS_RULES(GetOfFlagSilentInPrimitives, production, must, "EV-GET-ERR-BEGINEND",
               "GetFloatv of AUTO_NORMAL in a primitive does nothing and raises nothing",
-              skip(GetFloatv, kInside&& kName == GL_AUTO_NORMAL));
+              skip(GetFloatv, kName == GL_AUTO_NORMAL && kInside));
 
 // ---- GetnMap
 
@@ -345,7 +345,7 @@ EVALCTS_RULES(HugeSizeOverflows, production, must, "EV-GETN-SAME",
               before(GetnMapdv, kSize > std::numeric_limits<GLsizei>::max() - 8, set(kSize, -1)));
 EVALCTS_RULES(GetnMapOfNetSilentInPrimitives, production, must, "EV-GETN-ERRORS",
               "GetnMapfv of a two-dimensional map in a primitive does nothing and raises nothing",
-              skip(GetnMapfv, kInside&& is_map2(kTarget)));
+              skip(GetnMapfv, is_map2(kTarget) && kInside));
 EVALCTS_RULES(LargestSquareNetUFastest, production, must, "EV-GETMAP-COEFF2-SQUARE",
               "COEFF of the largest net has u fastest",
               after(kGetMap, kQuery == GL_COEFF && is_map2(kTarget),

@@ -1,5 +1,5 @@
-// Rules of several sections that no implementation at hand follows: faults in OSMesa as repaired_osmesa.h
-// makes it, or as the version that has the rule.
+// Faults against requirements of several sections that no available implementation meets. They are put into
+// the OSMesa of repaired_osmesa.h, or into the version of Mesa that has the requirement.
 #include "repaired_osmesa.h"
 
 #include "grid_steps.h"

@@ -12,8 +12,8 @@ Value is_incomplete() {
 }
 const Value kRestartIndex = state(GL_PRIMITIVE_RESTART_INDEX);
 
-// 1 + the mode of the transform feedback, or 0; what the query counts, or 0; the query and the mode of
-// conditional rendering, or 0.
+// Mode of the transform feedback + 1, target of the query, query and mode of the conditional rendering; 0 if
+// none is active.
 const Place kRecorded = kept(0), kQueried = kept(1), kCondition = kept(2), kConditionMode = kept(3);
 Rules note_recording() {
   return {after(BeginTransformFeedback, set(kRecorded, kFirst + 1)),
@@ -25,7 +25,7 @@ Rules note_condition() {
           after(EndConditionalRender, set(kCondition, 0))};
 }
 Value pause_condition() { return call(EndConditionalRender); }
-// What was drawn before is drawn before it begins.
+// Finish: earlier primitives must not become conditional.
 Value resume_condition() {
   return Steps{call(Finish), call(BeginConditionalRender, {kCondition, kConditionMode})};
 }
@@ -191,7 +191,7 @@ EVALCTS_RULES(ConditionalMeshNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER",
               skip(EvalMesh1, kCondition));
 EVALCTS_RULES(EvaluatedPrimitiveUnconditional, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
               "conditional rendering leaves evaluated primitives alone", note_condition(),
-              around(Begin, kCondition&& evaluates(), pause_condition(), resume_condition()));
+              around(Begin, kCondition != 0 && evaluates(), pause_condition(), resume_condition()));
 EVALCTS_RULES(ConditionalEvalPointNeverDrawn, osmesa, must, "EV-PIPE-CONDRENDER-COORD",
               "EvalCoord and EvalPoint of surfaces do nothing under conditional rendering", note_condition(),
               skip(kPoints2, kCondition));
