@@ -208,9 +208,8 @@ EVALCTS_RULES(PixelsSkippedBeforePoints, osmesa, must, "EV-MAP1-NOPIXELSTORE",
               "Map1d skips UNPACK_SKIP_PIXELS values before the first point",
               before(PixelStorei, kFirst == GL_UNPACK_SKIP_PIXELS, set(kCount, kSecond)),
               before(Map1d, kCount, change_points([](Net& net, Call& c) {
-                       std::ranges::rotate(
-                           net.values, net.values.begin() +
-                                           static_cast<std::ptrdiff_t>(kCount(c)) % std::ssize(net.values));
+                       const auto shift = static_cast<std::ptrdiff_t>(kCount(c)) % std::ssize(net.values);
+                       std::rotate(net.values.begin(), net.values.begin() + shift, net.values.end());
                      })));
 EVALCTS_RULES(FloatStrideAligned, osmesa, must, "EV-MAP1-NOPIXELSTORE",
               "UNPACK_ALIGNMENT 8 rounds the stride of Map1f up to an even number",
