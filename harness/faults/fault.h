@@ -1,12 +1,12 @@
-// Faults: deliberate defects, one at a time, of an implementation that is sound without them. A suite is as
-// good as the defects it catches.
+// Faults: deliberate defects, one at a time, of an implementation that is correct without them. A suite is as
+// good as the defects that it detects.
 //
-// Most are wrappers around entry points, written with EVALCTS_FAULT in wrappers/, one file a section of the
-// requirements. What a wrapper cannot do is a mutation of the sources of `production`
+// Most are wrappers around entry points: rules (see rules.h) in wrappers/, one file for a section of the
+// requirements. Mistakes that no wrapper can make are mutations of the sources of `production`
 // (production/mutations/mutations.json).
 #pragma once
 
-#include <map>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -16,11 +16,11 @@
 
 namespace evalcts::faults {
 
-// What a fault may change: the entry points, and, for implementations inside this process, what comes out of
-// their sink. Entry points are plain functions: a fault sets lambdas without a capture, which call `sound`.
+// The parts of an implementation that a fault may change: the entry points, and, for implementations inside
+// this process, the output of their sink.
 struct Injection {
   gl::Table& gl;
-  void (*emitted)(std::vector<ObservedPrimitive>&) = nullptr;
+  std::function<void(std::vector<ObservedPrimitive>&)> emitted{};
 };
 
 struct Fault {
@@ -34,16 +34,6 @@ struct Fault {
 
 // The entry points without the fault.
 inline gl::Table sound;
-
-// What the wrappers of the active fault remember of the context: all zero in a fresh one.
-struct Memory {
-  long count = 0;
-  bool flag = false;
-  double number = 0;
-  std::vector<double> numbers;
-  std::map<GLenum, long> counts;
-};
-inline Memory memory;
 
 // Wrappers and mutations, by name.
 const std::vector<Fault>& all_faults();
@@ -60,18 +50,5 @@ std::unique_ptr<Implementation> with_fault(std::unique_ptr<Implementation> inner
 struct FaultRegistration {
   explicit FaultRegistration(const Fault& fault);
 };
-
-// EVALCTS_FAULT(EvalPointOffByOne, production, must, "EV-POINT1-VALUE", "EvalPoint1 takes the next grid
-// point") {
-//   in.gl.EvalPoint1 = [](GLint i) { sound.EvalPoint1(i + 1); };
-// }
-#define EVALCTS_FAULT(name, implementation, level, requirements, what) \
-  EVALCTS_FAULT_IN(#implementation, name, level, requirements, what)
-// The same for an implementation that is no word ("glx-indirect").
-#define EVALCTS_FAULT_IN(implementation, name, level, requirements, what)          \
-  static void name(::evalcts::faults::Injection& in);                              \
-  static const ::evalcts::faults::FaultRegistration name##_registration{           \
-      {#name, implementation, ::evalcts::Level::level, requirements, what, name}}; \
-  static void name(::evalcts::faults::Injection& in)
 
 }  // namespace evalcts::faults

@@ -42,7 +42,6 @@ void activate_mutation(std::string_view name) {
 class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {
-    memory = {};
     forget_rules();
     sound = table_ = inner_->table();
     Injection injection{table_};
@@ -68,7 +67,7 @@ class FaultyContext final : public Context {
  private:
   std::unique_ptr<Context> inner_;
   gl::Table table_;
-  void (*emitted_)(std::vector<ObservedPrimitive>&) = nullptr;
+  std::function<void(std::vector<ObservedPrimitive>&)> emitted_;
 };
 
 class Faulty final : public ImplementationInFront {

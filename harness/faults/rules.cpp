@@ -3,461 +3,540 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-
-#include "map_calls.h"
+#include <memory>
 
 namespace evalcts::faults {
 namespace {
 
-using Op = Value::Op;
-
-std::vector<Value> kept{Value(0)};  // the operands of expressions; 0 is none
 std::vector<Rule> active;
-std::map<double, double> keyed_memory;
+std::map<double, double> numbers;  // behind remembered()
+std::vector<double> numbers_listed;
+std::vector<Call> held;
 
-short keep(Value value) {
-  kept.push_back(value);
-  return static_cast<short>(kept.size() - 1);
-}
-Value unary(Op op, Value a) { return {op, keep(a)}; }
-Value binary(Op op, Value a, Value b) {
-  const short first = keep(a);
-  return {op, first, keep(b)};
+// A place that no other rule uses.
+Place fresh_place() {
+  const auto number = std::make_shared<double>(0);
+  return {[=](Call&) { return *number; }, [=](Call&, double x) { *number = x; }};
 }
 
-double evaluate(Value value, Call& call);
-
-// --- Calls -------------------------------------------------------------------------------------------------
-
-template <class T>
-char element_of() {
-  using Element = std::remove_const_t<std::remove_pointer_t<T>>;
-  if constexpr (std::is_same_v<Element, GLfloat>) return 'f';
-  if constexpr (std::is_same_v<Element, GLdouble>) return 'd';
-  if constexpr (std::is_same_v<Element, GLboolean>) return 'b';
-  return 'i';
+template <class F>
+Value unary(Value a, F f) {
+  return [=](Call& c) { return f(a(c)); };
 }
-
-constexpr bool is_coordinate_vector(gl::EntryPoint entry) {
-  return entry == EvalCoord1fv || entry == EvalCoord1dv || entry == EvalCoord2fv || entry == EvalCoord2dv;
+template <class F>
+Value binary(Value a, Value b, F f) {
+  return [=](Call& c) {
+    const double first = a(c);
+    return f(first, b(c));
+  };
 }
+GLenum token(double value) { return static_cast<GLenum>(value); }
+std::size_t index(double value) { return static_cast<std::size_t>(value); }
 
-template <class T>
-void take(Call& call, std::size_t i, T value) {
-  if constexpr (std::is_arithmetic_v<T>) {
-    call.numbers[i] = static_cast<double>(value);
-  } else if constexpr (std::is_pointer_v<T>) {
-    call.pointer = (void*)value;
-    call.element = element_of<T>();
+// What GetMap, or Get of a grid, answers in double precision.
+std::vector<double> exact_answers(Call& call) {
+  if (!(kGetMap | kGetnMap).contain(call.entry)) {
+    const GLenum name = token(call.argument('e'));
+    if (name < GL_MAP1_GRID_DOMAIN || name > GL_MAP2_GRID_SEGMENTS) return {};
+    std::vector<double> values(4);
+    sound.GetDoublev(name, values.data());
+    values.resize(name == GL_MAP2_GRID_DOMAIN ? 4 : name == GL_MAP1_GRID_SEGMENTS ? 1 : 2);
+    return values;
   }
-}
-template <class T>
-T give(Call& call, std::size_t i) {
-  if constexpr (std::is_arithmetic_v<T>) return static_cast<T>(call.numbers[i]);
-  if constexpr (std::is_pointer_v<T>) return (T)call.pointer;
-  return T{};
-}
-
-// The wrapper of an entry point, and its original with the arguments of a call.
-template <gl::EntryPoint kEntry, auto kMember, class Signature>
-struct Wrapper;
-template <gl::EntryPoint kEntry, auto kMember, class R, class... A>
-struct Wrapper<kEntry, kMember, R (*)(A...)> {
-  static R run(A... arguments) {
-    Call call;
-    call.entry = kEntry;
-    std::size_t i = 0;
-    (take(call, i++, arguments), ...);
-    if constexpr (is_coordinate_vector(kEntry)) {
-      call.numbers = {call.read(0), kEntry == EvalCoord2fv || kEntry == EvalCoord2dv ? call.read(1) : 0};
-    }
-    call.go();
-    if constexpr (std::is_arithmetic_v<R>) return static_cast<R>(call.result);
-    if constexpr (std::is_pointer_v<R>) return R{};
-  }
-  static void install(gl::Table& table) { table.*kMember = run; }
-  static void original(Call& call) {
-    if constexpr (is_coordinate_vector(kEntry)) {
-      using Real = std::remove_const_t<std::remove_pointer_t<std::common_type_t<A...>>>;
-      const Real values[2] = {static_cast<Real>(call.numbers[0]), static_cast<Real>(call.numbers[1])};
-      (sound.*kMember)(values);
-    } else {
-      invoke(call, std::index_sequence_for<A...>{});
-    }
-  }
-  template <std::size_t... kI>
-  static void invoke(Call& call, std::index_sequence<kI...>) {
-    if constexpr (std::is_arithmetic_v<R>)
-      call.result = static_cast<double>((sound.*kMember)(give<A>(call, kI)...));
-    else
-      (sound.*kMember)(give<A>(call, kI)...);
-  }
-};
-
-struct Command {
-  void (*install)(gl::Table&);
-  void (*original)(Call&);
-  std::string_view name;
-};
-const std::array<Command, gl::kEntryPointCount> commands{{
-#define GL_ENTRY(name, kinds)                                           \
-  {Wrapper<name, &gl::Table::name, decltype(gl::Table::name)>::install, \
-   Wrapper<name, &gl::Table::name, decltype(gl::Table::name)>::original, #name},
-#include <evalcts/gl/entry_points.def>
-#undef GL_ENTRY
-}};
-const Command& command(gl::EntryPoint entry) { return commands[static_cast<std::size_t>(entry)]; }
-
-// The letters of the arguments of families of entry points, by the beginning of their names.
-constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"MapGrid1", "gab"},
-                                                                      {"MapGrid2", "gabhcd"},
-                                                                      {"Map1", "tabso"},
-                                                                      {"Map2", "tabsocdwp"},
-                                                                      {"EvalCoord", "uv"},
-                                                                      {"EvalPoint", "ij"},
-                                                                      {"EvalMesh", "mikjl"},
-                                                                      {"GetMap", "tq"},
-                                                                      {"GetnMap", "tqn"},
-                                                                      {"Begin", "m"},
-                                                                      {"", "e"}};
-
-double memory_cell(const Value& cell) {
-  return cell.number == 0   ? static_cast<double>(memory.flag)
-         : cell.number == 1 ? static_cast<double>(memory.count)
-                            : memory.number;
+  if (!is_map1_target(call.target()) && !is_map2_target(call.target())) return {};
+  const Map map = current_map(call.target());
+  const bool curve = is_map1_target(map.target);
+  if (call.argument('q') == GL_COEFF) return map.net.values;
+  std::vector<double> values = {map.u1, map.u2, map.v1, map.v2};
+  if (call.argument('q') == GL_ORDER)
+    values = {static_cast<double>(map.net.rows), static_cast<double>(map.net.columns)};
+  if (curve) values.resize(values.size() / 2);
+  return values;
 }
 
-void assign(const Value& place, double value, Call& call) {
-  if (place.op == Op::argument) {
-    call.argument(static_cast<char>(place.number)) = value;
-  } else if (place.op == Op::result) {
-    call.result = value;
-  } else if (place.op == Op::remembered) {
-    keyed_memory[evaluate(kept[place.a], call)] = value;
-  } else if (place.number == 0) {
-    memory.flag = value != 0;
-  } else if (place.number == 1) {
-    memory.count = static_cast<long>(value);
-  } else {
-    memory.number = value;
-  }
-}
-
-double invoke(const Value& step, Call& call) {
-  Call other;
-  other.entry = static_cast<gl::EntryPoint>(static_cast<int>(step.number));
-  for (short i = 0; i < step.b; ++i)
-    other.numbers[static_cast<std::size_t>(i)] = evaluate(kept[static_cast<std::size_t>(step.a + i)], call);
-  command(other.entry).original(other);
-  return other.result;
-}
-
-// Operations that need the context of the call instead of operands.
-double evaluate_state(Op op, Call& call) {
-  switch (op) {
-    case Op::inside:
-      return is_inside();
-    case Op::open_mode:
-      return open_mode();
-    case Op::unit:
-      return watched.unit;
-    case Op::list_mode:
-      return watched.list_mode;
-    case Op::result:
-      return call.result;
-    case Op::is_legal:
-      return call.is_legal();
-    case Op::components:
-      return gl::components_of(call.target());
-    case Op::is_float:
-      return call.element == 'f' || command(call.entry).name.back() == 'f';
-    case Op::go:
-      call.go();
-      return 1;
-    default:
-      throw std::logic_error("rules.cpp: unknown operation");
-  }
-}
-
-double evaluate_unary(Op op, double a, Call& call) {
-  const auto token = static_cast<GLenum>(a);
-  switch (op) {
-    case Op::negation:
-      return a == 0;
-    case Op::round:
-      return std::round(a);
-    case Op::magnitude:
-      return std::abs(a);
-    case Op::element:
-      return call.read(static_cast<std::size_t>(a));
-    case Op::remembered:
-      return keyed_memory[a];
-    case Op::is_on:
-      return sound.IsEnabled(token);
-    case Op::integer: {
-      GLint values[16] = {};
-      sound.GetIntegerv(token, values);
-      return values[0];
-    }
-    case Op::noted_on:
-      return is_noted_on(token);
-    case Op::has_vertex_map:
-      return has_vertex_map(static_cast<int>(a));
-    case Op::is_map1:
-      return faults::is_map1(token);
-    case Op::is_map2:
-      return faults::is_map2(token);
-    case Op::buffer:
-      return watched.buffers[token];
-    case Op::error:
-      leave_error(token);
-      return 0;
-    default:
-      return evaluate_state(op, call);
-  }
-}
-
-double evaluate_binary(const Value& value, Call& call) {
-  const double a = evaluate(kept[value.a], call);
-  if (value.op == Op::both) return a != 0 && evaluate(kept[value.b], call) != 0;
-  if (value.op == Op::either) return a != 0 || evaluate(kept[value.b], call) != 0;
-  if (value.op == Op::choice) return evaluate(kept[a != 0 ? value.b : value.c], call);
-  const double b = evaluate(kept[value.b], call);
-  switch (value.op) {
-    case Op::sum:
-      return a + b;
-    case Op::difference:
-      return a - b;
-    case Op::product:
-      return a * b;
-    case Op::quotient:
-      return a / b;
-    case Op::remainder:
-      return static_cast<double>(static_cast<long long>(a) % static_cast<long long>(b));
-    case Op::bit_and:
-      return static_cast<double>(static_cast<long long>(a) & static_cast<long long>(b));
-    case Op::equal:
-      return a == b;
-    case Op::less:
-      return a < b;
-    case Op::put:
-      call.write(static_cast<std::size_t>(a), b);
-      return 0;
-    case Op::exchange: {
-      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-      const double first = call.read(i);
-      call.write(i, call.read(j));
-      call.write(j, first);
-      return 0;
-    }
-    default:
-      throw std::logic_error("rules.cpp: unknown operation");
-  }
-}
-
-double evaluate(Value value, Call& call) {
-  switch (value.op) {
-    case Op::number:
-      return value.number;
-    case Op::argument:
-      return call.argument(static_cast<char>(value.number));
-    case Op::cell:
-      return memory_cell(value);
-    case Op::function:
-      return value.function(call);
-    case Op::set:
-      assign(kept[value.a], evaluate(kept[value.b], call), call);
-      return 0;
-    case Op::swap: {
-      const double first = evaluate(kept[value.a], call);
-      assign(kept[value.a], evaluate(kept[value.b], call), call);
-      assign(kept[value.b], first, call);
-      return 0;
-    }
-    case Op::call:
-      return invoke(value, call);
-    case Op::sequence:
-      for (short i = 0; i < value.b; ++i) evaluate(kept[static_cast<std::size_t>(value.a + i)], call);
-      return 0;
-    default:
-      if (value.b != 0) return evaluate_binary(value, call);
-      return evaluate_unary(value.op, value.a != 0 ? evaluate(kept[value.a], call) : 0, call);
-  }
-}
-
-Value list(Op op, std::initializer_list<Value> values, double number = 0) {
-  const auto first = static_cast<short>(kept.size());
-  kept.insert(kept.end(), values.begin(), values.end());
-  return {op, first, static_cast<short>(values.size()), 0, number};
+// Changes what comes out by the rules whose conditions hold.
+void change_emitted(Primitives& primitives) {
+  Call none;
+  for (const Rule& rule : active)
+    if (rule.emitted && rule.condition.holds(none)) rule.emitted(primitives);
 }
 
 }  // namespace
 
 void Call::go() {
   const std::size_t before = next;
-  const auto rule =
-      std::find_if(active.begin() + static_cast<std::ptrdiff_t>(next), active.end(), [&](const Rule& r) {
-        return std::find(r.entries.all.begin(), r.entries.all.begin() + r.entries.count, entry) !=
-               r.entries.all.begin() + r.entries.count;
-      });
-  if (rule == active.end()) return command(entry).original(*this);
+  const auto rule = std::find_if(active.begin() + static_cast<std::ptrdiff_t>(next), active.end(),
+                                 [&](const Rule& r) { return r.entries.contain(entry); });
+  if (rule == active.end()) return go_original();
   next = static_cast<std::size_t>(rule - active.begin()) + 1;
-  const Rule now = *rule;
-  if (now.late) go();
-  if (evaluate(now.condition, *this) != 0)
-    evaluate(now.step, *this);
-  else if (!now.late)
+  if (rule->late) go();
+  if (rule->condition.holds(*this))
+    rule->step(*this);
+  else if (!rule->late)
     go();
   next = before;
 }
 
-double& Call::argument(char letter) {
-  if (letter >= '0' && letter <= '9') return numbers[static_cast<std::size_t>(letter - '0')];
-  const auto family = std::ranges::find_if(
-      kLetters, [&](const auto& one) { return command(entry).name.starts_with(one.first); });
-  const std::size_t i = family->second.find(letter);
-  if (i == std::string_view::npos)
-    throw std::logic_error(std::string(command(entry).name) + " has no argument '" + letter + "'");
-  return numbers[i];
-}
+// --- Arguments and memory ----------------------------------------------------------------------------------
 
-double Call::read(std::size_t i) const {
-  if (element == 'f') return static_cast<const GLfloat*>(pointer)[i];
-  if (element == 'd') return static_cast<const GLdouble*>(pointer)[i];
-  if (element == 'b') return static_cast<const GLboolean*>(pointer)[i];
-  return static_cast<const GLint*>(pointer)[i];
+Place argument(char letter) {
+  return {[=](Call& c) { return c.argument(letter); }, [=](Call& c, double x) { c.argument(letter) = x; }};
 }
-void Call::write(std::size_t i, double value) {
-  if (element == 'f')
-    static_cast<GLfloat*>(pointer)[i] = static_cast<GLfloat>(value);
-  else if (element == 'd')
-    static_cast<GLdouble*>(pointer)[i] = value;
-  else if (element == 'b')
-    static_cast<GLboolean*>(pointer)[i] = static_cast<GLboolean>(value);
-  else
-    static_cast<GLint*>(pointer)[i] = static_cast<GLint>(value);
+Place remembered(Value key) {
+  return {unary(key, [](double k) { return numbers[k]; }), [=](Call& c, double x) { numbers[key(c)] = x; }};
 }
-
-bool Call::is_legal() {
-  const bool curve = entry == Map1f || entry == Map1d;
-  const auto legal = [&](char order, char stride, char first, char last) {
-    return legal_order(static_cast<GLint>(argument(order))) &&
-           argument(stride) >= gl::components_of(target()) && argument(first) != argument(last);
-  };
-  return (curve ? faults::is_map1(target()) : faults::is_map2(target())) && legal('o', 's', 'a', 'b') &&
-         (curve || legal('p', 'w', 'c', 'd'));
-}
-
-std::vector<double> Call::points() {
-  const bool curve = entry == Map1f || entry == Map1d;
-  const double rows = argument('o'), columns = curve ? 1 : argument('p');
-  std::vector<double> all;
-  for (double i = 0; i < rows; ++i)
-    for (double j = 0; j < columns; ++j)
-      for (int k = 0; k < gl::components_of(target()); ++k)
-        all.push_back(
-            read(static_cast<std::size_t>(i * argument('s') + (curve ? 0 : j * argument('w')) + k)));
+std::vector<double>& remembered_list() { return numbers_listed; }
+// Keys that no token has.
+Place kept(int i) { return remembered(-100 - i); }
+Value keep(std::initializer_list<Value> values) {
+  Value all = 0;
+  int i = 0;
+  for (const Value& value : values) all = sequence({all, set(kept(i++), value)});
   return all;
 }
-void Call::set_points(const std::vector<double>& points) {
-  const bool curve = entry == Map1f || entry == Map1d;
-  const int k = gl::components_of(target());
-  storage = points;
-  pointer = storage.data();
-  for (std::size_t i = 0; i < points.size(); ++i) write(i, points[i]);
-  if (!curve) argument('w') = k;
-  argument('s') = curve ? k : k * argument('p');
+Value keep_state(GLenum pname) {
+  return keep({real_state(pname), real_state(pname, 1), real_state(pname, 2), real_state(pname, 3)});
+}
+std::vector<Value> kept_values(int count) {
+  std::vector<Value> values;
+  for (int i = 0; i < count; ++i) values.push_back(kept(i));
+  return values;
+}
+Value forget() {
+  return [](Call&) {
+    numbers.clear();
+    numbers_listed.clear();
+  };
 }
 
-Value remembered(Value key) { return unary(Op::remembered, key); }
-Value enabled(Value cap) { return unary(Op::is_on, cap); }
-Value state(Value pname) { return unary(Op::integer, pname); }
-Value noted_on(Value cap) { return unary(Op::noted_on, cap); }
-Value maps_vertices(Value dimension) { return unary(Op::has_vertex_map, dimension); }
-Value is_map1(Value token) { return unary(Op::is_map1, token); }
-Value is_map2(Value token) { return unary(Op::is_map2, token); }
-Value is_map(Value token) { return is_map1(token) || is_map2(token); }
-Value is_texture_map(Value token) {
-  return (token >= GL_MAP1_TEXTURE_COORD_1 && token <= GL_MAP1_TEXTURE_COORD_4) ||
-         (token >= GL_MAP2_TEXTURE_COORD_1 && token <= GL_MAP2_TEXTURE_COORD_4);
-}
-Value has_buffer(Value target) { return unary(Op::buffer, target); }
+// --- State -------------------------------------------------------------------------------------------------
 
-Value operator+(Value a, Value b) { return binary(Op::sum, a, b); }
-Value operator-(Value a, Value b) { return binary(Op::difference, a, b); }
-Value operator-(Value a) { return Value(0) - a; }
-Value operator*(Value a, Value b) { return binary(Op::product, a, b); }
-Value operator/(Value a, Value b) { return binary(Op::quotient, a, b); }
-Value operator%(Value a, Value b) { return binary(Op::remainder, a, b); }
-Value operator&(Value a, Value b) { return binary(Op::bit_and, a, b); }
-Value operator==(Value a, Value b) { return binary(Op::equal, a, b); }
-Value operator!=(Value a, Value b) { return !(a == b); }
-Value operator<(Value a, Value b) { return binary(Op::less, a, b); }
-Value operator>(Value a, Value b) { return b < a; }
-Value operator<=(Value a, Value b) { return a < b || a == b; }
-Value operator>=(Value a, Value b) { return b <= a; }
-Value operator&&(Value a, Value b) { return binary(Op::both, a, b); }
-Value operator||(Value a, Value b) { return binary(Op::either, a, b); }
-Value operator!(Value a) { return unary(Op::negation, a); }
-Value min(Value a, Value b) { return choose(b < a, b, a); }
-Value max(Value a, Value b) { return choose(a < b, b, a); }
-Value abs(Value a) { return unary(Op::magnitude, a); }
-Value round(Value a) { return unary(Op::round, a); }
+Value enabled(Value cap) {
+  return unary(cap, [](double c) { return sound.IsEnabled(token(c)); });
+}
+Value state(Value pname, int i) {
+  return unary(pname, [i](double name) {
+    GLint values[16] = {};
+    sound.GetIntegerv(token(name), values);
+    return values[i];
+  });
+}
+Value real_state(Value pname, int i) {
+  return unary(pname, [i](double name) {
+    GLdouble values[16] = {};
+    sound.GetDoublev(token(name), values);
+    return values[i];
+  });
+}
+Value noted_on(Value cap) {
+  return unary(cap, [](double c) { return is_noted_on(token(c)); });
+}
+Value maps_vertices(Value dimension) {
+  return unary(dimension, [](double d) { return has_vertex_map(static_cast<int>(d)); });
+}
+Value evaluates() {
+  return enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4) || enabled(GL_MAP2_VERTEX_3) ||
+         enabled(GL_MAP2_VERTEX_4);
+}
+Value has_buffer(Value target) {
+  return unary(target, [](double t) { return watched.buffers[token(t)]; });
+}
+Value grid1(int i) { return i == 0 ? state(GL_MAP1_GRID_SEGMENTS) : real_state(GL_MAP1_GRID_DOMAIN, i - 1); }
+Value grid2(int i) {
+  return i % 3 == 0 ? state(GL_MAP2_GRID_SEGMENTS, i / 3) : real_state(GL_MAP2_GRID_DOMAIN, i - 1 - i / 3);
+}
+Value is_map1(Value name) { return name >= GL_MAP1_COLOR_4 && name <= GL_MAP1_VERTEX_4; }
+Value is_map2(Value name) { return name >= GL_MAP2_COLOR_4 && name <= GL_MAP2_VERTEX_4; }
+Value is_map(Value name) { return is_map1(name) || is_map2(name); }
+Value is_texture_map(Value name) {
+  return (name >= GL_MAP1_TEXTURE_COORD_1 && name <= GL_MAP1_TEXTURE_COORD_4) ||
+         (name >= GL_MAP2_TEXTURE_COORD_1 && name <= GL_MAP2_TEXTURE_COORD_4);
+}
+
+// --- Operations --------------------------------------------------------------------------------------------
+
+Value operator+(Value a, Value b) { return binary(a, b, std::plus()); }
+Value operator-(Value a, Value b) { return binary(a, b, std::minus()); }
+Value operator-(Value a) { return unary(a, std::negate()); }
+Value operator*(Value a, Value b) { return binary(a, b, std::multiplies()); }
+Value operator/(Value a, Value b) { return binary(a, b, std::divides()); }
+Value operator%(Value a, Value b) {
+  return binary(a, b,
+                [](double x, double y) { return static_cast<long long>(x) % static_cast<long long>(y); });
+}
+Value operator&(Value a, Value b) {
+  return binary(a, b,
+                [](double x, double y) { return static_cast<long long>(x) & static_cast<long long>(y); });
+}
+Value operator==(Value a, Value b) { return binary(a, b, std::equal_to()); }
+Value operator!=(Value a, Value b) { return binary(a, b, std::not_equal_to()); }
+Value operator<(Value a, Value b) { return binary(a, b, std::less()); }
+Value operator>(Value a, Value b) { return binary(a, b, std::greater()); }
+Value operator<=(Value a, Value b) { return binary(a, b, std::less_equal()); }
+Value operator>=(Value a, Value b) { return binary(a, b, std::greater_equal()); }
+Value operator&&(Value a, Value b) {
+  return [=](Call& c) { return a.holds(c) && b.holds(c); };
+}
+Value operator||(Value a, Value b) {
+  return [=](Call& c) { return a.holds(c) || b.holds(c); };
+}
+Value operator!(Value a) {
+  return [=](Call& c) { return !a.holds(c); };
+}
+Value min(Value a, Value b) {
+  return binary(a, b, [](double x, double y) { return std::min(x, y); });
+}
+Value max(Value a, Value b) {
+  return binary(a, b, [](double x, double y) { return std::max(x, y); });
+}
+Value clamp(Value a, Value low, Value high) { return min(max(a, low), high); }
+Value abs(Value a) {
+  return unary(a, [](double x) { return std::abs(x); });
+}
+Value round(Value a) {
+  return unary(a, [](double x) { return std::round(x); });
+}
+Value is_negative_zero(Value a) {
+  return unary(a, [](double x) { return x == 0 && std::signbit(x); });
+}
+Value is_subnormal(Value a) {
+  return unary(a, [](double x) { return std::fpclassify(static_cast<float>(x)) == FP_SUBNORMAL; });
+}
+Value next_float(Value a, double towards) {
+  return unary(
+      a, [towards](double x) { return std::nextafter(static_cast<float>(x), static_cast<float>(towards)); });
+}
+Value in_bits(Value a, int bits) {
+  const double range = std::ldexp(1, bits);
+  return unary(a, [range](double x) {
+    const double low = x - range * std::floor(x / range);
+    return low < range / 2 ? low : low - range;
+  });
+}
+double with_precision(double a, int bits) {
+  int exponent = 0;
+  const double significand = std::frexp(a, &exponent);
+  return std::ldexp(std::round(std::ldexp(significand, bits)), exponent - bits);
+}
+Value with_precision(Value a, int bits) {
+  return unary(a, [bits](double x) { return with_precision(x, bits); });
+}
 Value choose(Value condition, Value yes, Value no) {
-  const short first = keep(condition), second = keep(yes);
-  return {Op::choice, first, second, keep(no)};
+  return [=](Call& c) { return condition.holds(c) ? yes(c) : no(c); };
 }
-Value element(Value i) { return unary(Op::element, i); }
-Value lambda(Function function) {
-  Value value{Op::function, 0};
-  value.function = function;
-  return value;
+Value swapped(Value name, GLenum one, GLenum other) {
+  return choose(name == one, other, choose(name == other, one, name));
+}
+Value element(Value i) {
+  return [=](Call& c) { return c.read(index(i(c))); };
 }
 
-Value set(Value place, Value value) { return binary(Op::set, place, value); }
-Value put(Value i, Value value) { return binary(Op::put, i, value); }
-Value exchange(Value i, Value j) { return binary(Op::exchange, i, j); }
-Value swap(Value one, Value other) { return binary(Op::swap, one, other); }
-Value error(GLenum kind) { return unary(Op::error, kind); }
-Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments) {
-  return list(Op::call, arguments, static_cast<int>(entry));
-}
-Value sequence(std::initializer_list<Value> steps) { return list(Op::sequence, steps); }
-Value when(Value condition, Value step) { return choose(condition, step, 0); }
+// --- Steps -------------------------------------------------------------------------------------------------
 
-Rule before(const Entries& entries, Value condition, Value step) {
-  return {entries, condition, sequence({step, kGo})};
+Steps::Steps(std::initializer_list<Value> steps)
+    : all([list = std::vector<Value>(steps)](Call& c) {
+        for (const Value& step : list) step(c);
+      }) {}
+
+Value when(Value condition, Steps steps) { return choose(condition, steps, 0); }
+Value set(Place place, Value value) {
+  return [=](Call& c) { place.assign(c, value(c)); };
 }
-Rule after(const Entries& entries, Value condition, Value step) { return {entries, condition, step, true}; }
-Rule around(const Entries& entries, Value condition, Value first, Value last) {
-  return {entries, condition, sequence({first, kGo, last})};
+Value put(Value i, Value value) {
+  return [=](Call& c) { c.write(index(i(c)), value(c)); };
 }
-Rule instead(const Entries& entries, Value condition, Value step) { return {entries, condition, step}; }
+Value exchange(Value i, Value j) {
+  return [=](Call& c) {
+    const double first = c.read(index(i(c)));
+    c.write(index(i(c)), c.read(index(j(c))));
+    c.write(index(j(c)), first);
+  };
+}
+Value answer(std::vector<Value> values) {
+  return [=](Call& c) {
+    for (std::size_t i = 0; i < values.size(); ++i) c.write(i, values[i](c));
+  };
+}
+Value swap(Place one, Place other) {
+  return [=](Call& c) {
+    const double first = one(c);
+    one.assign(c, other(c));
+    other.assign(c, first);
+  };
+}
+
+Value error(GLenum kind) {
+  if (kind == GL_INVALID_ENUM) return call(Enable, {0});
+  if (kind == GL_INVALID_VALUE) return call(MapGrid1f, {0, 0, 1});
+  return [](Call&) {
+    GLint unused = 0;
+    sound.GetnMapiv(GL_MAP1_INDEX, GL_ORDER, 0, &unused);
+  };
+}
+Value error_inside() { return call(Begin, {GL_POINTS}); }
+Value error_now(GLenum kind) {
+  if (kind == GL_INVALID_VALUE) return call(GenLists, {-1});  // never in a list
+  if (kind == GL_INVALID_OPERATION) return call(EndList);     // no list is open then
+  return [](Call&) {
+    GLint unused[4];
+    sound.GetMapiv(0, GL_ORDER, unused);
+  };
+}
+Value replace_error(GLenum kind, GLenum by) {
+  return [=](Call& c) {
+    GLenum seen = sound.GetError();
+    if (seen == kind) seen = by;
+    if (seen != GL_NO_ERROR) error_now(seen)(c);
+  };
+}
+
+Value call(gl::EntryPoint entry, std::vector<Value> arguments) {
+  return [=](Call& c) {
+    Call other;
+    other.entry = entry;
+    for (std::size_t i = 0; i < arguments.size(); ++i) other.numbers[i] = arguments[i](c);
+    other.go_original();
+    return other.result;
+  };
+}
+Value enable(Value cap) { return call(Enable, {cap}); }
+Value disable(Value cap) { return call(Disable, {cap}); }
+Value switch_to(Value cap, Value on) { return choose(on, enable(cap), disable(cap)); }
+Value loop(Place counter, Value first, Value last, Steps steps, int step) {
+  return [=](Call& c) {
+    const double end = last(c);
+    for (double i = first(c); step > 0 ? i <= end : i >= end; i += step) {
+      counter.assign(c, i);
+      steps.all(c);
+    }
+  };
+}
+Value primitive(Value mode, Steps steps) { return sequence({call(Begin, {mode}), steps, call(End)}); }
+
+Value hold() {
+  return [](Call& c) {
+    held.push_back(c);
+    if (!c.storage.empty()) held.back().pointer = held.back().storage.data();
+  };
+}
+Value release() {
+  return [](Call&) {
+    for (Call& call : std::exchange(held, {})) call.go_original();
+  };
+}
+Value drop() {
+  return [](Call&) { held.clear(); };
+}
+
+namespace {
+
+template <class Change>
+Value change_net(Change change) {
+  return [=](Call& c) {
+    if (!c.is_legal()) return;
+    Net net = c.net();
+    change(net, c);
+    c.set_net(net);
+  };
+}
+
+}  // namespace
+
+Value change_points(void (*change)(Net& net)) {
+  return change_net([=](Net& net, Call&) { change(net); });
+}
+Value change_points(void (*change)(Net& net, Call& call)) { return change_net(change); }
+Value change_values(double (*change)(double value)) {
+  return change_net([=](Net& net, Call&) { std::ranges::transform(net.values, net.values.begin(), change); });
+}
+Value swap_components(int one, int other) {
+  return change_net([=](Net& net, Call&) {
+    for (int i = 0; i < net.rows; ++i)
+      for (int j = 0; j < net.columns; ++j) std::swap(net.point(i, j)[one], net.point(i, j)[other]);
+  });
+}
+Value repeat_points(Value condition) {
+  return change_net([=](Net& net, Call& c) {
+    if (condition.holds(c) && numbers_listed.size() == net.values.size())
+      net.values = numbers_listed;
+    else
+      numbers_listed = net.values;
+  });
+}
+Value define(GLenum target, std::initializer_list<double> points) {
+  Map map{target, 0, 1, 0, 1, {gl::components_of(target), 1, 1, points}};
+  (is_map1_target(target) ? map.net.rows : map.net.columns) =
+      static_cast<int>(points.size()) / map.net.components;
+  return [map](Call&) { map.define(); };
+}
+Value redefine(Value target, void (*change)(Map& map, Call& call)) {
+  return [=](Call& c) {
+    Map map = current_map(token(target(c)));
+    change(map, c);
+    map.define();
+  };
+}
+
+Value answers() {
+  return [](Call& c) { return exact_answers(c).size(); };
+}
+Value change_answers(double (*change)(double exact, double answered)) {
+  return [=](Call& c) {
+    for (std::size_t i = 0; const double exact : exact_answers(c)) {
+      c.write(i, change(exact, c.read(i)));
+      ++i;
+    }
+  };
+}
+
+// --- State that can be saved -------------------------------------------------------------------------------
+
+State enable_of(GLenum cap) {
+  return [cap]() -> Restore {
+    const bool on = sound.IsEnabled(cap);
+    return [=] { on ? sound.Enable(cap) : sound.Disable(cap); };
+  };
+}
+State map_of(GLenum target) {
+  return [target]() -> Restore { return [map = current_map(target)] { map.define(); }; };
+}
+State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part) {
+  const auto query = [command, list = std::vector<Value>(arguments)] {
+    Call setter;
+    setter.entry = command;
+    Call none;
+    for (std::size_t i = 0; i < list.size(); ++i) setter.numbers[i] = list[i](none);
+    return setter;
+  };
+  return [=]() -> Restore {
+    return [=, saved = query()] {
+      Call setter = saved;
+      if (part >= 0) {
+        setter = query();
+        setter.numbers[static_cast<std::size_t>(part)] = saved.numbers[static_cast<std::size_t>(part)];
+      }
+      setter.go_original();
+    };
+  };
+}
+State grid1_state(int part) { return setting(MapGrid1d, {grid1(0), grid1(1), grid1(2)}, part); }
+State grid2_state(int part) {
+  return setting(MapGrid2d, {grid2(0), grid2(1), grid2(2), grid2(3), grid2(4), grid2(5)}, part);
+}
+State parameter(gl::EntryPoint command, GLenum pname) { return setting(command, {pname, state(pname)}); }
+State current(gl::EntryPoint command, GLenum pname) {
+  return setting(command,
+                 {real_state(pname), real_state(pname, 1), real_state(pname, 2), real_state(pname, 3)});
+}
+Value send(const State& state) {
+  return [=](Call&) { state()(); };
+}
+
+// --- Rules -------------------------------------------------------------------------------------------------
+
+Rules::Rules(std::initializer_list<Rules> several) {
+  for (const Rules& one : several) all.insert(all.end(), one.all.begin(), one.all.end());
+}
+
+Rule before(const Entries& entries, Value condition, Steps steps) {
+  return {entries, condition, sequence({steps, kGo})};
+}
+Rule before(const Entries& entries, Steps steps) { return before(entries, true, steps); }
+Rule after(const Entries& entries, Value condition, Steps steps) { return {entries, condition, steps, true}; }
+Rule after(const Entries& entries, Steps steps) { return after(entries, true, steps); }
+Rule instead(const Entries& entries, Value condition, Steps steps) { return {entries, condition, steps}; }
+Rule instead(const Entries& entries, Steps steps) { return instead(entries, true, steps); }
 Rule skip(const Entries& entries, Value condition) { return {entries, condition, 0}; }
-Rule without(const Entries& entries, Value condition, GLenum cap) {
-  return around(entries, condition && enabled(cap), call(Disable, {cap}), call(Enable, {cap}));
+Rule missing(gl::EntryPoint entry) {
+  return {.entries = entry, .condition = true, .step = 0, .missing = true};
 }
-Rule on_unit_0(const Entries& entries, Value condition) {
+
+Rules initially(Steps steps) {
+  Call none;
+  steps.all(none);
+  return {};
+}
+
+Rules around(const Entries& entries, Value condition, Steps first, Steps last) {
+  Entries others;
+  for (std::size_t i = 0; i < entries.count; ++i)
+    if (entries.all[i] != Begin) others = others | entries.all[i];
+  const Rule rule{others, condition, sequence({first, kGo, last})};
+  if (!entries.contain(Begin)) return rule;
+  const Place begun = fresh_place();
+  return {rule, before(Begin, condition, {set(begun, 1), first}), after(End, begun, {set(begun, 0), last})};
+}
+Rules without(const Entries& entries, Value condition, GLenum cap) {
+  return around(entries, condition && enabled(cap), disable(cap), enable(cap));
+}
+Rules with(const Entries& entries, Value condition, GLenum cap) {
+  return around(entries, condition && !enabled(cap), enable(cap), disable(cap));
+}
+Rules keeping(const Entries& entries, Value condition, const State& state, Steps steps) {
+  const auto restore = std::make_shared<Restore>();
+  return around(entries, condition, {[=](Call&) { *restore = state(); }, steps},
+                [=](Call&) { (*restore)(); });
+}
+Rules on_unit_0(const Entries& entries, Value condition) {
   return around(entries, condition && kUnit != GL_TEXTURE0, call(ActiveTexture, {GL_TEXTURE0}),
                 call(ActiveTexture, {kUnit}));
 }
+Rules only_if(GLenum cap, Value condition) {
+  return after(kSwitches, is_map(kName) || kName == GL_AUTO_NORMAL,
+               switch_to(cap, noted_on(cap) && condition));
+}
+Rules swap_targets(GLenum one, GLenum other) {
+  return {before(kMaps | kGetMap, set(kTarget, swapped(kTarget, one, other))),
+          before(kGet | kSwitches | IsEnabled, set(kName, swapped(kName, one, other)))};
+}
 
-void apply(Injection& in, std::initializer_list<Rule> rules) {
-  for (const Rule& rule : rules) {
+Rules not_restored(const State& state, Value condition) {
+  return keeping(PopAttrib, kListMode == 0 && kLevel > 0 && condition, state);
+}
+Rules restored(const State& state, Value condition) {
+  const auto levels = std::make_shared<std::vector<Restore>>();
+  return {before(PushAttrib, kListMode == 0, [=](Call&) { levels->push_back(state()); }),
+          after(PopAttrib, kListMode == 0 && kLevel > 0, [=](Call& c) {
+            if (condition.holds(c)) levels->back()();
+            levels->pop_back();
+          })};
+}
+
+Rules change_output(Value condition, std::function<void(Primitives&)> change) {
+  return Rule{.entries = {}, .condition = condition, .step = 0, .emitted = std::move(change)};
+}
+Rules change_evaluated(std::function<void(Primitives&)> change) {
+  const Place evaluated = fresh_place();
+  return {before(kPoints | kMeshes, set(evaluated, 1)), change_output(evaluated, std::move(change))};
+}
+Rules change_primitives(std::function<void(ObservedPrimitive&)> change) {
+  return change_evaluated([=](Primitives& all) { std::ranges::for_each(all, change); });
+}
+Rules change_vertices(void (*change)(ObservedVertex& vertex)) {
+  return change_primitives(
+      [=](ObservedPrimitive& primitive) { std::ranges::for_each(primitive.vertices, change); });
+}
+Rules change_pairs(void (*change)(ObservedVertex& now, const ObservedVertex& before), std::size_t from) {
+  return change_primitives([=](ObservedPrimitive& primitive) {
+    for (std::size_t i = primitive.vertices.size(); i-- > from;)
+      change(primitive.vertices[i], primitive.vertices[i - 1]);
+  });
+}
+
+void apply(Injection& in, std::initializer_list<Rules> rules) {
+  for (const Rule& rule : Rules(rules).all) {
     active.push_back(rule);
-    for (std::size_t i = 0; i < rule.entries.count; ++i) command(rule.entries.all[i]).install(in.gl);
+    for (std::size_t i = 0; i < rule.entries.count; ++i)
+      (rule.missing ? remove : install)(rule.entries.all[i], in.gl);
+    if (rule.emitted) in.emitted = change_emitted;
   }
 }
 
 void forget_rules() {
-  kept.assign(1, Value(0));
   active.clear();
-  keyed_memory.clear();
+  numbers.clear();
+  numbers_listed.clear();
+  held.clear();
 }
 
 }  // namespace evalcts::faults

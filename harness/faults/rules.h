@@ -3,153 +3,134 @@
 //   EVALCTS_RULES(OrderZeroTaken, production, must, "EV-MAP1-ERR-ORDER-LOW", "Map1 takes order 0 as 1",
 //                 before(kMap1, kOrder == 0, set(kOrder, 1)));
 //
-// Conditions and steps are expressions that an interpreter evaluates during the call (see rules.cpp). If no
-// expression fits, lambda() calls a function, and EVALCTS_FAULT sets entry points directly.
+// Conditions and steps are expressions (Value), which are evaluated during the call. A lambda that takes the
+// Call is an expression too. Most rules can do without a condition: before(kMap1, set(kOrder, 1)).
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstdint>
+#include <functional>
 #include <initializer_list>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include <evalcts/gl/tokens.h>
+#include "call.h"
 #include "fault.h"
 #include "watched.h"
 
 namespace evalcts::faults {
 
-using enum gl::EntryPoint;
-
-// One call of an entry point with a rule, with its arguments as numbers.
-struct Call {
-  gl::EntryPoint entry{};
-  std::array<double, 12> numbers{};
-  void* pointer = nullptr;  // the last pointer argument
-  char element = ' ';       // the type behind `pointer`: f, d, i (int) or b (boolean)
-  double result = 0;
-  std::size_t next = 0;         // the rules before this index have been applied
-  std::vector<double> storage;  // keeps the points of set_points() alive
-
-  // Calls the original command, or the next rule for it, with the present arguments.
-  void go();
-  // The argument with that letter (see the constants below).
-  double& argument(char letter);
-  GLenum target() { return static_cast<GLenum>(argument('t')); }
-  // Elements behind the pointer.
-  double read(std::size_t i) const;
-  void write(std::size_t i, double value);
-  // Map1 and Map2: true if the arguments are legal and the points may be read; the points without padding, v
-  // fastest; other points, with the strides that they need.
-  bool is_legal();
-  std::vector<double> points();
-  void set_points(const std::vector<double>& points);
-};
-
-using Function = double (*)(Call&);
-
 // An expression: a number, an argument, an operation on other expressions, or a step with an effect.
-struct Value {
-  enum class Op : short;
-  Op op;
-  short a = 0, b = 0, c = 0;  // operands, as indices of kept expressions
-  double number = 0;
-  Function function = nullptr;
+class Value {
+ public:
+  template <class T>
+  requires(std::is_arithmetic_v<T> || (std::is_enum_v<T> && std::convertible_to<T, int>)) Value(T number)
+      : function_([number](Call&) { return static_cast<double>(number); }) {}
+  // A function of the call. If it returns nothing, the value is 0.
+  template <class F>
+  requires(std::invocable<const F&, Call&> && !std::derived_from<F, Value>) Value(F function) {
+    if constexpr (std::is_void_v<std::invoke_result_t<const F&, Call&>>) {
+      function_ = [function](Call& call) {
+        function(call);
+        return 0.0;
+      };
+    } else {
+      function_ = [function](Call& call) { return static_cast<double>(function(call)); };
+    }
+  }
+  double operator()(Call& call) const { return function_(call); }
+  // True if the value is not 0.
+  bool holds(Call& call) const { return function_(call) != 0; }
 
-  constexpr Value(Op op_, short a_, short b_ = 0, short c_ = 0, double number_ = 0)
-      : op(op_), a(a_), b(b_), c(c_), number(number_) {}
-  constexpr Value(int number);
-  constexpr Value(GLenum number);
-  constexpr Value(double number);
-  constexpr Value(bool number);
+ private:
+  std::function<double(Call&)> function_;
 };
 
-enum class Value::Op : short {
-  number,
-  argument,
-  cell,
-  sum,
-  difference,
-  product,
-  quotient,
-  remainder,
-  bit_and,
-  equal,
-  less,
-  both,
-  either,
-  negation,
-  choice,
-  remembered,
-  element,
-  function,
-  set,
-  put,
-  exchange,
-  swap,
-  go,
-  call,
-  sequence,
-  error,
-  round,
-  magnitude,
-  result,
-  is_on,
-  integer,
-  noted_on,
-  has_vertex_map,
-  is_map1,
-  is_map2,
-  is_legal,
-  components,
-  inside,
-  open_mode,
-  unit,
-  list_mode,
-  buffer,
-  is_float
+// An expression that can be set.
+class Place : public Value {
+ public:
+  Place(Value value, std::function<void(Call&, double)> assign)
+      : Value(std::move(value)), assign_(std::move(assign)) {}
+  void assign(Call& call, double value) const { assign_(call, value); }
+
+ private:
+  std::function<void(Call&, double)> assign_;
 };
 
-constexpr Value::Value(int n) : op(Op::number), number(n) {}
-constexpr Value::Value(GLenum n) : op(Op::number), number(n) {}
-constexpr Value::Value(double n) : op(Op::number), number(n) {}
-constexpr Value::Value(bool n) : op(Op::number), number(n) {}
+// --- Arguments. Those of Map2, MapGrid2 and EvalMesh2 have the names of one dimension for u. ---------------
 
-// --- Arguments. Those of Map2, MapGrid2 and EvalMesh2 have the names of one dimension for u.
-// ----------------
-
-constexpr Value argument(char letter) { return {Value::Op::argument, 0, 0, 0, static_cast<double>(letter)}; }
-inline constexpr Value kTarget = argument('t'), kU1 = argument('a'), kU2 = argument('b'),
-                       kStride = argument('s'), kOrder = argument('o'), kV1 = argument('c'),
-                       kV2 = argument('d'), kVStride = argument('w'), kVOrder = argument('p'),
-                       kSegments = argument('g'), kVSegments = argument('h'), kMode = argument('m'),
-                       kI1 = argument('i'), kI2 = argument('k'), kJ1 = argument('j'), kJ2 = argument('l'),
-                       kQuery = argument('q'), kSize = argument('n'), kName = argument('e'),
-                       kU = argument('u'), kV = argument('v'), kI = argument('i'), kJ = argument('j');
+Place argument(char letter);
+inline const Place kTarget = argument('t'), kU1 = argument('a'), kU2 = argument('b'), kStride = argument('s'),
+                   kOrder = argument('o'), kV1 = argument('c'), kV2 = argument('d'), kVStride = argument('w'),
+                   kVOrder = argument('p'), kSegments = argument('g'), kVSegments = argument('h'),
+                   kMode = argument('m'), kI1 = argument('i'), kI2 = argument('k'), kJ1 = argument('j'),
+                   kJ2 = argument('l'), kQuery = argument('q'), kSize = argument('n'), kName = argument('e'),
+                   kU = argument('u'), kV = argument('v'), kI = argument('i'), kJ = argument('j');
 // The arguments of any other command.
-inline constexpr Value kFirst = argument('0'), kSecond = argument('1'), kThird = argument('2'),
-                       kFourth = argument('3');
+inline const Place kFirst = argument('0'), kSecond = argument('1'), kThird = argument('2'),
+                   kFourth = argument('3'), kFifth = argument('4');
+inline const Place kResult{[](Call& c) { return c.result; }, [](Call& c, double x) { c.result = x; }};
+// The address behind the pointer argument.
+inline const Value kAddress{[](Call& c) { return reinterpret_cast<std::uintptr_t>(c.pointer); }};
+// True for commands that take or return floats.
+inline const Value kIsFloat{[](Call& c) { return c.element == 'f' || gl::name_of(c.entry).back() == 'f'; }};
+// Map1 and Map2: true if the arguments are legal.
+inline const Value kIsLegal{[](Call& c) { return c.is_legal(); }};
+// Number of values of a control point of the target.
+inline const Value kComponents{[](Call& c) { return gl::components_of(c.target()); }};
 
-// --- State
-// ---------------------------------------------------------------------------------------------------
+// --- Memory. All of it is 0 in a fresh context. ------------------------------------------------------------
 
-inline constexpr Value kInside{Value::Op::inside, 0}, kOpenMode{Value::Op::open_mode, 0},
-    kUnit{Value::Op::unit, 0}, kListMode{Value::Op::list_mode, 0}, kResult{Value::Op::result, 0},
-    kIsLegal{Value::Op::is_legal, 0}, kComponents{Value::Op::components, 0}, kIsFloat{Value::Op::is_float, 0};
-// What rules remember, all 0 in a fresh context.
-inline constexpr Value kFlag{Value::Op::cell, 0, 0, 0, 0}, kCount{Value::Op::cell, 0, 0, 0, 1},
-    kNumber{Value::Op::cell, 0, 0, 0, 2};
+// The number with that key.
+Place remembered(Value key);
+inline const Place kFlag = remembered(-1), kCount = remembered(-2), kNumber = remembered(-3);
+// Counters of loops.
+inline const Place kRow = remembered(-4), kColumn = remembered(-5);
+// A list of numbers, for lambdas.
+std::vector<double>& remembered_list();
+// Numbers in a row, and the first `count` of them.
+Place kept(int i);
+std::vector<Value> kept_values(int count);
+// Steps: set kept(0), kept(1), ... to the values, or to the four values that GetDoublev answers.
+Value keep(std::initializer_list<Value> values);
+Value keep_state(GLenum pname);
+// A step: sets all memory to 0.
+Value forget();
 
-Value remembered(Value key);           // one number for each key
-Value enabled(Value cap);              // outside primitives
-Value state(Value pname);              // outside primitives
-Value noted_on(Value cap);             // by the last Enable or Disable
-Value maps_vertices(Value dimension);  // the same
+// --- State -------------------------------------------------------------------------------------------------
+
+// Noted from the calls of the application (see watched.h), and available anywhere.
+inline const Value kInside{[](Call&) { return is_inside(); }};
+inline const Value kOpenMode{[](Call&) { return open_mode(); }};
+inline const Value kUnit{[](Call&) { return watched.unit; }};           // by the last ActiveTexture
+inline const Value kListMode{[](Call&) { return watched.list_mode; }};  // 0 if no list is open
+inline const Value kCompiling{[](Call&) { return watched.list_mode == GL_COMPILE; }};
+inline const Value kKind{[](Call&) { return watched.kind; }};  // the argument of ContextOfKindEVALCTS
+// The argument of the PushAttrib that the next PopAttrib undoes.
+inline const Value kLevelMask{[](Call&) { return watched.masks.empty() ? 0 : watched.masks.back(); }};
+inline const Value kLevel{[](Call&) { return watched.masks.size(); }};  // of the attribute stack
+Value noted_on(Value cap);
+Value maps_vertices(Value dimension);
+Value has_buffer(Value target);
+
+// Queries: not between Begin and End.
+Value enabled(Value cap);
+Value evaluates();                         // true if a vertex map of either dimension is enabled
+Value state(Value pname, int i = 0);       // element i of the answer of GetIntegerv
+Value real_state(Value pname, int i = 0);  // element i of the answer of GetDoublev
+// The grids: argument i of the MapGrid1 or MapGrid2 that sets them.
+Value grid1(int i);
+Value grid2(int i);
+
 Value is_map1(Value token);
 Value is_map2(Value token);
 Value is_map(Value token);
 Value is_texture_map(Value token);
-Value has_buffer(Value target);
 
-// --- Operations
-// ----------------------------------------------------------------------------------------------
+// --- Operations --------------------------------------------------------------------------------------------
 
 Value operator+(Value a, Value b);
 Value operator-(Value a, Value b);
@@ -169,36 +150,108 @@ Value operator||(Value a, Value b);
 Value operator!(Value a);
 Value min(Value a, Value b);
 Value max(Value a, Value b);
+Value clamp(Value a, Value low, Value high);
 Value abs(Value a);
 Value round(Value a);
+Value is_negative_zero(Value a);
+Value is_subnormal(Value a);                // in single precision
+Value next_float(Value a, double towards);  // the neighbour in single precision
+Value in_bits(Value a, int bits);           // the low bits, as a signed number
+Value with_precision(Value a, int bits);    // rounded to a significand of that length
+double with_precision(double a, int bits);
 Value choose(Value condition, Value yes, Value no);
-Value element(Value i);  // behind the pointer: the answer of a query, the control points
-Value lambda(Function function);
+Value swapped(Value token, GLenum one, GLenum other);  // exchanges the two, keeps others
+Value element(Value i);  // behind the pointer: answers of queries, control points
 
-// --- Steps
-// ---------------------------------------------------------------------------------------------------
+// --- Steps -------------------------------------------------------------------------------------------------
 
-Value set(Value place, Value value);  // an argument, what is remembered, or the result
-Value put(Value i, Value value);      // behind the pointer
-Value exchange(Value i, Value j);     // behind the pointer
-Value swap(Value one, Value other);   // two arguments
-Value error(GLenum kind);             // leaves one, wherever the call is
-Value call(gl::EntryPoint entry, std::initializer_list<Value> arguments = {});  // the original command
-Value sequence(std::initializer_list<Value> steps);
-Value when(Value condition, Value step);
-inline constexpr Value kGo{Value::Op::go, 0};  // the original call, with the present arguments
+// One step or several: {set(kI1, 0), set(kI2, 1)}.
+struct Steps {
+  template <class T>
+  requires std::convertible_to<T, Value> Steps(T one) : all(std::move(one)) {}
+  Steps(std::initializer_list<Value> steps);
+  operator Value() const { return all; }
+  Value all;
+};
+inline Value sequence(std::initializer_list<Value> steps) { return Steps(steps); }
+Value when(Value condition, Steps steps);
+Value set(Place place, Value value);
+Value put(Value i, Value value);          // behind the pointer
+Value exchange(Value i, Value j);         // behind the pointer
+Value answer(std::vector<Value> values);  // behind the pointer, from its first element on
+Value swap(Place one, Place other);
+// Raises an error: by a command that may go into a list; INVALID_OPERATION between Begin and End; outside
+// primitives, at once even while a list is compiled; the same, in place of an error of that kind.
+Value error(GLenum kind);
+Value error_inside();
+Value error_now(GLenum kind);
+Value replace_error(GLenum kind, GLenum by);
+Value call(gl::EntryPoint entry, std::vector<Value> arguments = {});  // the original command
+Value enable(Value cap);
+Value disable(Value cap);
+Value switch_to(Value cap, Value on);  // enables or disables
+// The steps with the counter at first, first + step, ... up to last, or down to last if the step is negative.
+Value loop(Place counter, Value first, Value last, Steps steps, int step = 1);
+Value primitive(Value mode, Steps steps);               // the steps between Begin and End
+inline const Value kGo{[](Call& call) { call.go(); }};  // the original call, with the present arguments
+// Delayed calls. The memory behind their pointers is not copied.
+Value hold();     // keeps a copy of the call
+Value release();  // executes the calls that were kept
+Value drop();     // discards them
+// Map1 and Map2: changes the control points of a legal call, and nothing in others.
+Value change_points(void (*change)(Net& net));
+Value change_points(void (*change)(Net& net, Call& call));
+Value change_values(double (*change)(double value));
+Value swap_components(int one, int other);
+// Gives the call the points of the previous call with this step, if the condition holds and there are as
+// many.
+Value repeat_points(Value condition);
+// Defines a map over [0, 1] with one or more control points, those of a surface along v.
+Value define(GLenum target, std::initializer_list<double> points);
+// Changes a map as it is defined now. take_u() gives it the ends of u of a Map1 or Map2.
+Value redefine(Value target, void (*change)(Map& map, Call& call));
+inline void take_u(Map& map, Call& call) {
+  map.u1 = call.argument('a');
+  map.u2 = call.argument('b');
+}
+// Number of values that GetMap, GetnMap, or Get of a grid, answers.
+Value answers();
+// The same commands: replaces each value by change(exact value, answered value).
+Value change_answers(double (*change)(double exact, double answered));
 
-// --- Rules
-// ---------------------------------------------------------------------------------------------------
+// --- State that can be saved. Outside primitives. ----------------------------------------------------------
+
+using Restore = std::function<void()>;
+// Saves state and returns a function that restores it.
+using State = std::function<Restore()>;
+State enable_of(GLenum cap);
+State map_of(GLenum target);
+// The state that a command sets, with the queries of its arguments. If `part` is not negative, only that
+// argument is restored; the others are queried again then.
+State setting(gl::EntryPoint command, std::initializer_list<Value> arguments, int part = -1);
+State grid1_state(int part = -1);
+State grid2_state(int part = -1);
+State parameter(gl::EntryPoint command, GLenum pname);  // of Fogi and the like
+State current(gl::EntryPoint command, GLenum pname);    // of Color4d and the like
+// A step: sets the state to its present value, for instance in a list that is compiled.
+Value send(const State& state);
+
+// --- Rules -------------------------------------------------------------------------------------------------
 
 struct Entries {
   std::array<gl::EntryPoint, 16> all{};
   std::size_t count = 0;
+  constexpr Entries() = default;
   constexpr Entries(gl::EntryPoint one) : all{one}, count(1) {}
   constexpr Entries operator|(const Entries& other) const {
     Entries both = *this;
     for (std::size_t i = 0; i < other.count; ++i) both.all[both.count++] = other.all[i];
     return both;
+  }
+  constexpr bool contain(gl::EntryPoint entry) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (all[i] == entry) return true;
+    return false;
   }
 };
 constexpr Entries operator|(gl::EntryPoint one, gl::EntryPoint other) {
@@ -214,34 +267,80 @@ inline constexpr Entries kMap1 = Map1f | Map1d, kMap2 = Map2f | Map2d, kMaps = k
                          kMeshes = EvalMesh1 | EvalMesh2, kGetMap = GetMapfv | GetMapdv | Entries(GetMapiv),
                          kGetnMap = GetnMapfv | GetnMapdv | Entries(GetnMapiv),
                          kGet = GetBooleanv | GetIntegerv | Entries(GetFloatv) | GetDoublev,
-                         kSwitches = Enable | Disable;
+                         kSwitches = Enable | Disable,
+                         kOtherContexts = OtherContextEVALCTS | SharingContextEVALCTS;
+
+using Primitives = std::vector<ObservedPrimitive>;
 
 struct Rule {
   Entries entries;
   Value condition, step;
-  bool late = false;  // the call comes first, otherwise it is replaced by the step
+  bool late = false;                           // the call comes first, otherwise it is replaced by the step
+  bool missing = false;                        // there is no such command
+  std::function<void(Primitives&)> emitted{};  // changes the output, if the condition holds then
 };
-// In all of these, steps are carried out if the condition holds, and only then.
-Rule before(const Entries& entries, Value condition, Value step);
-Rule after(const Entries& entries, Value condition, Value step);
-Rule around(const Entries& entries, Value condition, Value first, Value last);
-Rule instead(const Entries& entries, Value condition, Value step);  // of the call
+// One rule or several.
+struct Rules {
+  Rules(Rule one) : all{std::move(one)} {}
+  Rules(std::initializer_list<Rules> several);
+  std::vector<Rule> all;
+};
+// Take the steps before or after the call, or in its place, if the condition holds.
+Rule before(const Entries& entries, Value condition, Steps steps);
+Rule before(const Entries& entries, Steps steps);
+Rule after(const Entries& entries, Value condition, Steps steps);
+Rule after(const Entries& entries, Steps steps);
+Rule instead(const Entries& entries, Value condition, Steps steps);
+Rule instead(const Entries& entries, Steps steps);
 Rule skip(const Entries& entries, Value condition);
-// The capability is off during the call.
-Rule without(const Entries& entries, Value condition, GLenum cap);
-// The call is made with unit 0 active.
-Rule on_unit_0(const Entries& entries, Value condition);
+Rule missing(gl::EntryPoint entry);  // the implementation lacks the command
+// Takes the steps in a fresh context.
+Rules initially(Steps steps);
+// Takes steps before and after the call. If Begin is among the entries, the last steps follow the End.
+Rules around(const Entries& entries, Value condition, Steps first, Steps last);
+// The capability is off, or on, during the call.
+Rules without(const Entries& entries, Value condition, GLenum cap);
+Rules with(const Entries& entries, Value condition, GLenum cap);
+// Takes the steps before the call and restores the state after it.
+Rules keeping(const Entries& entries, Value condition, const State& state, Steps steps = 0);
+// Unit 0 is active during the call.
+Rules on_unit_0(const Entries& entries, Value condition);
+// Enable and Disable of any map or of AUTO_NORMAL leave the capability off unless the condition holds.
+Rules only_if(GLenum cap, Value condition);
+// Exchanges two tokens wherever maps are named.
+Rules swap_targets(GLenum one, GLenum other);
+// PopAttrib fails to restore the state, or restores it without being asked to, if the condition (usually of
+// kLevelMask) holds. Not in lists.
+Rules not_restored(const State& state, Value condition);
+Rules restored(const State& state, Value condition);
+// Changes the output if the condition holds.
+Rules change_output(Value condition, std::function<void(Primitives&)> change);
+// Changes the output of a context in which something was evaluated: all of it, each primitive, each vertex,
+// or each vertex given the previous one of its primitive, from the last vertex down to index `from`.
+Rules change_evaluated(std::function<void(Primitives&)> change);
+Rules change_primitives(std::function<void(ObservedPrimitive&)> change);
+Rules change_vertices(void (*change)(ObservedVertex& vertex));
+Rules change_pairs(void (*change)(ObservedVertex& now, const ObservedVertex& before), std::size_t from = 1);
 
-void apply(Injection& in, std::initializer_list<Rule> rules);
-// To be called before a fault is injected.
+template <std::size_t kSize>
+void scale(std::array<float, kSize>& vector, float factor) {
+  for (float& x : vector) x *= factor;
+}
+
+// Puts the rules into effect.
+void apply(Injection& in, std::initializer_list<Rules> rules);
+// Removes all rules and clears memory. Called before a fault is injected.
 void forget_rules();
 
-#define EVALCTS_RULES(name, implementation, level, requirements, what, ...)   \
-  static const ::evalcts::faults::FaultRegistration name##_registration {     \
-    {                                                                         \
-#name, #implementation, ::evalcts::Level::level, requirements, what,    \
-          [](::evalcts::faults::Injection & in) { apply(in, {__VA_ARGS__}); } \
-    }                                                                         \
+#define EVALCTS_RULES(name, implementation, level, requirements, what, ...) \
+  EVALCTS_RULES_IN(#implementation, name, level, requirements, what, __VA_ARGS__)
+// The same for an implementation that is no word ("glx-indirect").
+#define EVALCTS_RULES_IN(implementation, name, level, requirements, what, ...) \
+  static const ::evalcts::faults::FaultRegistration name##_registration {      \
+    {                                                                          \
+#name, implementation, ::evalcts::Level::level, requirements, what,      \
+          [](::evalcts::faults::Injection & in) { apply(in, {__VA_ARGS__}); }  \
+    }                                                                          \
   }
 
 }  // namespace evalcts::faults

@@ -38,6 +38,18 @@ void watch(gl::Table& table) {
     behind.EndList();
     watched.list_mode = 0;
   };
+  table.PushAttrib = [](GLbitfield mask) {
+    behind.PushAttrib(mask);
+    if (watched.list_mode == 0) watched.masks.push_back(mask);
+  };
+  table.PopAttrib = [] {
+    behind.PopAttrib();
+    if (watched.list_mode == 0 && !watched.masks.empty()) watched.masks.pop_back();
+  };
+  table.ContextOfKindEVALCTS = [](GLuint context, GLuint kind) {
+    behind.ContextOfKindEVALCTS(context, kind);
+    watched.kind = kind;
+  };
   table.BindBuffer = [](GLenum target, GLuint buffer) {
     watched.buffers[target] = buffer;
     behind.BindBuffer(target, buffer);

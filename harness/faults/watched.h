@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include <evalcts/gl/table.h>
 
@@ -14,6 +15,8 @@ struct Watched {
   GLenum primitive = kNoPrimitive;  // mode of the open primitive
   GLenum unit = GL_TEXTURE0;        // argument of the last ActiveTexture
   GLenum list_mode = 0;             // mode of the open list, 0 without one
+  GLuint kind = 0;                  // the argument of the last ContextOfKindEVALCTS
+  std::vector<GLbitfield> masks;    // of the levels of the attribute stack
   std::map<GLenum, bool> enabled;   // the last Enable or Disable of each capability
   std::map<GLenum, GLuint> buffers;
 };

@@ -1,121 +1,65 @@
 // Section 22: evaluated primitives in feedback and selection mode.
 #include <algorithm>
 
-#include "around.h"
-#include "forms.h"
-#include "rules.h"
+#include "grid_steps.h"
 
 namespace evalcts::faults::feedback_and_selection {
 namespace {
 
-bool feeds_back() { return integer(GL_RENDER_MODE) == GL_FEEDBACK; }
-
-// The same for rules.
 Value in_feedback() { return state(GL_RENDER_MODE) == GL_FEEDBACK; }
 Value in_selection() { return state(GL_RENDER_MODE) == GL_SELECT; }
-Value draw_point(double z) {
-  return sequence({call(Begin, {GL_POINTS}), call(Vertex3f, {0, 0, z}), call(End)});
-}
+Value draw_point(double z) { return primitive(GL_POINTS, call(Vertex3f, {0, 0, z})); }
 
 // --- Feedback mode -----------------------------------------------------------------------------------------
 
-EVALCTS_FAULT(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
-              "in feedback mode the points of EvalMesh2 come column by column") {
-  mesh2(in, [](auto call) {
-    if (call.mode == GL_POINT && feeds_back())
-      points_column_by_column(call);
-    else
-      go2(call);
-  });
-}
-
+EVALCTS_RULES(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
+              "in feedback mode the points of EvalMesh2 come column by column",
+              instead(EvalMesh2, kMode == GL_POINT && in_feedback(), kPointsByColumns));
 EVALCTS_RULES(FeedbackFirstPointTwice, osmesa, must, "EV-FB-POINT",
               "in feedback mode the first point of EvalMesh1 comes twice",
               before(EvalMesh1, kMode == GL_POINT && in_feedback(), call(EvalMesh1, {GL_POINT, kI1, kI1})));
 EVALCTS_RULES(FeedbackPointsUnclipped, osmesa, must, "EV-FB-POINT",
               "in feedback mode no point of a mesh is clipped",
-              around(kMeshes, kMode == GL_POINT && in_feedback(),
-                     sequence({call(PushMatrix), call(LoadIdentity)}), call(PopMatrix)));
-
-EVALCTS_FAULT(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh gives its columns before its rows") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
-    for (GLint i = call.i1; i <= call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
-    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
-  });
-}
-
+              around(kMeshes, kMode == GL_POINT && in_feedback(), {call(PushMatrix), call(LoadIdentity)},
+                     call(PopMatrix)));
+EVALCTS_RULES(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh gives its columns before its rows",
+              instead(EvalMesh2, kMode == GL_LINE && in_feedback(), {kColumns, kRows}));
 EVALCTS_RULES(FeedbackLosesLastSegment, osmesa, must, "EV-FB-LINE",
               "in feedback mode the last segment of a LINE mesh of one dimension is missing",
               before(EvalMesh1, kMode == GL_LINE && in_feedback(), set(kI2, kI2 - 1)));
-
-EVALCTS_FAULT(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh of one dimension runs from i2 to i1") {
-  mesh1(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go1(call);
-    sound.Begin(GL_LINE_STRIP);
-    for (GLint i = call.i2; i >= call.i1; --i) sound.EvalPoint1(i);
-    sound.End();
-  });
-}
-
-EVALCTS_FAULT(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh lacks its last column") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_LINE || !feeds_back()) return go2(call);
-    for (GLint j = call.j1; j <= call.j2; ++j) sound.EvalMesh2(GL_LINE, call.i1, call.i2, j, j);
-    for (GLint i = call.i1; i < call.i2; ++i) sound.EvalMesh2(GL_LINE, i, i, call.j1, call.j2);
-  });
-}
-
+EVALCTS_RULES(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh of one dimension runs from i2 to i1",
+              instead(EvalMesh1, kMode == GL_LINE && in_feedback(),
+                      primitive(GL_LINE_STRIP, loop(kColumn, kI2, kI1, call(EvalPoint1, {kColumn}), -1))));
+EVALCTS_RULES(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
+              "in feedback mode a LINE mesh lacks its last column",
+              instead(EvalMesh2, kMode == GL_LINE && in_feedback(), {kRows, set(kI2, kI2 - 1), kColumns}));
 EVALCTS_RULES(FeedbackQuadTwice, osmesa, must, "EV-FB-FILL",
               "in feedback mode the first quad of a FILL mesh comes twice",
               before(EvalMesh2, kMode == GL_FILL && in_feedback(),
                      call(EvalMesh2, {GL_FILL, kI1, kI1 + 1, kJ1, kJ1 + 1})));
-
-EVALCTS_FAULT(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
-              "each segment of a LINE mesh has LINE_RESET_TOKEN") {
-  static GLsizei size;
-  static GLfloat* buffer;
-  in.gl.FeedbackBuffer = [](GLsizei room, GLenum type, GLfloat* values) {
-    sound.FeedbackBuffer(room, type, values);
-    size = room;
-    buffer = values;
-    memory.flag = false;
-  };
-  in.gl.RenderMode = [](GLenum mode) {
-    const GLint count = sound.RenderMode(mode);
-    if (memory.flag && mode == GL_RENDER && buffer && count <= size)
-      std::replace(buffer, buffer + std::max(count, 0), GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
-    return count;
-  };
-  meshes(in, [](GLenum, auto go) {
-    go();
-    memory.flag = true;
-  });
-}
-
+EVALCTS_RULES(EverySegmentResetsStipple, osmesa, quality, "EV-FB-LINE",
+              "each segment of a LINE mesh has LINE_RESET_TOKEN",
+              after(FeedbackBuffer, {set(kNumber, kAddress), set(kCount, kFirst), set(kFlag, 0)}),
+              after(kMeshes, set(kFlag, 1)),
+              after(RenderMode, kFirst == GL_RENDER && kFlag && kNumber && kResult <= kCount, [](Call& c) {
+                auto* const values = reinterpret_cast<GLfloat*>(static_cast<std::uintptr_t>(kNumber(c)));
+                std::replace(values,
+                             values + std::max<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(c.result), 0),
+                             GLfloat{GL_LINE_TOKEN}, GLfloat{GL_LINE_RESET_TOKEN});
+              }));
 EVALCTS_RULES(FeedbackLosesLastQuad, osmesa, must, "EV-FB-FILL",
               "in feedback mode the last quad of the last row of a FILL mesh is missing",
               instead(EvalMesh2, kMode == GL_FILL && in_feedback(),
-                      sequence({call(EvalMesh2, {GL_FILL, kI1, kI2, kJ1, kJ2 - 1}),
-                                call(EvalMesh2, {GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2})})));
-
-EVALCTS_FAULT(FeedbackFirstQuadIsTriangle, osmesa, must, "EV-FB-FILL",
-              "in feedback mode the first quad of a FILL mesh is a triangle") {
-  mesh2(in, [](auto call) {
-    if (call.mode != GL_FILL || !feeds_back()) return go2(call);
-    sound.Begin(GL_TRIANGLES);
-    sound.EvalPoint2(call.i1, call.j1);
-    sound.EvalPoint2(call.i1, call.j1 + 1);
-    sound.EvalPoint2(call.i1 + 1, call.j1 + 1);
-    sound.End();
-    sound.EvalMesh2(GL_FILL, call.i1 + 1, call.i2, call.j1, call.j1 + 1);
-    sound.EvalMesh2(GL_FILL, call.i1, call.i2, call.j1 + 1, call.j2);
-  });
-}
-
+                      {call(EvalMesh2, {GL_FILL, kI1, kI2, kJ1, kJ2 - 1}),
+                       call(EvalMesh2, {GL_FILL, kI1, kI2 - 1, kJ2 - 1, kJ2})}));
+EVALCTS_RULES(
+    FeedbackFirstQuadIsTriangle, osmesa, must, "EV-FB-FILL",
+    "in feedback mode the first quad of a FILL mesh is a triangle",
+    instead(EvalMesh2, kMode == GL_FILL && in_feedback(),
+            {primitive(GL_TRIANGLES, {point(kI1, kJ1), point(kI1, kJ1 + 1), point(kI1 + 1, kJ1 + 1)}),
+             surface(GL_FILL, kI1 + 1, kI2, kJ1, kJ1 + 1), surface(GL_FILL, kI1, kI2, kJ1 + 1, kJ2)}));
 EVALCTS_RULES(FeedbackOutlinesQuads, osmesa, must, "EV-FB-FILL",
               "in feedback mode a FILL mesh gives the outlines of its polygons",
               around(EvalMesh2, kMode == GL_FILL && in_feedback(),
@@ -127,33 +71,21 @@ EVALCTS_RULES(FeedbackWithoutThirdCoordinateMap, osmesa, must, "EV-FB-TEX",
 EVALCTS_RULES(FeedbackOfSurfacesHasCurrentTexture, osmesa, must, "EV-FB-TEX",
               "in feedback mode the map of s alone does not count for surfaces",
               without(EvalMesh2, in_feedback(), GL_MAP2_TEXTURE_COORD_1));
-
-EVALCTS_FAULT(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
-              "without a map surfaces feed back the texture coordinates of unit 1") {
-  mesh2(in, [](auto call) {
-    bool mapped = false;
-    for (GLenum target = GL_MAP2_TEXTURE_COORD_1; target <= GL_MAP2_TEXTURE_COORD_4; ++target)
-      mapped = mapped || is_on(target);
-    if (mapped || !feeds_back()) return go2(call);
-    GLfloat zero[4], one[4];
-    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, zero);
-    sound.ActiveTexture(GL_TEXTURE1);
-    sound.GetFloatv(GL_CURRENT_TEXTURE_COORDS, one);
-    sound.ActiveTexture(GL_TEXTURE0);
-    sound.TexCoord4fv(one);
-    go2(call);
-    sound.TexCoord4fv(zero);
-  });
-}
-
+EVALCTS_RULES(FeedbackOfUnitOne, osmesa, must, "EV-FB-TEX",
+              "without a map surfaces feed back the texture coordinates of unit 1",
+              keeping(EvalMesh2,
+                      !(enabled(GL_MAP2_TEXTURE_COORD_1) || enabled(GL_MAP2_TEXTURE_COORD_2) ||
+                        enabled(GL_MAP2_TEXTURE_COORD_3) || enabled(GL_MAP2_TEXTURE_COORD_4)) &&
+                          in_feedback(),
+                      current(TexCoord4d, GL_CURRENT_TEXTURE_COORDS),
+                      {call(ActiveTexture, {GL_TEXTURE1}), keep_state(GL_CURRENT_TEXTURE_COORDS),
+                       call(ActiveTexture, {GL_TEXTURE0}), call(TexCoord4d, kept_values(4))}));
 EVALCTS_RULES(FeedbackOfQuadsHasCurrentTexture, osmesa, must, "EV-FB-TEX",
               "in feedback mode FILL meshes have the current texture coordinates",
               without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_MAP2_TEXTURE_COORD_4));
 EVALCTS_RULES(FeedbackOfEvalCoordHasCurrentTexture, osmesa, must, "EV-FB-TEX",
               "in feedback mode EvalCoord1 gives no texture coordinates",
-              before(Begin, in_feedback() && enabled(GL_MAP1_TEXTURE_COORD_4),
-                     sequence({set(kFlag, 1), call(Disable, {GL_MAP1_TEXTURE_COORD_4})})),
-              after(End, kFlag, sequence({set(kFlag, 0), call(Enable, {GL_MAP1_TEXTURE_COORD_4})})));
+              without(Begin, in_feedback(), GL_MAP1_TEXTURE_COORD_4));
 EVALCTS_RULES(FilledMeshUnlitInFeedback, osmesa, must, "EV-FB-COLOR",
               "in feedback mode FILL meshes have the colours of before lighting",
               without(EvalMesh2, kMode == GL_FILL && in_feedback(), GL_LIGHTING));
@@ -173,19 +105,18 @@ EVALCTS_RULES(SelectionDepthOfFirstRow, osmesa, must, "EV-SEL-HIT",
               "the depths of a hit by a LINE mesh are those of its first row",
               before(EvalMesh2, kMode == GL_LINE && in_selection(), set(kJ2, kJ1)));
 EVALCTS_RULES(SelectionUnclipped, osmesa, must, "EV-SEL-HIT", "FILL meshes outside the clip volume hit",
-              around(EvalMesh2, kMode == GL_FILL && in_selection(),
-                     sequence({call(PushMatrix), call(LoadIdentity)}), call(PopMatrix)));
+              around(EvalMesh2, kMode == GL_FILL && in_selection(), {call(PushMatrix), call(LoadIdentity)},
+                     call(PopMatrix)));
 EVALCTS_RULES(SelectionOmitsEvalPoint, osmesa, must, "EV-SEL-HIT",
-              "in selection mode EvalPoint1 does nothing", before(Begin, true, set(kFlag, in_selection())),
-              after(End, true, set(kFlag, 0)), skip(EvalPoint1, kFlag));
+              "in selection mode EvalPoint1 does nothing", before(Begin, set(kFlag, in_selection())),
+              after(End, set(kFlag, 0)), skip(EvalPoint1, kFlag));
 EVALCTS_RULES(SelectionNeverCulls, osmesa, must, "EV-SEL-CULLED",
               "in selection mode FILL meshes are not culled",
               without(EvalMesh2, in_selection(), GL_CULL_FACE));
 EVALCTS_RULES(SelectionCullsOtherFace, osmesa, must, "EV-SEL-CULLED",
               "in selection mode meshes have front and back the other way round",
               around(EvalMesh2, in_selection(),
-                     sequence({set(kNumber, state(GL_FRONT_FACE)),
-                               call(FrontFace, {GL_CW + GL_CCW - kNumber})}),
+                     {set(kNumber, state(GL_FRONT_FACE)), call(FrontFace, {GL_CW + GL_CCW - kNumber})},
                      call(FrontFace, {kNumber})));
 EVALCTS_RULES(SelectionHitsThoughBothAreCulled, osmesa, must, "EV-SEL-CULLED",
               "in selection mode CullFace(FRONT_AND_BACK) leaves meshes alone",
@@ -199,8 +130,8 @@ EVALCTS_RULES(MeshWithoutVerticesHits, osmesa, must, "EV-SEL-EMPTY",
               after(EvalMesh1, in_selection() && !enabled(GL_MAP1_VERTEX_3) && !enabled(GL_MAP1_VERTEX_4),
                     draw_point(0)));
 EVALCTS_RULES(SelectionOmitsEvalCoord2, osmesa, must, "EV-SEL-HIT",
-              "in selection mode EvalCoord2 does nothing", before(Begin, true, set(kFlag, in_selection())),
-              after(End, true, set(kFlag, 0)), skip(kEvalCoord2, kFlag));
+              "in selection mode EvalCoord2 does nothing", before(Begin, set(kFlag, in_selection())),
+              after(End, set(kFlag, 0)), skip(kEvalCoord2, kFlag));
 EVALCTS_RULES(SelectionMeshDepthFromOrigin, osmesa, must, "EV-SEL-HIT",
               "the depths of a hit by EvalMesh1 include that of the origin",
               after(EvalMesh1, in_selection() && enabled(GL_MAP1_VERTEX_3), draw_point(-1)));

@@ -1,9 +1,7 @@
 // Section 5: errors of Map1 and Map2.
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <limits>
 
-#include "map_calls.h"
 #include "rules.h"
 
 namespace evalcts::faults {
@@ -12,10 +10,19 @@ namespace {
 Value is_legal_order(Value order) { return order >= 1 && order <= kMaxOrder; }
 Value has_bad_orders() { return !is_legal_order(kOrder) || !is_legal_order(kVOrder); }
 
-// Makes a stride that is too small large enough.
-Value widen(Value stride) { return set(stride, max(stride, kComponents)); }
+// Raises a stride that is too small to the number of components.
+Value widen(Place stride) { return set(stride, max(stride, kComponents)); }
 
-bool differs_in_sign(double a, double b) { return a == b && std::signbit(a) != std::signbit(b); }
+Value differ_in_sign(Value a, Value b) { return a == b && is_negative_zero(a) != is_negative_zero(b); }
+
+// True if the first three points (along v, for surfaces) are the same.
+const Value kBeginsWithEqualPoints = [](Call& c) {
+  if (!c.is_legal()) return false;
+  Net net = c.net();
+  const auto point = [&](int i) { return net.columns == 1 ? net.point(i) : net.point(0, i); };
+  const auto is_first = [&](int i) { return std::equal(point(0), point(0) + net.components, point(i)); };
+  return is_first(1) && is_first(2);
+};
 
 // ---- Map1
 
@@ -33,7 +40,7 @@ EVALCTS_RULES(OnePastVertex4Ignored, production, must, "EV-MAP1-ERR-TARGET",
 EVALCTS_RULES(UnknownTargetIsInvalidValue, production, must, "EV-MAP1-ERR-TARGET",
               "Map1 of a capability that is no map raises INVALID_VALUE",
               before(kMap1, kTarget == GL_AUTO_NORMAL || kTarget == GL_TEXTURE_2D,
-                     sequence({set(kTarget, GL_MAP1_VERTEX_4), set(kOrder, 0)})));
+                     {set(kTarget, GL_MAP1_VERTEX_4), set(kOrder, 0)}));
 EVALCTS_RULES(NegativeOrderIgnored, production, must, "EV-MAP1-ERR-ORDER-LOW",
               "Map1f of a negative order copies no point and raises no error", skip(Map1f, kOrder < 0));
 EVALCTS_RULES(LowestOrderOverflows, production, must, "EV-MAP1-ERR-ORDER-LOW",
@@ -76,38 +83,24 @@ EVALCTS_RULES(EqualEndsIgnoredInDoubles, production, must, "EV-MAP1-ERR-DOMAIN",
               "Map1d with equal ends does nothing and raises nothing", skip(Map1d, kU1 == kU2));
 EVALCTS_RULES(EndsComparedByBits, production, quality, "EV-MAP1-ERR-DOMAIN",
               "the ends are compared bit by bit, and so +0 and -0 count as different",
-              before(kMap1, lambda([](Call& c) {
-                       return differs_in_sign(c.argument('a'), c.argument('b')) ? 1.0 : 0.0;
-                     }),
-                     set(kU2, 1)));
+              before(kMap1, differ_in_sign(kU1, kU2), set(kU2, 1)));
 EVALCTS_RULES(Map1TakenInPolygons, production, must, "EV-MAP1-ERR-BEGINEND",
               "Map1 inside a POLYGON is ignored without an error", skip(kMap1, kOpenMode == GL_POLYGON));
 EVALCTS_RULES(Map1RefusedAfterFirstVertex, production, must, "EV-MAP1-ERR-BEGINEND",
               "Map1 is refused from the first vertex of a primitive on, and ignored before",
-              before(Begin, true, set(kFlag, 1)), before(Vertex3f | End, true, set(kFlag, 0)),
-              skip(kMap1, kFlag));
+              before(Begin, set(kFlag, 1)), before(Vertex3f | End, set(kFlag, 0)), skip(kMap1, kFlag));
 EVALCTS_RULES(Map1dInPrimitiveIsInvalidEnum, production, must, "EV-MAP1-ERR-BEGINEND",
               "Map1d in a primitive raises INVALID_ENUM", before(Map1d, kInside, set(kTarget, 0)));
-
-EVALCTS_FAULT(Map1DefinedWhenPrimitiveEnds, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "Map1 in a primitive raises its error, and is carried out when the primitive ends") {
-  follow_primitives(in);
-  in.gl.End = [] {
-    sound.End();
-    memory.flag = false;
-    if (memory.number == 0) return;
-    const GLenum target = static_cast<GLenum>(memory.number);
-    memory.number = 0;
-    sound.Map1d(target, 0, 1, gl::components_of(target), 1, memory.numbers.data());
-  };
-  map1(in, [](auto call, auto go) {
-    go(call);
-    if (!memory.flag || !legal(call)) return;
-    memory.number = call.target;
-    memory.numbers = {static_cast<double>(call.points[0]), 0, 0, 0};
-  });
-}
-
+EVALCTS_RULES(Map1DefinedWhenPrimitiveEnds, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "Map1 in a primitive raises its error, and is carried out when the primitive ends",
+              after(kMap1, kInside != 0 && kIsLegal, keep({kTarget, element(0)})),
+              after(End, kept(0), [](Call& c) {
+                const int k = gl::components_of(static_cast<GLenum>(kept(0)(c)));
+                std::vector<double> point(static_cast<std::size_t>(k));
+                point[0] = kept(1)(c);
+                Map{static_cast<GLenum>(kept(0)(c)), 0, 1, 0, 1, {k, 1, 1, point}}.define();
+                kept(0).assign(c, 0);
+              }));
 EVALCTS_RULES(OnlyTextureMapsNeedUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "with another unit active Map1 refuses the texture maps only",
               on_unit_0(kMap1, !is_texture_map(kTarget)));
@@ -115,45 +108,24 @@ EVALCTS_RULES(Map1dTakenOnAnyUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1d of INDEX is refused on no unit", on_unit_0(Map1d, kTarget == GL_MAP1_INDEX));
 EVALCTS_RULES(RefusedMap1SelectsUnit0, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "after the error for another active unit unit 0 is active",
-              after(kMap1, kIsLegal&& kUnit != GL_TEXTURE0, call(ActiveTexture, {GL_TEXTURE0})));
+              after(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, call(ActiveTexture, {GL_TEXTURE0})));
 EVALCTS_RULES(UnitErrorIsInvalidEnum, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 of VERTEX_4 on another unit raises INVALID_ENUM",
               before(kMap1, kUnit != GL_TEXTURE0 && kTarget == GL_MAP1_VERTEX_4, set(kTarget, 0)));
-
-EVALCTS_FAULT(DomainSetBeforeStrideCheck, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "a Map1 refused for its stride has set the domain") {
-  map1(in, [](auto call, auto go) {
-    if (is_map1(call.target) && legal_order(call.order) && call.u1 != call.u2 &&
-        call.stride < gl::components_of(call.target)) {
-      const std::vector<GLdouble> points = coefficients(call.target);
-      const GLint k = gl::components_of(call.target);
-      sound.Map1d(call.target, static_cast<double>(call.u1), static_cast<double>(call.u2), k,
-                  static_cast<GLint>(points.size()) / k, points.data());
-    }
-    go(call);
-  });
-}
-
+EVALCTS_RULES(DomainSetBeforeStrideCheck, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "a Map1 refused for its stride has set the domain",
+              before(kMap1, is_map1(kTarget) && is_legal_order(kOrder) && kU1 != kU2 && kStride < kComponents,
+                     redefine(kTarget, take_u)));
 EVALCTS_RULES(RefusedOrderSwitchesOff, production, must, "EV-MAP1-ERR-NOEFFECT",
               "a Map1d refused for its order disables the map",
-              after(Map1d, is_map1(kTarget) && !is_legal_order(kOrder), call(Disable, {kTarget})));
-
-EVALCTS_FAULT(RefusedDomainForgetsMap, production, must, "EV-MAP1-ERR-NOEFFECT",
-              "a Map1 refused for its domain leaves the map with its first point only") {
-  map1(in, [](auto call, auto go) {
-    if (is_map1(call.target) && call.u1 == call.u2) {
-      GLdouble domain[2];
-      sound.GetMapdv(call.target, GL_DOMAIN, domain);
-      const std::vector<GLdouble> points = coefficients(call.target);
-      sound.Map1d(call.target, domain[0], domain[1], gl::components_of(call.target), 1, points.data());
-    }
-    go(call);
-  });
-}
-
+              after(Map1d, is_map1(kTarget) && !is_legal_order(kOrder), disable(kTarget)));
+EVALCTS_RULES(RefusedDomainForgetsMap, production, must, "EV-MAP1-ERR-NOEFFECT",
+              "a Map1 refused for its domain leaves the map with its first point only",
+              before(kMap1, is_map1(kTarget) && kU1 == kU2,
+                     redefine(kTarget, [](Map& map, Call&) { map.net.rows = 1; })));
 EVALCTS_RULES(RefusedNameDefinesNamesake, production, must, "EV-MAP1-ERR-NOEFFECT",
               "a Map1 with a two-dimensional name raises its error and defines the one-dimensional map",
-              after(kMap1, is_map2(kTarget), sequence({set(kTarget, kTarget - 0x20), kGo})));
+              after(kMap1, is_map2(kTarget), {set(kTarget, kTarget - 0x20), kGo}));
 
 // ---- Map2
 
@@ -162,13 +134,12 @@ EVALCTS_RULES(Map2TakesMap1Names, production, must, "EV-MAP2-ERR-TARGET",
               before(Map2f, is_map1(kTarget), set(kTarget, kTarget + 0x20)));
 EVALCTS_RULES(OneBeforeColor2IsInvalidValue, production, must, "EV-MAP2-ERR-TARGET",
               "Map2 of 0x0DAF, one before the first name, raises INVALID_VALUE",
-              before(kMap2, kTarget == GL_MAP2_COLOR_4 - 1,
-                     sequence({set(kTarget, GL_MAP2_COLOR_4), set(kOrder, 0)})));
+              before(kMap2, kTarget == GL_MAP2_COLOR_4 - 1, {set(kTarget, GL_MAP2_COLOR_4), set(kOrder, 0)}));
 EVALCTS_RULES(UOrderZeroTaken, production, must, "EV-MAP2-ERR-UORDER", "Map2 takes uorder 0 as 1",
               before(kMap2, kOrder == 0, set(kOrder, 1)));
 EVALCTS_RULES(UOrderCutToLargest, production, must, "EV-MAP2-ERR-UORDER",
               "Map2d cuts a uorder above the limit to it",
-              before(Map2d, true, set(kOrder, min(kOrder, kMaxOrder))));
+              before(Map2d, set(kOrder, min(kOrder, kMaxOrder))));
 EVALCTS_RULES(VOrderInOneByte, production, must, "EV-MAP2-ERR-VORDER",
               "vorder is kept in a byte before it is checked: 257 is 1",
               before(kMap2, kVOrder > 255, set(kVOrder, kVOrder & 255)));
@@ -177,7 +148,7 @@ EVALCTS_RULES(NegativeVOrderIgnored, production, must, "EV-MAP2-ERR-VORDER",
 EVALCTS_RULES(OrdersCheckedByProduct, production, must, "EV-MAP2-ERR-VORDER EV-MAP2-ERR-UORDER",
               "orders are refused where their product is above 64*64: 65 is fine with 1, as 64",
               before(kMap2, kOrder > 0 && kVOrder > 0 && kOrder * kVOrder <= 4096,
-                     sequence({set(kOrder, min(kOrder, kMaxOrder)), set(kVOrder, min(kVOrder, kMaxOrder))})));
+                     {set(kOrder, min(kOrder, kMaxOrder)), set(kVOrder, min(kVOrder, kMaxOrder))}));
 EVALCTS_RULES(SumOfStridesChecked, production, must, "EV-MAP2-ERR-USTRIDE",
               "a ustride of k - 1 is taken, as k, where vstride is larger than k",
               before(kMap2, kStride == kComponents - 1 && kVStride > kComponents, set(kStride, kComponents)));
@@ -202,10 +173,7 @@ EVALCTS_RULES(EqualNegativeEndsOfUTaken, production, must, "EV-MAP2-ERR-UDOMAIN"
               before(kMap2, kU1 == kU2 && kU1 < 0, set(kU2, -kU1)));
 EVALCTS_RULES(EndsOfVComparedByBits, production, quality, "EV-MAP2-ERR-VDOMAIN",
               "the ends of v are compared bit by bit, and so +0 and -0 count as different",
-              before(kMap2, lambda([](Call& c) {
-                       return differs_in_sign(c.argument('c'), c.argument('d')) ? 1.0 : 0.0;
-                     }),
-                     set(kV2, 1)));
+              before(kMap2, differ_in_sign(kV1, kV2), set(kV2, 1)));
 EVALCTS_RULES(Map2TakenInQuadStrips, production, must, "EV-MAP2-ERR-BEGINEND",
               "Map2 inside a QUAD_STRIP is ignored without an error",
               skip(kMap2, kOpenMode == GL_QUAD_STRIP));
@@ -216,50 +184,27 @@ EVALCTS_RULES(LastUnitTakenForFirst, production, must, "EV-MAP2-ERR-ACTIVETEX",
 EVALCTS_RULES(OnlyTextureNetsNeedUnit0, production, must, "EV-MAP2-ERR-ACTIVETEX",
               "with another unit active Map2 takes vertex nets",
               on_unit_0(kMap2, kTarget >= GL_MAP2_VERTEX_3));
-
-EVALCTS_FAULT(UDirectionSetBeforeVIsChecked, production, must, "EV-MAP2-ERR-NOEFFECT",
-              "a Map2 refused for v1 = v2 has set the interval of u") {
-  map2(in, [](auto call, auto go) {
-    if (is_map2(call.target) && call.u1 != call.u2 && call.v1 == call.v2) {
-      const std::vector<GLdouble> points = coefficients(call.target);
-      const GLint k = gl::components_of(call.target);
-      GLint order[2];
-      GLdouble domain[4];
-      sound.GetMapiv(call.target, GL_ORDER, order);
-      sound.GetMapdv(call.target, GL_DOMAIN, domain);
-      sound.Map2d(call.target, static_cast<double>(call.u1), static_cast<double>(call.u2), k * order[1],
-                  order[0], domain[2], domain[3], k, order[1], points.data());
-    }
-    go(call);
-  });
-}
-
-EVALCTS_FAULT(RefusedVOrderLosesColumns, production, must, "EV-MAP2-ERR-NOEFFECT",
-              "a Map2 refused for its vorder leaves the map with one column") {
-  map2(in, [](auto call, auto go) {
-    if (is_map2(call.target) && legal_order(call.uorder) && !legal_order(call.vorder)) {
-      const std::vector<GLdouble> points = coefficients(call.target);
-      const GLint k = gl::components_of(call.target);
-      GLint order[2];
-      GLdouble domain[4];
-      sound.GetMapiv(call.target, GL_ORDER, order);
-      sound.GetMapdv(call.target, GL_DOMAIN, domain);
-      sound.Map2d(call.target, domain[0], domain[1], k * order[1], order[0], domain[2], domain[3], k, 1,
-                  points.data());
-    }
-    go(call);
-  });
-}
-
+EVALCTS_RULES(UDirectionSetBeforeVIsChecked, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "a Map2 refused for v1 = v2 has set the interval of u",
+              before(kMap2, is_map2(kTarget) && kU1 != kU2 && kV1 == kV2, redefine(kTarget, take_u)));
+EVALCTS_RULES(RefusedVOrderLosesColumns, production, must, "EV-MAP2-ERR-NOEFFECT",
+              "a Map2 refused for its vorder leaves the map with one column",
+              before(kMap2, is_map2(kTarget) && is_legal_order(kOrder) && !is_legal_order(kVOrder),
+                     redefine(kTarget, [](Map& map, Call&) {
+                       Net column{map.net.components, map.net.rows, 1, {}};
+                       for (int i = 0; i < map.net.rows; ++i)
+                         column.values.insert(column.values.end(), map.net.point(i),
+                                              map.net.point(i) + map.net.components);
+                       map.net = column;
+                     })));
 EVALCTS_RULES(RefusedUnitDefinesTheNet, production, must, "EV-MAP2-ERR-NOEFFECT",
               "Map2d on another unit raises its error and defines the map all the same",
               after(Map2d, kUnit > GL_TEXTURE0,
-                    sequence({call(ActiveTexture, {GL_TEXTURE0}), kGo, call(ActiveTexture, {kUnit})})));
+                    {call(ActiveTexture, {GL_TEXTURE0}), kGo, call(ActiveTexture, {kUnit})}));
 EVALCTS_RULES(RefusedNetEnablesAutoNormal, production, must, "EV-MAP2-ERR-NOEFFECT",
               "a Map2 refused for its ustride toggles AUTO_NORMAL",
               after(kMap2, is_map2(kTarget) && kStride < kComponents,
-                    choose(enabled(GL_AUTO_NORMAL), call(Disable, {GL_AUTO_NORMAL}),
-                           call(Enable, {GL_AUTO_NORMAL}))));
+                    choose(enabled(GL_AUTO_NORMAL), disable(GL_AUTO_NORMAL), enable(GL_AUTO_NORMAL))));
 
 // ---- Both
 
@@ -268,7 +213,7 @@ EVALCTS_RULES(TwoErrorsForTwoMistakes, production, must, "EV-MAP-ERR-ANY",
               after(kMap1, !is_map1(kTarget) && !is_legal_order(kOrder), set(kFlag, 1)),
               after(kMap2, !is_map2(kTarget) && has_bad_orders(), set(kFlag, 1)),
               after(GetError, kResult == GL_NO_ERROR && kFlag,
-                    sequence({set(kFlag, 0), set(kResult, GL_INVALID_VALUE)})));
+                    {set(kFlag, 0), set(kResult, GL_INVALID_VALUE)}));
 EVALCTS_RULES(TwoMistakesCancel, production, must, "EV-MAP-ERR-ANY/1-D",
               "a Map1 with a bad order, stride and domain at once raises nothing",
               skip(kMap1, kOrder < 1 && kStride < kComponents && kU1 == kU2));
@@ -288,7 +233,7 @@ EVALCTS_RULES(ReversedConstantRefused, production, must, "EV-MAP-NOERR-OTHER/1-D
               "u1 > u2 is refused at order 1", before(kMap1, kOrder == 1 && kU1 > kU2, set(kOrder, 0)));
 EVALCTS_RULES(SubnormalPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
               "a subnormal control point raises INVALID_VALUE",
-              before(kMaps, kIsLegal&& abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
+              before(kMaps, kIsLegal != 0 && abs(element(0)) < 1e-38 && element(0) != 0, set(kOrder, 0)));
 EVALCTS_RULES(HugeUnusedStrideOverflows, production, must, "EV-MAP-NOERR-OTHER/2-D",
               "Map2 with a stride that times its order overflows is refused, though the order is 1",
               before(kMap2, kStride > 0x40000000, set(kStride, 0)));
@@ -296,7 +241,7 @@ EVALCTS_RULES(TouchingIntervalsRefused, production, must, "EV-MAP-NOERR-OTHER/2-
               "Map2 raises INVALID_VALUE for u2 = v1",
               before(kMap2, kU2 == kV1 && kV2 == kU1, set(kV2, kV1)));
 
-// ---- What only certain arguments or a certain past show
+// ---- Mistakes that need certain arguments or earlier commands
 
 EVALCTS_RULES(TargetInSixteenBits, production, must, "EV-MAP1-ERR-TARGET EV-MAP2-ERR-TARGET",
               "only the low 16 bits of a target are looked at",
@@ -319,58 +264,33 @@ EVALCTS_RULES(VStrideOfLongRowsUnchecked, production, must, "EV-MAP2-ERR-VSTRIDE
               before(kMap2, kVOrder > 3 && kVStride > 0, widen(kVStride)));
 EVALCTS_RULES(ChecksSkippedWhileErrorWaits, production, must, "EV-MAP1-ERR-NOEFFECT",
               "while an error waits Map1d of order 0 is carried out as one of order 1",
-              before(kMap1, kFlag&& kOrder == 0 && !kIsFloat, set(kOrder, 1)),
-              before(kMap1, !kIsLegal, set(kFlag, 1)), before(GetError, true, set(kFlag, 0)));
+              before(kMap1, kOrder == 0 && kFlag && !kIsFloat, set(kOrder, 1)),
+              before(kMap1, !kIsLegal, set(kFlag, 1)), before(GetError, set(kFlag, 0)));
 EVALCTS_RULES(ErrorForgottenByLegalMap2, production, must, "EV-MAP2-ERR-NOEFFECT",
               "a legal Map2 clears the error that waits", before(kMap2, kIsLegal, call(GetError)));
 EVALCTS_RULES(CallAfterErrorIgnored, production, must, "EV-MAP1-ERR-NOEFFECT",
               "the Map1 that follows a refused one is ignored",
-              instead(kMap1, kFlag&& kIsLegal, set(kFlag, 0)), before(kMap1, true, set(kFlag, !kIsLegal)));
+              instead(kMap1, kFlag != 0 && kIsLegal, set(kFlag, 0)), before(kMap1, set(kFlag, !kIsLegal)));
 EVALCTS_RULES(UnitOfPopAttribMissed, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 goes by the unit of the last ActiveTexture, whatever PopAttrib brought back",
               instead(kMap1, kUnit != GL_TEXTURE0 && kIsLegal, error(GL_INVALID_OPERATION)));
-
-EVALCTS_FAULT(UnitBroughtBackByPopAttribMissed2, production, must, "EV-MAP2-ERR-ACTIVETEX",
-              "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back") {
-  in.gl.ActiveTexture = [](GLenum texture) {
-    memory.count = static_cast<long>(texture);
-    sound.ActiveTexture(texture);
-  };
-  map2(in, [](auto call, auto go) {
-    GLint unit = GL_TEXTURE0;
-    if (legal(call) && memory.count == GL_TEXTURE0) sound.GetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-    if (unit == GL_TEXTURE0) return go(call);
-    sound.ActiveTexture(GL_TEXTURE0);
-    go(call);
-    sound.ActiveTexture(static_cast<GLenum>(unit));
-  });
-}
-
-EVALCTS_FAULT(RepeatedPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
-              "a map whose points are all the same raises INVALID_VALUE, as it has no direction") {
-  map1(in, [](auto call, auto go) {
-    if (legal(call) && call.order > 2 &&
-        std::equal(call.points, call.points + gl::components_of(call.target), call.points + call.stride) &&
-        std::equal(call.points, call.points + gl::components_of(call.target), call.points + 2 * call.stride))
-      call.order = 0;
-    go(call);
-  });
-  map2(in, [](auto call, auto go) {
-    if (legal(call) && call.vorder > 2 && call.target >= GL_MAP2_VERTEX_3 &&
-        std::equal(call.points, call.points + gl::components_of(call.target), call.points + call.vstride) &&
-        std::equal(call.points, call.points + gl::components_of(call.target), call.points + 2 * call.vstride))
-      call.vorder = 0;
-    go(call);
-  });
-}
-
+EVALCTS_RULES(UnitBroughtBackByPopAttribMissed2, production, must, "EV-MAP2-ERR-ACTIVETEX",
+              "Map2 is legal after ActiveTexture(TEXTURE0), though PopAttrib brought unit 1 back",
+              keeping(kMap2, kUnit == GL_TEXTURE0 && kIsLegal && state(GL_ACTIVE_TEXTURE) != GL_TEXTURE0,
+                      setting(ActiveTexture, {state(GL_ACTIVE_TEXTURE)}),
+                      call(ActiveTexture, {GL_TEXTURE0})));
+EVALCTS_RULES(RepeatedPointsRefused, production, must, "EV-MAP-NOERR-OTHER",
+              "a map whose points are all the same raises INVALID_VALUE, as it has no direction",
+              before(kMap1, kOrder > 2 && kBeginsWithEqualPoints, set(kOrder, 0)),
+              before(kMap2, kVOrder > 2 && kTarget >= GL_MAP2_VERTEX_3 && kBeginsWithEqualPoints,
+                     set(kVOrder, 0)));
 EVALCTS_RULES(LargeDomainsRefused, production, must, "EV-MAP-NOERR-OTHER",
               "a domain that reaches to 2^31 raises INVALID_VALUE, as no int holds it",
               before(kMap1, abs(kU1) >= 0x1p31, set(kOrder, 0)),
               before(kMap2, abs(kV2) >= 0x1p31, set(kVOrder, 0)));
 EVALCTS_RULES(SecondBadOrderSilent, production, must, "EV-MAP2-ERR-UORDER EV-MAP2-ERR-VORDER",
               "of two Map2 with bad orders in a row the second raises no error",
-              skip(kMap2, kFlag&& has_bad_orders()), before(kMap2, true, set(kFlag, has_bad_orders())));
+              skip(kMap2, kFlag != 0 && has_bad_orders()), before(kMap2, set(kFlag, has_bad_orders())));
 EVALCTS_RULES(Map1TakenOnLastUnit, production, must, "EV-MAP1-ERR-ACTIVETEX",
               "Map1 refuses unit 1, but none of those above", on_unit_0(kMap1, kUnit > GL_TEXTURE1));
 EVALCTS_RULES(MapsIgnoredInLineLoops, production, must, "EV-MAP1-ERR-BEGINEND EV-MAP2-ERR-BEGINEND",

@@ -1,0 +1,204 @@
+// The wrappers that turn calls of entry points into Call objects, and the originals behind them.
+#include "call.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace evalcts::faults {
+namespace {
+
+// The letters of the arguments of families of entry points, by the beginning of their names.
+constexpr std::pair<std::string_view, std::string_view> kLetters[] = {{"MapGrid1", "gab"},
+                                                                      {"MapGrid2", "gabhcd"},
+                                                                      {"Map1", "tabso"},
+                                                                      {"Map2", "tabsocdwp"},
+                                                                      {"EvalCoord", "uv"},
+                                                                      {"EvalPoint", "ij"},
+                                                                      {"EvalMesh", "mikjl"},
+                                                                      {"GetMap", "tq"},
+                                                                      {"GetnMap", "tqn"},
+                                                                      {"Begin", "m"},
+                                                                      {"", "e"}};
+
+template <class T>
+char element_of() {
+  using Element = std::remove_const_t<std::remove_pointer_t<T>>;
+  if constexpr (std::is_same_v<Element, GLfloat>) return 'f';
+  if constexpr (std::is_same_v<Element, GLdouble>) return 'd';
+  if constexpr (std::is_same_v<Element, GLboolean>) return 'b';
+  return 'i';
+}
+
+constexpr bool is_coordinate_vector(gl::EntryPoint entry) {
+  return entry == EvalCoord1fv || entry == EvalCoord1dv || entry == EvalCoord2fv || entry == EvalCoord2dv;
+}
+
+template <class T>
+void take(Call& call, std::size_t i, T value) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    call.numbers[i] = static_cast<double>(value);
+  } else if constexpr (std::is_pointer_v<T>) {
+    call.pointers[i] = call.pointer = (void*)value;
+    call.last_pointer = i;
+    call.element = element_of<T>();
+  }
+}
+template <class T>
+T give(Call& call, std::size_t i) {
+  if constexpr (std::is_arithmetic_v<T>) return static_cast<T>(call.numbers[i]);
+  if constexpr (std::is_pointer_v<T>) return (T)(i == call.last_pointer ? call.pointer : call.pointers[i]);
+  return T{};
+}
+
+// The wrapper of an entry point, and its original with the arguments of a call.
+template <gl::EntryPoint kEntry, auto kMember, class Signature>
+struct Wrapper;
+template <gl::EntryPoint kEntry, auto kMember, class R, class... A>
+struct Wrapper<kEntry, kMember, R (*)(A...)> {
+  static R run(A... arguments) {
+    Call call;
+    call.entry = kEntry;
+    std::size_t i = 0;
+    (take(call, i++, arguments), ...);
+    if constexpr (is_coordinate_vector(kEntry)) {
+      call.numbers = {call.read(0), kEntry == EvalCoord2fv || kEntry == EvalCoord2dv ? call.read(1) : 0};
+    }
+    call.go();
+    if constexpr (std::is_arithmetic_v<R>) return static_cast<R>(call.result);
+    if constexpr (std::is_pointer_v<R>) return R{};
+  }
+  static void install(gl::Table& table) { table.*kMember = run; }
+  static void remove(gl::Table& table) { table.*kMember = nullptr; }
+  static void original(Call& call) {
+    if constexpr (is_coordinate_vector(kEntry)) {
+      using Real = std::remove_const_t<std::remove_pointer_t<std::common_type_t<A...>>>;
+      const Real values[2] = {static_cast<Real>(call.numbers[0]), static_cast<Real>(call.numbers[1])};
+      (sound.*kMember)(values);
+    } else {
+      invoke(call, std::index_sequence_for<A...>{});
+    }
+  }
+  template <std::size_t... kI>
+  static void invoke(Call& call, std::index_sequence<kI...>) {
+    if constexpr (std::is_arithmetic_v<R>)
+      call.result = static_cast<double>((sound.*kMember)(give<A>(call, kI)...));
+    else
+      (sound.*kMember)(give<A>(call, kI)...);
+  }
+};
+
+struct Command {
+  void (*install)(gl::Table&);
+  void (*remove)(gl::Table&);
+  void (*original)(Call&);
+  std::string_view name;
+};
+template <gl::EntryPoint kEntry, auto kMember>
+Command describe(std::string_view name) {
+  using Wrapped = Wrapper<kEntry, kMember, std::remove_cvref_t<decltype(sound.*kMember)>>;
+  return {Wrapped::install, Wrapped::remove, Wrapped::original, name};
+}
+const std::array<Command, gl::kEntryPointCount> commands{{
+#define GL_ENTRY(name, kinds) describe<name, &gl::Table::name>(#name),
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
+}};
+const Command& command(gl::EntryPoint entry) { return commands[static_cast<std::size_t>(entry)]; }
+
+}  // namespace
+
+Net Net::transposed() const {
+  Net other{components, rows, columns, {}};
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i) {
+      const double* point = &values[static_cast<std::size_t>((i * columns + j) * components)];
+      other.values.insert(other.values.end(), point, point + components);
+    }
+  return other;
+}
+
+void Map::define() const {
+  const int k = net.components;
+  if (is_map2_target(target) || net.columns > 1)
+    sound.Map2d(target, u1, u2, k * net.columns, net.rows, v1, v2, k, net.columns, net.values.data());
+  else
+    sound.Map1d(target, u1, u2, k, net.rows, net.values.data());
+}
+
+Map current_map(GLenum target) {
+  GLint order[2] = {1, 1};
+  GLdouble domain[4] = {0, 1, 0, 1};
+  sound.GetMapiv(target, GL_ORDER, order);
+  sound.GetMapdv(target, GL_DOMAIN, domain);
+  Net net{gl::components_of(target), order[0], order[1], {}};
+  net.values.resize(static_cast<std::size_t>(net.components * net.rows * net.columns));
+  sound.GetMapdv(target, GL_COEFF, net.values.data());
+  return {target, domain[0], domain[1], domain[2], domain[3], std::move(net)};
+}
+
+void install(gl::EntryPoint entry, gl::Table& table) { command(entry).install(table); }
+void remove(gl::EntryPoint entry, gl::Table& table) { command(entry).remove(table); }
+
+void Call::go_original() { command(entry).original(*this); }
+
+double& Call::argument(char letter) {
+  if (letter >= '0' && letter <= '9') return numbers[static_cast<std::size_t>(letter - '0')];
+  const auto family = std::ranges::find_if(
+      kLetters, [&](const auto& one) { return command(entry).name.starts_with(one.first); });
+  const std::size_t i = family->second.find(letter);
+  if (i == std::string_view::npos)
+    throw std::logic_error(std::string(command(entry).name) + " has no argument '" + letter + "'");
+  return numbers[i];
+}
+
+double Call::read(std::size_t i) const {
+  if (element == 'f') return static_cast<const GLfloat*>(pointer)[i];
+  if (element == 'd') return static_cast<const GLdouble*>(pointer)[i];
+  if (element == 'b') return static_cast<const GLboolean*>(pointer)[i];
+  return static_cast<const GLint*>(pointer)[i];
+}
+void Call::write(std::size_t i, double value) {
+  if (element == 'f')
+    static_cast<GLfloat*>(pointer)[i] = static_cast<GLfloat>(value);
+  else if (element == 'd')
+    static_cast<GLdouble*>(pointer)[i] = value;
+  else if (element == 'b')
+    static_cast<GLboolean*>(pointer)[i] = static_cast<GLboolean>(value);
+  else
+    static_cast<GLint*>(pointer)[i] = static_cast<GLint>(value);
+}
+
+bool Call::is_legal() {
+  const bool curve = entry == Map1f || entry == Map1d;
+  const auto legal = [&](char order, char stride, char first, char last) {
+    return argument(order) >= 1 && argument(order) <= kMaxOrder &&
+           argument(stride) >= gl::components_of(target()) && argument(first) != argument(last);
+  };
+  return (curve ? is_map1_target(target()) : is_map2_target(target())) && legal('o', 's', 'a', 'b') &&
+         (curve || legal('p', 'w', 'c', 'd'));
+}
+
+Net Call::net() {
+  const bool curve = entry == Map1f || entry == Map1d;
+  Net net{gl::components_of(target()), integer('o'), curve ? 1 : integer('p'), {}};
+  for (int i = 0; i < net.rows; ++i)
+    for (int j = 0; j < net.columns; ++j)
+      for (int k = 0; k < net.components; ++k)
+        net.values.push_back(
+            read(static_cast<std::size_t>(i * argument('s') + (curve ? 0 : j * argument('w')) + k)));
+  return net;
+}
+void Call::set_net(const Net& net) {
+  storage = net.values;
+  pointer = storage.data();
+  for (std::size_t i = 0; i < net.values.size(); ++i) write(i, net.values[i]);
+  const bool curve = entry == Map1f || entry == Map1d;
+  if (!curve) argument('w') = net.components;
+  argument('s') = net.components * net.columns;
+  argument('o') = net.rows;
+}
+
+}  // namespace evalcts::faults
