@@ -147,7 +147,7 @@ void add_order() {
   }
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   add_order<4, 3>();
   add_order<4, 4>();
   add_order<8, 4>();

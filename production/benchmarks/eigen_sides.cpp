@@ -95,7 +95,7 @@ MeshSide with_normals(const Mesh& mesh) {
   };
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Mesh& mesh : meshes()) {
     add(mesh, "Eigen", Unit::kMesh, [&mesh] { return mesh.normals ? with_normals(mesh) : positions(mesh); });
   }

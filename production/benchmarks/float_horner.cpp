@@ -12,7 +12,7 @@ struct Reciprocals {
     for (int i = 1; i < kMaxOrder; ++i) of[i] = 1.0F / static_cast<float>(i);
   }
 };
-const Reciprocals reciprocals;
+const Reciprocals kReciprocals;
 
 // de Casteljau's construction of `order` points that lie `stride` apart, in place, until the first two are
 // left.
@@ -40,7 +40,7 @@ void reduce_to_two(float* points, int order, int stride, int components, float t
   const float* point = points + 2 * components;
   for (int i = 2; i < order; ++i, power *= u, point += components) {
     binomial *= static_cast<float>(order - i);
-    binomial *= reciprocals.of[i];
+    binomial *= kReciprocals.of[i];
     const float weight = binomial * power;
     for (int k = 0; k < components; ++k) result[k] = s * result[k] + weight * point[k];
   }

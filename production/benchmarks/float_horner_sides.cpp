@@ -21,7 +21,7 @@ void point_with_normal(const Mesh& mesh, float u, float v, float* result) {
   }
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   const auto add_curve = [](const Curve& curve) {
     add(curve, "float_Horner",
         [&curve]() -> CurveSide { return [&curve](float* results) { horner_points(curve, results); }; });

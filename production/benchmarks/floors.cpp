@@ -9,7 +9,7 @@
 #include <hwy/cache_control.h>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "floors.cpp"
+#define HWY_TARGET_INCLUDE "benchmarks/floors.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -46,27 +46,27 @@ std::size_t multiply_add(T* result) {
   return 10 * kRounds * hn::Lanes(tag);
 }
 
-std::size_t DoubleMultiplyAdd() {
+std::size_t double_multiply_add() {
   double result = 1;
   const std::size_t count = multiply_add(&result);
   benchmark::DoNotOptimize(result);
   return count;
 }
 
-std::size_t FloatMultiplyAdd() {
+std::size_t float_multiply_add() {
   float result = 1;
   const std::size_t count = multiply_add(&result);
   benchmark::DoNotOptimize(result);
   return count;
 }
 
-void Store(float* memory, std::size_t floats) {
+void store_floats(float* memory, std::size_t floats) {
   const hn::ScalableTag<float> tag;
   const auto value = hn::Set(tag, 1.0F);
   for (std::size_t i = 0; i < floats; i += hn::Lanes(tag)) hn::Store(value, tag, memory + i);
 }
 
-void Stream(float* memory, std::size_t floats) {
+void stream_floats(float* memory, std::size_t floats) {
   const hn::ScalableTag<float> tag;
   const auto value = hn::Set(tag, 1.0F);
   for (std::size_t i = 0; i < floats; i += hn::Lanes(tag)) hn::Stream(value, tag, memory + i);
@@ -80,10 +80,10 @@ HWY_AFTER_NAMESPACE();
 namespace evalcts::bench {
 namespace {
 
-HWY_EXPORT(DoubleMultiplyAdd);
-HWY_EXPORT(FloatMultiplyAdd);
-HWY_EXPORT(Store);
-HWY_EXPORT(Stream);
+HWY_EXPORT(double_multiply_add);
+HWY_EXPORT(float_multiply_add);
+HWY_EXPORT(store_floats);
+HWY_EXPORT(stream_floats);
 
 constexpr std::size_t kRing = 16 * 1024 * 3, kArray = 1024 * 1024 * 3;  // floats, as in the bicubic meshes
 
@@ -101,16 +101,16 @@ void add_stores(const std::string& name, void (*function)(float*, std::size_t), 
   });
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     const std::string name = std::string("/") + hwy::TargetName(target);
-    add_multiply_add("Floor/double_FMA" + name, HWY_DYNAMIC_DISPATCH(DoubleMultiplyAdd));
-    add_multiply_add("Floor/float_FMA" + name, HWY_DYNAMIC_DISPATCH(FloatMultiplyAdd));
-    add_stores("Floor/store_ring" + name, HWY_DYNAMIC_DISPATCH(Store), kRing);
-    add_stores("Floor/store_array" + name, HWY_DYNAMIC_DISPATCH(Store), kArray);
-    add_stores("Floor/stream_array" + name, HWY_DYNAMIC_DISPATCH(Stream), kArray);
+    add_multiply_add("Floor/double_FMA" + name, HWY_DYNAMIC_DISPATCH(double_multiply_add));
+    add_multiply_add("Floor/float_FMA" + name, HWY_DYNAMIC_DISPATCH(float_multiply_add));
+    add_stores("Floor/store_ring" + name, HWY_DYNAMIC_DISPATCH(store_floats), kRing);
+    add_stores("Floor/store_array" + name, HWY_DYNAMIC_DISPATCH(store_floats), kArray);
+    add_stores("Floor/stream_array" + name, HWY_DYNAMIC_DISPATCH(stream_floats), kArray);
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();

@@ -38,8 +38,8 @@ struct Glu {
 #undef EVALCTS_GLU
 
 const Glu& glu() {
-  static const Glu functions;
-  return functions;
+  static const Glu kFunctions;
+  return kFunctions;
 }
 
 // Where the vertices go.
@@ -138,7 +138,7 @@ Measured mesh_side(const Mesh& mesh) {
   return {[&mesh, draw, delivery] { draw(mesh.points); }, static_cast<std::int64_t>(delivery->vertices)};
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Curve& curve : curves()) {
     if (curve.order <= kMaxOrder) add(curve.name + "/GLU", [&curve] { return curve_side(curve); });
   }

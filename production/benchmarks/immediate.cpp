@@ -35,7 +35,7 @@ Immediate float_horner(const std::vector<float>& points) {
   return context;
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   add_curve_calls("float_Horner", [] {
     return [context = float_horner(called_curve().points)]() mutable {
       call_curve([&context](float u) { horner_eval_coord1(context, u); });

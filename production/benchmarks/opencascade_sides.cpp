@@ -69,7 +69,7 @@ MeshSide points_of(const Mesh& mesh, const Evaluator& evaluator) {
   };
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Curve& curve : curves()) {
     if (curve.components != 3 || curve.order > Geom_BezierCurve::MaxDegree() + 1) continue;
     add(curve, "OpenCASCADE", [&curve] { return points_of(curve, geometry(curve)); });

@@ -101,7 +101,7 @@ MeshSide side(const Mesh& mesh) {
   };
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Mesh& mesh : meshes()) {
     if (mesh.order != 4 || mesh.components != 3 || mesh.ring == mesh.rows) continue;
     add(mesh, "OpenSubdiv", Unit::kStrip, [&mesh] { return side(mesh); });

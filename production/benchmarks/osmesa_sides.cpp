@@ -136,7 +136,7 @@ MeshSide side(const Mesh& mesh) {
   };
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Curve& curve : curves()) add(curve, "OSMesa", [&curve] { return side(curve); });
   for (const Mesh& mesh : meshes()) {
     if (mesh.ring != mesh.rows && !mesh.normals)

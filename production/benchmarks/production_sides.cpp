@@ -136,7 +136,7 @@ void add_target(const char* target) {
   });
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (std::size_t i = 0; const char* const target = glevGetTargetName(i); ++i) add_target(target);
   return true;
 }();

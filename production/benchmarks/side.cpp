@@ -46,17 +46,17 @@ void check(const Mesh& mesh, const MeshSide& side, Unit unit) {
 
 // Aligned to pages.
 std::span<float> memory() {
-  static const std::span<float> floats = [] {
+  static const std::span<float> kFloats = [] {
     std::size_t count = 0;
     for (const Mesh& mesh : meshes())
       count = std::max(count, static_cast<std::size_t>(mesh.ring) * mesh.columns * mesh.values());
     const std::size_t page = 4096, bytes = (count * sizeof(float) + page - 1) / page * page;
     return std::span(static_cast<float*>(std::aligned_alloc(page, bytes)), count);
   }();
-  return floats;
+  return kFloats;
 }
 
-[[maybe_unused]] const bool described = [] {
+[[maybe_unused]] const bool kDescribed = [] {
   benchmark::AddCustomContext("compiler", EVALCTS_COMPILER);
   return true;
 }();

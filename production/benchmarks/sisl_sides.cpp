@@ -60,7 +60,7 @@ MeshSide grid(const Mesh& mesh) {
   };
 }
 
-[[maybe_unused]] const bool registered = [] {
+[[maybe_unused]] const bool kRegistered = [] {
   for (const Curve& curve : curves()) add(curve, "SISL", [&curve] { return points_one_by_one(curve); });
   for (const Mesh& mesh : meshes()) {
     if (mesh.ring != mesh.rows) add(mesh, "SISL", Unit::kMesh, [&mesh] { return grid(mesh); });

@@ -114,22 +114,22 @@ std::vector<Curve> all_hard_curves() {
 }  // namespace
 
 const std::vector<Curve>& curves() {
-  static const std::vector<Curve> all = {random_curve(4, 3), random_curve(4, 4), random_curve(10, 3),
-                                         random_curve(30, 3)};
-  return all;
+  static const std::vector<Curve> kAll = {random_curve(4, 3), random_curve(4, 4), random_curve(10, 3),
+                                          random_curve(30, 3)};
+  return kAll;
 }
 
 const std::vector<Mesh>& meshes() {
-  static const std::vector<Mesh> all = {random_mesh(4, 3, 1024, 1024, false),
-                                        random_mesh(4, 3, 1024, 16, false), random_mesh(4, 3, 1024, 16, true),
-                                        random_mesh(8, 4, 512, 16, false),
-                                        random_mesh(30, 4, 512, 16, false)};
-  return all;
+  static const std::vector<Mesh> kAll = {random_mesh(4, 3, 1024, 1024, false),
+                                         random_mesh(4, 3, 1024, 16, false),
+                                         random_mesh(4, 3, 1024, 16, true), random_mesh(8, 4, 512, 16, false),
+                                         random_mesh(30, 4, 512, 16, false)};
+  return kAll;
 }
 
 const std::vector<Curve>& hard_curves() {
-  static const std::vector<Curve> all = all_hard_curves();
-  return all;
+  static const std::vector<Curve> kAll = all_hard_curves();
+  return kAll;
 }
 
 }  // namespace evalcts::bench

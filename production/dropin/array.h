@@ -25,7 +25,7 @@ class Array {
   void clear() { size_ = 0; }
 
   // Room for `count` more behind the last one, to be filled; null, and nothing changed, without memory.
-  T* Grow(std::size_t count) {
+  T* grow(std::size_t count) {
     if (size_ + count > capacity_) {
       const std::size_t capacity = (size_ + count) + (size_ + count) / 2;
       void* const data = std::realloc(data_, capacity * kBytes);
@@ -36,18 +36,18 @@ class Array {
     size_ += count;
     return data_ + size_ - count;
   }
-  bool Insert(std::size_t place, const T& value) {
-    if (Grow(1) == nullptr) return false;
+  bool insert(std::size_t place, const T& value) {
+    if (grow(1) == nullptr) return false;
     std::memmove(data_ + place + 1, data_ + place, (size_ - 1 - place) * kBytes);
     data_[place] = value;
     return true;
   }
-  void Erase(std::size_t place, std::size_t count = 1) {
+  void erase(std::size_t place, std::size_t count = 1) {
     if (count == 0) return;  // an empty one has no address
     std::memmove(data_ + place, data_ + place + count, (size_ - place - count) * kBytes);
     size_ -= count;
   }
-  void Swap(Array& other) {
+  void swap(Array& other) {
     T* const data = data_;
     const std::size_t size = size_, capacity = capacity_;
     data_ = other.data_, size_ = other.size_, capacity_ = other.capacity_;

@@ -5,25 +5,26 @@
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 
 // Where the GL has no evaluators any more, or never had any, its own answer counts.
-#define OF_EVALUATORS(name, ...)      \
-  Context* const context = Current(); \
-  if (context == nullptr) return Gl().name(__VA_ARGS__)
+#define OF_EVALUATORS(name, ...)              \
+  Context* const context = current_context(); \
+  if (context == nullptr) return gl_below().name(__VA_ARGS__)
 
 namespace {
 
 // A command that lists take.
 template <class Operation>
-void Issue(Context* context, const Operation& operation) {
-  evaluators_used.Note();
-  context->Issue([operation](Context& executing, const unsigned char*) { operation(executing); });
+void issue(Context* context, const Operation& operation) {
+  evaluators_used.note();
+  context->issue([operation](Context& executing, const unsigned char*) { operation(executing); });
 }
 
 // --- Maps
 
 // Number of values that Map reads of a control point; 0 where it reads none, because its arguments are wrong.
 template <int kDimension>
-std::size_t ComponentsOf(GLenum name, const GLint (&orders)[kDimension], const GLint (&strides)[kDimension]) {
-  const glev::Target target = glev::FindTarget(name);
+std::size_t components_of(GLenum name, const GLint (&orders)[kDimension],
+                          const GLint (&strides)[kDimension]) {
+  const glev::Target target = glev::find_target(name);
   if (target.dimension != kDimension) return 0;
   const int components = glev::kSlotTable[static_cast<std::size_t>(target.slot)].components;
   for (int k = 0; k < kDimension; ++k)
@@ -33,16 +34,16 @@ std::size_t ComponentsOf(GLenum name, const GLint (&orders)[kDimension], const G
 
 // The control points of a list are copied, packed.
 template <class Real>
-void DefineMap1(Context* context, GLenum target, Real u1, Real u2, GLint stride, GLint order,
-                const Real* points) {
-  evaluators_used.Note();
-  if (!context->list.open) return context->Map1(target, u1, u2, stride, order, points);
-  const std::size_t k = points != nullptr ? ComponentsOf<1>(target, {order}, {stride}) : 0;
+void define_map1(Context* context, GLenum target, Real u1, Real u2, GLint stride, GLint order,
+                 const Real* points) {
+  evaluators_used.note();
+  if (!context->list.open) return context->map1(target, u1, u2, stride, order, points);
+  const std::size_t k = points != nullptr ? components_of<1>(target, {order}, {stride}) : 0;
   const auto packed = static_cast<GLint>(k);
   const bool null = points == nullptr;
-  context->IssueWith(
+  context->issue_with(
       [=](Context& executing, const unsigned char* copy) {
-        executing.Map1(target, u1, u2, packed > 0 ? packed : stride, order,
+        executing.map1(target, u1, u2, packed > 0 ? packed : stride, order,
                        null ? nullptr : reinterpret_cast<const Real*>(copy));
       },
       k * static_cast<std::size_t>(order) * sizeof(Real),
@@ -54,17 +55,18 @@ void DefineMap1(Context* context, GLenum target, Real u1, Real u2, GLint stride,
 }
 
 template <class Real>
-void DefineMap2(Context* context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1,
-                Real v2, GLint vstride, GLint vorder, const Real* points) {
-  evaluators_used.Note();
+void define_map2(Context* context, GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1,
+                 Real v2, GLint vstride, GLint vorder, const Real* points) {
+  evaluators_used.note();
   if (!context->list.open)
-    return context->Map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  const std::size_t k = points != nullptr ? ComponentsOf<2>(target, {uorder, vorder}, {ustride, vstride}) : 0;
+    return context->map2(target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  const std::size_t k =
+      points != nullptr ? components_of<2>(target, {uorder, vorder}, {ustride, vstride}) : 0;
   const auto packed = static_cast<GLint>(k);
   const bool null = points == nullptr;
-  context->IssueWith(
+  context->issue_with(
       [=](Context& executing, const unsigned char* copy) {
-        executing.Map2(target, u1, u2, packed > 0 ? packed * vorder : ustride, uorder, v1, v2,
+        executing.map2(target, u1, u2, packed > 0 ? packed * vorder : ustride, uorder, v1, v2,
                        packed > 0 ? packed : vstride, vorder,
                        null ? nullptr : reinterpret_cast<const Real*>(copy));
       },
@@ -85,37 +87,37 @@ void DefineMap2(Context* context, GLenum target, Real u1, Real u2, GLint ustride
 DROPIN_EXPORT void glMap1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order,
                            const GLfloat* points) {
   OF_EVALUATORS(Map1f, target, u1, u2, stride, order, points);
-  DefineMap1(context, target, u1, u2, stride, order, points);
+  define_map1(context, target, u1, u2, stride, order, points);
 }
 DROPIN_EXPORT void glMap1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                            const GLdouble* points) {
   OF_EVALUATORS(Map1d, target, u1, u2, stride, order, points);
-  DefineMap1(context, target, u1, u2, stride, order, points);
+  define_map1(context, target, u1, u2, stride, order, points);
 }
 DROPIN_EXPORT void glMap2f(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1,
                            GLfloat v2, GLint vstride, GLint vorder, const GLfloat* points) {
   OF_EVALUATORS(Map2f, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  DefineMap2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 DROPIN_EXPORT void glMap2d(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
                            GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
   OF_EVALUATORS(Map2d, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  DefineMap2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
+  define_map2(context, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
 }
 
 // Executed at once, and refused between Begin and End.
 #define GET_MAP(letter, type)                                                                       \
   DROPIN_EXPORT void glGetMap##letter##v(GLenum target, GLenum query, type* v) {                    \
     OF_EVALUATORS(GetMap##letter##v, target, query, v);                                             \
-    if (!context->IsOutside()) return;                                                              \
+    if (!context->is_outside()) return;                                                             \
     glevGetMap##letter##v(context->evaluators, target, query, v);                                   \
-    context->Report();                                                                              \
+    context->report();                                                                              \
   }                                                                                                 \
   DROPIN_EXPORT void glGetnMap##letter##v(GLenum target, GLenum query, GLsizei bytes, type* v) {    \
     OF_EVALUATORS(GetnMap##letter##v, target, query, bytes, v);                                     \
-    if (!context->IsOutside()) return;                                                              \
+    if (!context->is_outside()) return;                                                             \
     glevGetnMap##letter##v(context->evaluators, target, query, bytes, v);                           \
-    context->Report();                                                                              \
+    context->report();                                                                              \
   }                                                                                                 \
   DROPIN_EXPORT void glGetnMap##letter##vARB(GLenum target, GLenum query, GLsizei bytes, type* v) { \
     glGetnMap##letter##v(target, query, bytes, v);                                                  \
@@ -130,11 +132,11 @@ GET_MAP(i, GLint)
 #define MAP_GRID(letter, type)                                                                    \
   DROPIN_EXPORT void glMapGrid1##letter(GLint n, type u1, type u2) {                              \
     OF_EVALUATORS(MapGrid1##letter, n, u1, u2);                                                   \
-    Issue(context, [=](Context& executing) { executing.MapGrid1(n, u1, u2); });                   \
+    issue(context, [=](Context& executing) { executing.map_grid1(n, u1, u2); });                  \
   }                                                                                               \
   DROPIN_EXPORT void glMapGrid2##letter(GLint un, type u1, type u2, GLint vn, type v1, type v2) { \
     OF_EVALUATORS(MapGrid2##letter, un, u1, u2, vn, v1, v2);                                      \
-    Issue(context, [=](Context& executing) { executing.MapGrid2(un, u1, u2, vn, v1, v2); });      \
+    issue(context, [=](Context& executing) { executing.map_grid2(un, u1, u2, vn, v1, v2); });     \
   }
 MAP_GRID(f, GLfloat)
 MAP_GRID(d, GLdouble)
@@ -143,12 +145,12 @@ MAP_GRID(d, GLdouble)
 #define EVAL_COORD(letter, type)                                                          \
   DROPIN_EXPORT void glEvalCoord1##letter(type u) {                                       \
     OF_EVALUATORS(EvalCoord1##letter, u);                                                 \
-    Issue(context, [=](Context& executing) { executing.EvalCoord1(u); });                 \
+    issue(context, [=](Context& executing) { executing.eval_coord1(u); });                \
   }                                                                                       \
   DROPIN_EXPORT void glEvalCoord1##letter##v(const type* u) { glEvalCoord1##letter(*u); } \
   DROPIN_EXPORT void glEvalCoord2##letter(type u, type v) {                               \
     OF_EVALUATORS(EvalCoord2##letter, u, v);                                              \
-    Issue(context, [=](Context& executing) { executing.EvalCoord2(u, v); });              \
+    issue(context, [=](Context& executing) { executing.eval_coord2(u, v); });             \
   }                                                                                       \
   DROPIN_EXPORT void glEvalCoord2##letter##v(const type* u) { glEvalCoord2##letter(u[0], u[1]); }
 EVAL_COORD(f, GLfloat)
@@ -157,46 +159,48 @@ EVAL_COORD(d, GLdouble)
 
 DROPIN_EXPORT void glEvalPoint1(GLint i) {
   OF_EVALUATORS(EvalPoint1, i);
-  Issue(context, [=](Context& executing) { executing.EvalPoint1(i); });
+  issue(context, [=](Context& executing) { executing.eval_point1(i); });
 }
 DROPIN_EXPORT void glEvalPoint2(GLint i, GLint j) {
   OF_EVALUATORS(EvalPoint2, i, j);
-  Issue(context, [=](Context& executing) { executing.EvalPoint2(i, j); });
+  issue(context, [=](Context& executing) { executing.eval_point2(i, j); });
 }
 DROPIN_EXPORT void glEvalMesh1(GLenum mode, GLint i1, GLint i2) {
   OF_EVALUATORS(EvalMesh1, mode, i1, i2);
-  Issue(context, [=](Context& executing) { executing.EvalMesh1(mode, i1, i2); });
+  issue(context, [=](Context& executing) { executing.eval_mesh1(mode, i1, i2); });
 }
 DROPIN_EXPORT void glEvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   OF_EVALUATORS(EvalMesh2, mode, i1, i2, j1, j2);
-  Issue(context, [=](Context& executing) { executing.EvalMesh2(mode, i1, i2, j1, j2); });
+  issue(context, [=](Context& executing) { executing.eval_mesh2(mode, i1, i2, j1, j2); });
 }
 
 // --- Enables and queries
 
 namespace {
 
-bool IsEvaluators(GLenum cap) { return cap == GL_AUTO_NORMAL || glev::FindTarget(cap).dimension != 0; }
+bool is_evaluator_capability(GLenum cap) {
+  return cap == GL_AUTO_NORMAL || glev::find_target(cap).dimension != 0;
+}
 
-bool IsState(GLenum pname) {
-  return IsEvaluators(pname) || pname == GL_MAX_EVAL_ORDER || pname == GL_MAP1_GRID_DOMAIN ||
+bool is_state(GLenum pname) {
+  return is_evaluator_capability(pname) || pname == GL_MAX_EVAL_ORDER || pname == GL_MAP1_GRID_DOMAIN ||
          pname == GL_MAP1_GRID_SEGMENTS || pname == GL_MAP2_GRID_DOMAIN || pname == GL_MAP2_GRID_SEGMENTS;
 }
 
-void SetEnabled(GLenum cap, bool on) {
-  Context* const context = IsEvaluators(cap) ? Current() : nullptr;
-  if (context != nullptr) return Issue(context, [=](Context& executing) { executing.SetEnabled(cap, on); });
+void set_enabled(GLenum cap, bool on) {
+  Context* const context = is_evaluator_capability(cap) ? current_context() : nullptr;
+  if (context != nullptr) return issue(context, [=](Context& executing) { executing.set_enabled(cap, on); });
   if (on)
-    Gl().Enable(cap);
+    gl_below().Enable(cap);
   else
-    Gl().Disable(cap);
+    gl_below().Disable(cap);
 }
 
-void Ask(glev_context* evaluators, GLenum pname, GLboolean* v) { glevGetBooleanv(evaluators, pname, v); }
-void Ask(glev_context* evaluators, GLenum pname, GLint* v) { glevGetIntegerv(evaluators, pname, v); }
-void Ask(glev_context* evaluators, GLenum pname, GLfloat* v) { glevGetFloatv(evaluators, pname, v); }
-void Ask(glev_context* evaluators, GLenum pname, GLdouble* v) { glevGetDoublev(evaluators, pname, v); }
-void Ask(glev_context* evaluators, GLenum pname, GLint64* v) {
+void ask(glev_context* evaluators, GLenum pname, GLboolean* v) { glevGetBooleanv(evaluators, pname, v); }
+void ask(glev_context* evaluators, GLenum pname, GLint* v) { glevGetIntegerv(evaluators, pname, v); }
+void ask(glev_context* evaluators, GLenum pname, GLfloat* v) { glevGetFloatv(evaluators, pname, v); }
+void ask(glev_context* evaluators, GLenum pname, GLdouble* v) { glevGetDoublev(evaluators, pname, v); }
+void ask(glev_context* evaluators, GLenum pname, GLint64* v) {
   GLint values[4] = {};
   glevGetIntegerv(evaluators, pname, values);
   const int count = pname == GL_MAP2_GRID_DOMAIN                                     ? 4
@@ -207,68 +211,68 @@ void Ask(glev_context* evaluators, GLenum pname, GLint64* v) {
 
 // Whether the answer is not the GL's below.
 template <class Number>
-bool Answer(GLenum pname, Number* v) {
+bool answer(GLenum pname, Number* v) {
   const bool of_list = pname == GL_LIST_INDEX || pname == GL_LIST_MODE;
-  Context* const context = CurrentOfAnyKind();
+  Context* const context = current_context_of_any_kind();
   if (context == nullptr || v == nullptr) return false;
   if (context->list.deferring) {
-    context->RaiseError(GL_INVALID_OPERATION);
+    context->raise_error(GL_INVALID_OPERATION);
     return true;
   }
-  if (!IsState(pname) && !(of_list && context->list.open)) return false;
-  if (Current() == nullptr) {
+  if (!is_state(pname) && !(of_list && context->list.open)) return false;
+  if (current_context() == nullptr) {
     if (context->kind != Context::Kind::kRemoved) return false;
-    context->RaiseError(GL_INVALID_ENUM);
+    context->raise_error(GL_INVALID_ENUM);
     return true;
   }
-  if (!context->IsOutside()) return true;
+  if (!context->is_outside()) return true;
   if (of_list) {
     const GLuint value = pname == GL_LIST_INDEX ? context->list.name : context->list.mode;
     *v = static_cast<Number>(sizeof(Number) == 1 ? value != 0 : value);
   } else {
-    Ask(context->evaluators, pname, v);
+    ask(context->evaluators, pname, v);
   }
   return true;
 }
 
 }  // namespace
 
-DROPIN_EXPORT void glEnable(GLenum cap) { SetEnabled(cap, true); }
-DROPIN_EXPORT void glDisable(GLenum cap) { SetEnabled(cap, false); }
+DROPIN_EXPORT void glEnable(GLenum cap) { set_enabled(cap, true); }
+DROPIN_EXPORT void glDisable(GLenum cap) { set_enabled(cap, false); }
 
 DROPIN_EXPORT GLboolean glIsEnabled(GLenum cap) {
-  Context* const context = Current();
+  Context* const context = current_context();
   if (context != nullptr && context->list.deferring) {
-    context->RaiseError(GL_INVALID_OPERATION);
+    context->raise_error(GL_INVALID_OPERATION);
     return GL_FALSE;
   }
-  if (context == nullptr || !IsEvaluators(cap)) return Gl().IsEnabled(cap);
-  return context->IsOutside() ? glevIsEnabled(context->evaluators, cap) : GL_FALSE;
+  if (context == nullptr || !is_evaluator_capability(cap)) return gl_below().IsEnabled(cap);
+  return context->is_outside() ? glevIsEnabled(context->evaluators, cap) : GL_FALSE;
 }
 
 DROPIN_EXPORT void glGetBooleanv(GLenum pname, GLboolean* v) {
-  if (!Answer(pname, v)) Gl().GetBooleanv(pname, v);
+  if (!answer(pname, v)) gl_below().GetBooleanv(pname, v);
 }
 DROPIN_EXPORT void glGetIntegerv(GLenum pname, GLint* v) {
-  if (!Answer(pname, v)) Gl().GetIntegerv(pname, v);
+  if (!answer(pname, v)) gl_below().GetIntegerv(pname, v);
 }
 DROPIN_EXPORT void glGetInteger64v(GLenum pname, GLint64* v) {
-  if (!Answer(pname, v)) Gl().GetInteger64v(pname, v);
+  if (!answer(pname, v)) gl_below().GetInteger64v(pname, v);
 }
 DROPIN_EXPORT void glGetFloatv(GLenum pname, GLfloat* v) {
-  if (!Answer(pname, v)) Gl().GetFloatv(pname, v);
+  if (!answer(pname, v)) gl_below().GetFloatv(pname, v);
 }
 DROPIN_EXPORT void glGetDoublev(GLenum pname, GLdouble* v) {
-  if (!Answer(pname, v)) Gl().GetDoublev(pname, v);
+  if (!answer(pname, v)) gl_below().GetDoublev(pname, v);
 }
 
 DROPIN_EXPORT GLenum glGetError() {
-  Context* const context = CurrentOfAnyKind();
+  Context* const context = current_context_of_any_kind();
   if (context != nullptr && context->list.deferring) {
-    context->RaiseError(GL_INVALID_OPERATION);
+    context->raise_error(GL_INVALID_OPERATION);
     return GL_NO_ERROR;
   }
-  const GLenum error = Gl().GetError();
+  const GLenum error = gl_below().GetError();
   if (error != GL_NO_ERROR || context == nullptr || !context->out_of_memory) return error;
   context->out_of_memory = false;
   return GL_OUT_OF_MEMORY;
@@ -278,48 +282,48 @@ DROPIN_EXPORT GLenum glGetError() {
 
 DROPIN_EXPORT void glBegin(GLenum mode) {
   OF_EVALUATORS(Begin, mode);
-  context->IssueBegin(mode);
+  context->issue_begin(mode);
 }
 DROPIN_EXPORT void glEnd() {
   OF_EVALUATORS(End);
-  context->End();
+  context->end();
 }
 DROPIN_EXPORT void glPushAttrib(GLbitfield mask) {
   OF_EVALUATORS(PushAttrib, mask);
-  context->IssuePushAttrib(mask);
+  context->issue_push_attrib(mask);
 }
 DROPIN_EXPORT void glPopAttrib() {
   OF_EVALUATORS(PopAttrib);
-  context->IssuePopAttrib();
+  context->issue_pop_attrib();
 }
 DROPIN_EXPORT void glNewList(GLuint list, GLenum mode) {
   OF_EVALUATORS(NewList, list, mode);
-  context->NewList(list, mode);
+  context->new_list(list, mode);
 }
 DROPIN_EXPORT void glEndList() {
   OF_EVALUATORS(EndList);
-  context->EndList();
+  context->end_list();
 }
 DROPIN_EXPORT void glCallList(GLuint list) {
   OF_EVALUATORS(CallList, list);
-  context->IssueCallList(list);
+  context->issue_call_list(list);
 }
 DROPIN_EXPORT void glCallLists(GLsizei n, GLenum type, const GLvoid* lists) {
   OF_EVALUATORS(CallLists, n, type, lists);
-  context->IssueCallLists(n, type, lists);
+  context->issue_call_lists(n, type, lists);
 }
 DROPIN_EXPORT void glListBase(GLuint base) {
   OF_EVALUATORS(ListBase, base);
-  list_base_used.Note();
+  list_base_used.note();
   context->list_base_known = false;
-  Gl().ListBase(base);
+  gl_below().ListBase(base);
 }
 DROPIN_EXPORT GLboolean glIsList(GLuint list) {
   OF_EVALUATORS(IsList, list);
-  if (!context->IsOutside()) return GL_FALSE;
-  return context->group->IsSegment(list) ? GL_FALSE : Gl().IsList(list);
+  if (!context->is_outside()) return GL_FALSE;
+  return context->group->is_segment(list) ? GL_FALSE : gl_below().IsList(list);
 }
 DROPIN_EXPORT void glDeleteLists(GLuint list, GLsizei range) {
   OF_EVALUATORS(DeleteLists, list, range);
-  context->DeleteLists(list, range);
+  context->delete_lists(list, range);
 }

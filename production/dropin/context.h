@@ -19,7 +19,7 @@ namespace glev::dropin {
 // What the program has done once, in any thread.
 class Once {
  public:
-  void Note() {
+  void note() {
     if (!*this) noted_.store(true, std::memory_order_relaxed);
   }
   explicit operator bool() const { return noted_.load(std::memory_order_relaxed); }
@@ -43,8 +43,8 @@ class Context {
     kForeign      // OpenGL ES
   };
 
-  static Context* Create(Group* group);
-  void Destroy();
+  static Context* create(Group* group);
+  void destroy();
 
   Kind kind = Kind::kUnknown;
   int version = 0;  // 45: 4.5
@@ -73,108 +73,108 @@ class Context {
   OpenList list;
   int list_depth = 0;
 
-  void Identify();
+  void identify();
 
   // Errors arise in the GL below, so that its GetError answers for both.
-  void RaiseError(GLenum error);
+  void raise_error(GLenum error);
   // Hands on what the evaluators have recorded.
-  void Report();
+  void report();
   // False, and INVALID_OPERATION, between Begin and End.
-  bool IsOutside();
+  bool is_outside();
 
-  GLint Integer(GLenum pname, GLint otherwise);
+  GLint get_integer(GLenum pname, GLint otherwise);
 
   // What commands do when they are executed.
   // --- state.cpp
-  void UpdateEnabled();
-  bool HasVertexMap() const;
-  void SetEnabled(GLenum cap, bool on);
+  void update_enabled();
+  bool has_vertex_map() const;
+  void set_enabled(GLenum cap, bool on);
   template <class Real>
-  void Map1(GLenum target, Real u1, Real u2, GLint stride, GLint order, const Real* points);
+  void map1(GLenum target, Real u1, Real u2, GLint stride, GLint order, const Real* points);
   template <class Real>
-  void Map2(GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1, Real v2, GLint vstride,
+  void map2(GLenum target, Real u1, Real u2, GLint ustride, GLint uorder, Real v1, Real v2, GLint vstride,
             GLint vorder, const Real* points);
-  void MapGrid1(GLint n, double u1, double u2);
-  void MapGrid2(GLint un, double u1, double u2, GLint vn, double v1, double v2);
-  void PushAttrib(GLbitfield mask);
-  void PopAttrib();
-  void CopyEvalAttributes(const Context& from, bool grids);
+  void map_grid1(GLint n, double u1, double u2);
+  void map_grid2(GLint un, double u1, double u2, GLint vn, double v1, double v2);
+  void push_attrib(GLbitfield mask);
+  void pop_attrib();
+  void copy_eval_attributes(const Context& from, bool grids);
 
   // --- evaluation.cpp
   // To be called before Begin: queries what evaluation between Begin and End is going to change.
-  void BeforePrimitive();
-  void EvalCoord1(double u);
-  void EvalCoord2(double u, double v);
-  void EvalPoint1(GLint i);
-  void EvalPoint2(GLint i, GLint j);
-  void EvalMesh1(GLenum mode, GLint i1, GLint i2);
-  void EvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
+  void before_primitive();
+  void eval_coord1(double u);
+  void eval_coord2(double u, double v);
+  void eval_point1(GLint i);
+  void eval_point2(GLint i, GLint j);
+  void eval_mesh1(GLenum mode, GLint i1, GLint i2);
+  void eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
   // --- lists.cpp
   // Executes the operation, or makes it part of the list that is open, or both.
   template <class Operation>
-  void Issue(const Operation& operation) {
+  void issue(const Operation& operation) {
     if (!list.open) return operation(*this, nullptr);
-    if (BeginRecording()) EndRecording(list.code.Append(operation) != nullptr);
+    if (begin_recording()) end_recording(list.code.append(operation) != nullptr);
   }
   // The same for one that needs a copy of `bytes` bytes: written by copy(unsigned char*).
   template <class Operation, class Copy>
-  void IssueWith(const Operation& operation, std::size_t bytes, const Copy& copy) {
-    if (!BeginRecording()) return;
-    unsigned char* const room = list.code.Append(operation, bytes);
+  void issue_with(const Operation& operation, std::size_t bytes, const Copy& copy) {
+    if (!begin_recording()) return;
+    unsigned char* const room = list.code.append(operation, bytes);
     if (room != nullptr) copy(room);
-    EndRecording(room != nullptr);
+    end_recording(room != nullptr);
   }
-  void NewList(GLuint name, GLenum mode);
-  void EndList();
-  void CallList(GLuint name);
-  void CallLists(GLsizei n, GLenum type, const void* lists);
-  void IssueCallList(GLuint name);
-  void IssueCallLists(GLsizei n, GLenum type, const void* lists);
-  void DeleteLists(GLuint first, GLsizei range);
-  void IssuePushAttrib(GLbitfield mask);
-  void IssuePopAttrib();
-  void IssueBegin(GLenum mode);
-  void Begin(GLenum mode);
-  void End();
-  void RunSegment(GLuint name, const Summary* summary);
+  void new_list(GLuint name, GLenum mode);
+  void end_list();
+  void call_list(GLuint name);
+  void call_lists(GLsizei n, GLenum type, const void* lists);
+  void issue_call_list(GLuint name);
+  void issue_call_lists(GLsizei n, GLenum type, const void* lists);
+  void delete_lists(GLuint first, GLsizei range);
+  void issue_push_attrib(GLbitfield mask);
+  void issue_pop_attrib();
+  void issue_begin(GLenum mode);
+  void begin(GLenum mode);
+  void end();
+  void run_segment(GLuint name, const Summary* summary);
   // Whether the GL executes what is being compiled.
-  bool Executes() const { return !list.open || (list.mode != GL_COMPILE && !list.deferring); }
-  void Note(Attribute attribute, const Setter& setter) {
-    if (tracking && Executes()) current[attribute] = setter;
+  bool executes() const { return !list.open || (list.mode != GL_COMPILE && !list.deferring); }
+  void note(Attribute attribute, const Setter& setter) {
+    if (tracking && executes()) current[attribute] = setter;
     if (list.open) list.summary.last[attribute] = setter;
   }
-  bool IsWatching() const { return tracking || list.open; }
+  bool is_watching() const { return tracking || list.open; }
 
  private:
   Context() = default;
-  static void OnBegin(void* user, glev_enum mode);
-  static void OnVertex(void* user, const glev_vertex* vertex);
-  static void OnEnd(void* user);
-  void Snapshot();
-  void Restore(int dimension);
-  void MeshByPoints(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
-  void EvaluatePoint2(GLint i, GLint j);
-  void SetActiveTexture();
-  bool PrepareEvaluation(int dimension);
+  static void on_begin(void* user, glev_enum mode);
+  static void on_vertex(void* user, const glev_vertex* vertex);
+  static void on_end(void* user);
+  void take_snapshot();
+  void restore(int dimension);
+  void mesh_by_points(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
+  void evaluate_point2(GLint i, GLint j);
+  void set_active_texture();
+  bool prepare_evaluation(int dimension);
   // --- shader_normals.cpp
-  bool VertexShaderIsActive();
-  double LengthOfNormal(const glev_batch* batch, const glev_mesh* mesh);
+  bool is_vertex_shader_active();
+  double length_of_normal(const glev_batch* batch, const glev_mesh* mesh);
 
-  bool BeginRecording();
-  void EndRecording(bool recorded);
-  void CloseSegment();
-  void OpenSegment();
-  void FollowStack(const Summary& summary, GLint depth);
-  void BeginDeferral();
-  void EndDeferral();
+  bool begin_recording();
+  void end_recording(bool recorded);
+  void close_segment();
+  void open_segment();
+  void follow_stack(const Summary& summary, GLint depth);
+  void begin_deferral();
+  void end_deferral();
 
   double normal_length_ = 1;  // of the next vertex, see keeps_length
 };
 
 // The context that is current in this thread, if its GL has evaluators.
-Context* Current();
+Context* current_context();
 // The same, whatever it has; null where none is current.
-Context* CurrentOfAnyKind();
+Context* current_context_of_any_kind();
 
 }  // namespace glev::dropin

@@ -21,7 +21,7 @@ struct Known {
 pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
 
 // Never destroyed: threads may outlive the end of main.
-Array<Known*>& All() {
+Array<Known*>& known_contexts() {
   static Array<Known*>* all = nullptr;
   if (all == nullptr) all = new (std::malloc(sizeof *all)) Array<Known*>();
   return *all;
@@ -43,30 +43,30 @@ class Lock {
   Lock& operator=(const Lock&) = delete;
 };
 
-std::size_t PlaceOf(const void* handle) {
+std::size_t place_of(const void* handle) {
   std::size_t i = 0;
-  while (i < All().size() && All()[i]->handle != handle) ++i;
+  while (i < known_contexts().size() && known_contexts()[i]->handle != handle) ++i;
   return i;
 }
 
-void Free(Known* known) {
-  known->context->Destroy();
+void release(Known* known) {
+  known->context->destroy();
   std::free(known);
 }
 
-void Forget(std::size_t place) {
-  Known* const known = All()[place];
-  All().Erase(place);
+void forget(std::size_t place) {
+  Known* const known = known_contexts()[place];
+  known_contexts().erase(place);
   known->destroyed = true;
-  if (known->bound == 0) Free(known);
+  if (known->bound == 0) release(known);
 }
 
-Known* Add(const void* handle, Group* shared) {
-  Group* const group = shared != nullptr ? shared : Group::Create();
-  if (shared != nullptr) shared->Retain();
+Known* add_context(const void* handle, Group* shared) {
+  Group* const group = shared != nullptr ? shared : Group::create();
+  if (shared != nullptr) shared->retain();
   auto* const known = static_cast<Known*>(std::malloc(sizeof(Known)));
-  Context* const context = group != nullptr ? Context::Create(group) : nullptr;
-  if (known == nullptr || context == nullptr || !All().Insert(All().size(), known)) {
+  Context* const context = group != nullptr ? Context::create(group) : nullptr;
+  if (known == nullptr || context == nullptr || !known_contexts().insert(known_contexts().size(), known)) {
     std::fputs("libglevaluator_dropin: no memory for a context\n", stderr);
     std::abort();
   }
@@ -74,69 +74,69 @@ Known* Add(const void* handle, Group* shared) {
   return known;
 }
 
-Known* FindOrAdd(const void* handle) {
-  const std::size_t place = PlaceOf(handle);
-  return place < All().size() ? All()[place] : Add(handle, nullptr);
+Known* find_or_add(const void* handle) {
+  const std::size_t place = place_of(handle);
+  return place < known_contexts().size() ? known_contexts()[place] : add_context(handle, nullptr);
 }
 
 }  // namespace
 
-void NoteCreated(const void* handle, const void* shared) {
+void note_created(const void* handle, const void* shared) {
   if (handle == nullptr) return;
   const Lock lock;
   // Another one's, which was destroyed without a word.
-  if (const std::size_t place = PlaceOf(handle); place < All().size()) Forget(place);
-  Add(handle, shared != nullptr ? FindOrAdd(shared)->context->group : nullptr);
+  if (const std::size_t place = place_of(handle); place < known_contexts().size()) forget(place);
+  add_context(handle, shared != nullptr ? find_or_add(shared)->context->group : nullptr);
 }
 
-void NoteDestroyed(const void* handle) {
+void note_destroyed(const void* handle) {
   const Lock lock;
-  if (const std::size_t place = PlaceOf(handle); place < All().size()) Forget(place);
+  if (const std::size_t place = place_of(handle); place < known_contexts().size()) forget(place);
 }
 
-void NoteCurrent(const void* handle) {
+void note_current(const void* handle) {
   const Lock lock;
   Known* const before = this_thread.bound;
-  Known* const now = handle != nullptr ? FindOrAdd(handle) : nullptr;
+  Known* const now = handle != nullptr ? find_or_add(handle) : nullptr;
   this_thread = {true, now};
   if (now != nullptr) ++now->bound;
-  if (before != nullptr && --before->bound == 0 && before->destroyed) Free(before);
+  if (before != nullptr && --before->bound == 0 && before->destroyed) release(before);
 }
 
-Context* ContextOf(const void* handle) {
+Context* context_of(const void* handle) {
   if (handle == nullptr) return nullptr;
   const Lock lock;
-  return FindOrAdd(handle)->context;
+  return find_or_add(handle)->context;
 }
 
-Context* CurrentOfAnyKind() {
-  Gl();
+Context* current_context_of_any_kind() {
+  gl_below();
   const ThisThread& thread = this_thread;
   if (thread.told) return thread.bound != nullptr ? thread.bound->context : nullptr;
-  return ContextOf(AskForCurrent());
+  return context_of(ask_for_current());
 }
 
-Context* Current() {
-  Context* const context = CurrentOfAnyKind();
+Context* current_context() {
+  Context* const context = current_context_of_any_kind();
   if (context == nullptr) return nullptr;
-  if (context->kind == Context::Kind::kUnknown) context->Identify();
+  if (context->kind == Context::Kind::kUnknown) context->identify();
   return context->kind == Context::Kind::kEvaluators ? context : nullptr;
 }
 
 namespace {
 
-bool HasExtension(int version, const char* name) {
-  if (version >= 30 && Gl().GetStringi != nullptr) {
+bool has_extension(int version, const char* name) {
+  if (version >= 30 && gl_below().GetStringi != nullptr) {
     GLint count = 0;
-    Gl().GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    gl_below().GetIntegerv(GL_NUM_EXTENSIONS, &count);
     for (GLint i = 0; i < count; ++i) {
-      const GLubyte* const extension = Gl().GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+      const GLubyte* const extension = gl_below().GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
       if (extension != nullptr && std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
         return true;
     }
     return false;
   }
-  const GLubyte* const extensions = Gl().GetString(GL_EXTENSIONS);
+  const GLubyte* const extensions = gl_below().GetString(GL_EXTENSIONS);
   const std::size_t length = std::strlen(name);
   for (const char* at = reinterpret_cast<const char*>(extensions); at != nullptr;
        at = std::strchr(at, ' ') != nullptr ? std::strchr(at, ' ') + 1 : nullptr)
@@ -147,8 +147,8 @@ bool HasExtension(int version, const char* name) {
 }  // namespace
 
 // Asks for nothing that the version does not have: errors would be the program's.
-void Context::Identify() {
-  const auto* const text = reinterpret_cast<const char*>(Gl().GetString(GL_VERSION));
+void Context::identify() {
+  const auto* const text = reinterpret_cast<const char*>(gl_below().GetString(GL_VERSION));
   if (text == nullptr) return;  // not yet current
   if (std::strncmp(text, "OpenGL ES", 9) == 0) {
     kind = Kind::kForeign;
@@ -157,73 +157,73 @@ void Context::Identify() {
   int major = 0, minor = 0;
   std::sscanf(text, "%d.%d", &major, &minor);
   version = 10 * major + minor;
-  const GLint flags = version >= 30 ? Integer(GL_CONTEXT_FLAGS, 0) : 0;
-  const GLint profile = version >= 32 ? Integer(GL_CONTEXT_PROFILE_MASK, 0) : 0;
+  const GLint flags = version >= 30 ? get_integer(GL_CONTEXT_FLAGS, 0) : 0;
+  const GLint profile = version >= 32 ? get_integer(GL_CONTEXT_PROFILE_MASK, 0) : 0;
   no_error = (flags & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
   const bool removed = (flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) != 0 ||
                        (profile & GL_CONTEXT_CORE_PROFILE_BIT) != 0 ||
-                       (version == 31 && !HasExtension(version, "GL_ARB_compatibility"));
-  multitexture = version >= 13 || (!removed && HasExtension(version, "GL_ARB_multitexture"));
-  vertex_programs = !removed && HasExtension(version, "GL_ARB_vertex_program");
+                       (version == 31 && !has_extension(version, "GL_ARB_compatibility"));
+  multitexture = version >= 13 || (!removed && has_extension(version, "GL_ARB_multitexture"));
+  vertex_programs = !removed && has_extension(version, "GL_ARB_vertex_program");
   kind = removed ? Kind::kRemoved : Kind::kEvaluators;
 }
 
-Context* Context::Create(Group* group) {
+Context* Context::create(Group* group) {
   void* const memory = std::malloc(sizeof(Context));
   if (memory == nullptr) return nullptr;
   auto* const context = new (memory) Context();
   context->group = group;
-  const glev_sink sink = {sizeof sink, context, OnBegin, OnVertex, OnEnd};
+  const glev_sink sink = {sizeof sink, context, on_begin, on_vertex, on_end};
   if (glevCreateContext(nullptr, &context->evaluators) != GLEV_SUCCESS ||
       glevSetSink(context->evaluators, &sink) != GLEV_SUCCESS) {
-    context->Destroy();
+    context->destroy();
     return nullptr;
   }
   return context;
 }
 
-void Context::Destroy() {
+void Context::destroy() {
   glevDestroyContext(evaluators);
-  group->Release();
+  group->release();
   this->~Context();
   std::free(this);
 }
 
-GLint Context::Integer(GLenum pname, GLint otherwise) {
+GLint Context::get_integer(GLenum pname, GLint otherwise) {
   GLint value = otherwise;
-  Gl().GetIntegerv(pname, &value);
+  gl_below().GetIntegerv(pname, &value);
   return value;
 }
 
-bool Context::IsOutside() {
+bool Context::is_outside() {
   if (list.deferring) {
-    RaiseError(GL_INVALID_OPERATION);
+    raise_error(GL_INVALID_OPERATION);
     return false;
   }
   if (!maybe_inside) return true;
   // A Begin may have failed. Between Begin and End the GL answers nothing, and records the error that is due.
-  if (Integer(GL_MAX_TEXTURE_SIZE, -1) == -1) return false;
+  if (get_integer(GL_MAX_TEXTURE_SIZE, -1) == -1) return false;
   maybe_inside = tracking = false;
   return true;
 }
 
 // With commands that do nothing else, and that no list takes.
-void Context::RaiseError(GLenum error) {
+void Context::raise_error(GLenum error) {
   if (no_error) return;
   if (error == GL_INVALID_ENUM) {
-    Gl().IsEnabled(0);
+    gl_below().IsEnabled(0);
   } else if (error == GL_INVALID_VALUE) {
-    Gl().GenLists(-1);
+    gl_below().GenLists(-1);
   } else if (error == GL_INVALID_OPERATION) {
     if (list.driver_is_open)
-      Gl().NewList(1, GL_COMPILE);
+      gl_below().NewList(1, GL_COMPILE);
     else
-      Gl().EndList();
+      gl_below().EndList();
   } else if (error != GL_NO_ERROR) {
     out_of_memory = true;
   }
 }
 
-void Context::Report() { RaiseError(glevGetError(evaluators)); }
+void Context::report() { raise_error(glevGetError(evaluators)); }
 
 }  // namespace glev::dropin

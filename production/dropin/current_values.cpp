@@ -9,14 +9,14 @@ using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what fol
 namespace {
 
 // The context, if it has to know the value.
-Context* Watching() {
+Context* watching_context() {
   if (!evaluators_used && !lists_used) return nullptr;
-  Context* const context = Current();
-  return context != nullptr && context->IsWatching() ? context : nullptr;
+  Context* const context = current_context();
+  return context != nullptr && context->is_watching() ? context : nullptr;
 }
 
 template <class Values>
-Setter MakeSetter(void (*send)(const void*), const Values& values) {
+Setter make_setter(void (*send)(const void*), const Values& values) {
   static_assert(sizeof values <= sizeof(Setter::values));
   Setter setter;
   setter.send = send;
@@ -38,35 +38,37 @@ struct Complete {
 // Mesa may keep the last values of one command for the next one that has fewer; so where evaluation may come
 // between, the same values are sent by the longest form.
 template <auto kCommand, auto kLongest, int kCount, int kMost, class Type>
-void Set(Attribute attribute, const Type* v) {
-  Context* const context = Watching();
-  if (context == nullptr && !evaluators_used) return (Gl().*kCommand)(v);
+void set(Attribute attribute, const Type* v) {
+  Context* const context = watching_context();
+  if (context == nullptr && !evaluators_used) return (gl_below().*kCommand)(v);
   const Complete<Type, kMost> values(attribute, kCount, v);
   if (evaluators_used)
-    (Gl().*kLongest)(values.of);
+    (gl_below().*kLongest)(values.of);
   else
-    (Gl().*kCommand)(v);
+    (gl_below().*kCommand)(v);
   if (context != nullptr)
-    context->Note(
+    context->note(
         attribute,
-        MakeSetter([](const void* kept) { (Gl().*kLongest)(static_cast<const Type*>(kept)); }, values));
+        make_setter([](const void* kept) { (gl_below().*kLongest)(static_cast<const Type*>(kept)); },
+                    values));
 }
 
 // Maps give the texture coordinates of unit 0.
 template <auto kCommand, auto kLongest, int kCount, class Type>
 void SetUnit(GLenum unit, const Type* v) {
-  Context* const context = unit == GL_TEXTURE0 ? Watching() : nullptr;
-  if (context == nullptr && !evaluators_used) return (Gl().*kCommand)(unit, v);
+  Context* const context = unit == GL_TEXTURE0 ? watching_context() : nullptr;
+  if (context == nullptr && !evaluators_used) return (gl_below().*kCommand)(unit, v);
   const Complete<Type, 4> values(kTexCoord, kCount, v);
   if (evaluators_used)
-    (Gl().*kLongest)(unit, values.of);
+    (gl_below().*kLongest)(unit, values.of);
   else
-    (Gl().*kCommand)(unit, v);
+    (gl_below().*kCommand)(unit, v);
   if (context != nullptr)
-    context->Note(
-        kTexCoord,
-        MakeSetter([](const void* kept) { (Gl().*kLongest)(GL_TEXTURE0, static_cast<const Type*>(kept)); },
-                   values));
+    context->note(kTexCoord, make_setter(
+                                 [](const void* kept) {
+                                   (gl_below().*kLongest)(GL_TEXTURE0, static_cast<const Type*>(kept));
+                                 },
+                                 values));
 }
 
 struct Packed {
@@ -76,25 +78,25 @@ struct Packed {
 
 template <auto kCommand>
 void SetPacked(Attribute attribute, GLenum type, GLuint value) {
-  (Gl().*kCommand)(type, value);
-  if (Context* const context = Watching())
-    context->Note(attribute, MakeSetter(
+  (gl_below().*kCommand)(type, value);
+  if (Context* const context = watching_context())
+    context->note(attribute, make_setter(
                                  [](const void* kept) {
                                    const auto* const packed = static_cast<const Packed*>(kept);
-                                   (Gl().*kCommand)(packed->type, packed->value);
+                                   (gl_below().*kCommand)(packed->type, packed->value);
                                  },
                                  Packed{type, value}));
 }
 
 template <auto kCommand>
 void SetPackedUnit(GLenum unit, GLenum type, GLuint value) {
-  (Gl().*kCommand)(unit, type, value);
-  Context* const context = unit == GL_TEXTURE0 ? Watching() : nullptr;
+  (gl_below().*kCommand)(unit, type, value);
+  Context* const context = unit == GL_TEXTURE0 ? watching_context() : nullptr;
   if (context == nullptr) return;
-  context->Note(kTexCoord, MakeSetter(
+  context->note(kTexCoord, make_setter(
                                [](const void* kept) {
                                  const auto* const packed = static_cast<const Packed*>(kept);
-                                 (Gl().*kCommand)(GL_TEXTURE0, packed->type, packed->value);
+                                 (gl_below().*kCommand)(GL_TEXTURE0, packed->type, packed->value);
                                },
                                Packed{type, value}));
 }
@@ -112,11 +114,11 @@ void SetPackedUnit(GLenum unit, GLenum type, GLuint value) {
 
 #define X(attribute, command, n, most, letter, type)                                                 \
   DROPIN_EXPORT void gl##command##n##letter##v(const type* v) {                                      \
-    Set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
+    set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
   }                                                                                                  \
   DROPIN_EXPORT void gl##command##n##letter(PARAMETERS_##n(type)) {                                  \
     const type v[] = {VALUES_##n};                                                                   \
-    Set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
+    set<&GlBelow::command##n##letter##v, &GlBelow::command##most##letter##v, n, most>(attribute, v); \
   }
 DROPIN_SETTERS(X)
 #undef X

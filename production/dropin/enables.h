@@ -13,10 +13,10 @@ inline constexpr int kColorMap = 0, kNormalMap = 2, kFirstTextureMap = 3, kLastT
                      kVertex3Map = 7, kVertex4Map = 8, kMaps = 9;
 inline constexpr std::uint32_t kAutoNormal = 1u << (2 * kMaps);
 
-constexpr std::uint32_t Bit(int dimension, int map) { return 1u << (map + (dimension - 1) * kMaps); }
-constexpr std::uint32_t BothBits(int map) { return Bit(1, map) | Bit(2, map); }
+constexpr std::uint32_t enable_bit(int dimension, int map) { return 1u << (map + (dimension - 1) * kMaps); }
+constexpr std::uint32_t both_enable_bits(int map) { return enable_bit(1, map) | enable_bit(2, map); }
 
-inline GLenum CapOf(int bit) {
+inline GLenum cap_of(int bit) {
   if (bit == 2 * kMaps) return GL_AUTO_NORMAL;
   return static_cast<GLenum>(bit < kMaps ? GL_MAP1_COLOR_4 + bit : GL_MAP2_COLOR_4 + bit - kMaps);
 }
@@ -27,15 +27,15 @@ struct Given {
   int texture, vertex;
 };
 
-inline Given GivenBy(std::uint32_t enabled, int dimension) {
+inline Given given_by(std::uint32_t enabled, int dimension) {
   Given given = {};
-  given.color = (enabled & Bit(dimension, kColorMap)) != 0;
+  given.color = (enabled & enable_bit(dimension, kColorMap)) != 0;
   given.normal =
-      (enabled & Bit(dimension, kNormalMap)) != 0 || (dimension == 2 && (enabled & kAutoNormal) != 0);
+      (enabled & enable_bit(dimension, kNormalMap)) != 0 || (dimension == 2 && (enabled & kAutoNormal) != 0);
   for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map)
-    if ((enabled & Bit(dimension, map)) != 0) given.texture = map - kFirstTextureMap + 1;
+    if ((enabled & enable_bit(dimension, map)) != 0) given.texture = map - kFirstTextureMap + 1;
   for (const int map : {kVertex3Map, kVertex4Map})
-    if ((enabled & Bit(dimension, map)) != 0) given.vertex = map - kVertex3Map + 3;
+    if ((enabled & enable_bit(dimension, map)) != 0) given.vertex = map - kVertex3Map + 3;
   return given;
 }
 

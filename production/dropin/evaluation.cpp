@@ -7,9 +7,9 @@ namespace glev::dropin {
 namespace {
 
 template <auto kCommand>
-Setter Keep(const GLfloat (&values)[4]) {
+Setter keep(const GLfloat (&values)[4]) {
   Setter setter;
-  setter.send = [](const void* kept) { (Gl().*kCommand)(static_cast<const GLfloat*>(kept)); };
+  setter.send = [](const void* kept) { (gl_below().*kCommand)(static_cast<const GLfloat*>(kept)); };
   std::memcpy(setter.values, values, sizeof values);
   return setter;
 }
@@ -19,163 +19,163 @@ Setter Keep(const GLfloat (&values)[4]) {
 // --- Current values
 
 // Those that maps stand in for; between Begin and End they cannot be queried.
-void Context::Snapshot() {
+void Context::take_snapshot() {
   GLfloat values[4] = {};
   for (Setter& setter : current) setter.send = nullptr;
-  if ((enabled & BothBits(kColorMap)) != 0) {
-    Gl().GetFloatv(GL_CURRENT_COLOR, values);
-    current[kColor] = Keep<&GlBelow::Color4fv>(values);
+  if ((enabled & both_enable_bits(kColorMap)) != 0) {
+    gl_below().GetFloatv(GL_CURRENT_COLOR, values);
+    current[kColor] = keep<&GlBelow::Color4fv>(values);
   }
-  if ((enabled & (BothBits(kNormalMap) | kAutoNormal)) != 0) {
-    Gl().GetFloatv(GL_CURRENT_NORMAL, values);
-    current[kNormal] = Keep<&GlBelow::Normal3fv>(values);
+  if ((enabled & (both_enable_bits(kNormalMap) | kAutoNormal)) != 0) {
+    gl_below().GetFloatv(GL_CURRENT_NORMAL, values);
+    current[kNormal] = keep<&GlBelow::Normal3fv>(values);
   }
   std::uint32_t textures = 0;
-  for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map) textures |= BothBits(map);
+  for (int map = kFirstTextureMap; map <= kLastTextureMap; ++map) textures |= both_enable_bits(map);
   if ((enabled & textures) != 0) {
-    const GLint active = multitexture ? Integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) : GL_TEXTURE0;
-    if (active != GL_TEXTURE0) Gl().ActiveTexture(GL_TEXTURE0);
-    Gl().GetFloatv(GL_CURRENT_TEXTURE_COORDS, values);
-    if (active != GL_TEXTURE0) Gl().ActiveTexture(static_cast<GLenum>(active));
-    current[kTexCoord] = Keep<&GlBelow::TexCoord4fv>(values);
+    const GLint active = multitexture ? get_integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) : GL_TEXTURE0;
+    if (active != GL_TEXTURE0) gl_below().ActiveTexture(GL_TEXTURE0);
+    gl_below().GetFloatv(GL_CURRENT_TEXTURE_COORDS, values);
+    if (active != GL_TEXTURE0) gl_below().ActiveTexture(static_cast<GLenum>(active));
+    current[kTexCoord] = keep<&GlBelow::TexCoord4fv>(values);
   }
-  keeps_length = (enabled & kAutoNormal) != 0 && VertexShaderIsActive();
+  keeps_length = (enabled & kAutoNormal) != 0 && is_vertex_shader_active();
 }
 
-void Context::BeforePrimitive() {
+void Context::before_primitive() {
   if (maybe_inside) return;
-  if (!list_base_known && list_base_used) list_base = static_cast<GLuint>(Integer(GL_LIST_BASE, 0));
+  if (!list_base_known && list_base_used) list_base = static_cast<GLuint>(get_integer(GL_LIST_BASE, 0));
   list_base_known = true;
-  if (HasVertexMap()) Snapshot();
+  if (has_vertex_map()) take_snapshot();
 }
 
-void Context::Restore(int dimension) {
-  const Given given = GivenBy(enabled, dimension);
-  if (given.color) current[kColor].Send();
-  if (given.normal) current[kNormal].Send();
-  if (given.texture > 0) current[kTexCoord].Send();
+void Context::restore(int dimension) {
+  const Given given = given_by(enabled, dimension);
+  if (given.color) current[kColor].apply();
+  if (given.normal) current[kNormal].apply();
+  if (given.texture > 0) current[kTexCoord].apply();
 }
 
 // --- Evaluation
 
-void Context::OnBegin(void* user, glev_enum mode) {
-  if (static_cast<Context*>(user)->in_mesh) Gl().Begin(mode);
+void Context::on_begin(void* user, glev_enum mode) {
+  if (static_cast<Context*>(user)->in_mesh) gl_below().Begin(mode);
 }
-void Context::OnEnd(void* user) {
-  if (static_cast<Context*>(user)->in_mesh) Gl().End();
+void Context::on_end(void* user) {
+  if (static_cast<Context*>(user)->in_mesh) gl_below().End();
 }
 
-void Context::OnVertex(void* user, const glev_vertex* vertex) {
+void Context::on_vertex(void* user, const glev_vertex* vertex) {
   auto& context = *static_cast<Context*>(user);
-  const Given given = GivenBy(context.enabled, context.emitting);
-  if (given.color) Gl().Color4fv(vertex->color);
+  const Given given = given_by(context.enabled, context.emitting);
+  if (given.color) gl_below().Color4fv(vertex->color);
   if (given.normal && context.keeps_length && context.emitting == 2) {
     GLfloat normal[3];
     for (int k = 0; k < 3; ++k) normal[k] = static_cast<GLfloat>(vertex->normal[k] * context.normal_length_);
-    Gl().Normal3fv(normal);
+    gl_below().Normal3fv(normal);
   } else if (given.normal) {
-    Gl().Normal3fv(vertex->normal);
+    gl_below().Normal3fv(vertex->normal);
   }
-  if (given.texture > 0) Gl().TexCoord4fv(vertex->texcoord[0]);
+  if (given.texture > 0) gl_below().TexCoord4fv(vertex->texcoord[0]);
   if (given.vertex == 4)
-    Gl().Vertex4fv(vertex->position);
+    gl_below().Vertex4fv(vertex->position);
   else
-    Gl().Vertex3fv(vertex->position);
+    gl_below().Vertex3fv(vertex->position);
 }
 
 // Outside Begin and End evaluation of a point is undefined in the GL: nothing happens.
-bool Context::PrepareEvaluation(int dimension) {
-  if (!maybe_inside || GivenBy(enabled, dimension).vertex == 0) return false;
+bool Context::prepare_evaluation(int dimension) {
+  if (!maybe_inside || given_by(enabled, dimension).vertex == 0) return false;
   emitting = dimension;
   glevBegin(evaluators, GLEV_POINTS);
   return true;
 }
 
-void Context::EvalCoord1(double u) {
-  if (!PrepareEvaluation(1)) return;
+void Context::eval_coord1(double u) {
+  if (!prepare_evaluation(1)) return;
   glevEvalCoord1d(evaluators, u);
   glevEnd(evaluators);
-  Restore(1);
-  Report();
+  restore(1);
+  report();
 }
 
-void Context::EvalCoord2(double u, double v) {
-  if (!PrepareEvaluation(2)) return;
+void Context::eval_coord2(double u, double v) {
+  if (!prepare_evaluation(2)) return;
   if (keeps_length) {
     const glev_batch batch = {sizeof batch,      1, GLEV_DOUBLE, GLEV_CORRECTLY_ROUNDED, {&u, sizeof u, 0},
                               {&v, sizeof v, 0}, {}};
-    normal_length_ = LengthOfNormal(&batch, nullptr);
+    normal_length_ = length_of_normal(&batch, nullptr);
   }
   glevEvalCoord2d(evaluators, u, v);
   glevEnd(evaluators);
-  Restore(2);
-  Report();
+  restore(2);
+  report();
 }
 
-void Context::EvalPoint1(GLint i) {
-  if (!PrepareEvaluation(1)) return;
+void Context::eval_point1(GLint i) {
+  if (!prepare_evaluation(1)) return;
   glevEvalPoint1(evaluators, i);
   glevEnd(evaluators);
-  Restore(1);
-  Report();
+  restore(1);
+  report();
 }
 
-void Context::EvaluatePoint2(GLint i, GLint j) {
+void Context::evaluate_point2(GLint i, GLint j) {
   if (keeps_length) {
     const glev_mesh mesh = {sizeof mesh, i, i, j, j, GLEV_CORRECTLY_ROUNDED, {}, nullptr, 0};
-    normal_length_ = LengthOfNormal(nullptr, &mesh);
+    normal_length_ = length_of_normal(nullptr, &mesh);
   }
   glevEvalPoint2(evaluators, i, j);
 }
 
-void Context::EvalPoint2(GLint i, GLint j) {
-  if (!PrepareEvaluation(2)) return;
-  EvaluatePoint2(i, j);
+void Context::eval_point2(GLint i, GLint j) {
+  if (!prepare_evaluation(2)) return;
+  evaluate_point2(i, j);
   glevEnd(evaluators);
-  Restore(2);
-  Report();
+  restore(2);
+  report();
 }
 
-void Context::EvalMesh1(GLenum mode, GLint i1, GLint i2) {
-  if (!IsOutside()) return;
-  const bool draws = GivenBy(enabled, 1).vertex != 0;
-  if (draws) Snapshot();
+void Context::eval_mesh1(GLenum mode, GLint i1, GLint i2) {
+  if (!is_outside()) return;
+  const bool draws = given_by(enabled, 1).vertex != 0;
+  if (draws) take_snapshot();
   emitting = 1;
   in_mesh = true;
   glevEvalMesh1(evaluators, mode, i1, i2);
   in_mesh = false;
-  if (draws) Restore(1);
-  Report();
+  if (draws) restore(1);
+  report();
 }
 
-void Context::EvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
-  if (!IsOutside()) return;
-  const bool draws = GivenBy(enabled, 2).vertex != 0;
-  if (draws) Snapshot();
+void Context::eval_mesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+  if (!is_outside()) return;
+  const bool draws = given_by(enabled, 2).vertex != 0;
+  if (draws) take_snapshot();
   emitting = 2;
   if (draws && keeps_length && (mode == GL_POINT || mode == GL_LINE || mode == GL_FILL)) {
-    MeshByPoints(mode, i1, i2, j1, j2);
+    mesh_by_points(mode, i1, i2, j1, j2);
   } else {
     in_mesh = true;
     glevEvalMesh2(evaluators, mode, i1, i2, j1, j2);
     in_mesh = false;
   }
-  if (draws) Restore(2);
-  Report();
+  if (draws) restore(2);
+  report();
 }
 
 // The loops of GL 2.1 5.1. 64 bits, so that they come to an end.
-void Context::MeshByPoints(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+void Context::mesh_by_points(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   const std::int64_t i_last = i2, j_last = j2;
   const auto point = [this](std::int64_t i, std::int64_t j) {
-    EvaluatePoint2(static_cast<GLint>(i), static_cast<GLint>(j));
+    evaluate_point2(static_cast<GLint>(i), static_cast<GLint>(j));
   };
   const auto primitive = [this](GLenum strip, const auto& body) {
-    Gl().Begin(strip);
+    gl_below().Begin(strip);
     glevBegin(evaluators, GLEV_POINTS);
     body();
     glevEnd(evaluators);
-    Gl().End();
+    gl_below().End();
   };
   if (mode == GL_POINT) {
     primitive(GL_POINTS, [&] {

@@ -47,10 +47,10 @@ struct GlBelow {
 };
 
 // Finds them when it is first called; says so and ends the program where there is no GL.
-const GlBelow& Gl();
+const GlBelow& gl_below();
 
 // A symbol that the library below exports: the one that GLEVALUATOR_GL names, or else the next one that is
 // loaded. Null where there is none.
-void* FindBelow(const char* symbol);
+void* find_below(const char* symbol);
 
 }  // namespace glev::dropin

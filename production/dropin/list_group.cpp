@@ -8,7 +8,7 @@ namespace {
 
 // The first element that is not less than `name`, in an array sorted by `name_of`.
 template <class T, class NameOf>
-std::size_t LowerBoundIn(Array<T>& sorted, GLuint name, const NameOf& name_of) {
+std::size_t lower_bound_in(Array<T>& sorted, GLuint name, const NameOf& name_of) {
   std::size_t first = 0, last = sorted.size();
   while (first < last) {
     const std::size_t middle = (first + last) / 2;
@@ -34,18 +34,18 @@ class Group::Lock {
 };
 pthread_mutex_t Group::Lock::mutex = PTHREAD_MUTEX_INITIALIZER;
 
-Group* Group::Create() {
+Group* Group::create() {
   void* const memory = std::malloc(sizeof(Group));
   return memory != nullptr ? new (memory) Group() : nullptr;
 }
 
-void Group::Retain() {
+void Group::retain() {
   const Lock lock;
   ++references_;
 }
 
 // The driver's lists go with its last context.
-void Group::Release() {
+void Group::release() {
   {
     const Lock lock;
     if (--references_ > 0) return;
@@ -58,80 +58,80 @@ void Group::Release() {
   std::free(this);
 }
 
-std::size_t Group::LowerBound(GLuint name) {
-  return LowerBoundIn(lists_, name, [](const List* list) { return list->name; });
+std::size_t Group::lower_bound(GLuint name) {
+  return lower_bound_in(lists_, name, [](const List* list) { return list->name; });
 }
 
-std::size_t Group::PlaceOfSegment(GLuint name) {
-  return LowerBoundIn(segments_, name, [](GLuint segment) { return segment; });
+std::size_t Group::place_of_segment(GLuint name) {
+  return lower_bound_in(segments_, name, [](GLuint segment) { return segment; });
 }
 
-List* Group::Find(GLuint name) {
+List* Group::find(GLuint name) {
   const Lock lock;
-  const std::size_t place = LowerBound(name);
+  const std::size_t place = lower_bound(name);
   if (place == lists_.size() || lists_[place]->name != name) return nullptr;
   ++lists_[place]->references;
   return lists_[place];
 }
 
-Primitive Group::PrimitiveOf(GLuint name) {
+Primitive Group::primitive_of(GLuint name) {
   const Lock lock;
-  const std::size_t place = LowerBound(name);
+  const std::size_t place = lower_bound(name);
   if (place == lists_.size() || lists_[place]->name != name) return Primitive::kUnchanged;
   return lists_[place]->primitive;
 }
 
-bool Group::IsEmpty() {
+bool Group::is_empty() {
   const Lock lock;
   return lists_.size() == 0;
 }
 
 // With the lock held.
-void Group::Drop(List* list) {
+void Group::drop(List* list) {
   if (--list->references > 0) return;
   for (const GLuint segment : list->segments) {
-    Gl().DeleteLists(segment, 1);
-    const std::size_t place = PlaceOfSegment(segment);
-    if (place < segments_.size() && segments_[place] == segment) segments_.Erase(place);
+    gl_below().DeleteLists(segment, 1);
+    const std::size_t place = place_of_segment(segment);
+    if (place < segments_.size() && segments_[place] == segment) segments_.erase(place);
   }
   list->~List();
   std::free(list);
 }
 
-void Group::ReleaseList(List* list) {
+void Group::release_list(List* list) {
   const Lock lock;
-  Drop(list);
+  drop(list);
 }
 
-void Group::Define(List* list) {
+void Group::define(List* list) {
   const Lock lock;
-  const std::size_t place = LowerBound(list->name);
+  const std::size_t place = lower_bound(list->name);
   if (place < lists_.size() && lists_[place]->name == list->name) {
-    Drop(lists_[place]);
+    drop(lists_[place]);
     lists_[place] = list;
-  } else if (!lists_.Insert(place, list)) {
-    Drop(list);
+  } else if (!lists_.insert(place, list)) {
+    drop(list);
   }
 }
 
-void Group::Delete(GLuint first, GLuint last) {
+void Group::delete_lists(GLuint first, GLuint last) {
   const Lock lock;
-  const std::size_t begin = LowerBound(first);
+  const std::size_t begin = lower_bound(first);
   std::size_t end = begin;
-  while (end < lists_.size() && lists_[end]->name <= last) Drop(lists_[end++]);
-  lists_.Erase(begin, end - begin);
+  while (end < lists_.size() && lists_[end]->name <= last) drop(lists_[end++]);
+  lists_.erase(begin, end - begin);
 }
 
-GLuint Group::NewSegment() {
+GLuint Group::new_segment() {
   const Lock lock;
-  while (Gl().IsList(next_segment_)) ++next_segment_;
-  segments_.Insert(segments_.size(), next_segment_);
+  while (gl_below().IsList(next_segment_)) ++next_segment_;
+  segments_.insert(segments_.size(), next_segment_);
   return next_segment_++;
 }
 
-bool Group::IsSegment(GLuint name) {
+bool Group::is_segment(GLuint name) {
   const Lock lock;
-  const std::size_t place = PlaceOfSegment(name);
+  const std::size_t place = place_of_segment(name);
   return place < segments_.size() && segments_[place] == name;
 }
 

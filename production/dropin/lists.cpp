@@ -10,7 +10,7 @@ constexpr int kMaxNesting = 64;
 
 }  // namespace
 
-bool Summary::IsEmpty() const {
+bool Summary::is_empty() const {
   for (const Setter& setter : last)
     if (setter.send != nullptr) return false;
   return primitive == Primitive::kUnchanged && pops == 0 && pushes == 0;
@@ -18,13 +18,13 @@ bool Summary::IsEmpty() const {
 
 // --- Compiling
 
-void Context::NewList(GLuint name, GLenum mode) {
-  if (!list.open && !IsOutside()) return;
+void Context::new_list(GLuint name, GLenum mode) {
+  if (!list.open && !is_outside()) return;
   if (list.open || name == 0 || (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE)) {
-    Gl().NewList(name, mode);  // has the error
+    gl_below().NewList(name, mode);  // has the error
     return;
   }
-  lists_used.Note();
+  lists_used.note();
   list.name = name;
   list.mode = mode;
   list.primitive = Primitive::kUnchanged;
@@ -32,56 +32,56 @@ void Context::NewList(GLuint name, GLenum mode) {
   list.code.clear();
   list.segments.clear();
   // Until EndList the name stands for the list that it stands for now.
-  list.begins_elsewhere = static_cast<bool>(evaluators_used) && Gl().IsList(name);
+  list.begins_elsewhere = static_cast<bool>(evaluators_used) && gl_below().IsList(name);
   if (list.begins_elsewhere) {
-    OpenSegment();
+    open_segment();
   } else {
     list.segment = name;
-    list.summary.Reset();
-    Gl().NewList(name, mode);
+    list.summary.reset();
+    gl_below().NewList(name, mode);
     list.driver_is_open = true;
   }
   list.open = true;
 }
 
-void Context::OpenSegment() {
-  list.segment = group->NewSegment();
-  list.summary.Reset();
-  if (GLuint* const name = list.segments.Grow(1)) *name = list.segment;
-  Gl().NewList(list.segment, list.deferring ? static_cast<GLenum>(GL_COMPILE) : list.mode);
+void Context::open_segment() {
+  list.segment = group->new_segment();
+  list.summary.reset();
+  if (GLuint* const name = list.segments.grow(1)) *name = list.segment;
+  gl_below().NewList(list.segment, list.deferring ? static_cast<GLenum>(GL_COMPILE) : list.mode);
   list.driver_is_open = true;
 }
 
-void Context::CloseSegment() {
-  Gl().EndList();
+void Context::close_segment() {
+  gl_below().EndList();
   list.driver_is_open = false;
   const GLuint name = list.segment;
   bool kept;
-  if (list.summary.IsEmpty()) {
-    kept = list.code.Append([name](Context& context, const unsigned char*) {
-      context.RunSegment(name, nullptr);
+  if (list.summary.is_empty()) {
+    kept = list.code.append([name](Context& context, const unsigned char*) {
+      context.run_segment(name, nullptr);
     }) != nullptr;
   } else {
-    kept = list.code.Append([name, summary = list.summary](Context& context, const unsigned char*) {
-      context.RunSegment(name, &summary);
+    kept = list.code.append([name, summary = list.summary](Context& context, const unsigned char*) {
+      context.run_segment(name, &summary);
     }) != nullptr;
   }
   if (!kept) out_of_memory = true;
   if (list.summary.primitive != Primitive::kUnchanged) list.primitive = list.summary.primitive;
 }
 
-void Context::EndList() {
+void Context::end_list() {
   if (!list.open) {
-    Gl().EndList();  // has the error
+    gl_below().EndList();  // has the error
     return;
   }
-  if (!IsOutside()) return;
+  if (!is_outside()) return;
   const bool driver_only = list.code.empty() && list.segment == list.name;
-  const bool of_note = !driver_only || !list.summary.IsEmpty();
-  CloseSegment();
+  const bool of_note = !driver_only || !list.summary.is_empty();
+  close_segment();
   list.open = false;
   if (!of_note) {
-    group->Delete(list.name, list.name);
+    group->delete_lists(list.name, list.name);
     return;
   }
   void* const memory = std::malloc(sizeof(List));
@@ -92,133 +92,134 @@ void Context::EndList() {
   auto* const defined = new (memory) List();
   defined->name = list.name;
   defined->primitive = list.primitive;
-  defined->code.Swap(list.code);
-  defined->segments.Swap(list.segments);
-  group->Define(defined);
+  defined->code.swap(list.code);
+  defined->segments.swap(list.segments);
+  group->define(defined);
   // What stood for the name before is gone.
   if (list.begins_elsewhere) {
-    Gl().NewList(list.name, GL_COMPILE);
-    Gl().EndList();
+    gl_below().NewList(list.name, GL_COMPILE);
+    gl_below().EndList();
   }
 }
 
-bool Context::BeginRecording() {
+bool Context::begin_recording() {
   // The first command of evaluators, in a primitive that is being executed: nothing can be enabled yet.
-  if (Executes() && maybe_inside) return false;
-  CloseSegment();
+  if (executes() && maybe_inside) return false;
+  close_segment();
   list.recorded = list.code.size();
   return true;
 }
 
-void Context::EndRecording(bool recorded) {
+void Context::end_recording(bool recorded) {
   if (!recorded)
     out_of_memory = true;
-  else if (Executes())
-    list.code.Run(*this, list.recorded);
-  OpenSegment();
+  else if (executes())
+    list.code.run(*this, list.recorded);
+  open_segment();
 }
 
-void Context::BeginDeferral() {
-  CloseSegment();
+void Context::begin_deferral() {
+  close_segment();
   list.deferred = list.code.size();
   list.deferring = true;
-  OpenSegment();
+  open_segment();
 }
 
-void Context::EndDeferral() {
-  CloseSegment();
+void Context::end_deferral() {
+  close_segment();
   list.deferring = false;
-  list.code.Run(*this, list.deferred);
-  OpenSegment();
+  list.code.run(*this, list.deferred);
+  open_segment();
 }
 
 // Drivers do not bring back all of a primitive that ends in another list than the one it begins in (Mesa
 // forgets attributes before the first vertex, and strips of few vertices altogether). So Begin stands beside
 // their lists.
-void Context::IssueBegin(GLenum mode) {
-  if (!list.open) return Begin(mode);
+void Context::issue_begin(GLenum mode) {
+  if (!list.open) return begin(mode);
   const bool legal = mode <= 0x000E;  // PATCHES
-  if (!legal || !evaluators_used || (Executes() && maybe_inside)) {
-    Gl().Begin(mode);
+  if (!legal || !evaluators_used || (executes() && maybe_inside)) {
+    gl_below().Begin(mode);
     if (!legal) return;
     list.summary.primitive = Primitive::kOpen;
-    if (Executes()) maybe_inside = true;
+    if (executes()) maybe_inside = true;
     return;
   }
-  CloseSegment();
-  if (Executes()) {
+  close_segment();
+  if (executes()) {
     list.deferring = true;
     list.deferred = list.code.size();
   }
-  EndRecording(list.code.Append([mode](Context& context, const unsigned char*) { context.Begin(mode); }) !=
-               nullptr);
+  end_recording(list.code.append([mode](Context& context, const unsigned char*) { context.begin(mode); }) !=
+                nullptr);
   list.primitive = Primitive::kOpen;
 }
 
-void Context::Begin(GLenum mode) {
-  BeforePrimitive();
-  Gl().Begin(mode);
-  if (!maybe_inside) tracking = HasVertexMap();
+void Context::begin(GLenum mode) {
+  before_primitive();
+  gl_below().Begin(mode);
+  if (!maybe_inside) tracking = has_vertex_map();
   maybe_inside = true;
 }
 
-void Context::End() {
-  Gl().End();
+void Context::end() {
+  gl_below().End();
   if (!list.open) {
     maybe_inside = tracking = false;
     return;
   }
   list.summary.primitive = Primitive::kClosed;
   if (list.deferring)
-    EndDeferral();
-  else if (Executes())
+    end_deferral();
+  else if (executes())
     maybe_inside = tracking = false;
 }
 
-void Context::IssueCallList(GLuint name) {
-  if (!list.open) return CallList(name);
-  const Primitive primitive = group->PrimitiveOf(name);
-  if (Executes() && maybe_inside) {
-    Gl().CallList(name);  // nothing of evaluators is in there
+void Context::issue_call_list(GLuint name) {
+  if (!list.open) return call_list(name);
+  const Primitive primitive = group->primitive_of(name);
+  if (executes() && maybe_inside) {
+    gl_below().CallList(name);  // nothing of evaluators is in there
     return;
   }
-  if (Executes() && primitive == Primitive::kOpen) BeginDeferral();
-  Issue([name](Context& context, const unsigned char*) { context.CallList(name); });
+  if (executes() && primitive == Primitive::kOpen) begin_deferral();
+  issue([name](Context& context, const unsigned char*) { context.call_list(name); });
   if (primitive != Primitive::kUnchanged) list.primitive = primitive;
-  if (list.deferring && primitive == Primitive::kClosed) EndDeferral();
+  if (list.deferring && primitive == Primitive::kClosed) end_deferral();
 }
 
-void Context::IssueCallLists(GLsizei n, GLenum type, const void* lists) {
-  if (!list.open) return CallLists(n, type, lists);
-  if (Executes() && maybe_inside) {
-    Gl().CallLists(n, type, lists);
+void Context::issue_call_lists(GLsizei n, GLenum type, const void* lists) {
+  if (!list.open) return call_lists(n, type, lists);
+  if (executes() && maybe_inside) {
+    gl_below().CallLists(n, type, lists);
     return;
   }
-  const std::size_t bytes = n > 0 && lists != nullptr ? static_cast<std::size_t>(n) * BytesOfOffset(type) : 0;
-  IssueWith([n, type](Context& context, const unsigned char* copy) { context.CallLists(n, type, copy); },
-            bytes,
-            [&](unsigned char* copy) {
-              if (bytes > 0) std::memcpy(copy, lists, bytes);
-            });
+  const std::size_t bytes =
+      n > 0 && lists != nullptr ? static_cast<std::size_t>(n) * bytes_of_offset(type) : 0;
+  issue_with([n, type](Context& context, const unsigned char* copy) { context.call_lists(n, type, copy); },
+             bytes,
+             [&](unsigned char* copy) {
+               if (bytes > 0) std::memcpy(copy, lists, bytes);
+             });
 }
 
 // Errors of what a list has of these show when the driver's list is executed.
-void Context::IssuePushAttrib(GLbitfield mask) {
-  if (Executes())
-    PushAttrib(mask);
+void Context::issue_push_attrib(GLbitfield mask) {
+  if (executes())
+    push_attrib(mask);
   else
-    Gl().PushAttrib(mask);
+    gl_below().PushAttrib(mask);
   if (!list.open) return;
   Summary& summary = list.summary;
   const Primitive primitive = summary.primitive == Primitive::kUnchanged ? list.primitive : summary.primitive;
   if (primitive != Primitive::kOpen && summary.pushes < 16) summary.pushed[summary.pushes++] = mask;
 }
 
-void Context::IssuePopAttrib() {
-  if (Executes())
-    PopAttrib();
+void Context::issue_pop_attrib() {
+  if (executes())
+    pop_attrib();
   else
-    Gl().PopAttrib();
+    gl_below().PopAttrib();
   if (!list.open) return;
   Summary& summary = list.summary;
   const Primitive primitive = summary.primitive == Primitive::kUnchanged ? list.primitive : summary.primitive;
@@ -231,39 +232,39 @@ void Context::IssuePopAttrib() {
 
 // --- Executing
 
-void Context::CallList(GLuint name) {
-  List* const called = group->Find(name);
-  if (called == nullptr) return Gl().CallList(name);
+void Context::call_list(GLuint name) {
+  List* const called = group->find(name);
+  if (called == nullptr) return gl_below().CallList(name);
   if (list_depth < kMaxNesting) {
     ++list_depth;
-    called->code.Run(*this, 0);
+    called->code.run(*this, 0);
     --list_depth;
   }
-  group->ReleaseList(called);
+  group->release_list(called);
 }
 
-void Context::CallLists(GLsizei n, GLenum type, const void* lists) {
-  const std::size_t bytes = BytesOfOffset(type);
-  if (n <= 0 || bytes == 0 || group->IsEmpty()) return Gl().CallLists(n, type, lists);
-  if (!maybe_inside && list_base_used) list_base = static_cast<GLuint>(Integer(GL_LIST_BASE, 0));
+void Context::call_lists(GLsizei n, GLenum type, const void* lists) {
+  const std::size_t bytes = bytes_of_offset(type);
+  if (n <= 0 || bytes == 0 || group->is_empty()) return gl_below().CallLists(n, type, lists);
+  if (!maybe_inside && list_base_used) list_base = static_cast<GLuint>(get_integer(GL_LIST_BASE, 0));
   const GLuint base = list_base;
   for (GLsizei i = 0; i < n; ++i)
-    CallList(base +
-             OffsetAt(type, static_cast<const unsigned char*>(lists) + static_cast<std::size_t>(i) * bytes));
+    call_list(base + offset_at(type, static_cast<const unsigned char*>(lists) +
+                                         static_cast<std::size_t>(i) * bytes));
 }
 
-void Context::RunSegment(GLuint name, const Summary* summary) {
+void Context::run_segment(GLuint name, const Summary* summary) {
   if (summary == nullptr) {
     list_base_known = list_base_known && maybe_inside;
-    return Gl().CallList(name);
+    return gl_below().CallList(name);
   }
   const bool moves = summary->pops > 0 || summary->pushes > 0;
-  const GLint depth = moves && !maybe_inside ? Integer(GL_ATTRIB_STACK_DEPTH, -1) : -1;
-  if (summary->primitive != Primitive::kUnchanged) BeforePrimitive();
-  Gl().CallList(name);
+  const GLint depth = moves && !maybe_inside ? get_integer(GL_ATTRIB_STACK_DEPTH, -1) : -1;
+  if (summary->primitive != Primitive::kUnchanged) before_primitive();
+  gl_below().CallList(name);
   list_base_known = list_base_known && maybe_inside;
   if (summary->primitive == Primitive::kOpen) {
-    tracking = maybe_inside ? tracking : HasVertexMap();
+    tracking = maybe_inside ? tracking : has_vertex_map();
     maybe_inside = true;
   } else if (summary->primitive == Primitive::kClosed) {
     maybe_inside = tracking = false;
@@ -271,11 +272,11 @@ void Context::RunSegment(GLuint name, const Summary* summary) {
   if (tracking)
     for (int k = 0; k < kAttributeCount; ++k)
       if (summary->last[k].send != nullptr) current[k] = summary->last[k];
-  if (depth >= 0) FollowStack(*summary, depth);
+  if (depth >= 0) follow_stack(*summary, depth);
 }
 
 // What the GL below has done with its attribute stack in a list.
-void Context::FollowStack(const Summary& summary, GLint depth) {
+void Context::follow_stack(const Summary& summary, GLint depth) {
   for (unsigned i = 0; i < summary.pops && depth > 0; ++i) {
     --depth;
     if (depth >= 64 || !pushed[depth]) continue;
@@ -290,16 +291,16 @@ void Context::FollowStack(const Summary& summary, GLint depth) {
     pushed[depth] = glevGetError(evaluators) == GLEV_NO_ERROR;
   }
   glevGetError(evaluators);
-  UpdateEnabled();
+  update_enabled();
 }
 
-void Context::DeleteLists(GLuint first, GLsizei range) {
-  if (!IsOutside()) return;
+void Context::delete_lists(GLuint first, GLsizei range) {
+  if (!is_outside()) return;
   if (range > 0) {
     const GLuint last = first + static_cast<GLuint>(range) - 1;
-    group->Delete(first, last >= first ? last : 0xffffffffu);
+    group->delete_lists(first, last >= first ? last : 0xffffffffu);
   }
-  Gl().DeleteLists(first, range);
+  gl_below().DeleteLists(first, range);
 }
 
 }  // namespace glev::dropin

@@ -21,7 +21,7 @@ struct Setter {
   void (*send)(const void* values);  // null: not known
   alignas(8) unsigned char values[32];
 
-  void Send() const {
+  void apply() const {
     if (send != nullptr) send(values);
   }
 };
@@ -37,13 +37,13 @@ struct Summary {
   unsigned pops, pushes;
   GLbitfield pushed[16];
 
-  void Reset() { std::memset(static_cast<void*>(this), 0, sizeof *this); }
-  bool IsEmpty() const;
+  void reset() { std::memset(static_cast<void*>(this), 0, sizeof *this); }
+  bool is_empty() const;
 };
 
 // Every part of a list begins at a multiple of this.
 inline constexpr std::size_t kCodeUnit = 16;
-constexpr std::size_t RoundUpToCodeUnit(std::size_t bytes) {
+constexpr std::size_t round_up_to_code_unit(std::size_t bytes) {
   return (bytes + kCodeUnit - 1) / kCodeUnit * kCodeUnit;
 }
 
@@ -54,15 +54,15 @@ class Code {
   // `operation` can be copied as bytes, and is called with a Context& and what stands behind it: `bytes`
   // bytes for the caller to fill. Null without memory.
   template <class Operation>
-  unsigned char* Append(const Operation& operation, std::size_t bytes = 0) {
+  unsigned char* append(const Operation& operation, std::size_t bytes = 0) {
     static_assert(std::is_trivially_copyable_v<Operation> && alignof(Operation) <= kCodeUnit);
-    constexpr std::size_t kSize = RoundUpToCodeUnit(sizeof(Operation));
-    unsigned char* const place = bytes_.Grow(kHeader + kSize + RoundUpToCodeUnit(bytes));
+    constexpr std::size_t kSize = round_up_to_code_unit(sizeof(Operation));
+    unsigned char* const place = bytes_.grow(kHeader + kSize + round_up_to_code_unit(bytes));
     if (place == nullptr) return nullptr;
     const Header header = {[](Context& context, const unsigned char* payload) {
                              (*reinterpret_cast<const Operation*>(payload))(context, payload + kSize);
                            },
-                           kSize + RoundUpToCodeUnit(bytes)};
+                           kSize + round_up_to_code_unit(bytes)};
     std::memcpy(place, &header, sizeof header);
     new (place + kHeader) Operation(operation);
     return place + kHeader + kSize;
@@ -70,7 +70,7 @@ class Code {
   std::size_t size() const { return bytes_.size(); }
   bool empty() const { return size() == 0; }
   // What was appended at or after `begin`, a former size().
-  void Run(Context& context, std::size_t begin) {
+  void run(Context& context, std::size_t begin) {
     while (begin < bytes_.size()) {
       Header header;
       std::memcpy(&header, &bytes_[begin], sizeof header);
@@ -78,7 +78,7 @@ class Code {
       begin += kHeader + header.size;
     }
   }
-  void Swap(Code& other) { bytes_.Swap(other.bytes_); }
+  void swap(Code& other) { bytes_.swap(other.bytes_); }
   void clear() { bytes_.clear(); }
 
  private:
@@ -86,7 +86,7 @@ class Code {
     void (*run)(Context&, const unsigned char* payload);
     std::size_t size;
   };
-  static constexpr std::size_t kHeader = RoundUpToCodeUnit(sizeof(Header));
+  static constexpr std::size_t kHeader = round_up_to_code_unit(sizeof(Header));
 
   Array<unsigned char> bytes_;
 };
@@ -102,28 +102,28 @@ struct List {
 // The lists of contexts that share them. A list that is not here is the driver's, and does nothing of note.
 class Group {
  public:
-  static Group* Create();
-  void Retain();
-  void Release();
+  static Group* create();
+  void retain();
+  void release();
 
   // A list with one more reference; null where there is none.
-  List* Find(GLuint name);
-  bool IsEmpty();
-  void ReleaseList(List* list);
-  Primitive PrimitiveOf(GLuint name);
+  List* find(GLuint name);
+  bool is_empty();
+  void release_list(List* list);
+  Primitive primitive_of(GLuint name);
   // Takes the place of the list of that name.
-  void Define(List* list);
-  void Delete(GLuint first, GLuint last);
+  void define(List* list);
+  void delete_lists(GLuint first, GLuint last);
   // A name for a driver's list that no program will come upon.
-  GLuint NewSegment();
-  bool IsSegment(GLuint name);
+  GLuint new_segment();
+  bool is_segment(GLuint name);
 
  private:
   class Lock;
   Group() = default;
-  std::size_t LowerBound(GLuint name);
-  std::size_t PlaceOfSegment(GLuint name);
-  void Drop(List* list);
+  std::size_t lower_bound(GLuint name);
+  std::size_t place_of_segment(GLuint name);
+  void drop(List* list);
 
   unsigned references_ = 1;
   Array<List*> lists_;      // by name

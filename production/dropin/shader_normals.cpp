@@ -8,29 +8,30 @@ namespace glev::dropin {
 // --- Automatic normals with a vertex shader: m = q_u x q_v as it is (GL 2.0 5.1, ARB_vertex_program issue
 // 92)
 
-bool Context::VertexShaderIsActive() {
-  if (vertex_programs && Gl().IsEnabled(GL_VERTEX_PROGRAM_ARB)) return true;
+bool Context::is_vertex_shader_active() {
+  if (vertex_programs && gl_below().IsEnabled(GL_VERTEX_PROGRAM_ARB)) return true;
   if (version < 20) return false;
-  const auto program = static_cast<GLuint>(Integer(GL_CURRENT_PROGRAM, 0));
+  const auto program = static_cast<GLuint>(get_integer(GL_CURRENT_PROGRAM, 0));
   if (program == 0) {
-    const auto pipeline = static_cast<GLuint>(version >= 41 ? Integer(GL_PROGRAM_PIPELINE_BINDING, 0) : 0);
+    const auto pipeline =
+        static_cast<GLuint>(version >= 41 ? get_integer(GL_PROGRAM_PIPELINE_BINDING, 0) : 0);
     GLint shader = 0;
-    if (pipeline != 0) Gl().GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &shader);
+    if (pipeline != 0) gl_below().GetProgramPipelineiv(pipeline, GL_VERTEX_SHADER, &shader);
     return shader != 0;
   }
   GLuint shaders[16];
   GLsizei count = 0;
-  Gl().GetAttachedShaders(program, 16, &count, shaders);
+  gl_below().GetAttachedShaders(program, 16, &count, shaders);
   for (GLsizei i = 0; i < count; ++i) {
     GLint type = 0;
-    Gl().GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
+    gl_below().GetShaderiv(shaders[i], GL_SHADER_TYPE, &type);
     if (type == GL_VERTEX_SHADER) return true;
   }
   return count == 0;  // detached after linking
 }
 
 // Of one point, whose arguments are in either.
-double Context::LengthOfNormal(const glev_batch* batch, const glev_mesh* mesh) {
+double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh) {
   const glev_plan_info info = {sizeof info, 2};
   glev_plan* plan = nullptr;
   if (glevCreatePlan(evaluators, &info, &plan) != GLEV_SUCCESS) return 1;

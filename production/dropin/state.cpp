@@ -4,108 +4,108 @@
 
 namespace glev::dropin {
 
-void Context::UpdateEnabled() {
+void Context::update_enabled() {
   enabled = 0;
   for (int bit = 0; bit <= 2 * kMaps; ++bit)
-    if (glevIsEnabled(evaluators, CapOf(bit))) enabled |= 1u << bit;
+    if (glevIsEnabled(evaluators, cap_of(bit))) enabled |= 1u << bit;
 }
 
-bool Context::HasVertexMap() const {
-  return (enabled & (BothBits(kVertex3Map) | BothBits(kVertex4Map))) != 0;
+bool Context::has_vertex_map() const {
+  return (enabled & (both_enable_bits(kVertex3Map) | both_enable_bits(kVertex4Map))) != 0;
 }
 
-void Context::SetEnabled(GLenum cap, bool on) {
-  if (!IsOutside()) return;
+void Context::set_enabled(GLenum cap, bool on) {
+  if (!is_outside()) return;
   if (on)
     glevEnable(evaluators, cap);
   else
     glevDisable(evaluators, cap);
-  Report();
-  UpdateEnabled();
+  report();
+  update_enabled();
 }
 
 // Map wants unit 0 to be the active one.
-void Context::SetActiveTexture() {
-  const bool is_first = !multitexture || Integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) == GL_TEXTURE0;
+void Context::set_active_texture() {
+  const bool is_first = !multitexture || get_integer(GL_ACTIVE_TEXTURE, GL_TEXTURE0) == GL_TEXTURE0;
   glevActiveTexture(evaluators, is_first ? GL_TEXTURE0 : GL_TEXTURE1);
 }
 
 template <>
-void Context::Map1(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
+void Context::map1(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points) {
+  if (!is_outside()) return;
+  set_active_texture();
   glevMap1f(evaluators, target, u1, u2, stride, order, points);
-  Report();
+  report();
 }
 template <>
-void Context::Map1(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
+void Context::map1(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order,
                    const GLdouble* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
+  if (!is_outside()) return;
+  set_active_texture();
   glevMap1d(evaluators, target, u1, u2, stride, order, points);
-  Report();
+  report();
 }
 template <>
-void Context::Map2(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
+void Context::map2(GLenum target, GLfloat u1, GLfloat u2, GLint ustride, GLint uorder, GLfloat v1, GLfloat v2,
                    GLint vstride, GLint vorder, const GLfloat* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
+  if (!is_outside()) return;
+  set_active_texture();
   glevMap2f(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  Report();
+  report();
 }
 template <>
-void Context::Map2(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
+void Context::map2(GLenum target, GLdouble u1, GLdouble u2, GLint ustride, GLint uorder, GLdouble v1,
                    GLdouble v2, GLint vstride, GLint vorder, const GLdouble* points) {
-  if (!IsOutside()) return;
-  SetActiveTexture();
+  if (!is_outside()) return;
+  set_active_texture();
   glevMap2d(evaluators, target, u1, u2, ustride, uorder, v1, v2, vstride, vorder, points);
-  Report();
+  report();
 }
 
-void Context::MapGrid1(GLint n, double u1, double u2) {
-  if (!IsOutside()) return;
+void Context::map_grid1(GLint n, double u1, double u2) {
+  if (!is_outside()) return;
   glevMapGrid1d(evaluators, n, u1, u2);
-  Report();
+  report();
 }
-void Context::MapGrid2(GLint un, double u1, double u2, GLint vn, double v1, double v2) {
-  if (!IsOutside()) return;
+void Context::map_grid2(GLint un, double u1, double u2, GLint vn, double v1, double v2) {
+  if (!is_outside()) return;
   glevMapGrid2d(evaluators, un, u1, u2, vn, v1, v2);
-  Report();
+  report();
 }
 
 // Whether there was room, or anything to pop, the GL below knows.
-void Context::PushAttrib(GLbitfield mask) {
-  const GLint before = Integer(GL_ATTRIB_STACK_DEPTH, -1);
-  Gl().PushAttrib(mask);
-  if (before < 0 || before >= 64 || Integer(GL_ATTRIB_STACK_DEPTH, -1) != before + 1) return;
+void Context::push_attrib(GLbitfield mask) {
+  const GLint before = get_integer(GL_ATTRIB_STACK_DEPTH, -1);
+  gl_below().PushAttrib(mask);
+  if (before < 0 || before >= 64 || get_integer(GL_ATTRIB_STACK_DEPTH, -1) != before + 1) return;
   pushed[before] = (mask & (GL_EVAL_BIT | GL_ENABLE_BIT)) != 0;
   if (!pushed[before]) return;
   glevPushAttrib(evaluators, mask & (GL_EVAL_BIT | GL_ENABLE_BIT));
   pushed[before] = glevGetError(evaluators) == GLEV_NO_ERROR;
 }
 
-void Context::PopAttrib() {
-  const GLint before = Integer(GL_ATTRIB_STACK_DEPTH, -1);
+void Context::pop_attrib() {
+  const GLint before = get_integer(GL_ATTRIB_STACK_DEPTH, -1);
   if (evaluators_used && before > 0) {
     GLfloat color[4];
-    Gl().GetFloatv(GL_CURRENT_COLOR, color);  // Mesa: what is still pending would come after PopAttrib
+    gl_below().GetFloatv(GL_CURRENT_COLOR, color);  // Mesa: what is still pending would come after PopAttrib
   }
-  Gl().PopAttrib();
+  gl_below().PopAttrib();
   list_base_known = false;
-  if (before < 1 || before > 64 || Integer(GL_ATTRIB_STACK_DEPTH, -1) != before - 1) return;
+  if (before < 1 || before > 64 || get_integer(GL_ATTRIB_STACK_DEPTH, -1) != before - 1) return;
   if (!pushed[before - 1]) return;
   pushed[before - 1] = false;
   glevPopAttrib(evaluators);
-  UpdateEnabled();
+  update_enabled();
 }
 
-void Context::CopyEvalAttributes(const Context& from, bool grids) {
+void Context::copy_eval_attributes(const Context& from, bool grids) {
   for (int bit = 0; bit <= 2 * kMaps; ++bit)
-    if (glevIsEnabled(from.evaluators, CapOf(bit)))
-      glevEnable(evaluators, CapOf(bit));
+    if (glevIsEnabled(from.evaluators, cap_of(bit)))
+      glevEnable(evaluators, cap_of(bit));
     else
-      glevDisable(evaluators, CapOf(bit));
-  UpdateEnabled();
+      glevDisable(evaluators, cap_of(bit));
+  update_enabled();
   if (!grids) return;
   GLint n[2] = {};
   GLdouble ends[4] = {};

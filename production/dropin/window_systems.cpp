@@ -13,25 +13,25 @@ namespace {
 
 // The one below, of the type of this one.
 template <class Function>
-Function* Below(Function*, const char* name) {
-  return reinterpret_cast<Function*>(FindBelow(name));
+Function* find_function_below(Function*, const char* name) {
+  return reinterpret_cast<Function*>(find_below(name));
 }
-#define BELOW(name)                               \
-  static auto* const below = Below(&name, #name); \
-  if (below == nullptr) return {                  \
+#define BELOW(name)                                             \
+  static auto* const below = find_function_below(&name, #name); \
+  if (below == nullptr) return {                                \
     }
 
 }  // namespace
 
-const void* AskForCurrent() {
+const void* ask_for_current() {
   using GetCurrent = const void* (*)();
   struct Getters {
     GetCurrent of[3];
   };
-  static const Getters getters = {{reinterpret_cast<GetCurrent>(FindBelow("glXGetCurrentContext")),
-                                   reinterpret_cast<GetCurrent>(FindBelow("eglGetCurrentContext")),
-                                   reinterpret_cast<GetCurrent>(FindBelow("OSMesaGetCurrentContext"))}};
-  for (const GetCurrent get : getters.of)
+  static const Getters kGetters = {{reinterpret_cast<GetCurrent>(find_below("glXGetCurrentContext")),
+                                    reinterpret_cast<GetCurrent>(find_below("eglGetCurrentContext")),
+                                    reinterpret_cast<GetCurrent>(find_below("OSMesaGetCurrentContext"))}};
+  for (const GetCurrent get : kGetters.of)
     if (const void* const handle = get != nullptr ? get() : nullptr) return handle;
   return nullptr;
 }
@@ -39,35 +39,35 @@ const void* AskForCurrent() {
 namespace {
 
 // A function of this library: what it stands in front of must not be found in its place.
-void* Own(const char* name) {
+void* find_own(const char* name) {
   static const struct Self {
     void* handle = nullptr;
     const void* base = nullptr;
-  } self = [] {
+  } kSelf = [] {
     Self found;
     Dl_info info;
-    if (dladdr(reinterpret_cast<const void*>(&Own), &info) != 0) {
+    if (dladdr(reinterpret_cast<const void*>(&find_own), &info) != 0) {
       found.handle = dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
       found.base = info.dli_fbase;
     }
     return found;
   }();
-  if (self.handle == nullptr || name == nullptr) return nullptr;
-  void* const address = dlsym(self.handle, name);
+  if (kSelf.handle == nullptr || name == nullptr) return nullptr;
+  void* const address = dlsym(kSelf.handle, name);
   Dl_info info;
-  if (address == nullptr || dladdr(address, &info) == 0 || info.dli_fbase != self.base) return nullptr;
+  if (address == nullptr || dladdr(address, &info) == 0 || info.dli_fbase != kSelf.base) return nullptr;
   return address;
 }
 
 // What the GL below does not have is not made up here, but for evaluators.
 template <class Get, class Name>
-void* LookUp(Get* below, Name* name) {
+void* look_up(Get* below, Name* name) {
   void* const address = reinterpret_cast<void*>(below(name));
   const auto* const text = reinterpret_cast<const char*>(name);
   if (address == nullptr && std::strncmp(text, "glMap", 5) != 0 && std::strncmp(text, "glEval", 6) != 0 &&
       std::strncmp(text, "glGetMap", 8) != 0)
     return nullptr;
-  void* const own = Own(text);
+  void* const own = find_own(text);
   return own != nullptr ? own : address;
 }
 
@@ -83,38 +83,38 @@ using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what fol
 DROPIN_EXPORT void* OSMesaCreateContext(GLenum format, void* shared) {
   BELOW(OSMesaCreateContext);
   void* const context = below(format, shared);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT void* OSMesaCreateContextExt(GLenum format, GLint depth, GLint stencil, GLint accumulation,
                                            void* shared) {
   BELOW(OSMesaCreateContextExt);
   void* const context = below(format, depth, stencil, accumulation, shared);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT void* OSMesaCreateContextAttribs(const int* attributes, void* shared) {
   BELOW(OSMesaCreateContextAttribs);
   void* const context = below(attributes, shared);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width,
                                           GLsizei height) {
   BELOW(OSMesaMakeCurrent);
   const GLboolean made = below(context, buffer, type, width, height);
-  if (made) NoteCurrent(context);
+  if (made) note_current(context);
   return made;
 }
 DROPIN_EXPORT int OSMesaDestroyContext(void* context) {
   BELOW(OSMesaDestroyContext);
   below(context);
-  NoteDestroyed(context);
+  note_destroyed(context);
   return 0;
 }
 DROPIN_EXPORT void* OSMesaGetProcAddress(const char* name) {
   BELOW(OSMesaGetProcAddress);
-  return LookUp(below, name);
+  return look_up(below, name);
 }
 
 // --- EGL
@@ -122,29 +122,29 @@ DROPIN_EXPORT void* OSMesaGetProcAddress(const char* name) {
 DROPIN_EXPORT void* eglCreateContext(void* display, void* config, void* shared, const int* attributes) {
   BELOW(eglCreateContext);
   void* const context = below(display, config, shared, attributes);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT unsigned eglDestroyContext(void* display, void* context) {
   BELOW(eglDestroyContext);
   const unsigned destroyed = below(display, context);
-  if (destroyed != 0) NoteDestroyed(context);
+  if (destroyed != 0) note_destroyed(context);
   return destroyed;
 }
 DROPIN_EXPORT unsigned eglMakeCurrent(void* display, void* draw, void* read, void* context) {
   BELOW(eglMakeCurrent);
   const unsigned made = below(display, draw, read, context);
-  if (made != 0) NoteCurrent(context);
+  if (made != 0) note_current(context);
   return made;
 }
 DROPIN_EXPORT unsigned eglReleaseThread() {
   BELOW(eglReleaseThread);
-  NoteCurrent(nullptr);
+  note_current(nullptr);
   return below();
 }
 DROPIN_EXPORT void* eglGetProcAddress(const char* name) {
   BELOW(eglGetProcAddress);
-  return LookUp(below, name);
+  return look_up(below, name);
 }
 
 // --- GLX
@@ -152,60 +152,61 @@ DROPIN_EXPORT void* eglGetProcAddress(const char* name) {
 DROPIN_EXPORT void* glXCreateContext(void* display, void* visual, void* shared, int direct) {
   BELOW(glXCreateContext);
   void* const context = below(display, visual, shared, direct);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT void* glXCreateNewContext(void* display, void* config, int type, void* shared, int direct) {
   BELOW(glXCreateNewContext);
   void* const context = below(display, config, type, shared, direct);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT void* glXCreateContextAttribsARB(void* display, void* config, void* shared, int direct,
                                                const int* attributes) {
-  static auto* below = Below(&glXCreateContextAttribsARB, "glXCreateContextAttribsARB");
+  static auto* below = find_function_below(&glXCreateContextAttribsARB, "glXCreateContextAttribsARB");
   if (below == nullptr)
-    if (auto* const get = Below(static_cast<void* (*)(const char*)>(nullptr), "glXGetProcAddressARB"))
+    if (auto* const get =
+            find_function_below(static_cast<void* (*)(const char*)>(nullptr), "glXGetProcAddressARB"))
       below = reinterpret_cast<decltype(below)>(get("glXCreateContextAttribsARB"));
   if (below == nullptr) return nullptr;
   void* const context = below(display, config, shared, direct, attributes);
-  NoteCreated(context, shared);
+  note_created(context, shared);
   return context;
 }
 DROPIN_EXPORT int glXMakeCurrent(void* display, unsigned long drawable, void* context) {
   BELOW(glXMakeCurrent);
   const int made = below(display, drawable, context);
-  if (made != 0) NoteCurrent(context);
+  if (made != 0) note_current(context);
   return made;
 }
 DROPIN_EXPORT int glXMakeContextCurrent(void* display, unsigned long draw, unsigned long read,
                                         void* context) {
   BELOW(glXMakeContextCurrent);
   const int made = below(display, draw, read, context);
-  if (made != 0) NoteCurrent(context);
+  if (made != 0) note_current(context);
   return made;
 }
 DROPIN_EXPORT int glXDestroyContext(void* display, void* context) {
   BELOW(glXDestroyContext);
   below(display, context);
-  NoteDestroyed(context);
+  note_destroyed(context);
   return 0;
 }
 DROPIN_EXPORT int glXCopyContext(void* display, void* from, void* to, unsigned long mask) {
   BELOW(glXCopyContext);
   below(display, from, to, mask);
-  Context* const source = ContextOf(from);
-  Context* const target = ContextOf(to);
+  Context* const source = context_of(from);
+  Context* const target = context_of(to);
   if (source == nullptr || target == nullptr) return 0;
   if ((mask & (GL_EVAL_BIT | GL_ENABLE_BIT)) != 0)
-    target->CopyEvalAttributes(*source, (mask & GL_EVAL_BIT) != 0);
+    target->copy_eval_attributes(*source, (mask & GL_EVAL_BIT) != 0);
   return 0;
 }
 DROPIN_EXPORT void* glXGetProcAddress(const GLubyte* name) {
   BELOW(glXGetProcAddress);
-  return LookUp(below, name);
+  return look_up(below, name);
 }
 DROPIN_EXPORT void* glXGetProcAddressARB(const GLubyte* name) {
   BELOW(glXGetProcAddressARB);
-  return LookUp(below, name);
+  return look_up(below, name);
 }

@@ -300,14 +300,14 @@ GLEV_API void glevGetMapdv(glev_context* context, glev_enum target, glev_enum qu
 GLEV_API void glevGetMapfv(glev_context* context, glev_enum target, glev_enum query, glev_float* v);
 GLEV_API void glevGetMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int* v);
 
-/* GetMap for an array of bufSize bytes at v: what does not fit is an error, and nothing is written (GL
- * §21.1.1). INVALID_ENUM, INVALID_VALUE, INVALID_OPERATION: as for GetMap, and INVALID_VALUE: bufSize < 0.
- * INVALID_OPERATION: the answer has more than bufSize bytes. */
-GLEV_API void glevGetnMapdv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+/* GetMap for an array of buf_size bytes at v: what does not fit is an error, and nothing is written (GL
+ * §21.1.1). INVALID_ENUM, INVALID_VALUE, INVALID_OPERATION: as for GetMap, and INVALID_VALUE: buf_size < 0.
+ * INVALID_OPERATION: the answer has more than buf_size bytes. */
+GLEV_API void glevGetnMapdv(glev_context* context, glev_enum target, glev_enum query, glev_int buf_size,
                             glev_double* v);
-GLEV_API void glevGetnMapfv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+GLEV_API void glevGetnMapfv(glev_context* context, glev_enum target, glev_enum query, glev_int buf_size,
                             glev_float* v);
-GLEV_API void glevGetnMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int bufSize,
+GLEV_API void glevGetnMapiv(glev_context* context, glev_enum target, glev_enum query, glev_int buf_size,
                             glev_int* v);
 
 /* The 18 map enables and AUTO_NORMAL. INVALID_ENUM: any other name (this library has evaluator state only).

@@ -14,23 +14,23 @@ inline constexpr std::size_t kCacheLine = 64;
 
 class Allocator {
  public:
-  Allocator() : allocate_(HeapAllocate), release_(HeapRelease) {}
+  Allocator() : allocate_(heap_allocate), release_(heap_release) {}
   explicit Allocator(const glev_allocator& given)
       : user_(given.user), allocate_(given.allocate), release_(given.release) {}
 
   // Null when there is no memory.
-  void* Allocate(std::size_t bytes, std::size_t alignment) const {
+  void* allocate(std::size_t bytes, std::size_t alignment) const {
     return allocate_(user_, bytes, alignment);
   }
-  void Release(void* memory, std::size_t bytes, std::size_t alignment) const {
+  void release(void* memory, std::size_t bytes, std::size_t alignment) const {
     if (memory != nullptr) release_(user_, memory, bytes, alignment);
   }
 
  private:
-  static void* HeapAllocate(void*, std::size_t bytes, std::size_t alignment) {
+  static void* heap_allocate(void*, std::size_t bytes, std::size_t alignment) {
     return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
   }
-  static void HeapRelease(void*, void* memory, std::size_t, std::size_t) { std::free(memory); }
+  static void heap_release(void*, void* memory, std::size_t, std::size_t) { std::free(memory); }
 
   void* user_ = nullptr;
   void* (*allocate_)(void*, std::size_t, std::size_t);
@@ -48,18 +48,18 @@ class DoubleBuffer {
   const double* data() const { return data_; }
 
   // Room for count doubles; contents are lost if it has to grow. False, and unchanged, without memory.
-  bool Reserve(const Allocator& allocator, std::size_t count) {
+  bool reserve(const Allocator& allocator, std::size_t count) {
     if (count <= capacity_) return true;
-    void* memory = allocator.Allocate(count * sizeof(double), kCacheLine);
+    void* memory = allocator.allocate(count * sizeof(double), kCacheLine);
     if (memory == nullptr) return false;
-    Free(allocator);
+    free(allocator);
     data_ = static_cast<double*>(memory);
     capacity_ = count;
     return true;
   }
 
-  void Free(const Allocator& allocator) {
-    allocator.Release(data_, capacity_ * sizeof(double), kCacheLine);
+  void free(const Allocator& allocator) {
+    allocator.release(data_, capacity_ * sizeof(double), kCacheLine);
     data_ = nullptr;
     capacity_ = 0;
   }
@@ -72,7 +72,7 @@ class DoubleBuffer {
 // Copies a structure that begins with its size. One that is smaller than this version's, or larger with a
 // rest that is not zero, is refused.
 template <class Struct>
-bool ReadStruct(const Struct* given, Struct* copy) {
+bool read_struct(const Struct* given, Struct* copy) {
   if (given == nullptr || given->size < sizeof(Struct)) return false;
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
   for (std::size_t i = sizeof(Struct); i < given->size; ++i) {

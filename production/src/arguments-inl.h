@@ -26,12 +26,14 @@ struct Place {
         scale(hn::Add(inverse, inverse)),
         middle(hn::Mul(hn::Add(u1, u2), inverse)),
         has_inverse(map.inverse_width[direction] != 0) {}
-  HWY_INLINE Vector Divided(Vector x) const { return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width); }
-  HWY_INLINE Vector T(Vector u) const { return Divided(hn::Sub(u, u1)); }
-  HWY_INLINE Vector S(Vector u) const { return Divided(hn::Sub(u2, u)); }
+  HWY_INLINE Vector divide_by_width(Vector x) const {
+    return has_inverse ? hn::Mul(x, inverse) : hn::Div(x, width);
+  }
+  HWY_INLINE Vector t_of(Vector u) const { return divide_by_width(hn::Sub(u, u1)); }
+  HWY_INLINE Vector s_of(Vector u) const { return divide_by_width(hn::Sub(u2, u)); }
 
   // t - s where there is an inverse: it is a power of two, so that this is rounded once.
-  HWY_INLINE Vector X(Vector u) const { return hn::MulSub(u, scale, middle); }
+  HWY_INLINE Vector x_of(Vector u) const { return hn::MulSub(u, scale, middle); }
 
   // Of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
@@ -41,7 +43,7 @@ struct Place {
 };
 
 // The arguments from `begin` on, kStep of them; those from `count` on are the last one.
-HWY_INLINE void Fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
+HWY_INLINE void fetch(const Input& input, std::size_t begin, std::size_t count, double* arguments) {
   if (!input.is_double && input.stride == sizeof(float) && count == kStep) {
     const auto* floats = reinterpret_cast<const float*>(input.data) + begin;
     for (std::size_t i = 0; i < kStep; i += kLanes)
@@ -52,7 +54,7 @@ HWY_INLINE void Fetch(const Input& input, std::size_t begin, std::size_t count, 
 }
 
 // t inside the domain, NaN elsewhere.
-HWY_INLINE Vector Inside(Vector t, Vector s) {
+HWY_INLINE Vector nan_outside(Vector t, Vector s) {
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   return hn::IfThenElse(hn::Ge(hn::Min(t, s), hn::Zero(kDoubles)), t, nan);
 }

@@ -22,14 +22,14 @@ struct Stream {
   std::size_t columns = 0, rows = 1, stride = 0, row_stride = 0, element = 0;
 
   // In so many bytes, and in the address space, whatever the caller claims.
-  bool FitsInto(std::size_t bytes) const {
+  bool fits_into(std::size_t bytes) const {
     const std::size_t room = std::min<std::size_t>(bytes, UINTPTR_MAX - first_byte());
     if (element > room) return false;
     const std::size_t left = room - element;
     if (stride != 0 && columns - 1 > left / stride) return false;
     return row_stride == 0 || rows - 1 <= (left - (columns - 1) * stride) / row_stride;
   }
-  // Only after FitsInto: nothing overflows then.
+  // Only after fits_into: nothing overflows then.
   std::uintptr_t first_byte() const { return reinterpret_cast<std::uintptr_t>(begin); }
   std::uintptr_t past_last_byte() const {
     return first_byte() + (rows - 1) * row_stride + (columns - 1) * stride + element;
@@ -37,7 +37,7 @@ struct Stream {
 };
 
 // Rows of the strides and columns of `first`, `offset` bytes apart.
-bool RowsShareBytes(const Stream& first, const Stream& second, std::size_t offset) {
+bool rows_share_bytes(const Stream& first, const Stream& second, std::size_t offset) {
   if (offset >= (first.columns - 1) * first.stride + first.element) return false;
   if (first.columns == 1) return true;
   const std::size_t column = offset / first.stride, rest = offset % first.stride;
@@ -45,18 +45,18 @@ bool RowsShareBytes(const Stream& first, const Stream& second, std::size_t offse
 }
 
 // b is an output, so its stride is positive. With different strides any overlap of the extents counts.
-bool ShareBytes(const Stream& a, const Stream& b) {
+bool share_bytes(const Stream& a, const Stream& b) {
   if (a.past_last_byte() <= b.first_byte() || b.past_last_byte() <= a.first_byte()) return false;
   if (a.stride != b.stride || a.columns != b.columns || a.rows != b.rows || a.row_stride != b.row_stride)
     return true;
   const Stream& low = a.first_byte() <= b.first_byte() ? a : b;
   const Stream& high = &low == &a ? b : a;
   const std::size_t offset = high.first_byte() - low.first_byte();
-  if (a.rows == 1) return RowsShareBytes(low, high, offset);
+  if (a.rows == 1) return rows_share_bytes(low, high, offset);
   // A row of `high` begins in a row of `low`, or in the padding after it, and may reach into the next one.
   const std::size_t row = offset / a.row_stride, rest = offset % a.row_stride;
-  return RowsShareBytes(low, high, rest) ||
-         (row + 1 < a.rows && RowsShareBytes(high, low, a.row_stride - rest));
+  return rows_share_bytes(low, high, rest) ||
+         (row + 1 < a.rows && rows_share_bytes(high, low, a.row_stride - rest));
 }
 
 // ---- Outputs
@@ -70,22 +70,22 @@ struct Output {
   std::size_t bytes = 0;
   Stream stream;
 
-  std::byte* At(std::size_t column, std::size_t row) const {
+  std::byte* address_of(std::size_t column, std::size_t row) const {
     return data + column * stream.stride + row * stream.row_stride;
   }
 };
 
 using Outputs = std::array<Output, kOutputs>;
 
-std::size_t ComponentsOf(const glev_plan& plan, int output) {
+std::size_t components_of(const glev_plan& plan, int output) {
   if (output >= kTangentU) return plan.tangent_components();
   return glevGetPlanComponents(&plan, static_cast<glev_attribute>(output));
 }
 
-glev_result ReadOutput(const glev_output* given, std::size_t columns, std::size_t rows, bool has_rows,
-                       std::size_t map_components, std::size_t most_components, Output* output) {
+glev_result read_output(const glev_output* given, std::size_t columns, std::size_t rows, bool has_rows,
+                        std::size_t map_components, std::size_t most_components, Output* output) {
   glev_output copy;
-  if (!glev::ReadStruct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!glev::read_struct(given, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (map_components == 0) return GLEV_ERROR_NO_MAP;
   if (copy.components < map_components || copy.components > most_components)
     return GLEV_ERROR_INVALID_ARGUMENT;
@@ -109,15 +109,15 @@ glev_result ReadOutput(const glev_output* given, std::size_t columns, std::size_
   return GLEV_SUCCESS;
 }
 
-glev_result ReadOutputs(const glev_plan& plan, const glev_outputs& given, std::size_t columns,
-                        std::size_t rows, bool has_rows, Outputs* outputs) {
+glev_result read_outputs(const glev_plan& plan, const glev_outputs& given, std::size_t columns,
+                         std::size_t rows, bool has_rows, Outputs* outputs) {
   const std::array<const glev_output*, kOutputs> wanted = {given.vertex,   given.color,     given.normal,
                                                            given.texcoord, given.tangent_u, given.tangent_v};
   for (int o = 0; o < kOutputs; ++o) {
     if (wanted[o] == nullptr) continue;
     const bool is_normal = o == static_cast<int>(Attribute::kNormal);
-    const glev_result result = ReadOutput(wanted[o], columns, rows, has_rows, ComponentsOf(plan, o),
-                                          is_normal ? 3 : 4, &(*outputs)[o]);
+    const glev_result result = read_output(wanted[o], columns, rows, has_rows, components_of(plan, o),
+                                           is_normal ? 3 : 4, &(*outputs)[o]);
     if (result != GLEV_SUCCESS) return result;
   }
   return GLEV_SUCCESS;
@@ -125,24 +125,25 @@ glev_result ReadOutputs(const glev_plan& plan, const glev_outputs& given, std::s
 
 // Sizes and overlaps, with what else is read or written.
 template <std::size_t kOthers>
-glev_result CheckMemory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
+glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOthers>& others) {
   for (const Output& output : outputs) {
-    if (output.is_wanted && !output.stream.FitsInto(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+    if (output.is_wanted && !output.stream.fits_into(output.bytes)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
   for (int a = 0; a < kOutputs; ++a) {
     if (!outputs[a].is_wanted) continue;
     for (const Stream& other : others) {
-      if (other.columns != 0 && ShareBytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
+      if (other.columns != 0 && share_bytes(other, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
     }
     for (int b = 0; b < a; ++b) {
-      if (outputs[b].is_wanted && ShareBytes(outputs[b].stream, outputs[a].stream)) return GLEV_ERROR_OVERLAP;
+      if (outputs[b].is_wanted && share_bytes(outputs[b].stream, outputs[a].stream))
+        return GLEV_ERROR_OVERLAP;
     }
   }
   return GLEV_SUCCESS;
 }
 
 // C programs may have put any number there, which C++ must not read as an enumerator.
-bool IsPrecision(const glev_precision& precision) {
+bool is_precision(const glev_precision& precision) {
   unsigned value;
   static_assert(sizeof value == sizeof precision);
   std::memcpy(&value, &precision, sizeof value);
@@ -151,7 +152,7 @@ bool IsPrecision(const glev_precision& precision) {
 
 // ---- What has no kernel
 
-void Put(const Output& output, std::byte* to, const std::array<double, 4>& values) {
+void put(const Output& output, std::byte* to, const std::array<double, 4>& values) {
   std::array<float, 4> floats;
   if (output.is_double) {
     std::memcpy(to, values.data(), output.stream.element);
@@ -163,53 +164,53 @@ void Put(const Output& output, std::byte* to, const std::array<double, 4>& value
 
 // u(i) and v(j) of the columns and rows: one of both is constant in a batch of scattered arguments.
 template <class U, class V, class Function>
-void ForEach(const Output& output, const U& u, const V& v, const Function& function) {
+void for_each(const Output& output, const U& u, const V& v, const Function& function) {
   for (std::size_t j = 0; j < output.stream.rows; ++j) {
     for (std::size_t i = 0; i < output.stream.columns; ++i)
-      Put(output, output.At(i, j), function(u(i), v(i, j)));
+      put(output, output.address_of(i, j), function(u(i), v(i, j)));
   }
 }
 
 template <class U, class V>
-void EvaluateInDouble(const glev::PreparedMap& map, const Output& output, const U& u, const V& v) {
-  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+void evaluate_in_double(const glev::PreparedMap& map, const Output& output, const U& u, const V& v) {
+  for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
     std::array<double, 4> values = {0, 0, 0, 1};
-    for (int k = 0; k < map.surface.components; ++k) values[k] = glev::InDouble(map, k, at_u, at_v);
+    for (int k = 0; k < map.surface.components; ++k) values[k] = glev::resolve_in_double(map, k, at_u, at_v);
     return values;
   });
 }
 
 template <class U, class V>
-void EvaluateNormals(const glev_plan& plan, const Output& output, const U& u, const V& v) {
+void evaluate_normals(const glev_plan& plan, const Output& output, const U& u, const V& v) {
   glev::NormalRow row(plan);
-  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
-    row.MoveTo(at_v);
-    const std::array<float, 3> normal = row.At(at_u);
+  for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+    row.move_to(at_v);
+    const std::array<float, 3> normal = row.normal_at(at_u);
     return std::array<double, 4>{normal[0], normal[1], normal[2], 0};
   });
 }
 
 template <class U, class V>
-void EvaluateTangents(const glev_plan& plan, int direction, const Output& output, const U& u, const V& v) {
+void evaluate_tangents(const glev_plan& plan, int direction, const Output& output, const U& u, const V& v) {
   const glev::Surface& tangent = plan.tangent(direction);
   const double factor = plan.tangent_factor(direction);
   std::array<double, glev::kMaxOrder * 4> room;
-  ForEach(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
+  for_each(output, u, v, [&](const GridArgument& at_u, const GridArgument& at_v) {
     std::array<double, 4> values{};
     if (tangent.components == 0) return values;
-    const glev::Curve curve = CurveAt(tangent, Locate(tangent.domain[1], at_v), room.data());
-    Evaluate(curve, Locate(tangent.domain[0], at_u), values.data());
+    const glev::Curve curve = curve_at(tangent, locate(tangent.domain[1], at_v), room.data());
+    evaluate(curve, locate(tangent.domain[0], at_u), values.data());
     for (double& value : values) value *= factor;
     for (int k = 0; k < tangent.components && output.is_double; ++k)
-      glev::DerivativeInDouble(plan.map(Attribute::kVertex), direction, k, at_u, at_v, &values[k]);
+      glev::resolve_derivative_in_double(plan.map(Attribute::kVertex), direction, k, at_u, at_v, &values[k]);
     return values;
   });
 }
 
 // All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats if it can.
 template <class U, class V, class Evaluate, class Normals>
-void EvaluateAll(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
-                 const Evaluate& evaluate, const Normals& normals) {
+void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
+                  const Evaluate& evaluate, const Normals& normals) {
   const glev::DefaultEnvironment environment;
   for (int o = 0; o < kOutputs; ++o) {
     const Output& output = outputs[o];
@@ -217,11 +218,11 @@ void EvaluateAll(const glev_plan& plan, const Outputs& outputs, const U& u, cons
     const glev::Destination to = {output.data, output.stream.stride, output.stream.row_stride,
                                   output.components};
     if (o >= kTangentU) {
-      EvaluateTangents(plan, o - kTangentU, output, u, v);
+      evaluate_tangents(plan, o - kTangentU, output, u, v);
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
-      if (output.is_double || !normals(to)) EvaluateNormals(plan, output, u, v);
+      if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else if (output.is_double) {
-      EvaluateInDouble(plan.map(static_cast<Attribute>(o)), output, u, v);
+      evaluate_in_double(plan.map(static_cast<Attribute>(o)), output, u, v);
     } else {
       evaluate(plan.map(static_cast<Attribute>(o)), to);
     }
@@ -231,18 +232,18 @@ void EvaluateAll(const glev_plan& plan, const Outputs& outputs, const U& u, cons
 // ---- Meshes
 
 // Count of i1..i2; an int's range always fits.
-std::size_t CountOf(glev_int i1, glev_int i2) {
+std::size_t count_of(glev_int i1, glev_int i2) {
   return i1 > i2 ? 0 : static_cast<std::size_t>(static_cast<std::int64_t>(i2) - i1 + 1);
 }
 
 // Well formed, but for its outputs and scratch.
-bool ReadMesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
-  if (plan == nullptr || !glev::ReadStruct(given, mesh) || !IsPrecision(mesh->precision)) return false;
+bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
+  if (plan == nullptr || !glev::read_struct(given, mesh) || !is_precision(mesh->precision)) return false;
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
 // Whether each normal follows its vertex, in floats, three components each.
-bool AreRecords(const glev_plan& plan, const Output& vertex, const Output& normal) {
+bool are_records(const glev_plan& plan, const Output& vertex, const Output& normal) {
   const auto are_triples = [](const Output& output) {
     return output.is_wanted && !output.is_double && output.components == 3;
   };
@@ -251,15 +252,15 @@ bool AreRecords(const glev_plan& plan, const Output& vertex, const Output& norma
          normal.stream.row_stride == vertex.stream.row_stride;
 }
 
-std::size_t ScratchOf(const glev_plan& plan, std::size_t columns) {
+std::size_t scratch_of(const glev_plan& plan, std::size_t columns) {
   std::size_t bytes = 0;
   for (int a = 0; a < kAttributes; ++a) {
     const glev::Surface& surface = plan.surface(static_cast<Attribute>(a));
-    if (surface.components != 0) bytes = std::max(bytes, glev::MeshScratch(surface.degree[0], columns));
+    if (surface.components != 0) bytes = std::max(bytes, glev::mesh_scratch(surface.degree[0], columns));
   }
   if (plan.automatic_normals()) {
     const glev::Surface& vertex = plan.surface(Attribute::kVertex);
-    bytes = std::max(bytes, glev::NormalMeshScratch(vertex.degree[0], columns));
+    bytes = std::max(bytes, glev::normal_mesh_scratch(vertex.degree[0], columns));
   }
   return bytes + kCacheLine;
 }
@@ -268,16 +269,16 @@ std::size_t ScratchOf(const glev_plan& plan, std::size_t columns) {
 
 glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   glev_batch batch;
-  if (plan == nullptr || !glev::ReadStruct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (plan == nullptr || !glev::read_struct(given, &batch)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (batch.type != GLEV_FLOAT && batch.type != GLEV_DOUBLE) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (!IsPrecision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!is_precision(batch.precision)) return GLEV_ERROR_INVALID_ARGUMENT;
   const bool has_v = plan->dimension() == 2, is_double = batch.type == GLEV_DOUBLE;
   if (batch.count != 0 && (batch.u.data == nullptr || (has_v && batch.v.data == nullptr)))
     return GLEV_ERROR_INVALID_ARGUMENT;
   if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
     return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = ReadOutputs(*plan, batch.outputs, batch.count, 1, false, &outputs);
+  const glev_result result = read_outputs(*plan, batch.outputs, batch.count, 1, false, &outputs);
   if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
   const auto stream_of = [&](const glev_input& input) {
@@ -285,19 +286,19 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
     return Stream{static_cast<const std::byte*>(input.data), batch.count, 1, input.stride, 0, element};
   };
   std::array<Stream, 2> inputs = {stream_of(batch.u)};
-  if (!inputs[0].FitsInto(batch.u.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  if (!inputs[0].fits_into(batch.u.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   if (has_v) {
     inputs[1] = stream_of(batch.v);
-    if (!inputs[1].FitsInto(batch.v.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+    if (!inputs[1].fits_into(batch.v.data_size)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   }
-  const glev_result memory = CheckMemory(outputs, inputs);
+  const glev_result memory = check_memory(outputs, inputs);
   if (memory != GLEV_SUCCESS) return memory;
 
   const glev::Input u = {inputs[0].begin, inputs[0].stride, is_double},
                     v = {inputs[1].begin, inputs[1].stride, is_double};
-  EvaluateAll(
-      *plan, outputs, [&](std::size_t i) { return glev::At(u[i]); },
-      [&](std::size_t i, std::size_t) { return has_v ? glev::At(v[i]) : GridArgument{}; },
+  evaluate_all(
+      *plan, outputs, [&](std::size_t i) { return glev::argument_at(u[i]); },
+      [&](std::size_t i, std::size_t) { return has_v ? glev::argument_at(v[i]) : GridArgument{}; },
       [&](const glev::PreparedMap& map, const glev::Destination& to) {
         if (has_v) {
           plan->kernels().surface(map, u, v, batch.count, to);
@@ -311,25 +312,25 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
 
 size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* given) {
   glev_mesh mesh;
-  return ReadMesh(plan, given, &mesh) ? ScratchOf(*plan, CountOf(mesh.i1, mesh.i2)) : 0;
+  return read_mesh(plan, given, &mesh) ? scratch_of(*plan, count_of(mesh.i1, mesh.i2)) : 0;
 }
 
 glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   glev_mesh mesh;
-  if (!ReadMesh(plan, given, &mesh)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!read_mesh(plan, given, &mesh)) return GLEV_ERROR_INVALID_ARGUMENT;
   const bool has_rows = plan->dimension() == 2;
-  const std::size_t columns = CountOf(mesh.i1, mesh.i2), rows = CountOf(mesh.j1, mesh.j2);
+  const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = ReadOutputs(*plan, mesh.outputs, columns, rows, has_rows, &outputs);
+  const glev_result result = read_outputs(*plan, mesh.outputs, columns, rows, has_rows, &outputs);
   if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
 
-  if (mesh.scratch_size < ScratchOf(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  if (mesh.scratch_size < scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   auto* const scratch = static_cast<std::byte*>(mesh.scratch);
   Stream claimed = {scratch, 1, 1, 1, 0, mesh.scratch_size};
-  if (!claimed.FitsInto(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
+  if (!claimed.fits_into(SIZE_MAX)) claimed.element = UINTPTR_MAX - claimed.first_byte();
   const std::array<Stream, 1> others = {claimed};
-  const glev_result memory = CheckMemory(outputs, others);
+  const glev_result memory = check_memory(outputs, others);
   if (memory != GLEV_SUCCESS) return memory;
 
   const std::size_t unaligned = reinterpret_cast<std::uintptr_t>(scratch) % kCacheLine;
@@ -338,12 +339,12 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const auto normals = plan->kernels().normals;
   Output &vertex = outputs[static_cast<int>(Attribute::kVertex)],
          &normal = outputs[static_cast<int>(Attribute::kNormal)];
-  if (plan->automatic_normals() && AreRecords(*plan, vertex, normal)) {
+  if (plan->automatic_normals() && are_records(*plan, vertex, normal)) {
     const glev::DefaultEnvironment environment;
     normals(*plan, range, {normal.data, normal.stream.stride, normal.stream.row_stride, 3}, true, aligned);
     vertex.is_wanted = normal.is_wanted = false;
   }
-  EvaluateAll(
+  evaluate_all(
       *plan, outputs,
       [&](std::size_t i) {
         return GridArgument{range.u, range.i1 + static_cast<std::int64_t>(i)};

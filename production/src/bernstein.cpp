@@ -11,7 +11,7 @@
 namespace glev {
 namespace {
 
-double Power(double base, int exponent) {
+double raise_to_power(double base, int exponent) {
   double power = 1;
   for (;; base *= base) {
     if (exponent & 1) power *= base;
@@ -32,18 +32,18 @@ struct Step {
   int exponent;
 };
 
-Step StepOf(const Parameter& at, int degree) {
+Step step_of(const Parameter& at, int degree) {
   constexpr double kPowerIsFinite = 0x1p16;  // (2^16)^63 < 2^1024
   if (at.end != Parameter::End::kNeither) return {at.end, at.end == Parameter::End::kLast, 0, 1, 0};
   const bool from_last = std::fabs(at.t) <= std::fabs(at.s);
   const double smaller = from_last ? at.t : at.s, larger = from_last ? at.s : at.t;
   Step step = {at.end, from_last, smaller / larger, 1, 0};
   if (std::fabs(larger) < kPowerIsFinite || !std::isfinite(larger)) {
-    step.power = Power(larger, degree);
+    step.power = raise_to_power(larger, degree);
   } else {
     int two = 0;
     const double significand = 2 * std::frexp(larger, &two);  // 1 <= |significand| < 2
-    step.power = Power(significand, degree);
+    step.power = raise_to_power(significand, degree);
     step.exponent = (two - 1) * degree;
   }
   return step;
@@ -52,8 +52,8 @@ Step StepOf(const Parameter& at, int degree) {
 // `count` curves of the same degree, one after the other, at one argument. The loops over components are
 // unrolled by hand, as sums that stay in registers make it several times as fast.
 template <std::size_t... kComponent>
-void EvaluateSteps(const double* first, int count, int degree, const Step& step, double* result,
-                   std::index_sequence<kComponent...>) {
+void evaluate_steps(const double* first, int count, int degree, const Step& step, double* result,
+                    std::index_sequence<kComponent...>) {
   constexpr std::ptrdiff_t kComponents = sizeof...(kComponent);
   const std::ptrdiff_t to_last = degree * kComponents;
   const std::ptrdiff_t next = step.from_last ? -kComponents : kComponents;
@@ -74,26 +74,26 @@ void EvaluateSteps(const double* first, int count, int degree, const Step& step,
   }
 }
 
-void EvaluateCurves(const double* first, int components, int count, int degree, const Parameter& at,
-                    double* result) {
-  const Step step = StepOf(at, degree);
+void evaluate_curves(const double* first, int components, int count, int degree, const Parameter& at,
+                     double* result) {
+  const Step step = step_of(at, degree);
   switch (components) {
     case 1:
-      return EvaluateSteps(first, count, degree, step, result, std::make_index_sequence<1>{});
+      return evaluate_steps(first, count, degree, step, result, std::make_index_sequence<1>{});
     case 2:
-      return EvaluateSteps(first, count, degree, step, result, std::make_index_sequence<2>{});
+      return evaluate_steps(first, count, degree, step, result, std::make_index_sequence<2>{});
     case 3:
-      return EvaluateSteps(first, count, degree, step, result, std::make_index_sequence<3>{});
+      return evaluate_steps(first, count, degree, step, result, std::make_index_sequence<3>{});
     case 4:
-      return EvaluateSteps(first, count, degree, step, result, std::make_index_sequence<4>{});
+      return evaluate_steps(first, count, degree, step, result, std::make_index_sequence<4>{});
   }
 }
 
 }  // namespace
 
-void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
-  const std::uint64_t* const row_u = Binomials(order[0] - 1);
-  const std::uint64_t* const row_v = Binomials(order[1] - 1);
+void scale_by_binomials(const double* points, std::array<int, 2> order, int components, double* scaled) {
+  const std::uint64_t* const row_u = binomial_row(order[0] - 1);
+  const std::uint64_t* const row_v = binomial_row(order[1] - 1);
   for (int i = 0; i < order[0]; ++i) {
     const auto in_u = static_cast<double>(row_u[i]);
     for (int j = 0; j < order[1]; ++j) {
@@ -105,14 +105,14 @@ void ScaleByBinomials(const double* points, std::array<int, 2> order, int compon
   }
 }
 
-void Evaluate(const Curve& curve, const Parameter& at, double* result) {
-  EvaluateCurves(curve.scaled, curve.components, 1, curve.degree, at, result);
+void evaluate(const Curve& curve, const Parameter& at, double* result) {
+  evaluate_curves(curve.scaled, curve.components, 1, curve.degree, at, result);
 }
 
-Curve CurveAt(const Surface& surface, const Parameter& v, double* room) {
+Curve curve_at(const Surface& surface, const Parameter& v, double* room) {
   const auto [degree_u, degree_v] = surface.degree;
   const bool constant = degree_v == 0;
-  if (!constant) EvaluateCurves(surface.scaled, surface.components, degree_u + 1, degree_v, v, room);
+  if (!constant) evaluate_curves(surface.scaled, surface.components, degree_u + 1, degree_v, v, room);
   return {degree_u, surface.components, surface.domain[0], constant ? surface.scaled : room};
 }
 

@@ -24,7 +24,7 @@ struct Surface {
 };
 
 // Writes t^i s^(degree - i) for i from 0 to degree.
-inline void ScalarWeights(int degree, double s, double t, double* weights) {
+inline void scalar_weights(int degree, double s, double t, double* weights) {
   weights[0] = 1;
   for (int i = 1; i <= degree; ++i) weights[i] = weights[i - 1] * t;
   double power = s;
@@ -33,13 +33,13 @@ inline void ScalarWeights(int degree, double s, double t, double* weights) {
 
 // scaled[i][j] = C(order[0] - 1, i) * C(order[1] - 1, j) * points[i][j], v fastest; orders from 1 to 64.
 // scaled may be points.
-void ScaleByBinomials(const double* points, std::array<int, 2> order, int components, double* scaled);
+void scale_by_binomials(const double* points, std::array<int, 2> order, int components, double* scaled);
 
 // Writes curve.components values. The ends of the domain give the first and last control point bit for bit; a
 // curve of degree 0 gives its control point everywhere. Elsewhere, with u = 2^-53,
 //   |error| <= (13 * degree + 4) * u * (1 + O(u)) * sum of C(degree, i) * |t^i * s^(degree - i) * R_i|
 // as long as nothing overflows or becomes subnormal. Never traps or loops on non-finite values.
-void Evaluate(const Curve& curve, const Parameter& at, double* result);
+void evaluate(const Curve& curve, const Parameter& at, double* result);
 
 // The curve in u at one v: point i is the curve in v of row i of the net, by the rule above. Then Evaluate
 // gives the point of the surface; |error| is at most
@@ -48,6 +48,6 @@ void Evaluate(const Curve& curve, const Parameter& at, double* result);
 // steps copy at the ends, the four boundary curves have the bits of the curves of the boundary points,
 // whichever direction and end they are reached by. room: (degree[0] + 1) * components doubles, which the
 // curve then uses unless degree[1] is 0.
-Curve CurveAt(const Surface& surface, const Parameter& v, double* room);
+Curve curve_at(const Surface& surface, const Parameter& v, double* room);
 
 }  // namespace glev

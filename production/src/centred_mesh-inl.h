@@ -19,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
 // t - s
-inline double CentredAt(const Domain& domain, const GridArgument& argument) {
-  const Parameter at = Locate(domain, argument);
+inline double centred_at(const Domain& domain, const GridArgument& argument) {
+  const Parameter at = locate(domain, argument);
   return at.t - at.s;
 }
 
@@ -31,9 +31,9 @@ template <int kComponents, int kDegree>
 struct CentredRow {
   double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
 
-  void Set(const PreparedMap& map, const GridArgument& v) {
+  void set(const PreparedMap& map, const GridArgument& v) {
     const int m = map.surface.degree[1];
-    const double y = m == 0 ? 0 : CentredAt(map.surface.domain[1], v);
+    const double y = m == 0 ? 0 : centred_at(map.surface.domain[1], v);
     const double* row = map.centred;
     for (int i = 0; i <= kDegree; ++i, row += (m + 1) * kComponents) {
       for (int k = 0; k < kComponents; ++k) {
@@ -57,12 +57,12 @@ class CentredCurve {
 
   HWY_INLINE CentredCurve(const CentredRow<kComponents, kDegree>& row, const Values& sequence) {
     for (std::size_t part = 0; part < Values::kPeriod; ++part) {
-      for (int i = 0; i <= kDegree; ++i) power_[i][part] = sequence.Of(row.power + 4 * i, part);
-      high_[part] = sequence.Of(row.high, part);
+      for (int i = 0; i <= kDegree; ++i) power_[i][part] = sequence.values_of(row.power + 4 * i, part);
+      high_[part] = sequence.values_of(row.high, part);
     }
   }
 
-  HWY_INLINE void Evaluate(Vector x, std::size_t part, Half* low, Half* high) const {
+  HWY_INLINE void evaluate(Vector x, std::size_t part, Half* low, Half* high) const {
     Vector sum = power_[kDegree][part];
     for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, x, power_[i][part]);
     *low = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, power_[0][part]));
@@ -74,12 +74,13 @@ class CentredCurve {
 };
 
 constexpr hn::RebindToUnsigned<decltype(kHalves)> kBits;
-HWY_INLINE bool IsZero(Half value) {
+HWY_INLINE bool is_zero(Half value) {
   return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, value), hn::Zero(kBits)));
 }
 
 template <int kComponents, int kDegree>
-void CentredRows(const PreparedMap& map, const MeshRange& range, const Destination& to, const double* x) {
+void evaluate_centred_rows(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                           const double* x) {
   constexpr std::size_t kColumns = 512, kRows = 16;  // what stays in the first cache
   static_assert(kColumns % kLanes == 0);
   using Values = Sequence<Doubles, kComponents>;
@@ -90,40 +91,40 @@ void CentredRows(const PreparedMap& map, const MeshRange& range, const Destinati
   CentredRow<kComponents, kDegree> row[kRows];
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
-    for (std::size_t r = 0; r < rows; ++r) row[r].Set(map, range.v_of(r0 + r));
+    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, range.v_of(r0 + r));
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
-      sequence.Repeat(x + c0, columns, places);
+      sequence.repeat(x + c0, columns, places);
       for (std::size_t r = 0; r < rows; ++r) {
         const CentredCurve<kComponents, kDegree> curve(row[r], sequence);
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
-        float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
+        float* const out = is_packed<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
         Half open = hn::Zero(kHalves);  // bits in which the ends differ
         const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
           for (std::size_t part = 0; part < kPeriod; ++part) {
             Half low, high;
-            curve.Evaluate(hn::Load(kDoubles, places + begin + part * kLanes), part, &low, &high);
+            curve.evaluate(hn::Load(kDoubles, places + begin + part * kLanes), part, &low, &high);
             open = hn::Or(open, hn::Xor(low, high));
             hn::StoreU(high, kHalves, group + part * kLanes);
           }
         };
-        InGroups<kGroup>(count, out, evaluate);
+        in_groups<kGroup>(count, out, evaluate);
         // Undecided lanes are rare (one in some strips), so a strip is checked once, at its end.
-        for (std::size_t begin = IsZero(open) ? count : 0; begin < count; begin += kLanes) {
+        for (std::size_t begin = is_zero(open) ? count : 0; begin < count; begin += kLanes) {
           Half low, high;
-          curve.Evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % kPeriod, &low, &high);
+          curve.evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % kPeriod, &low, &high);
           const Half bits = hn::Xor(low, high);
-          if (HWY_LIKELY(IsZero(bits))) continue;
+          if (HWY_LIKELY(is_zero(bits))) continue;
           std::uint32_t is_open[kLanes];
           hn::StoreU(hn::BitCast(kBits, bits), kBits, is_open);
           for (std::size_t i = begin; i < std::min(begin + kLanes, count); ++i) {
             if (is_open[i - begin] == 0) continue;
-            const float result = Resolve(map, static_cast<int>(i % kComponents),
+            const float result = resolve(map, static_cast<int>(i % kComponents),
                                          range.u_of(c0 + i / kComponents), range.v_of(r0 + r));
             std::memcpy(out + i, &result, sizeof result);  // the caller's memory need not be aligned
           }
         }
-        if (out == values) Scatter<kComponents>(values, columns, to, data);
+        if (out == values) scatter<kComponents>(values, columns, to, data);
       }
     }
   }
@@ -131,7 +132,7 @@ void CentredRows(const PreparedMap& map, const MeshRange& range, const Destinati
 
 // False, and nothing done, for other maps and outside the domain.
 template <int kComponents>
-bool CentredMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
+bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* x) {
   const auto [n, m] = map.surface.degree;
   if (n == 0 || map.centred == nullptr) return false;
   // The ends of intervals are compared as bits; those of NaN could agree. (Between columns that are sure all
@@ -142,16 +143,17 @@ bool CentredMesh(const PreparedMap& map, const MeshRange& range, const Destinati
   const auto [domain_u, domain_v] = map.surface.domain;
   const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
                      j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
-  if (!IsInside(domain_u, range.u, range.i1) || !IsInside(domain_u, range.u, i2)) return false;
-  if (m > 0 && !(IsInside(domain_v, range.v, range.j1) && IsInside(domain_v, range.v, j2))) return false;
+  if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
+  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
 
   const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
   double* const s = x + padded;
-  PlaceColumns(domain_u, range, n, kLargestGrowth, padded, x, s);
+  place_columns(domain_u, range, n, kLargestGrowth, padded, x, s);
   for (std::size_t c = 0; c < padded; c += kLanes)
     hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
-  constexpr decltype(&CentredRows<kComponents, 1>) kOf[kMaxCentredDegree] = {
-      CentredRows<kComponents, 1>, CentredRows<kComponents, 2>, CentredRows<kComponents, 3>};
+  constexpr decltype(&evaluate_centred_rows<kComponents, 1>) kOf[kMaxCentredDegree] = {
+      evaluate_centred_rows<kComponents, 1>, evaluate_centred_rows<kComponents, 2>,
+      evaluate_centred_rows<kComponents, 3>};
   kOf[n - 1](map, range, to, x);
   return true;
 }

@@ -9,7 +9,7 @@
 #include "environment.h"
 
 using glev::Attribute;
-using glev::FindTarget;
+using glev::find_target;
 using glev::Grid;
 using glev::GridArgument;
 using glev::Target;
@@ -18,15 +18,15 @@ namespace {
 
 constexpr glev_enum kLinesAdjacency = 0x000A, kTriangleStripAdjacency = 0x000D, kPatches = 0x000E;
 
-bool IsTextureUnit(glev_enum texture) { return texture - GLEV_TEXTURE0 < GLEV_TEXTURE_UNITS; }
+bool is_texture_unit(glev_enum texture) { return texture - GLEV_TEXTURE0 < GLEV_TEXTURE_UNITS; }
 
 template <std::size_t kCount>
-void CopyTo(float (&to)[kCount], const std::array<float, kCount>& from) {
+void copy_to(float (&to)[kCount], const std::array<float, kCount>& from) {
   for (std::size_t k = 0; k < kCount; ++k) to[k] = from[k];
 }
 
 template <std::size_t kCount>
-glev::StateValues FromFloats(const float (&from)[kCount], bool normalized) {
+glev::StateValues from_floats(const float (&from)[kCount], bool normalized) {
   glev::StateValues state{static_cast<int>(kCount), {}, normalized};
   for (std::size_t k = 0; k < kCount; ++k) state.values[k] = from[k];
   return state;
@@ -36,34 +36,34 @@ glev::StateValues FromFloats(const float (&from)[kCount], bool normalized) {
 
 glev_context::glev_context(const glev::Allocator& allocator, const glev::Kernels* kernels)
     : allocator_(allocator), kernels_(kernels) {
-  current_.Change().size = sizeof(glev_vertex);
-  Color({1, 1, 1, 1});
-  Normal({0, 0, 1});
-  for (auto& texcoord : current_.Change().texcoord) CopyTo(texcoord, {0, 0, 0, 1});
-  Index(1);
-  EdgeFlag(true);
+  current_.change().size = sizeof(glev_vertex);
+  color({1, 1, 1, 1});
+  normal({0, 0, 1});
+  for (auto& texcoord : current_.change().texcoord) copy_to(texcoord, {0, 0, 0, 1});
+  index(1);
+  edge_flag(true);
 }
 
 glev_context::~glev_context() {
-  for (const int dimension : {1, 2}) DropPlan(dimension);
+  for (const int dimension : {1, 2}) drop_plan(dimension);
   for (auto& maps : maps_) {
-    for (auto& map : maps) map.Free(allocator_);
+    for (auto& map : maps) map.free(allocator_);
   }
-  open_.list.Free(allocator_);
-  lists_.Free(allocator_);
+  open_.list.free(allocator_);
+  lists_.free(allocator_);
 }
 
 // ---- Errors
 
-glev_enum glev_context::GetError() {
-  if (RefusedInPrimitive()) return 0;
+glev_enum glev_context::get_error() {
+  if (is_rejected_in_primitive()) return 0;
   const glev_enum error = error_;
   error_ = GLEV_NO_ERROR;
   return error;
 }
 
-bool glev_context::RefusedInPrimitive() {
-  if (in_primitive_) RecordError(GLEV_INVALID_OPERATION);
+bool glev_context::is_rejected_in_primitive() {
+  if (in_primitive_) record_error(GLEV_INVALID_OPERATION);
   return in_primitive_;
 }
 
@@ -72,9 +72,9 @@ bool glev_context::RefusedInPrimitive() {
 namespace {
 
 // The error of the arguments alone, NO_ERROR if there is none.
-glev_enum FindMapError(int dimension, glev_enum name, const std::array<glev::MapDirection, 2>& directions,
-                       const void* points) {
-  const Target target = FindTarget(name);
+glev_enum find_map_error(int dimension, glev_enum name, const std::array<glev::MapDirection, 2>& directions,
+                         const void* points) {
+  const Target target = find_target(name);
   if (target.dimension != dimension) return GLEV_INVALID_ENUM;
   const int components = glev::kSlotTable[target.slot].components;
   for (int d = 0; d < dimension; ++d) {
@@ -87,79 +87,79 @@ glev_enum FindMapError(int dimension, glev_enum name, const std::array<glev::Map
 }  // namespace
 
 template <class Real>
-void glev_context::DefineMap(int dimension, glev_enum name,
-                             const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+void glev_context::define_map(int dimension, glev_enum name,
+                              const std::array<glev::MapDirection, 2>& directions, const Real* points) {
   const glev::DefaultEnvironment environment;
-  const glev_enum error = FindMapError(dimension, name, directions, points);
-  if (error != GLEV_NO_ERROR) return RecordError(error);
-  if (RefusedInPrimitive()) return;
-  if (active_unit_ != 0) return RecordError(GLEV_INVALID_OPERATION);
-  const int slot = FindTarget(name).slot;
+  const glev_enum error = find_map_error(dimension, name, directions, points);
+  if (error != GLEV_NO_ERROR) return record_error(error);
+  if (is_rejected_in_primitive()) return;
+  if (active_unit_ != 0) return record_error(GLEV_INVALID_OPERATION);
+  const int slot = find_target(name).slot;
   const auto& [u, v] = directions;
   glev::Map& map = maps_[dimension - 1][slot];
-  if (!map.Define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
-    return RecordError(GLEV_OUT_OF_MEMORY);
+  if (!map.define(allocator_, glev::kSlotTable[slot].components, u, v, points)) {
+    return record_error(GLEV_OUT_OF_MEMORY);
   }
-  if (eval_.enabled[dimension - 1][slot]) DropPlan(dimension);
+  if (eval_.enabled[dimension - 1][slot]) drop_plan(dimension);
 }
 
 template <class Real>
-void glev_context::IssueDefineMap(int dimension, glev_enum name,
-                                  const std::array<glev::MapDirection, 2>& directions, const Real* points) {
+void glev_context::issue_define_map(int dimension, glev_enum name,
+                                    const std::array<glev::MapDirection, 2>& directions, const Real* points) {
   const glev::DefaultEnvironment environment;
-  if (IsCompiling()) {
-    const glev_enum error = FindMapError(dimension, name, directions, points);
+  if (is_compiling()) {
+    const glev_enum error = find_map_error(dimension, name, directions, points);
     if (error != GLEV_NO_ERROR) {
-      Compile(glev::ErrorCommand{error});
+      compile(glev::ErrorCommand{error});
     } else {
-      const int components = glev::kSlotTable[FindTarget(name).slot].components;
+      const int components = glev::kSlotTable[find_target(name).slot].components;
       const auto& [u, v] = directions;
       glev::DefineMapCommand packed{dimension, name, directions};
       packed.directions[0].stride = v.order * components;
       packed.directions[1].stride = components;
       const std::size_t values = static_cast<std::size_t>(u.order) * v.order * components;
-      void* memory = Compile(packed, values * sizeof(double));
-      if (memory != nullptr) glev::CopyPoints(components, u, v, points, new (memory) double[values]);
+      void* memory = compile(packed, values * sizeof(double));
+      if (memory != nullptr) glev::copy_points(components, u, v, points, new (memory) double[values]);
     }
     if (open_.mode == GLEV_COMPILE) return;
   }
-  DefineMap(dimension, name, directions, points);
+  define_map(dimension, name, directions, points);
 }
 
-template void glev_context::DefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
-                                      const double*);
-template void glev_context::IssueDefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
-                                           const float*);
-template void glev_context::IssueDefineMap(int, glev_enum, const std::array<glev::MapDirection, 2>&,
-                                           const double*);
+template void glev_context::define_map(int, glev_enum, const std::array<glev::MapDirection, 2>&,
+                                       const double*);
+template void glev_context::issue_define_map(int, glev_enum, const std::array<glev::MapDirection, 2>&,
+                                             const float*);
+template void glev_context::issue_define_map(int, glev_enum, const std::array<glev::MapDirection, 2>&,
+                                             const double*);
 
 template <class Number>
-void glev_context::GetnMap(glev_enum name, glev_enum query, glev_int bytes, Number* v) {
-  if (bytes < 0) return RecordError(GLEV_INVALID_VALUE);
-  GetMap(name, query, static_cast<std::uint64_t>(bytes), v);
+void glev_context::getn_map(glev_enum name, glev_enum query, glev_int bytes, Number* v) {
+  if (bytes < 0) return record_error(GLEV_INVALID_VALUE);
+  get_map(name, query, static_cast<std::uint64_t>(bytes), v);
 }
 
-template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_double*);
-template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_float*);
-template void glev_context::GetnMap(glev_enum, glev_enum, glev_int, glev_int*);
+template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_double*);
+template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_float*);
+template void glev_context::getn_map(glev_enum, glev_enum, glev_int, glev_int*);
 
 template <class Number>
-void glev_context::GetMap(glev_enum name, glev_enum query, std::uint64_t bytes, Number* v) {
+void glev_context::get_map(glev_enum name, glev_enum query, std::uint64_t bytes, Number* v) {
   const glev::DefaultEnvironment environment;
-  const Target target = FindTarget(name);
+  const Target target = find_target(name);
   if (!target || (query != GLEV_COEFF && query != GLEV_ORDER && query != GLEV_DOMAIN)) {
-    return RecordError(GLEV_INVALID_ENUM);
+    return record_error(GLEV_INVALID_ENUM);
   }
-  if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);
-  if (RefusedInPrimitive()) return;
+  if (v == nullptr) return record_error(GLEV_INVALID_VALUE);
+  if (is_rejected_in_primitive()) return;
 
   const glev::Map& map = maps_[target.dimension - 1][target.slot];
   const int points = map.order(0) * map.order(1) * glev::kSlotTable[target.slot].components;
   const int count = query == GLEV_COEFF    ? points
                     : query == GLEV_DOMAIN ? 2 * target.dimension
                                            : target.dimension;
-  if (bytes < count * sizeof(Number)) return RecordError(GLEV_INVALID_OPERATION);
-  const auto put = [&v](double value) { glev::Convert(value, glev::StateKind::kNumber, v++); };
+  if (bytes < count * sizeof(Number)) return record_error(GLEV_INVALID_OPERATION);
+  const auto put = [&v](double value) { glev::convert(value, glev::StateKind::kNumber, v++); };
   if (query == GLEV_COEFF) {
     for (int i = 0; i < count; ++i) put(map.points(target.slot)[i]);
     return;
@@ -174,217 +174,217 @@ void glev_context::GetMap(glev_enum name, glev_enum query, std::uint64_t bytes, 
   }
 }
 
-template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_double*);
-template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_float*);
-template void glev_context::GetMap(glev_enum, glev_enum, std::uint64_t, glev_int*);
+template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_double*);
+template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_float*);
+template void glev_context::get_map(glev_enum, glev_enum, std::uint64_t, glev_int*);
 
 // ---- Enables
 
-bool* glev_context::FindFlag(glev_enum cap) {
+bool* glev_context::find_flag(glev_enum cap) {
   if (cap == GLEV_AUTO_NORMAL) return &eval_.auto_normal;
-  const Target target = FindTarget(cap);
+  const Target target = find_target(cap);
   return target ? &eval_.enabled[target.dimension - 1][target.slot] : nullptr;
 }
 
-void glev_context::SetEnabled(glev_enum cap, bool enabled) {
-  bool* flag = FindFlag(cap);
-  if (flag == nullptr) return RecordError(GLEV_INVALID_ENUM);
-  if (RefusedInPrimitive()) return;
+void glev_context::set_enabled(glev_enum cap, bool enabled) {
+  bool* flag = find_flag(cap);
+  if (flag == nullptr) return record_error(GLEV_INVALID_ENUM);
+  if (is_rejected_in_primitive()) return;
   if (*flag == enabled) return;
   *flag = enabled;
-  DropPlan(FindTarget(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
+  drop_plan(find_target(cap).dimension == 1 ? 1 : 2);  // AUTO_NORMAL belongs to 2
 }
 
-bool glev_context::IsEnabled(glev_enum cap) {
-  const bool* flag = FindFlag(cap);
+bool glev_context::is_enabled(glev_enum cap) {
+  const bool* flag = find_flag(cap);
   if (flag == nullptr) {
-    RecordError(GLEV_INVALID_ENUM);
+    record_error(GLEV_INVALID_ENUM);
     return false;
   }
-  return !RefusedInPrimitive() && *flag;
+  return !is_rejected_in_primitive() && *flag;
 }
 
 // ---- Evaluation
 
-glev_plan* glev_context::CurrentPlan(int dimension) {
+glev_plan* glev_context::current_plan(int dimension) {
   glev_plan*& plan = plans_[dimension - 1];
   if (plan == nullptr) {
     const glev::DefaultEnvironment environment;
-    plan = glev_plan::Create(
+    plan = glev_plan::create(
         allocator_, {dimension, maps_[dimension - 1], eval_.enabled[dimension - 1], eval_.grid[dimension - 1],
                      dimension == 2 && eval_.auto_normal, kernels_});
   }
   return plan;
 }
 
-void glev_context::DropPlan(int dimension) {
-  current_.Unstage();
+void glev_context::drop_plan(int dimension) {
+  current_.unstage();
   direct_[dimension - 1] = nullptr;
   glev_plan*& plan = plans_[dimension - 1];
-  if (plan != nullptr) plan->Release();
+  if (plan != nullptr) plan->release();
   plan = nullptr;
 }
 
-const glev_plan* glev_context::PlanToDraw(int dimension) {
-  const glev_plan* plan = CurrentPlan(dimension);
+const glev_plan* glev_context::plan_to_draw(int dimension) {
+  const glev_plan* plan = current_plan(dimension);
   if (plan == nullptr) {
-    RecordError(GLEV_OUT_OF_MEMORY);
+    record_error(GLEV_OUT_OF_MEMORY);
     return nullptr;
   }
   return plan->components(Attribute::kVertex) != 0 ? plan : nullptr;
 }
 
 // Vertices within a callback: it has the staged one in its hands.
-void glev_context::EmitWithin(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                              const glev::NormalRow* row) {
+void glev_context::emit_within(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                               const glev::NormalRow* row) {
   glev_vertex vertex = current_.values();
-  EvaluateInto(plan, u, v, row, &vertex);
-  Emit(vertex);
+  evaluate_into(plan, u, v, row, &vertex);
+  emit(vertex);
 }
 
-void glev_context::EmitAt(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                          const glev::NormalRow* row) {
-  if (callbacks_ > 0) return EmitWithin(plan, u, v, row);
-  glev_vertex& vertex = current_.StagedFor(&plan);
-  EvaluateInto(plan, u, v, row, &vertex);
-  Emit(vertex);
+void glev_context::emit_at(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                           const glev::NormalRow* row) {
+  if (callbacks_ > 0) return emit_within(plan, u, v, row);
+  glev_vertex& vertex = current_.staged_for(&plan);
+  evaluate_into(plan, u, v, row, &vertex);
+  emit(vertex);
 }
 
-inline void glev_context::EvaluateInto(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
-                                       const glev::NormalRow* row, glev_vertex* vertex) const {
+inline void glev_context::evaluate_into(const glev_plan& plan, const GridArgument& u, const GridArgument& v,
+                                        const glev::NormalRow* row, glev_vertex* vertex) const {
   const glev::DefaultEnvironment environment;
   const auto evaluate = [&](Attribute attribute, float* values) {
-    glev::ValuesAt(plan, attribute, u, v, values);
+    glev::values_at(plan, attribute, u, v, values);
   };
   evaluate(Attribute::kVertex, vertex->position);
   if (plan.has_vertices_only()) return;
   if (plan.components(Attribute::kColor) != 0) evaluate(Attribute::kColor, vertex->color);
   if (plan.components(Attribute::kTexcoord) != 0) evaluate(Attribute::kTexcoord, vertex->texcoord[0]);
   if (plan.automatic_normals()) {
-    CopyTo(vertex->normal, row->At(u));
+    copy_to(vertex->normal, row->normal_at(u));
   } else if (plan.components(Attribute::kNormal) != 0) {
     float values[4];
     evaluate(Attribute::kNormal, values);
-    CopyTo(vertex->normal, {values[0], values[1], values[2]});
+    copy_to(vertex->normal, {values[0], values[1], values[2]});
   }
 }
 
-void glev_context::EmitRow(const glev::NormalRow& row, const GridArgument& u) {
-  EmitAt(row.plan(), u, row.v(), &row);
+void glev_context::emit_row(const glev::NormalRow& row, const GridArgument& u) {
+  emit_at(row.plan(), u, row.v(), &row);
 }
 
-void glev_context::MoveTo(const GridArgument& v, glev::NormalRow* row) {
+void glev_context::move_to(const GridArgument& v, glev::NormalRow* row) {
   const glev::DefaultEnvironment environment;
-  row->MoveTo(v);
+  row->move_to(v);
 }
 
-void glev_context::EvaluateAt(int dimension, const GridArgument& u, const GridArgument& v) {
+void glev_context::evaluate_at(int dimension, const GridArgument& u, const GridArgument& v) {
   if (!in_primitive_) return;
-  const glev_plan* plan = PlanToDraw(dimension);
+  const glev_plan* plan = plan_to_draw(dimension);
   if (plan == nullptr) return;
-  if (plan->automatic_normals()) return EvaluateWithRow(*plan, u, v);
-  EmitAt(*plan, u, v, nullptr);
+  if (plan->automatic_normals()) return evaluate_with_row(*plan, u, v);
+  emit_at(*plan, u, v, nullptr);
   // A callback may have ended the primitive, and the plan.
-  if (plans_[dimension - 1] == plan && IsDirect(*plan)) direct_[dimension - 1] = plan;
+  if (plans_[dimension - 1] == plan && is_direct(*plan)) direct_[dimension - 1] = plan;
 }
 
-bool glev_context::IsDirect(const glev_plan& plan) const {
+bool glev_context::is_direct(const glev_plan& plan) const {
   return plan.direct() != nullptr && in_primitive_ && !in_mesh_ && callbacks_ == 0 && open_.mode == 0 &&
          in_default_environment_;
 }
 
 // Apart, for its large frame.
-void glev_context::EvaluateWithRow(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
+void glev_context::evaluate_with_row(const glev_plan& plan, const GridArgument& u, const GridArgument& v) {
   glev::NormalRow row(plan);
-  MoveTo(v, &row);
-  EmitRow(row, u);
+  move_to(v, &row);
+  emit_row(row, u);
 }
 
-void glev_context::EvalCoord(int dimension, double u, double v) {
-  EvaluateAt(dimension, glev::At(u), glev::At(v));
+void glev_context::eval_coord(int dimension, double u, double v) {
+  evaluate_at(dimension, glev::argument_at(u), glev::argument_at(v));
 }
 
-void glev_context::SetGrid(int dimension, const std::array<Grid, 2>& grid) {
+void glev_context::set_grid(int dimension, const std::array<Grid, 2>& grid) {
   for (const Grid& direction : grid) {
-    if (direction.segments <= 0) return RecordError(GLEV_INVALID_VALUE);
+    if (direction.segments <= 0) return record_error(GLEV_INVALID_VALUE);
   }
-  if (RefusedInPrimitive()) return;
+  if (is_rejected_in_primitive()) return;
   eval_.grid[dimension - 1] = grid;
-  DropPlan(dimension);
+  drop_plan(dimension);
 }
 
-void glev_context::EvalPoint(int dimension, glev_int i, glev_int j) {
+void glev_context::eval_point(int dimension, glev_int i, glev_int j) {
   const auto& [u, v] = eval_.grid[dimension - 1];
-  EvaluateAt(dimension, GridArgument{u, i}, GridArgument{v, j});
+  evaluate_at(dimension, GridArgument{u, i}, GridArgument{v, j});
 }
 
 // ---- Meshes (the loops of GL §21.1). Indices are 64 bits wide: one past the last int is no problem then.
 
 template <class Body>
-void glev_context::MeshPrimitive(glev_enum mode, const Body& body) {
+void glev_context::mesh_primitive(glev_enum mode, const Body& body) {
   in_mesh_ = true;
   in_primitive_ = true;
-  CallSink(sink_.begin, mode);
+  call_sink(sink_.begin, mode);
   body();
-  CallSink(sink_.end);
+  call_sink(sink_.end);
   in_primitive_ = false;
   in_mesh_ = false;
 }
 
-void glev_context::EvalMesh1(glev_enum mode, glev_int i1, glev_int i2) {
-  if (mode != GLEV_POINT && mode != GLEV_LINE) return RecordError(GLEV_INVALID_ENUM);
-  if (RefusedInPrimitive()) return;
-  const glev_plan* plan = PlanToDraw(1);
+void glev_context::eval_mesh1(glev_enum mode, glev_int i1, glev_int i2) {
+  if (mode != GLEV_POINT && mode != GLEV_LINE) return record_error(GLEV_INVALID_ENUM);
+  if (is_rejected_in_primitive()) return;
+  const glev_plan* plan = plan_to_draw(1);
   if (plan == nullptr) return;
 
   glev::NormalRow row(*plan);
-  MoveTo({}, &row);
-  MeshPrimitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
-    for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, GridArgument{plan->grid(0), i});
+  move_to({}, &row);
+  mesh_primitive(mode == GLEV_POINT ? GLEV_POINTS : GLEV_LINE_STRIP, [&] {
+    for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, GridArgument{plan->grid(0), i});
   });
 }
 
-void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2) {
-  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL) return RecordError(GLEV_INVALID_ENUM);
-  if (RefusedInPrimitive()) return;
-  const glev_plan* plan = PlanToDraw(2);
+void glev_context::eval_mesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2) {
+  if (mode != GLEV_POINT && mode != GLEV_LINE && mode != GLEV_FILL) return record_error(GLEV_INVALID_ENUM);
+  if (is_rejected_in_primitive()) return;
+  const glev_plan* plan = plan_to_draw(2);
   if (plan == nullptr) return;
 
   const auto u = [&](std::int64_t i) { return GridArgument{plan->grid(0), i}; };
   const auto v = [&](std::int64_t j) { return GridArgument{plan->grid(1), j}; };
   glev::NormalRow row(*plan);
   if (mode == GLEV_POINT) {
-    MeshPrimitive(GLEV_POINTS, [&] {
+    mesh_primitive(GLEV_POINTS, [&] {
       for (std::int64_t j = j1; j <= j2; ++j) {
-        MoveTo(v(j), &row);
-        for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
+        move_to(v(j), &row);
+        for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, u(i));
       }
     });
   } else if (mode == GLEV_LINE) {
     for (std::int64_t j = j1; j <= j2; ++j) {
-      MoveTo(v(j), &row);
-      MeshPrimitive(GLEV_LINE_STRIP, [&] {
-        for (std::int64_t i = i1; i <= i2; ++i) EmitRow(row, u(i));
+      move_to(v(j), &row);
+      mesh_primitive(GLEV_LINE_STRIP, [&] {
+        for (std::int64_t i = i1; i <= i2; ++i) emit_row(row, u(i));
       });
     }
     for (std::int64_t i = i1; i <= i2; ++i) {
-      MeshPrimitive(GLEV_LINE_STRIP, [&] {
+      mesh_primitive(GLEV_LINE_STRIP, [&] {
         for (std::int64_t j = j1; j <= j2; ++j) {
-          MoveTo(v(j), &row);
-          EmitRow(row, u(i));
+          move_to(v(j), &row);
+          emit_row(row, u(i));
         }
       });
     }
   } else {
     glev::NormalRow next(*plan);
     glev::NormalRow *lower = &row, *upper = &next;
-    MoveTo(v(j1), lower);
+    move_to(v(j1), lower);
     for (std::int64_t j = j1; j < j2; ++j) {
-      MoveTo(v(j + 1), upper);
-      MeshPrimitive(GLEV_QUAD_STRIP, [&] {
+      move_to(v(j + 1), upper);
+      mesh_primitive(GLEV_QUAD_STRIP, [&] {
         for (std::int64_t i = i1; i <= i2; ++i) {
-          EmitRow(*lower, u(i));
-          EmitRow(*upper, u(i));
+          emit_row(*lower, u(i));
+          emit_row(*upper, u(i));
         }
       });
       std::swap(lower, upper);
@@ -394,33 +394,33 @@ void glev_context::EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int 
 
 // ---- Primitives
 
-void glev_context::Begin(glev_enum mode) {
+void glev_context::begin(glev_enum mode) {
   const bool known = mode <= GLEV_POLYGON || (mode >= kLinesAdjacency && mode <= kTriangleStripAdjacency);
-  if (!known && mode != kPatches) return RecordError(GLEV_INVALID_ENUM);
-  if (RefusedInPrimitive()) return;
-  if (mode == kPatches) return RecordError(GLEV_INVALID_OPERATION);
+  if (!known && mode != kPatches) return record_error(GLEV_INVALID_ENUM);
+  if (is_rejected_in_primitive()) return;
+  if (mode == kPatches) return record_error(GLEV_INVALID_OPERATION);
   in_primitive_ = true;
-  CallSink(sink_.begin, mode);
-  in_default_environment_ = glev::InDefaultEnvironment();
+  call_sink(sink_.begin, mode);
+  in_default_environment_ = glev::in_default_environment();
 }
 
-void glev_context::End() {
-  if (!in_primitive_ || in_mesh_) return RecordError(GLEV_INVALID_OPERATION);
+void glev_context::end() {
+  if (!in_primitive_ || in_mesh_) return record_error(GLEV_INVALID_OPERATION);
   direct_ = {};
-  CallSink(sink_.end);
+  call_sink(sink_.end);
   in_primitive_ = false;
 }
 
-void glev_context::Vertex(const std::array<float, 4>& position) {
+void glev_context::vertex(const std::array<float, 4>& position) {
   if (!in_primitive_) return;
   glev_vertex vertex = current_.values();
-  CopyTo(vertex.position, position);
-  Emit(vertex);
+  copy_to(vertex.position, position);
+  emit(vertex);
 }
 
-glev_result glev_context::SetSink(const glev_sink* sink) {
+glev_result glev_context::set_sink(const glev_sink* sink) {
   glev_sink copy{};
-  if (sink != nullptr && !glev::ReadStruct(sink, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (sink != nullptr && !glev::read_struct(sink, &copy)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (in_primitive_) return GLEV_ERROR_IN_PRIMITIVE;
   sink_ = copy;
   return GLEV_SUCCESS;
@@ -428,33 +428,33 @@ glev_result glev_context::SetSink(const glev_sink* sink) {
 
 // ---- Current values
 
-void glev_context::Color(const std::array<float, 4>& color) { CopyTo(current_.Change().color, color); }
+void glev_context::color(const std::array<float, 4>& color) { copy_to(current_.change().color, color); }
 
-void glev_context::Normal(const std::array<float, 3>& normal) { CopyTo(current_.Change().normal, normal); }
+void glev_context::normal(const std::array<float, 3>& normal) { copy_to(current_.change().normal, normal); }
 
-void glev_context::MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord) {
-  if (!IsTextureUnit(texture)) return RecordError(GLEV_INVALID_ENUM);
-  CopyTo(current_.Change().texcoord[texture - GLEV_TEXTURE0], texcoord);
+void glev_context::multi_tex_coord(glev_enum texture, const std::array<float, 4>& texcoord) {
+  if (!is_texture_unit(texture)) return record_error(GLEV_INVALID_ENUM);
+  copy_to(current_.change().texcoord[texture - GLEV_TEXTURE0], texcoord);
 }
 
-void glev_context::ActiveTexture(glev_enum texture) {
-  if (!IsTextureUnit(texture)) return RecordError(GLEV_INVALID_ENUM);
-  if (RefusedInPrimitive()) return;
+void glev_context::active_texture(glev_enum texture) {
+  if (!is_texture_unit(texture)) return record_error(GLEV_INVALID_ENUM);
+  if (is_rejected_in_primitive()) return;
   active_unit_ = texture - GLEV_TEXTURE0;
 }
 
 // ---- Attribute stack
 
-void glev_context::PushAttrib(glev_bitfield mask) {
-  if (RefusedInPrimitive()) return;
-  if (attrib_depth_ == glev::kAttribStackDepth) return RecordError(GLEV_STACK_OVERFLOW);
+void glev_context::push_attrib(glev_bitfield mask) {
+  if (is_rejected_in_primitive()) return;
+  if (attrib_depth_ == glev::kAttribStackDepth) return record_error(GLEV_STACK_OVERFLOW);
   attribs_[attrib_depth_++] = {mask, eval_, current_.values(), active_unit_, list_base_};
 }
 
-void glev_context::PopAttrib() {
+void glev_context::pop_attrib() {
   const glev::DefaultEnvironment environment;
-  if (RefusedInPrimitive()) return;
-  if (attrib_depth_ == 0) return RecordError(GLEV_STACK_UNDERFLOW);
+  if (is_rejected_in_primitive()) return;
+  if (attrib_depth_ == 0) return record_error(GLEV_STACK_UNDERFLOW);
   const glev::SavedAttributes& saved = attribs_[--attrib_depth_];
   if ((saved.mask & (GLEV_ENABLE_BIT | GLEV_EVAL_BIT)) != 0) {
     const glev::EvalAttributes before = eval_;
@@ -465,17 +465,17 @@ void glev_context::PopAttrib() {
     const auto changed = [&](int d) {
       return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
     };
-    if (changed(0)) DropPlan(1);
-    if (changed(1) || eval_.auto_normal != before.auto_normal) DropPlan(2);
+    if (changed(0)) drop_plan(1);
+    if (changed(1) || eval_.auto_normal != before.auto_normal) drop_plan(2);
   }
-  if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_.Change() = saved.current;
+  if ((saved.mask & GLEV_CURRENT_BIT) != 0) current_.change() = saved.current;
   if ((saved.mask & GLEV_TEXTURE_BIT) != 0) active_unit_ = saved.active_unit;
   if ((saved.mask & GLEV_LIST_BIT) != 0) list_base_ = saved.list_base;
 }
 
 // ---- Queries
 
-glev::StateValues glev_context::FindState(glev_enum pname) {
+glev::StateValues glev_context::find_state(glev_enum pname) {
   const Grid& curve = eval_.grid[0][0];
   const auto& [u, v] = eval_.grid[1];
   switch (pname) {
@@ -490,13 +490,13 @@ glev::StateValues glev_context::FindState(glev_enum pname) {
     case GLEV_MAP2_GRID_SEGMENTS:
       return {2, {static_cast<double>(u.segments), static_cast<double>(v.segments)}};
     case GLEV_CURRENT_COLOR:
-      return FromFloats(current_.values().color, true);
+      return from_floats(current_.values().color, true);
     case GLEV_CURRENT_INDEX:
       return {1, {current_.values().index}};
     case GLEV_CURRENT_NORMAL:
-      return FromFloats(current_.values().normal, true);
+      return from_floats(current_.values().normal, true);
     case GLEV_CURRENT_TEXTURE_COORDS:
-      return FromFloats(current_.values().texcoord[active_unit_], false);
+      return from_floats(current_.values().texcoord[active_unit_], false);
     case GLEV_EDGE_FLAG:
       return {1, {static_cast<double>(current_.values().edge_flag)}};
     case GLEV_ACTIVE_TEXTURE:
@@ -519,34 +519,34 @@ glev::StateValues glev_context::FindState(glev_enum pname) {
     default:
       break;
   }
-  if (const bool* flag = FindFlag(pname)) return {1, {*flag ? 1.0 : 0.0}};
+  if (const bool* flag = find_flag(pname)) return {1, {*flag ? 1.0 : 0.0}};
   return {0, {}};
 }
 
 template <class Number>
-void glev_context::Get(glev_enum pname, Number* v) {
+void glev_context::get(glev_enum pname, Number* v) {
   const glev::DefaultEnvironment environment;
-  const glev::StateValues state = FindState(pname);
-  if (state.count == 0) return RecordError(GLEV_INVALID_ENUM);
-  if (v == nullptr) return RecordError(GLEV_INVALID_VALUE);
-  if (RefusedInPrimitive()) return;
+  const glev::StateValues state = find_state(pname);
+  if (state.count == 0) return record_error(GLEV_INVALID_ENUM);
+  if (v == nullptr) return record_error(GLEV_INVALID_VALUE);
+  if (is_rejected_in_primitive()) return;
   const auto kind = state.normalized ? glev::StateKind::kNormalized : glev::StateKind::kNumber;
-  for (int i = 0; i < state.count; ++i) glev::Convert(state.values[i], kind, v + i);
+  for (int i = 0; i < state.count; ++i) glev::convert(state.values[i], kind, v + i);
 }
 
-template void glev_context::Get(glev_enum, glev_boolean*);
-template void glev_context::Get(glev_enum, glev_int*);
-template void glev_context::Get(glev_enum, glev_float*);
-template void glev_context::Get(glev_enum, glev_double*);
+template void glev_context::get(glev_enum, glev_boolean*);
+template void glev_context::get(glev_enum, glev_int*);
+template void glev_context::get(glev_enum, glev_float*);
+template void glev_context::get(glev_enum, glev_double*);
 
-const char* glev_context::GetString(glev_enum name) {
+const char* glev_context::get_string(glev_enum name) {
   const char* answer = name == GLEV_VENDOR     ? "evalcts"
                        : name == GLEV_RENDERER ? "glevaluator, correctly rounded"
                        : name == GLEV_VERSION  ? "4.6 glevaluator " GLEV_VERSION_STRING
                                                : nullptr;
   if (answer == nullptr) {
-    RecordError(GLEV_INVALID_ENUM);
+    record_error(GLEV_INVALID_ENUM);
     return nullptr;
   }
-  return RefusedInPrimitive() ? nullptr : answer;
+  return is_rejected_in_primitive() ? nullptr : answer;
 }

@@ -36,7 +36,7 @@ struct OpenList {
 struct StateValues {
   int count;
   std::array<double, 4> values;
-  bool normalized = false;  // RGBA or normal, see Convert
+  bool normalized = false;  // RGBA or normal, see convert()
 };
 
 }  // namespace glev
@@ -52,119 +52,119 @@ struct glev_context {
 
   const glev::Allocator& allocator() const { return allocator_; }
 
-  void RecordError(glev_enum error) {
+  void record_error(glev_enum error) {
     if (error_ == GLEV_NO_ERROR) error_ = error;
   }
-  glev_enum GetError();
+  glev_enum get_error();
 
   // What a command that lists can hold does when it is given: it goes into the list that is open, it is
   // executed, or both. The commands are those of command.h.
   template <class Command>
-  void Issue(const Command& command) {
-    if (IsCompiling()) {
-      Compile(command);
+  void issue(const Command& command) {
+    if (is_compiling()) {
+      compile(command);
       if (open_.mode == GLEV_COMPILE) return;
     }
-    command.Run(*this);
+    command.run(*this);
   }
   // The same for the two whose arrays are read at once.
   template <class Real>
-  void IssueDefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
-                      const Real* points);
-  void IssueCallLists(glev_int count, glev_enum type, const void* offsets);
+  void issue_define_map(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
+                        const Real* points);
+  void issue_call_lists(glev_int count, glev_enum type, const void* offsets);
 
   // u, and for dimension 2 v.
   template <class Real>
-  void DefineMap(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
-                 const Real* points);
+  void define_map(int dimension, glev_enum target, const std::array<glev::MapDirection, 2>& directions,
+                  const Real* points);
   // At most `bytes` bytes go to v.
   template <class Number>
-  void GetMap(glev_enum target, glev_enum query, std::uint64_t bytes, Number* v);
+  void get_map(glev_enum target, glev_enum query, std::uint64_t bytes, Number* v);
   template <class Number>
-  void GetnMap(glev_enum target, glev_enum query, glev_int bytes, Number* v);
-  void SetEnabled(glev_enum cap, bool enabled);
-  bool IsEnabled(glev_enum cap);
-  void SetGrid(int dimension, const std::array<glev::Grid, 2>& grid);
-  void EvalCoord(int dimension, double u, double v);
+  void getn_map(glev_enum target, glev_enum query, glev_int bytes, Number* v);
+  void set_enabled(glev_enum cap, bool enabled);
+  bool is_enabled(glev_enum cap);
+  void set_grid(int dimension, const std::array<glev::Grid, 2>& grid);
+  void eval_coord(int dimension, double u, double v);
   // The same in the most frequent case: one call after another between Begin and End. False, and nothing
   // done, elsewhere.
-  bool EvalDirectly(int dimension, double u, double v);
-  void EvalPoint(int dimension, glev_int i, glev_int j);
-  void EvalMesh1(glev_enum mode, glev_int i1, glev_int i2);
-  void EvalMesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2);
+  bool eval_directly(int dimension, double u, double v);
+  void eval_point(int dimension, glev_int i, glev_int j);
+  void eval_mesh1(glev_enum mode, glev_int i1, glev_int i2);
+  void eval_mesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int j1, glev_int j2);
 
-  void Begin(glev_enum mode);
-  void End();
-  void Vertex(const std::array<float, 4>& position);
-  void Color(const std::array<float, 4>& color);
-  void Normal(const std::array<float, 3>& normal);
-  void Index(float index) { current_.Change().index = index; }
-  void EdgeFlag(bool flag) { current_.Change().edge_flag = flag ? GLEV_TRUE : GLEV_FALSE; }
-  void MultiTexCoord(glev_enum texture, const std::array<float, 4>& texcoord);
-  void ActiveTexture(glev_enum texture);
+  void begin(glev_enum mode);
+  void end();
+  void vertex(const std::array<float, 4>& position);
+  void color(const std::array<float, 4>& color);
+  void normal(const std::array<float, 3>& normal);
+  void index(float index) { current_.change().index = index; }
+  void edge_flag(bool flag) { current_.change().edge_flag = flag ? GLEV_TRUE : GLEV_FALSE; }
+  void multi_tex_coord(glev_enum texture, const std::array<float, 4>& texcoord);
+  void active_texture(glev_enum texture);
 
-  void PushAttrib(glev_bitfield mask);
-  void PopAttrib();
+  void push_attrib(glev_bitfield mask);
+  void pop_attrib();
 
-  void NewList(glev_uint list, glev_enum mode);
-  void EndList();
-  void CallList(glev_uint list);
-  void CallLists(glev_int count, glev_enum type, const void* offsets);
-  void ListBase(glev_uint base);
-  glev_uint GenLists(glev_int range);
-  bool IsList(glev_uint list);
-  void DeleteLists(glev_uint list, glev_int range);
+  void new_list(glev_uint list, glev_enum mode);
+  void end_list();
+  void call_list(glev_uint list);
+  void call_lists(glev_int count, glev_enum type, const void* offsets);
+  void list_base(glev_uint base);
+  glev_uint gen_lists(glev_int range);
+  bool is_list(glev_uint list);
+  void delete_lists(glev_uint list, glev_int range);
 
   // Flush and Finish: nothing is ever pending.
-  void Flush() { RefusedInPrimitive(); }
+  void flush() { is_rejected_in_primitive(); }
 
   template <class Number>
-  void Get(glev_enum pname, Number* v);
-  const char* GetString(glev_enum name);
+  void get(glev_enum pname, Number* v);
+  const char* get_string(glev_enum name);
 
-  glev_result SetSink(const glev_sink* sink);
+  glev_result set_sink(const glev_sink* sink);
 
   // The plan of the maps as they are now, without a reference of its own for the caller. Null without memory.
-  glev_plan* CurrentPlan(int dimension);
+  glev_plan* current_plan(int dimension);
 
  private:
   // True, and INVALID_OPERATION recorded, between Begin and End.
-  bool RefusedInPrimitive();
+  bool is_rejected_in_primitive();
   // The same, also in callbacks: lists stay as they are while one may be executing.
-  bool RefusedWithLists();
+  bool is_rejected_with_lists();
   // Commands of a callback are not compiled: executing the list will make it give them again.
-  bool IsCompiling() const { return open_.mode != 0 && callbacks_ == 0; }
+  bool is_compiling() const { return open_.mode != 0 && callbacks_ == 0; }
   // Appends to the open list: the command, and bytes for the caller to fill. Null, with the list broken,
   // without memory.
   template <class Command>
-  void* Compile(const Command& command, std::uint64_t more_bytes = 0);
+  void* compile(const Command& command, std::uint64_t more_bytes = 0);
   // The flag a capability stands for; null if there is none.
-  bool* FindFlag(glev_enum cap);
+  bool* find_flag(glev_enum cap);
   // count 0 if there is no such state.
-  glev::StateValues FindState(glev_enum pname);
-  void DropPlan(int dimension);
-  // Whether the next call may be one of EvalDirectly.
-  bool IsDirect(const glev_plan& plan) const;
+  glev::StateValues find_state(glev_enum pname);
+  void drop_plan(int dimension);
+  // Whether the next call may be one of eval_directly.
+  bool is_direct(const glev_plan& plan) const;
   // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
-  const glev_plan* PlanToDraw(int dimension);
+  const glev_plan* plan_to_draw(int dimension);
   // The evaluated vertex at u of the row.
-  void EmitRow(const glev::NormalRow& row, const glev::GridArgument& u);
+  void emit_row(const glev::NormalRow& row, const glev::GridArgument& u);
   // The same at (u, v): row is where v is, or null if nothing of the plan needs one.
-  void EmitAt(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-              const glev::NormalRow* row);
-  void EmitWithin(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-                  const glev::NormalRow* row);
-  void EvaluateInto(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
-                    const glev::NormalRow* row, glev_vertex* vertex) const;
-  void EvaluateWithRow(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
-  static void MoveTo(const glev::GridArgument& v, glev::NormalRow* row);
-  void EvaluateAt(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
+  void emit_at(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+               const glev::NormalRow* row);
+  void emit_within(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+                   const glev::NormalRow* row);
+  void evaluate_into(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v,
+                     const glev::NormalRow* row, glev_vertex* vertex) const;
+  void evaluate_with_row(const glev_plan& plan, const glev::GridArgument& u, const glev::GridArgument& v);
+  static void move_to(const glev::GridArgument& v, glev::NormalRow* row);
+  void evaluate_at(int dimension, const glev::GridArgument& u, const glev::GridArgument& v);
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.
   template <class Body>
-  void MeshPrimitive(glev_enum mode, const Body& body);
-  void Emit(const glev_vertex& vertex) { CallSink(sink_.vertex, &vertex); }
+  void mesh_primitive(glev_enum mode, const Body& body);
+  void emit(const glev_vertex& vertex) { call_sink(sink_.vertex, &vertex); }
   template <class Callback, class... Arguments>
-  void CallSink(Callback callback, Arguments... arguments) {
+  void call_sink(Callback callback, Arguments... arguments) {
     if (callback == nullptr) return;
     ++callbacks_;
     callback(sink_.user, arguments...);
@@ -182,7 +182,7 @@ struct glev_context {
   bool in_primitive_ = false;
   bool in_mesh_ = false;                      // the primitive is a mesh's, not for a callback to end
   bool in_default_environment_ = false;       // when the primitive began
-  std::array<const glev_plan*, 2> direct_{};  // [dimension - 1]; what EvalDirectly evaluates, else null
+  std::array<const glev_plan*, 2> direct_{};  // [dimension - 1]; what eval_directly evaluates, else null
   glev_sink sink_{};
   int callbacks_ = 0;  // of the sink, being called
   int attrib_depth_ = 0;
@@ -193,24 +193,24 @@ struct glev_context {
   int list_depth_ = 0;  // lists being executed
 };
 
-inline bool glev_context::EvalDirectly(int dimension, double u, double v) {
+inline bool glev_context::eval_directly(int dimension, double u, double v) {
   const glev_plan* plan = direct_[dimension - 1];
   if (plan == nullptr || callbacks_ != 0) return false;
-  glev_vertex* vertex = current_.FindStagedFor(plan);
+  glev_vertex* vertex = current_.find_staged_for(plan);
   if (vertex == nullptr || !plan->direct()(*plan, u, v, vertex->position)) return false;
-  Emit(*vertex);
+  emit(*vertex);
   return true;
 }
 
 template <class Command>
-void* glev_context::Compile(const Command& command, std::uint64_t more_bytes) {
+void* glev_context::compile(const Command& command, std::uint64_t more_bytes) {
   static_assert(std::is_trivially_copyable_v<Command> && alignof(Command) <= glev::kListUnit);
-  constexpr std::uint64_t kSize = glev::RoundUpToListUnit(sizeof(Command));
+  constexpr std::uint64_t kSize = glev::round_up_to_list_unit(sizeof(Command));
   if (open_.broken) return nullptr;
-  std::byte* payload = open_.list.Append(allocator_, Command::kOpcode, kSize + more_bytes);
+  std::byte* payload = open_.list.append(allocator_, Command::kOpcode, kSize + more_bytes);
   if (payload == nullptr) {
     open_.broken = true;
-    RecordError(GLEV_OUT_OF_MEMORY);
+    record_error(GLEV_OUT_OF_MEMORY);
     return nullptr;
   }
   new (payload) Command(command);

@@ -16,7 +16,7 @@ enum class StateKind {
 };
 
 // The nearest int, halves away from zero; too large values saturate, NaN gives 0.
-inline glev_int RoundToInt(double value) {
+inline glev_int round_to_int(double value) {
   constexpr double kMost = std::numeric_limits<glev_int>::max(),
                    kLeast = std::numeric_limits<glev_int>::min();
   if (std::isnan(value)) return 0;
@@ -27,23 +27,23 @@ inline glev_int RoundToInt(double value) {
   return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
 }
 
-inline void Convert(double value, StateKind, glev_double* out) { *out = value; }
+inline void convert(double value, StateKind, glev_double* out) { *out = value; }
 
-inline void Convert(double value, StateKind, glev_float* out) {
+inline void convert(double value, StateKind, glev_float* out) {
   // "The nearest representable value": a finite number never becomes infinite.
   constexpr double kMost = std::numeric_limits<glev_float>::max();
   const bool too_large = std::isfinite(value) && std::fabs(value) > kMost;
   *out = static_cast<glev_float>(too_large ? std::copysign(kMost, value) : value);
 }
 
-inline void Convert(double value, StateKind kind, glev_int* out) {
+inline void convert(double value, StateKind kind, glev_int* out) {
   if (kind == StateKind::kNormalized) {
     value = std::clamp(value, -1.0, 1.0) * std::numeric_limits<glev_int>::max();
   }
-  *out = RoundToInt(value);
+  *out = round_to_int(value);
 }
 
-inline void Convert(double value, StateKind, glev_boolean* out) {
+inline void convert(double value, StateKind, glev_boolean* out) {
   *out = value != 0 ? GLEV_TRUE : GLEV_FALSE;
 }
 

@@ -10,13 +10,13 @@ namespace glev {
 class CurrentVertex {
  public:
   const glev_vertex& values() const { return current_; }  // position is not state
-  glev_vertex& Change() {
+  glev_vertex& change() {
     staged_for_ = nullptr;
     return current_;
   }
 
   // Everything but what `plan`, not null, evaluates has its current value.
-  glev_vertex& StagedFor(const void* plan) {
+  glev_vertex& staged_for(const void* plan) {
     if (staged_for_ != plan) {
       staged_ = current_;
       staged_for_ = plan;
@@ -24,9 +24,9 @@ class CurrentVertex {
     return staged_;
   }
   // The same if it is ready, else null.
-  glev_vertex* FindStagedFor(const void* plan) { return staged_for_ == plan ? &staged_ : nullptr; }
+  glev_vertex* find_staged_for(const void* plan) { return staged_for_ == plan ? &staged_ : nullptr; }
   // A plan may be gone, and another one be where it was.
-  void Unstage() { staged_for_ = nullptr; }
+  void unstage() { staged_for_ = nullptr; }
 
  private:
   glev_vertex current_{}, staged_{};

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-HWY_INLINE Vector Power(Vector base, int exponent) {
+HWY_INLINE Vector raise_to_power(Vector base, int exponent) {
   Vector power = hn::Set(kDoubles, 1);
   for (;; base = hn::Mul(base, base)) {
     if (exponent & 1) power = hn::Mul(power, base);
@@ -29,7 +29,8 @@ HWY_INLINE Vector Power(Vector base, int exponent) {
 
 // In powers of t - s.
 template <int kComponents, int kDegree>
-void LowCurves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t count,
+                         const Destination& to) {
   const Place place(map, 0);
   const double* const centred = map.centred;
   const Writer<kComponents> writer(map.centred_test, to, to.data);
@@ -41,13 +42,13 @@ void LowCurves(const PreparedMap& map, const Input& input, std::size_t count, co
     if (HWY_LIKELY(is_packed && part_count == kStep)) {
       const auto* const floats = reinterpret_cast<const float*>(input.data) + begin;
       for (std::size_t part = 0; part < kUnroll; ++part)
-        x[part] = place.X(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)));
+        x[part] = place.x_of(hn::PromoteTo(kDoubles, hn::LoadU(kHalves, floats + part * kLanes)));
     } else {
       alignas(64) double arguments[kStep];
-      Fetch(input, begin, part_count, arguments);
+      fetch(input, begin, part_count, arguments);
       for (std::size_t part = 0; part < kUnroll; ++part) {
         const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-        x[part] = hn::Sub(place.T(u), place.S(u));
+        x[part] = hn::Sub(place.t_of(u), place.s_of(u));
       }
     }
     Vector farthest = hn::Abs(x[0]);
@@ -64,33 +65,35 @@ void LowCurves(const PreparedMap& map, const Input& input, std::size_t count, co
           value[part][k] = i == kDegree ? next : hn::MulAdd(value[part][k], x[part], next);
       }
     }
-    writer.Write(writer.Round(value), begin, part_count,
-                 [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
+    writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
+      return resolve(map, k, argument_at(input[i]), argument_at(0));
+    });
   }
 }
 
 // Horner's rule in t / s, which is stable for all of them from 0 on: where it is so large that something
 // could overflow the lane is not sure.
 template <int kComponents>
-void HighCurves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+void evaluate_high_curves(const PreparedMap& map, const Input& input, std::size_t count,
+                          const Destination& to) {
   const Place place(map, 0);
   const int degree = map.surface.degree[0];
   const double* const points = map.surface.scaled;
-  const Writer<kComponents> writer(TestOf(map, HornerUnits(degree, place.roundings()), 1), to, to.data);
+  const Writer<kComponents> writer(make_test(map, horner_units(degree, place.roundings()), 1), to, to.data);
   // s^degree and (t/s)^degree stay within 2^800 and 2^-800 then.
   const Vector least = hn::Set(kDoubles, std::exp2(-800.0 / degree));
   const Vector nan = hn::Set(kDoubles, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments[kStep];
-    Fetch(input, begin, part_count, arguments);
+    fetch(input, begin, part_count, arguments);
     Vector value[kUnroll][kComponents], ratio[kUnroll], power[kUnroll];
     const double* point = points + degree * kComponents;
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments + part * kLanes);
-      const Vector s = place.S(u), t = Inside(place.T(u), s);
+      const Vector s = place.s_of(u), t = nan_outside(place.t_of(u), s);
       ratio[part] = hn::Div(t, hn::IfThenElse(hn::Ge(s, least), s, nan));
-      power[part] = Power(s, degree);
+      power[part] = raise_to_power(s, degree);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Set(kDoubles, point[k]);
     }
     for (int i = 0; i < degree; ++i) {
@@ -104,22 +107,23 @@ void HighCurves(const PreparedMap& map, const Input& input, std::size_t count, c
     for (std::size_t part = 0; part < kUnroll; ++part) {
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Mul(value[part][k], power[part]);
     }
-    writer.Write(writer.Round(value), begin, part_count,
-                 [&](std::size_t i, int k) { return Resolve(map, k, At(input[i]), At(0)); });
+    writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
+      return resolve(map, k, argument_at(input[i]), argument_at(0));
+    });
   }
 }
 
 template <int kComponents>
-void CurvesOf(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
+void evaluate_curves(const PreparedMap& map, const Input& input, std::size_t count, const Destination& to) {
   switch (map.surface.degree[0]) {
     case 1:
-      return LowCurves<kComponents, 1>(map, input, count, to);
+      return evaluate_low_curves<kComponents, 1>(map, input, count, to);
     case 2:
-      return LowCurves<kComponents, 2>(map, input, count, to);
+      return evaluate_low_curves<kComponents, 2>(map, input, count, to);
     case 3:
-      return LowCurves<kComponents, 3>(map, input, count, to);
+      return evaluate_low_curves<kComponents, 3>(map, input, count, to);
     default:
-      return HighCurves<kComponents>(map, input, count, to);
+      return evaluate_high_curves<kComponents>(map, input, count, to);
   }
 }
 

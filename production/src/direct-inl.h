@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-inline bool IsNearest(const PreparedMap::Probe& probe) {
+inline bool is_nearest(const PreparedMap::Probe& probe) {
   using Two = hn::CappedTag<double, 2>;
   constexpr Two kTwo;
   bool is_nearest = true;
@@ -27,11 +27,11 @@ inline bool IsNearest(const PreparedMap::Probe& probe) {
 }
 
 // Stores the floats; whether the wanted ones are right.
-HWY_INLINE bool Settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
-                        float* result) {
+HWY_INLINE bool is_settled(const PreparedMap::Test& test, const FourVector (&sum)[kParts], unsigned wanted,
+                           float* result) {
   unsigned settled = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
-    const auto [low, high] = SidesOf(test, sum[part], part);
+    const auto [low, high] = sides_of(test, sum[part], part);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * hn::MaxLanes(kFour));
@@ -40,7 +40,7 @@ HWY_INLINE bool Settled(const PreparedMap::Test& test, const FourVector (&sum)[k
   return (settled & wanted) == wanted;
 }
 
-inline bool Direct(const glev_plan& plan, double u, double v, float* position) {
+inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* position) {
   const PreparedMap& map = plan.map(Attribute::kVertex);
   const auto [n, m] = map.surface.degree;
   const auto place = [&](int direction, double argument) -> Parameter {
@@ -52,16 +52,16 @@ inline bool Direct(const glev_plan& plan, double u, double v, float* position) {
   const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place(1, v);
   if (!(at_u.s >= 0 && at_u.t >= 0 && at_v.s >= 0 && at_v.t >= 0)) return false;
   FourVector sum[kParts];
-  ValueAt(map, at_u, at_v, sum);
+  value_at(map, at_u, at_v, sum);
   const int components = map.surface.components;
-  const bool settled = Settled(map.test, sum, (1U << components) - 1, position);
+  const bool settled = is_settled(map.test, sum, (1U << components) - 1, position);
   if (components == 3) position[3] = 1;
-  return settled && IsNearest(map.probe);
+  return settled && is_nearest(map.probe);
 }
 
 // Cubics in powers of x and y, in a domain that has an exact inverse of its width.
 template <bool kSurface>
-bool DirectCubic(const glev_plan& plan, double u, double v, float* position) {
+bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* position) {
   const DirectMap& map = plan.direct_map();
   const auto place = [&](int direction, double argument) {
     const auto& [scale, middle] = map.place[direction];
@@ -89,7 +89,7 @@ bool DirectCubic(const glev_plan& plan, double u, double v, float* position) {
     }
   }
   const bool inside = hn::AllTrue(kFour, hn::Le(farthest, hn::Set(kFour, 1)));
-  return Settled(map.test, sum, 0xF, position) && inside && IsNearest(map.probe);
+  return is_settled(map.test, sum, 0xF, position) && inside && is_nearest(map.probe);
 }
 
 }  // namespace glev::HWY_NAMESPACE

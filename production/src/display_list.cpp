@@ -7,17 +7,17 @@
 
 namespace glev {
 
-std::byte* DisplayList::Append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes) {
+std::byte* DisplayList::append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes) {
   constexpr std::size_t kSmallest = 256;
-  const std::uint64_t bytes = RoundUpToListUnit(sizeof(Record) + payload_bytes);
+  const std::uint64_t bytes = round_up_to_list_unit(sizeof(Record) + payload_bytes);
   if (bytes > capacity_ - size_) {
     if (bytes > std::numeric_limits<std::size_t>::max() / 2 - size_) return nullptr;
     const std::size_t capacity =
         std::max({kSmallest, 2 * capacity_, static_cast<std::size_t>(size_ + bytes)});
-    auto* data = static_cast<std::byte*>(allocator.Allocate(capacity, kCacheLine));
+    auto* data = static_cast<std::byte*>(allocator.allocate(capacity, kCacheLine));
     if (data == nullptr) return nullptr;
     if (size_ != 0) std::memcpy(data, data_, size_);
-    allocator.Release(data_, capacity_, kCacheLine);
+    allocator.release(data_, capacity_, kCacheLine);
     data_ = data;
     capacity_ = capacity;
   }
@@ -27,8 +27,8 @@ std::byte* DisplayList::Append(const Allocator& allocator, Opcode opcode, std::u
   return place + sizeof(Record);
 }
 
-void DisplayList::Free(const Allocator& allocator) {
-  allocator.Release(data_, capacity_, kCacheLine);
+void DisplayList::free(const Allocator& allocator) {
+  allocator.release(data_, capacity_, kCacheLine);
   *this = {};
 }
 

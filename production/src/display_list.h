@@ -36,7 +36,7 @@ enum class Opcode : std::uint32_t {
 // Every part of a list begins at a multiple of this.
 inline constexpr std::size_t kListUnit = 8;
 
-constexpr std::uint64_t RoundUpToListUnit(std::uint64_t bytes) {
+constexpr std::uint64_t round_up_to_list_unit(std::uint64_t bytes) {
   return (bytes + kListUnit - 1) / kListUnit * kListUnit;
 }
 
@@ -55,8 +55,8 @@ class DisplayList {
 
   // Appends a record; the caller fills the payload that it returns. Null, and nothing changed, without
   // memory.
-  std::byte* Append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes);
-  void Free(const Allocator& allocator);
+  std::byte* append(const Allocator& allocator, Opcode opcode, std::uint64_t payload_bytes);
+  void free(const Allocator& allocator);
 
  private:
   std::byte* data_ = nullptr;

@@ -15,17 +15,17 @@ struct DoubleDouble {
   DoubleDouble operator-() const { return {-high, -low}; }
 };
 
-inline DoubleDouble FastTwoSum(double x, double y) {  // |x| >= |y|, or x = 0; exact
+inline DoubleDouble fast_two_sum(double x, double y) {  // |x| >= |y|, or x = 0; exact
   const double sum = x + y;
   return {sum, y - (sum - x)};
 }
 
-inline DoubleDouble TwoSum(double x, double y) {  // exact
+inline DoubleDouble two_sum(double x, double y) {  // exact
   const double sum = x + y, part = sum - x;
   return {sum, (x - (sum - part)) + (y - part)};
 }
 
-inline DoubleDouble TwoProduct(double x, double y) {  // exact up to 2^995
+inline DoubleDouble two_product(double x, double y) {  // exact up to 2^995
   const auto split = [](double z) {
     const double shifted = z * (0x1p27 + 1), high = shifted - (shifted - z);
     return DoubleDouble{high, z - high};
@@ -38,29 +38,29 @@ inline DoubleDouble TwoProduct(double x, double y) {  // exact up to 2^995
 
 // |error| <= 4 units of |x| + |y|.
 inline DoubleDouble operator+(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble sum = TwoSum(x.high, y.high);
-  return TwoSum(sum.high, sum.low + (x.low + y.low));
+  const DoubleDouble sum = two_sum(x.high, y.high);
+  return two_sum(sum.high, sum.low + (x.low + y.low));
 }
 
 inline DoubleDouble operator-(const DoubleDouble& x, const DoubleDouble& y) { return x + -y; }
 
 // |error| <= 9 units of |x * y|.
 inline DoubleDouble operator*(const DoubleDouble& x, const DoubleDouble& y) {
-  const DoubleDouble product = TwoProduct(x.high, y.high);
-  return FastTwoSum(product.high, product.low + (x.high * y.low + x.low * y.high));
+  const DoubleDouble product = two_product(x.high, y.high);
+  return fast_two_sum(product.high, product.low + (x.high * y.low + x.low * y.high));
 }
 
 // |error| <= 4 units of |x * y|.
 inline DoubleDouble operator*(const DoubleDouble& x, double y) {
-  const DoubleDouble product = TwoProduct(x.high, y);
-  return FastTwoSum(product.high, product.low + x.low * y);
+  const DoubleDouble product = two_product(x.high, y);
+  return fast_two_sum(product.high, product.low + x.low * y);
 }
 
 // |error| <= 32 units of |x / y|.
 inline DoubleDouble operator/(const DoubleDouble& x, const DoubleDouble& y) {
   const double quotient = x.high / y.high;
   const DoubleDouble rest = x - y * quotient;
-  return FastTwoSum(quotient, rest.high / y.high);
+  return fast_two_sum(quotient, rest.high / y.high);
 }
 
 }  // namespace glev

@@ -27,19 +27,19 @@ struct Pairs {
   FourVector high, low;
 };
 
-HWY_INLINE Pairs PairsOf(const DoubleDouble& x) { return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)}; }
+HWY_INLINE Pairs pairs_of(const DoubleDouble& x) { return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)}; }
 
-HWY_INLINE Pairs FastTwoSums(FourVector x, FourVector y) {
+HWY_INLINE Pairs fast_two_sums(FourVector x, FourVector y) {
   const FourVector sum = hn::Add(x, y);
   return {sum, hn::Sub(y, hn::Sub(sum, x))};
 }
 
-HWY_INLINE Pairs TwoSums(FourVector x, FourVector y) {
+HWY_INLINE Pairs two_sums(FourVector x, FourVector y) {
   const FourVector sum = hn::Add(x, y), part = hn::Sub(sum, x);
   return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, part)), hn::Sub(y, part))};
 }
 
-HWY_INLINE Pairs TwoProducts(FourVector x, FourVector y) {
+HWY_INLINE Pairs two_products(FourVector x, FourVector y) {
   const FourVector product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA
   return {product, hn::MulSub(x, y, product)};
@@ -56,63 +56,64 @@ HWY_INLINE Pairs TwoProducts(FourVector x, FourVector y) {
 #endif
 }
 
-HWY_INLINE Pairs Sums(const Pairs& x, const Pairs& y) {
-  const Pairs sum = TwoSums(x.high, y.high);
-  return TwoSums(sum.high, hn::Add(sum.low, hn::Add(x.low, y.low)));
+HWY_INLINE Pairs add_pairs(const Pairs& x, const Pairs& y) {
+  const Pairs sum = two_sums(x.high, y.high);
+  return two_sums(sum.high, hn::Add(sum.low, hn::Add(x.low, y.low)));
 }
 
-HWY_INLINE Pairs Products(const Pairs& x, const Pairs& y) {
-  const Pairs product = TwoProducts(x.high, y.high);
+HWY_INLINE Pairs multiply_pairs(const Pairs& x, const Pairs& y) {
+  const Pairs product = two_products(x.high, y.high);
   const FourVector cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
-  return FastTwoSums(product.high, hn::Add(product.low, cross));
+  return fast_two_sums(product.high, hn::Add(product.low, cross));
 }
 
 // Up to 64 pairs, and zeros up to the next multiple of four.
 struct Row {
   alignas(32) double high[kMaxOrder], low[kMaxOrder];
 
-  HWY_INLINE Pairs At(std::size_t i) const { return {hn::Load(kFour, high + i), hn::Load(kFour, low + i)}; }
-  HWY_INLINE void Put(std::size_t i, const Pairs& pairs) {
+  HWY_INLINE Pairs load(std::size_t i) const { return {hn::Load(kFour, high + i), hn::Load(kFour, low + i)}; }
+  HWY_INLINE void put(std::size_t i, const Pairs& pairs) {
     hn::Store(pairs.high, kFour, high + i);
     hn::Store(pairs.low, kFour, low + i);
   }
   DoubleDouble operator[](std::size_t i) const { return {high[i], low[i]}; }
 };
 
-constexpr std::size_t RoundUp(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
+constexpr std::size_t round_up(int order) { return (static_cast<std::size_t>(order) + 3) / 4 * 4; }
 
 // Below 2^60: sums of two doubles.
-inline DoubleDouble Binomial(int n, int i) {
-  const std::uint64_t binomial = Binomials(n)[i];
-  return FastTwoSum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
+inline DoubleDouble load_binomial(int n, int i) {
+  const std::uint64_t binomial = binomial_row(n)[i];
+  return fast_two_sum(static_cast<double>(binomial & ~0xFFFull), static_cast<double>(binomial & 0xFFF));
 }
 
 // The sum of the terms times the powers of the ratio from 0 on.
-inline DoubleDouble SumOf(const Row& terms, int degree, const DoubleDouble& ratio) {
+inline DoubleDouble sum_of(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
-  const Pairs fourth = PairsOf(square * square);
+  const Pairs fourth = pairs_of(square * square);
   Row last;  // four sums of every fourth term, without its power below four
-  const std::size_t end = RoundUp(degree + 1);
+  const std::size_t end = round_up(degree + 1);
   for (std::size_t lane = 0; lane < 4; lane += kWidth) {
-    Pairs sum = terms.At(end - 4 + lane);
-    for (std::size_t i = end - 4; i != 0; i -= 4) sum = Sums(Products(sum, fourth), terms.At(i - 4 + lane));
-    last.Put(lane, sum);
+    Pairs sum = terms.load(end - 4 + lane);
+    for (std::size_t i = end - 4; i != 0; i -= 4)
+      sum = add_pairs(multiply_pairs(sum, fourth), terms.load(i - 4 + lane));
+    last.put(lane, sum);
   }
   return (last[0] + last[1] * ratio) + (last[2] * square + last[3] * third);
 }
 
-inline Enclosure EncloseAll(const Component& component, double largest, const GridArgument& u,
-                            const GridArgument& v) {
+inline Enclosure enclose_all(const Component& component, double largest, const GridArgument& u,
+                             const GridArgument& v) {
   const int order_v = component.order[1], n = component.order[0] - 1, m = order_v - 1;
-  const PreparedDirection in_u = Prepare(component.domain[0], u, n),
-                          in_v = Prepare(component.domain[1], v, m);
-  if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
+  const PreparedDirection in_u = prepare_direction(component.domain[0], u, n),
+                          in_v = prepare_direction(component.domain[1], v, m);
+  if (!is_claimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
   // Of a curve in v with the terms S_j: control points, or sums over i. A curve in u is one in v here.
   const bool is_curve = m == 0;
   const PreparedDirection& along = is_curve ? in_u : in_v;
   const int degree = is_curve ? n : m;
   Row points;
-  const std::size_t padded = RoundUp(degree + 1);
+  const std::size_t padded = round_up(degree + 1);
   if (is_curve || n == 0) {
     std::memcpy(points.high, component.points, (static_cast<std::size_t>(degree) + 1) * sizeof(double));
     std::memset(points.low, 0, padded * sizeof(double));
@@ -120,21 +121,21 @@ inline Enclosure EncloseAll(const Component& component, double largest, const Gr
     // Horner's rule over i for several j at once.
     Row binomials;
     for (int i = 0; i <= n; ++i) {
-      const DoubleDouble binomial = Binomial(n, i);
+      const DoubleDouble binomial = load_binomial(n, i);
       binomials.high[i] = binomial.high;
       binomials.low[i] = binomial.low;
     }
-    const Pairs ratio = PairsOf(in_u.ratio);
+    const Pairs ratio = pairs_of(in_u.ratio);
     const int last = in_u.from_last ? n : 0, step = in_u.from_last ? -1 : 1;
     for (std::size_t j = 0; j < padded; j += kWidth) {
       const auto term = [&](int i) {
         const FourVector point =
             hn::LoadU(kFour, component.points + static_cast<std::ptrdiff_t>(i) * order_v + j);
-        return Products({point, hn::Zero(kFour)}, PairsOf(binomials[static_cast<std::size_t>(i)]));
+        return multiply_pairs({point, hn::Zero(kFour)}, pairs_of(binomials[static_cast<std::size_t>(i)]));
       };
       Pairs sum = term(last);
-      for (int k = 1; k <= n; ++k) sum = Sums(Products(sum, ratio), term(last + k * step));
-      points.Put(j, sum);
+      for (int k = 1; k <= n; ++k) sum = add_pairs(multiply_pairs(sum, ratio), term(last + k * step));
+      points.put(j, sum);
     }
   }
   // The terms in the order of their powers.
@@ -145,12 +146,13 @@ inline Enclosure EncloseAll(const Component& component, double largest, const Gr
     const bool is_there = i <= degree;
     terms.high[j] = is_there ? points.high[from] : 0;
     terms.low[j] = is_there ? points.low[from] : 0;
-    const DoubleDouble binomial = is_there ? Binomial(degree, i) : DoubleDouble{};
+    const DoubleDouble binomial = is_there ? load_binomial(degree, i) : DoubleDouble{};
     binomials.high[j] = binomial.high;
     binomials.low[j] = binomial.low;
   }
-  for (std::size_t j = 0; j < padded; j += kWidth) terms.Put(j, Products(terms.At(j), binomials.At(j)));
-  return EnclosureOf(SumOf(terms, degree, along.ratio), {n, m}, in_u, in_v, largest);
+  for (std::size_t j = 0; j < padded; j += kWidth)
+    terms.put(j, multiply_pairs(terms.load(j), binomials.load(j)));
+  return enclosure_of(sum_of(terms, degree, along.ratio), {n, m}, in_u, in_v, largest);
 }
 
 }  // namespace enclosure

@@ -12,9 +12,9 @@
 namespace glev {
 namespace {
 
-bool IsOrdinary(double x) { return x == 0 || (std::fabs(x) >= 0x1p-300 && std::fabs(x) <= 0x1p300); }
+bool is_ordinary(double x) { return x == 0 || (std::fabs(x) >= 0x1p-300 && std::fabs(x) <= 0x1p300); }
 
-DoubleDouble PowerOf(DoubleDouble base, int exponent) {
+DoubleDouble raise_to_power(DoubleDouble base, int exponent) {
   DoubleDouble power = {1, 0};
   for (;; base = base * base) {
     if (exponent & 1) power = power * base;
@@ -25,13 +25,13 @@ DoubleDouble PowerOf(DoubleDouble base, int exponent) {
 
 // Horner's rule, from the last point with ratio t / s or from the first with s / t.
 template <class Coefficient>
-DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
-  const std::uint64_t* binomials = Binomials(degree);
+DoubleDouble horner(int degree, const PreparedDirection& direction, const Coefficient& coefficient) {
+  const std::uint64_t* binomials = binomial_row(degree);
   const auto term = [&](int i) {
     // Below 2^60: the sum of two doubles.
     const double high = static_cast<double>(binomials[i] & ~0xFFFull),
                  low = static_cast<double>(binomials[i] & 0xFFF);
-    return coefficient(i) * FastTwoSum(high, low);
+    return coefficient(i) * fast_two_sum(high, low);
   };
   const int last = direction.from_last ? degree : 0, step = direction.from_last ? -1 : 1;
   DoubleDouble sum = term(last);
@@ -41,19 +41,20 @@ DoubleDouble Horner(int degree, const PreparedDirection& direction, const Coeffi
 
 // Of control points point(i, j).
 template <class Point>
-Enclosure EncloseNet(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
-                     const GridArgument& u, const GridArgument& v, const Point& point) {
+Enclosure enclose_net(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
+                      const GridArgument& u, const GridArgument& v, const Point& point) {
   const int n = degree[0], m = degree[1];
-  const PreparedDirection in_u = Prepare(domain[0], u, n), in_v = Prepare(domain[1], v, m);
-  if (!IsClaimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
+  const PreparedDirection in_u = prepare_direction(domain[0], u, n),
+                          in_v = prepare_direction(domain[1], v, m);
+  if (!is_claimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
   const DoubleDouble sum =
-      Horner(n, in_u, [&](int i) { return Horner(m, in_v, [&](int j) { return point(i, j); }); });
-  return EnclosureOf(sum, degree, in_u, in_v, largest);
+      horner(n, in_u, [&](int i) { return horner(m, in_v, [&](int j) { return point(i, j); }); });
+  return enclosure_of(sum, degree, in_u, in_v, largest);
 }
 
 }  // namespace
 
-PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, int degree) {
+PreparedDirection prepare_direction(const Domain& domain, const GridArgument& argument, int degree) {
   PreparedDirection direction;
   if (degree == 0) return direction;
   const Grid& grid = argument.grid;
@@ -64,12 +65,12 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
   } else if (grid.u1 == domain.u2 && grid.u2 == domain.u1) {
     a = {n - i}, b = {i}, width = {n};
   } else {
-    const DoubleDouble start = TwoSum(grid.u1, -domain.u1), rest = TwoSum(domain.u2, -grid.u1);
-    width = TwoSum(domain.u2, -domain.u1);
+    const DoubleDouble start = two_sum(grid.u1, -domain.u1), rest = two_sum(domain.u2, -grid.u1);
+    width = two_sum(domain.u2, -domain.u1);
     if (i == 0 || grid.u1 == grid.u2) {
       a = start, b = rest;
     } else {
-      const DoubleDouble run = TwoSum(grid.u2, -grid.u1) * i, from = start * n, to = rest * n;
+      const DoubleDouble run = two_sum(grid.u2, -grid.u1) * i, from = start * n, to = rest * n;
       width = width * n;
       a = from + run, b = to - run;
       const double parts = std::fabs(from.high) + std::fabs(to.high) + 2 * std::fabs(run.high);
@@ -77,7 +78,7 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
     }
   }
   for (const DoubleDouble* x : {&a, &b, &width}) {
-    if (!IsOrdinary(x->high) || !(direction.argument_error <= 0x1p40)) {
+    if (!is_ordinary(x->high) || !(direction.argument_error <= 0x1p40)) {
       direction.growth = HUGE_VAL;
       return direction;
     }
@@ -85,7 +86,7 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
   direction.from_last = std::fabs(a.high) <= std::fabs(b.high);
   const DoubleDouble &smaller = direction.from_last ? a : b, &larger = direction.from_last ? b : a;
   direction.ratio = smaller / larger;
-  direction.power = PowerOf(larger / width, degree);
+  direction.power = raise_to_power(larger / width, degree);
   const double base = (std::fabs(a.high) + std::fabs(b.high)) / std::fabs(width.high) * (1 + 0x1p-50);
   // Inside the domain the power would take as long as all the rest.
   direction.growth = base <= 1 + 0x1p-48 ? 1 + 0x1p-40 : std::pow(base, degree) * (1 + 0x1p-40);
@@ -93,29 +94,29 @@ PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, in
   return direction;
 }
 
-bool IsClaimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest) {
-  return in_u.growth * in_v.growth <= 0x1p300 && IsOrdinary(largest);
+bool is_claimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest) {
+  return in_u.growth * in_v.growth <= 0x1p300 && is_ordinary(largest);
 }
 
-Enclosure EnclosureOf(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
-                      const PreparedDirection& in_v, double largest) {
+Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
+                       const PreparedDirection& in_v, double largest) {
   const auto [n, m] = degree;
   const double growth = in_u.growth * in_v.growth;
   const double units = 48 + (90 + 3 * in_u.argument_error) * n + (90 + 3 * in_v.argument_error) * m;
   return {sum * in_u.power * in_v.power, units * 0x1p-106 * (1 + 0x1p-20) * largest * growth + 0x1p-700};
 }
 
-Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
+Enclosure enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v) {
   const int order_v = component.order[1];
-  return EncloseNet(
+  return enclose_net(
       {component.order[0] - 1, order_v - 1}, component.domain, largest, u, v, [&](int i, int j) {
         return DoubleDouble{
             component.points[(static_cast<std::ptrdiff_t>(i) * order_v + j) * component.stride], 0};
       });
 }
 
-Enclosure EncloseDerivative(const Component& component, int direction, const GridArgument& u,
-                            const GridArgument& v) {
+Enclosure enclose_derivative(const Component& component, int direction, const GridArgument& u,
+                             const GridArgument& v) {
   std::array<int, 2> degree = {component.order[0] - 1, component.order[1] - 1};
   const int factor = degree[direction]--;
   if (factor == 0) return {};
@@ -123,18 +124,18 @@ Enclosure EncloseDerivative(const Component& component, int direction, const Gri
                        next = direction == 0 ? row : component.stride;
   const auto difference = [&](int i, int j) {
     const double* const point = component.points + i * row + j * component.stride;
-    return TwoSum(point[next], -*point);
+    return two_sum(point[next], -*point);
   };
   double largest = 0;
   for (int i = 0; i <= degree[0]; ++i) {
     for (int j = 0; j <= degree[1]; ++j) largest = std::max(largest, std::fabs(difference(i, j).high));
   }
   if (largest == 0) return {};
-  const Enclosure net = EncloseNet(degree, component.domain, largest, u, v, difference);
+  const Enclosure net = enclose_net(degree, component.domain, largest, u, v, difference);
   return {net.value * factor, net.error * (factor * (1 + 0x1p-20))};
 }
 
-bool Settle(const DoubleDouble& value, double error, float* result) {
+bool settle(const DoubleDouble& value, double error, float* result) {
   if (!(error < HUGE_VAL)) return false;
   // The roundings of these sums are contained in what they are moved outward by.
   const auto outward = [](double x, double direction) { return x + direction * 0x1p-51 * std::fabs(x); };

@@ -20,7 +20,7 @@ struct Enclosure {
 // error of the ratio is absolute where the smaller one cancels; as it enters the sum by its derivative, no
 // larger than degree times the sum of magnitudes at a ratio of at most 1, that makes no difference. Nothing
 // is claimed where magnitudes are beyond 2^300 or 2^-300: then products of parts could leave the range.
-Enclosure Enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v);
+Enclosure enclose(const Component& component, double largest, const GridArgument& u, const GridArgument& v);
 
 // The type of Enclose, and of what a set of kernels has in its place: for maps that have at least three
 // values behind the control points of a component.
@@ -34,20 +34,20 @@ struct PreparedDirection {
   double growth = 1;  // infinite where nothing is claimed
   double argument_error = 0;
 };
-PreparedDirection Prepare(const Domain& domain, const GridArgument& argument, int degree);
-bool IsClaimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest);
+PreparedDirection prepare_direction(const Domain& domain, const GridArgument& argument, int degree);
+bool is_claimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest);
 // Where something is claimed, what a sum in both ratios encloses.
-Enclosure EnclosureOf(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
-                      const PreparedDirection& in_v, double largest);
+Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
+                       const PreparedDirection& in_v, double largest);
 
 // The derivative by the normalised coordinate of a direction (0: u, 1: v), from the exact differences of
 // control points: R is degree times these, and the degree in that direction is one less. Exactly zero if they
 // all are.
-Enclosure EncloseDerivative(const Component& component, int direction, const GridArgument& u,
-                            const GridArgument& v);
+Enclosure enclose_derivative(const Component& component, int direction, const GridArgument& u,
+                             const GridArgument& v);
 
 // The float that every number from value - error to value + error rounds to; false if there is no such float,
 // signs of zeros included, or the error is not finite.
-bool Settle(const DoubleDouble& value, double error, float* result);
+bool settle(const DoubleDouble& value, double error, float* result);
 
 }  // namespace glev

@@ -45,7 +45,7 @@ class DefaultEnvironment {
 };
 
 // Costs more than the evaluation of a cubic. The flags do not count.
-inline bool InDefaultEnvironment() {
+inline bool in_default_environment() {
 #if defined(__x86_64__) || defined(_M_X64)
   constexpr unsigned kFlags = 0x3F, kDefault = 0x1F80;
   return (_mm_getcsr() & 0xFFFF & ~kFlags) == kDefault;
@@ -56,14 +56,14 @@ inline bool InDefaultEnvironment() {
 #endif
 }
 
-inline bool IsSubnormal(float x) { return (std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFF) - 1 < 0x7FFFFF; }
-inline bool IsSubnormal(double x) {
+inline bool is_subnormal(float x) { return (std::bit_cast<std::uint32_t>(x) & 0x7FFFFFFF) - 1 < 0x7FFFFF; }
+inline bool is_subnormal(double x) {
   return (std::bit_cast<std::uint64_t>(x) & 0x7FFFFFFFFFFFFFFF) - 1 < 0xFFFFFFFFFFFFF;
 }
 
 // The same number, whatever the environment: a conversion would take a subnormal float for zero where the
 // caller has denormals-are-zero, and trap where it is a signalling NaN.
-inline double Widen(float x) {
+inline double widen(float x) {
   const auto bits = std::bit_cast<std::uint32_t>(x);
   const std::uint32_t exponent = bits >> 23 & 0xFF, fraction = bits & 0x7FFFFF;
   if (exponent != 0 && exponent != 0xFF) return x;

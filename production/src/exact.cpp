@@ -26,7 +26,7 @@ struct Direction {
   IntegerPower whole = {nullptr, 0, 0};  // (a + b)^degree
   int bits = 0;                          // |a| + |b| <= 2^bits
 
-  int BinomialBits() const { return BitWidth(Binomials(degree)[degree / 2]); }
+  int binomial_bits() const { return bit_width(binomial_row(degree)[degree / 2]); }
 };
 
 struct Net {
@@ -35,34 +35,34 @@ struct Net {
   int low = 0, bits = 0;  // |R| < 2^(low + bits), and a multiple of 2^low
 
   // Of the inner sums and of the whole one, in two's complement.
-  int RowBits() const { return bits + inner.degree * inner.bits + 1; }
-  int AllBits() const { return RowBits() + outer.degree * outer.bits; }
+  int row_bits() const { return bits + inner.degree * inner.bits + 1; }
+  int all_bits() const { return row_bits() + outer.degree * outer.bits; }
 };
 
 // ceil(log2(|a| + |b|)), at most one more if their signs differ
-int BitsOfSum(const Ratio& ratio) {
-  const auto bits = [](const RatioPart& part) { return BitWidth(part.limbs.data(), part.size); };
+int bits_of_sum(const Ratio& ratio) {
+  const auto bits = [](const RatioPart& part) { return bit_width(part.limbs.data(), part.size); };
   if (ratio.a.negative || ratio.b.negative) return std::max(bits(ratio.a), bits(ratio.b)) + 1;
   const int whole = bits(ratio.whole);
-  return whole - (TrailingZeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
+  return whole - (trailing_zeros(ratio.whole.limbs.data()) == whole - 1 ? 1 : 0);
 }
 
 // A direction keeps degree 0 if the argument is at an end of the domain: then `points` are those there.
-void SetDirection(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
-                  const double*& points, Ratio& ratio, Direction& direction) {
+void set_direction(int order, std::ptrdiff_t step, const Domain& domain, const GridArgument& argument,
+                   const double*& points, Ratio& ratio, Direction& direction) {
   if (order == 1) return;
   const int degree = order - 1;
-  const Parameter::End end = ToRatio(domain, argument, ratio);
+  const Parameter::End end = to_ratio(domain, argument, ratio);
   if (end == Parameter::End::kLast) points += degree * step;
   if (end != Parameter::End::kNeither) return;
   direction.degree = direction.whole.exponent = degree;
   direction.whole.base = ratio.whole.limbs.data();
   direction.whole.size = ratio.whole.size;
-  direction.bits = BitsOfSum(ratio);
+  direction.bits = bits_of_sum(ratio);
   direction.step = step;
   direction.a = &ratio.a;
   direction.b = &ratio.b;
-  const auto width = [](const RatioPart& part) { return BitWidth(part.limbs.data(), part.size); };
+  const auto width = [](const RatioPart& part) { return bit_width(part.limbs.data(), part.size); };
   if (width(ratio.b) <= width(ratio.a)) return;
   // From the other end, because powers are taken of b.
   points += degree * step;
@@ -71,15 +71,15 @@ void SetDirection(int order, std::ptrdiff_t step, const Domain& domain, const Gr
 }
 
 // False if all control points are zero.
-bool FindRange(Net& net) {
+bool find_range(Net& net) {
   int low = 1024, high = -1075;
   for (int i = 0; i <= net.outer.degree; ++i) {
     const double* point = net.points + i * net.outer.step;
     for (int j = 0; j <= net.inner.degree; ++j, point += net.inner.step) {
-      const Decoded decoded = Decode(*point);
+      const Decoded decoded = decode(*point);
       if (decoded.mantissa == 0) continue;
       low = std::min(low, decoded.exponent);
-      high = std::max(high, decoded.exponent + BitWidth(decoded.mantissa));
+      high = std::max(high, decoded.exponent + bit_width(decoded.mantissa));
     }
   }
   net.low = low;
@@ -89,17 +89,17 @@ bool FindRange(Net& net) {
 
 // ---- In 128 bits
 
-Limb2 SignedNarrow(const RatioPart& part) {
+Limb2 signed_narrow(const RatioPart& part) {
   const Limb2 magnitude = part.size == 1 ? part.limbs[0] : Limb2{part.limbs[1]} << kLimbBits | part.limbs[0];
   return part.negative ? 0 - magnitude : magnitude;
 }
 
 // term(i) for i from degree to 0
 template <class Term>
-Limb2 HornerNarrow(const Direction& direction, const Term& term) {
+Limb2 horner_narrow(const Direction& direction, const Term& term) {
   if (direction.degree == 0) return term(0);
-  const std::uint64_t* const binomials = Binomials(direction.degree);
-  const Limb2 a = SignedNarrow(*direction.a), b = SignedNarrow(*direction.b);
+  const std::uint64_t* const binomials = binomial_row(direction.degree);
+  const Limb2 a = signed_narrow(*direction.a), b = signed_narrow(*direction.b);
   Limb2 sum = term(direction.degree), power = b;
   for (int i = direction.degree - 1;; --i) {
     sum = sum * a + term(i) * binomials[i] * power;
@@ -108,11 +108,11 @@ Limb2 HornerNarrow(const Direction& direction, const Term& term) {
   }
 }
 
-Limb2 SumNarrow(const Net& net) {
-  return HornerNarrow(net.outer, [&net](int i) {
+Limb2 sum_narrow(const Net& net) {
+  return horner_narrow(net.outer, [&net](int i) {
     const double* const row = net.points + i * net.outer.step;
-    return HornerNarrow(net.inner, [&net, row](int j) -> Limb2 {
-      const Decoded decoded = Decode(row[j * net.inner.step]);
+    return horner_narrow(net.inner, [&net, row](int j) -> Limb2 {
+      const Decoded decoded = decode(row[j * net.inner.step]);
       if (decoded.mantissa == 0) return 0;
       const Limb2 magnitude = Limb2{decoded.mantissa} << (decoded.exponent - net.low);
       return decoded.negative ? 0 - magnitude : magnitude;
@@ -123,40 +123,41 @@ Limb2 SumNarrow(const Net& net) {
 // ---- In limbs
 
 // sum += +-power * term * 2^(64 * position), modulo what it holds
-void AddTerm(Limb* sum, int size, const Limb* power, int power_size, Limb term, int position, bool negative) {
+void add_term(Limb* sum, int size, const Limb* power, int power_size, Limb term, int position,
+              bool negative) {
   if (term == 0 || position >= size) return;
   if (negative) {
-    SubtractProduct(sum + position, size - position, power, power_size, term);
+    subtract_product(sum + position, size - position, power, power_size, term);
   } else {
-    AddProduct(sum + position, size - position, power, power_size, term);
+    add_product(sum + position, size - position, power, power_size, term);
   }
 }
 
 // The running power of b.
 struct RunningPower {
   explicit RunningPower(Limb* room) : limbs(room), size(1) { limbs[0] = 1; }
-  void operator*=(const RatioPart& b) { size = MultiplyAndGrow(limbs, size, b.limbs.data(), b.size); }
+  void operator*=(const RatioPart& b) { size = multiply_and_grow(limbs, size, b.limbs.data(), b.size); }
 
   Limb* limbs;
   int size;
 };
 
-int PowerRoom(const Direction& direction) {
+int power_room(const Direction& direction) {
   if (direction.degree == 0) return 1;
   const RatioPart& b = *direction.b;
-  return LimbsFor(direction.degree * BitWidth(b.limbs.data(), b.size)) + b.size;
+  return limbs_for(direction.degree * bit_width(b.limbs.data(), b.size)) + b.size;
 }
 
 // sum = sum of C(degree, i) a^i b^(degree - i) term_i, in `bits` bits with the sign; a term has term_bits
 // with its own. add(i, size, power, negative) adds +-C(degree, i) * term_i * power to the sum, modulo 2^(64 *
 // size).
 template <class Add>
-void Horner(const Direction& direction, int term_bits, int bits, Limb* sum, Limb* room, const Add& add) {
+void horner(const Direction& direction, int term_bits, int bits, Limb* sum, Limb* room, const Add& add) {
   RunningPower power(room);
-  const int all = LimbsFor(bits);
+  const int all = limbs_for(bits);
   // As long as it is shorter the sum grows with the degree.
-  const int first_bits = term_bits + direction.BinomialBits();
-  int size = std::min(all, LimbsFor(first_bits));
+  const int first_bits = term_bits + direction.binomial_bits();
+  int size = std::min(all, limbs_for(first_bits));
   std::fill_n(sum, size, Limb{0});
   for (int k = 0;; ++k) {
     const int i = direction.degree - k;
@@ -164,62 +165,63 @@ void Horner(const Direction& direction, int term_bits, int bits, Limb* sum, Limb
                                                     (direction.b->negative && (k & 1) != 0));
     add(i, size, power, negative);
     if (i == 0) break;
-    const int next = std::min(all, LimbsFor(first_bits + (k + 1) * direction.bits));
-    SignExtend(sum, size, next);
+    const int next = std::min(all, limbs_for(first_bits + (k + 1) * direction.bits));
+    sign_extend(sum, size, next);
     size = next;
-    Multiply(sum, size, direction.a->limbs.data(), direction.a->size);
+    multiply(sum, size, direction.a->limbs.data(), direction.a->size);
     power *= *direction.b;
   }
-  SignExtend(sum, size, all);
+  sign_extend(sum, size, all);
 }
 
-void SumOfRow(const Net& net, const double* row, Limb* sum, Limb* room) {
-  const std::uint64_t* const binomials = Binomials(net.inner.degree);
-  Horner(net.inner, net.bits + 1, net.RowBits(), sum, room,
+void sum_of_row(const Net& net, const double* row, Limb* sum, Limb* room) {
+  const std::uint64_t* const binomials = binomial_row(net.inner.degree);
+  horner(net.inner, net.bits + 1, net.row_bits(), sum, room,
          [&](int j, int size, const RunningPower& power, bool negative) {
-           const Decoded decoded = Decode(row[j * net.inner.step]);
+           const Decoded decoded = decode(row[j * net.inner.step]);
            if (decoded.mantissa == 0) return;
            const Limb2 factor = Limb2{decoded.mantissa} * binomials[j];
            const int shift = decoded.exponent - net.low, position = shift / kLimbBits;
            const int left = shift % kLimbBits, right = kLimbBits - 1 - left;
-           const Limb low = static_cast<Limb>(factor), high = High(factor);
+           const Limb low = static_cast<Limb>(factor), high = high_limb(factor);
            const bool minus = negative != decoded.negative;
-           AddTerm(sum, size, power.limbs, power.size, low << left, position, minus);
-           AddTerm(sum, size, power.limbs, power.size, low >> 1 >> right | high << left, position + 1, minus);
-           AddTerm(sum, size, power.limbs, power.size, high >> 1 >> right, position + 2, minus);
+           add_term(sum, size, power.limbs, power.size, low << left, position, minus);
+           add_term(sum, size, power.limbs, power.size, low >> 1 >> right | high << left, position + 1,
+                    minus);
+           add_term(sum, size, power.limbs, power.size, high >> 1 >> right, position + 2, minus);
          });
 }
 
 struct Layout {
   explicit Layout(const Net& net)
-      : sum(LimbsFor(net.AllBits())),
-        row(net.outer.degree == 0 ? 0 : LimbsFor(net.RowBits()) + 1),
-        inner_power(PowerRoom(net.inner)),
-        outer_power(PowerRoom(net.outer)),
-        all(sum + std::max(row + inner_power + outer_power, RoundingRoom(net.outer.whole, net.inner.whole))) {
-  }
+      : sum(limbs_for(net.all_bits())),
+        row(net.outer.degree == 0 ? 0 : limbs_for(net.row_bits()) + 1),
+        inner_power(power_room(net.inner)),
+        outer_power(power_room(net.outer)),
+        all(sum +
+            std::max(row + inner_power + outer_power, rounding_room(net.outer.whole, net.inner.whole))) {}
 
   // Limbs. The rounding takes the place of all but the sum.
   int sum, row, inner_power, outer_power, all;
 };
 
-void Sum(const Net& net, const Layout& layout, Limb* room) {
+void sum_net(const Net& net, const Layout& layout, Limb* room) {
   Limb* const sum = room;
   Limb* const inner_power = sum + layout.sum;
-  if (net.outer.degree == 0) return SumOfRow(net, net.points, sum, inner_power);
+  if (net.outer.degree == 0) return sum_of_row(net, net.points, sum, inner_power);
   Limb* const outer_power = inner_power + layout.inner_power;
   Limb* const row = outer_power + layout.outer_power;
-  const std::uint64_t* const binomials = Binomials(net.outer.degree);
-  Horner(net.outer, net.RowBits(), net.AllBits(), sum, outer_power,
+  const std::uint64_t* const binomials = binomial_row(net.outer.degree);
+  horner(net.outer, net.row_bits(), net.all_bits(), sum, outer_power,
          [&](int i, int size, const RunningPower& power, bool negative) {
-           SumOfRow(net, net.points + i * net.outer.step, row, inner_power);
-           int row_size = LimbsFor(net.RowBits());
-           const bool row_negative = IsNegative(row, row_size);
-           if (row_negative) Negate(row, row_size);
-           row[row_size] = Multiply(row, row_size, binomials[i]);
-           row_size = Trimmed(row, row_size + 1);
+           sum_of_row(net, net.points + i * net.outer.step, row, inner_power);
+           int row_size = limbs_for(net.row_bits());
+           const bool row_negative = is_negative(row, row_size);
+           if (row_negative) negate(row, row_size);
+           row[row_size] = multiply(row, row_size, binomials[i]);
+           row_size = trimmed_size(row, row_size + 1);
            for (int k = 0; k < row_size; ++k) {
-             AddTerm(sum, size, power.limbs, power.size, row[k], k, negative != row_negative);
+             add_term(sum, size, power.limbs, power.size, row[k], k, negative != row_negative);
            }
          });
 }
@@ -228,20 +230,21 @@ void Sum(const Net& net, const Layout& layout, Limb* room) {
 
 // Of a sum of two's complement at the beginning of the room.
 template <class Real>
-Real RoundSum(const Net& net, Limb* room, int size) {
-  const bool negative = IsNegative(room, size);
-  if (negative) Negate(room, size);
-  const int trimmed = Trimmed(room, size);
+Real round_sum(const Net& net, Limb* room, int size) {
+  const bool negative = is_negative(room, size);
+  if (negative) negate(room, size);
+  const int trimmed = trimmed_size(room, size);
   if (trimmed == 0) return 0;
-  return Round<Real>({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}}, room + size);
+  return round_quotient<Real>({room, trimmed, negative, net.low, {&net.outer.whole, &net.inner.whole}},
+                              room + size);
 }
 
 // Functions of their own, so that only those who need much of the stack take it.
 template <class Real, int kLimbs>
-[[gnu::noinline]] Real RoundIn(const Net& net, const Layout& layout) {
+[[gnu::noinline]] Real round_in(const Net& net, const Layout& layout) {
   std::array<Limb, kLimbs> room;
-  Sum(net, layout, room.data());
-  return RoundSum<Real>(net, room.data(), layout.sum);
+  sum_net(net, layout, room.data());
+  return round_sum<Real>(net, room.data(), layout.sum);
 }
 
 constexpr int kSmallRoom = 192;
@@ -249,44 +252,44 @@ constexpr int kMediumRoom = 1536;
 
 // The largest: of order 64 in both directions, with the widest control points, domain and grid.
 constexpr int kPointBits = 1074 + 1024, kMaxDegree = kMaxOrder - 1, kBinomialLimb = 1;
-constexpr int kRatioLimbs = LimbsFor(kRatioBits);
-constexpr int kLargestSum = LimbsFor(kPointBits + 2 * kMaxDegree * kRatioBits + 1);
-constexpr int kLargestRow = LimbsFor(kPointBits + kMaxDegree * kRatioBits + 1) + kBinomialLimb;
-constexpr int kLargestPower = LimbsFor(kMaxDegree * kRatioBits) + kRatioLimbs;
+constexpr int kRatioLimbs = limbs_for(kRatioBits);
+constexpr int kLargestSum = limbs_for(kPointBits + 2 * kMaxDegree * kRatioBits + 1);
+constexpr int kLargestRow = limbs_for(kPointBits + kMaxDegree * kRatioBits + 1) + kBinomialLimb;
+constexpr int kLargestPower = limbs_for(kMaxDegree * kRatioBits) + kRatioLimbs;
 constexpr int kLargestRoom = kLargestSum + kLargestRow + 2 * kLargestPower;
-static_assert(2 * kLargestPower + kLargestRow >= LimbsFor(54 + 2 * kMaxDegree * kRatioBits) + kRatioLimbs,
+static_assert(2 * kLargestPower + kLargestRow >= limbs_for(54 + 2 * kMaxDegree * kRatioBits) + kRatioLimbs,
               "room to round in");
 static_assert(kLargestRoom * sizeof(Limb) < 90000, "the documented use of the stack");
 
 }  // namespace
 
 template <class Real>
-Real RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v) {
+Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v) {
   const std::array<int, 2>& order = component.order;
   const double* points = component.points;
   Ratio ratio_u, ratio_v;
   Direction in_u, in_v;
-  SetDirection(order[0], order[1] * component.stride, component.domain[0], u, points, ratio_u, in_u);
-  SetDirection(order[1], component.stride, component.domain[1], v, points, ratio_v, in_v);
+  set_direction(order[0], order[1] * component.stride, component.domain[0], u, points, ratio_u, in_u);
+  set_direction(order[1], component.stride, component.domain[1], v, points, ratio_v, in_v);
   const bool curve_in_u = in_v.degree == 0;
   Net net = {points, curve_in_u ? in_v : in_u, curve_in_u ? in_u : in_v};
-  if (!FindRange(net)) return 0;
+  if (!find_range(net)) return 0;
 
-  if (net.AllBits() <= 2 * kLimbBits) {
-    const Limb2 sum = SumNarrow(net);
+  if (net.all_bits() <= 2 * kLimbBits) {
+    const Limb2 sum = sum_narrow(net);
     constexpr int kSize = 2;
-    std::array<Limb, kSize + LimbsFor(2 * kLimbBits + 54) + kSize> room;
+    std::array<Limb, kSize + limbs_for(2 * kLimbBits + 54) + kSize> room;
     room[0] = static_cast<Limb>(sum);
-    room[1] = High(sum);
-    return RoundSum<Real>(net, room.data(), kSize);
+    room[1] = high_limb(sum);
+    return round_sum<Real>(net, room.data(), kSize);
   }
   const Layout layout(net);
-  if (layout.all <= kSmallRoom) return RoundIn<Real, kSmallRoom>(net, layout);
-  if (layout.all <= kMediumRoom) return RoundIn<Real, kMediumRoom>(net, layout);
-  return RoundIn<Real, kLargestRoom>(net, layout);
+  if (layout.all <= kSmallRoom) return round_in<Real, kSmallRoom>(net, layout);
+  if (layout.all <= kMediumRoom) return round_in<Real, kMediumRoom>(net, layout);
+  return round_in<Real, kLargestRoom>(net, layout);
 }
 
-template float RoundExactly(const Component&, const GridArgument&, const GridArgument&);
-template double RoundExactly(const Component&, const GridArgument&, const GridArgument&);
+template float round_exactly(const Component&, const GridArgument&, const GridArgument&);
+template double round_exactly(const Component&, const GridArgument&, const GridArgument&);
 
 }  // namespace glev

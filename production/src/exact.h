@@ -26,6 +26,6 @@ struct Component {
 // ones. Integers alone decide: the rounding mode of the caller has no influence. Real: float, or double, to
 // which the same applies with its limits.
 template <class Real = float>
-Real RoundExactly(const Component& component, const GridArgument& u, const GridArgument& v);
+Real round_exactly(const Component& component, const GridArgument& u, const GridArgument& v);
 
 }  // namespace glev

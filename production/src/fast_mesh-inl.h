@@ -25,7 +25,7 @@ constexpr std::size_t kFloatLanes = hn::MaxLanes(kFloats);
 constexpr std::size_t kFloatStep = kUnroll * kFloatLanes;
 
 template <int kComponents>
-HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float* to) {
+HWY_INLINE void store_floats(const hn::Vec<Floats> (&values)[kComponents], float* to) {
   if constexpr (kComponents == 1) hn::StoreU(values[0], kFloats, to);
   if constexpr (kComponents == 2) hn::StoreInterleaved2(values[0], values[1], kFloats, to);
   if constexpr (kComponents == 3) hn::StoreInterleaved3(values[0], values[1], values[2], kFloats, to);
@@ -34,14 +34,14 @@ HWY_INLINE void StoreFloats(const hn::Vec<Floats> (&values)[kComponents], float*
 }
 
 // The weights of a fast mesh along u, of each degree `padded` apart.
-HWY_NOINLINE inline void FastWeights(const Domain& domain, const MeshRange& range, int degree,
-                                     std::size_t padded, double* t, double* s, float* weights) {
-  PlaceColumns(domain, range, degree, kLargestGrowth, padded, t, s);
+HWY_NOINLINE inline void compute_fast_weights(const Domain& domain, const MeshRange& range, int degree,
+                                              std::size_t padded, double* t, double* s, float* weights) {
+  place_columns(domain, range, degree, kLargestGrowth, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
     Vector column[kMaxOrder];
-    WeightsOf(degree, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
+    weights_of(degree, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), column);
     for (int i = 0; i <= degree; ++i) {
-      const Vector binomial = hn::Set(kDoubles, static_cast<double>(Binomials(degree)[i]));
+      const Vector binomial = hn::Set(kDoubles, static_cast<double>(binomial_row(degree)[i]));
       const Vector weight = hn::Mul(column[i], binomial);
       // Subnormal floats would cost a hundred times as much, and this changes nothing that can be seen.
       const Vector seen = hn::IfThenElseZero(hn::Ge(weight, hn::Set(kDoubles, 0x1p-60)), weight);
@@ -52,12 +52,12 @@ HWY_NOINLINE inline void FastWeights(const Domain& domain, const MeshRange& rang
 
 // The points of a row of a fast mesh, four values each, times the binomials.
 template <int kComponents>
-HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
+HWY_INLINE void compute_fast_row(const PreparedMap& map, const MeshRange& range, std::size_t r, double* row) {
   double weights[kMaxOrder];
-  WeightsAt(map.surface.degree[1],
-            Locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
-            weights);
-  RowOf<kComponents>(map.surface, weights, row);
+  weights_at(map.surface.degree[1],
+             locate(map.surface.domain[1], GridArgument{range.v, range.j1 + static_cast<std::int64_t>(r)}),
+             weights);
+  row_of<kComponents>(map.surface, weights, row);
 }
 
 // Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
@@ -67,12 +67,12 @@ HWY_INLINE void FastRow(const PreparedMap& map, const MeshRange& range, std::siz
 constexpr int kMaxFastDegree = 3;
 
 // x of the columns. `t` and `s` are room for them.
-HWY_NOINLINE inline void FastPlaces(const Domain& domain, const MeshRange& range, std::size_t padded,
-                                    double* t, double* s, float* x) {
+HWY_NOINLINE inline void compute_fast_places(const Domain& domain, const MeshRange& range, std::size_t padded,
+                                             double* t, double* s, float* x) {
   // Beyond that float has no room for each index.
   constexpr std::int64_t kMostSegments = 1 << 20;
-  if (!Spans(range.u, domain) || range.u.segments > kMostSegments) {
-    PlaceColumns(domain, range, 1, kLargestGrowth, padded, t, s);
+  if (!spans(range.u, domain) || range.u.segments > kMostSegments) {
+    place_columns(domain, range, 1, kLargestGrowth, padded, t, s);
     for (std::size_t c = 0; c < padded; c += kLanes) {
       const Vector at = hn::Sub(hn::Load(kDoubles, t + c), hn::Load(kDoubles, s + c));
       hn::StoreU(hn::DemoteTo(kHalves, at), kHalves, x + c);
@@ -100,7 +100,7 @@ struct FastRowOfPowers {
   float first[kComponents], last[kComponents];
 
   // The points are four values each, times the binomials.
-  HWY_INLINE void Set(const double* points) {
+  HWY_INLINE void set(const double* points) {
     for (int k = 0; k < kComponents; ++k, ++points) {
       const double a = points[0], z = points[4 * kDegree], ends = a + z, slope = z - a;
       first[k] = static_cast<float>(a), last[k] = static_cast<float>(z);
@@ -120,7 +120,8 @@ struct FastRowOfPowers {
 };
 
 template <int kComponents, int kDegree>
-void FastPowers(const PreparedMap& map, const MeshRange& range, const Destination& to, const float* x) {
+void evaluate_fast_powers(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                          const float* x) {
   constexpr std::size_t kColumns = 512, kRows = 64;  // what stays in the first cache
   static_assert(kColumns % kFloatLanes == 0);
   using Values = Sequence<Floats, kComponents>;
@@ -132,13 +133,13 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
     const std::size_t rows = std::min(kRows, range.rows - r0);
     for (std::size_t r = 0; r < rows; ++r) {
       double points[4 * (kDegree + 1)];
-      FastRow<kComponents>(map, range, r0 + r, points);
-      row[r].Set(points);
+      compute_fast_row<kComponents>(map, range, r0 + r, points);
+      row[r].set(points);
     }
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const float* const column = x + c0;
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
-      sequence.Repeat(column, columns, places);
+      sequence.repeat(column, columns, places);
       const auto is_end = [&](std::size_t c) { return std::fabs(column[c]) == 1; };
       std::size_t head = 0, tail = columns;
       while (head < columns && is_end(head)) ++head;
@@ -147,7 +148,7 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
         hn::Vec<Floats> power[kDegree + 1][kPeriod];
         for (int i = 0; i <= kDegree; ++i) {
           for (std::size_t part = 0; part < kPeriod; ++part)
-            power[i][part] = sequence.Of(row[r].power + 4 * i, part);
+            power[i][part] = sequence.values_of(row[r].power + 4 * i, part);
         }
         const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
           for (std::size_t part = 0; part < kPeriod; ++part) {
@@ -158,15 +159,15 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
           }
         };
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
-        float* const out = IsPacked<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
-        InGroups<kGroup>(count, out, evaluate);
+        float* const out = is_packed<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
+        in_groups<kGroup>(count, out, evaluate);
         const auto take_end = [&](std::size_t end) {
           std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
                       kComponents * sizeof(float));
         };
         for (std::size_t end = 0; end < head; ++end) take_end(end);
         for (std::size_t end = tail; end < columns; ++end) take_end(end);
-        if (out == values) Scatter<kComponents>(values, columns, to, data);
+        if (out == values) scatter<kComponents>(values, columns, to, data);
       }
     }
   }
@@ -174,7 +175,8 @@ void FastPowers(const PreparedMap& map, const MeshRange& range, const Destinatio
 
 // False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
 template <int kComponents>
-bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* scratch) {
+bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                        double* scratch) {
   const auto [n, m] = map.surface.degree;
   for (int k = 0; k < kComponents; ++k) {
     const double largest = map.component[k].largest;
@@ -184,28 +186,29 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
                      j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
-  if (n > 0 && !(IsInside(domain_u, range.u, range.i1) && IsInside(domain_u, range.u, i2))) return false;
-  if (m > 0 && !(IsInside(domain_v, range.v, range.j1) && IsInside(domain_v, range.v, j2))) return false;
+  if (n > 0 && !(is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, i2))) return false;
+  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
 
   const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
   double* const t = scratch;
   double* const s = t + padded;
   auto* const weights = reinterpret_cast<float*>(s + padded);
   if (n >= 1 && n <= kMaxFastDegree) {
-    constexpr decltype(&FastPowers<kComponents, 1>) kOf[kMaxFastDegree] = {
-        FastPowers<kComponents, 1>, FastPowers<kComponents, 2>, FastPowers<kComponents, 3>};
-    FastPlaces(domain_u, range, padded, t, s, weights);
+    constexpr decltype(&evaluate_fast_powers<kComponents, 1>) kOf[kMaxFastDegree] = {
+        evaluate_fast_powers<kComponents, 1>, evaluate_fast_powers<kComponents, 2>,
+        evaluate_fast_powers<kComponents, 3>};
+    compute_fast_places(domain_u, range, padded, t, s, weights);
     kOf[n - 1](map, range, to, weights);
     return true;
   }
-  FastWeights(domain_u, range, n, padded, t, s, weights);
-  const bool is_packed = IsPacked<kComponents>(to);
+  compute_fast_weights(domain_u, range, n, padded, t, s, weights);
+  const bool packed = is_packed<kComponents>(to);
   for (std::size_t r = 0; r < range.rows; ++r) {
     double row[4 * kMaxOrder];
-    FastRow<kComponents>(map, range, r, row);
+    compute_fast_row<kComponents>(map, range, r, row);
     float points[4 * kMaxOrder];
     for (int i = 0; i <= n; ++i) {
-      const double inverse = 1 / static_cast<double>(Binomials(n)[i]);
+      const double inverse = 1 / static_cast<double>(binomial_row(n)[i]);
       for (int k = 0; k < kComponents; ++k) points[4 * i + k] = static_cast<float>(row[4 * i + k] * inverse);
     }
     std::byte* const data = to.data + r * to.row_stride;
@@ -225,17 +228,17 @@ bool FastMesh(const PreparedMap& map, const MeshRange& range, const Destination&
             value[part][k] = hn::MulAdd(weight, hn::Set(kFloats, point[k]), value[part][k]);
         }
       }
-      if (HWY_LIKELY(is_packed && c + kFloatStep <= range.columns)) {
+      if (HWY_LIKELY(packed && c + kFloatStep <= range.columns)) {
         for (std::size_t part = 0; part < kUnroll; ++part) {
-          StoreFloats<kComponents>(
+          store_floats<kComponents>(
               value[part], reinterpret_cast<float*>(data + c * to.stride) + part * kFloatLanes * kComponents);
         }
         continue;
       }
       alignas(64) float values[kFloatStep * kComponents];
       for (std::size_t part = 0; part < kUnroll; ++part)
-        StoreFloats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
-      Scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
+        store_floats<kComponents>(value[part], values + part * kFloatLanes * kComponents);
+      scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
     }
   }
   return true;

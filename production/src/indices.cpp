@@ -7,7 +7,7 @@
 
 namespace {
 
-std::size_t IndexBytes(glev_enum type) {
+std::size_t index_bytes(glev_enum type) {
   switch (type) {
     case GLEV_UNSIGNED_BYTE:
       return 1;
@@ -20,19 +20,19 @@ std::size_t IndexBytes(glev_enum type) {
 }
 
 // a * b, or false if size_t has no room for it.
-bool Multiply(std::size_t a, std::size_t b, std::size_t* product) {
+bool multiply(std::size_t a, std::size_t b, std::size_t* product) {
   return !__builtin_mul_overflow(a, b, product);
 }
 
 // False for what is not well formed, apart from data.
-bool Read(const glev_indices* given, glev_indices* indices, std::size_t* count) {
-  if (!glev::ReadStruct(given, indices) || IndexBytes(indices->type) == 0) return false;
+bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t* count) {
+  if (!glev::read_struct(given, indices) || index_bytes(indices->type) == 0) return false;
   const auto [size, mode, columns, rows, first, type, data, data_size] = *indices;
   std::size_t vertices;
-  if (!Multiply(columns, rows, &vertices)) return false;
+  if (!multiply(columns, rows, &vertices)) return false;
   *count = 0;
   if (vertices == 0) return mode == GLEV_POINT || mode == GLEV_LINE || mode == GLEV_FILL;
-  const std::size_t largest = (std::uint64_t{1} << (8 * IndexBytes(type))) - 1;
+  const std::size_t largest = (std::uint64_t{1} << (8 * index_bytes(type))) - 1;
   if (vertices - 1 > largest || first > largest - (vertices - 1)) return false;
   // Below 2^32 vertices nothing overflows from here on.
   switch (mode) {
@@ -52,9 +52,9 @@ bool Read(const glev_indices* given, glev_indices* indices, std::size_t* count) 
 class IndexWriter {
  public:
   explicit IndexWriter(const glev_indices& indices)
-      : indices_(indices), bytes_(IndexBytes(indices.type)), to_(static_cast<std::byte*>(indices.data)) {}
+      : indices_(indices), bytes_(index_bytes(indices.type)), to_(static_cast<std::byte*>(indices.data)) {}
 
-  void Add(std::size_t i, std::size_t j) {
+  void add(std::size_t i, std::size_t j) {
     const auto number = static_cast<std::uint32_t>(indices_.first + j * indices_.columns + i);
     const auto byte = static_cast<std::uint8_t>(number);
     const auto two = static_cast<std::uint16_t>(number);
@@ -77,47 +77,47 @@ class IndexWriter {
 size_t glevGetIndexCount(const glev_indices* given) {
   glev_indices indices;
   std::size_t count;
-  return Read(given, &indices, &count) ? count : 0;
+  return read_indices(given, &indices, &count) ? count : 0;
 }
 
 glev_result glevGetIndices(const glev_indices* given) {
   glev_indices indices;
   std::size_t count;
-  if (!Read(given, &indices, &count)) return GLEV_ERROR_INVALID_ARGUMENT;
+  if (!read_indices(given, &indices, &count)) return GLEV_ERROR_INVALID_ARGUMENT;
   if (count == 0) return GLEV_SUCCESS;
   if (indices.data == nullptr) return GLEV_ERROR_INVALID_ARGUMENT;
-  if (count > indices.data_size / IndexBytes(indices.type)) return GLEV_ERROR_BUFFER_TOO_SMALL;
+  if (count > indices.data_size / index_bytes(indices.type)) return GLEV_ERROR_BUFFER_TOO_SMALL;
   IndexWriter writer(indices);
   const std::size_t columns = indices.columns, rows = indices.rows;
   switch (indices.mode) {
     case GLEV_POINT:
       for (std::size_t j = 0; j < rows; ++j) {
-        for (std::size_t i = 0; i < columns; ++i) writer.Add(i, j);
+        for (std::size_t i = 0; i < columns; ++i) writer.add(i, j);
       }
       break;
     case GLEV_LINE:
       for (std::size_t j = 0; j < rows; ++j) {
         for (std::size_t i = 0; i + 1 < columns; ++i) {
-          writer.Add(i, j);
-          writer.Add(i + 1, j);
+          writer.add(i, j);
+          writer.add(i + 1, j);
         }
       }
       for (std::size_t i = 0; i < columns; ++i) {
         for (std::size_t j = 0; j + 1 < rows; ++j) {
-          writer.Add(i, j);
-          writer.Add(i, j + 1);
+          writer.add(i, j);
+          writer.add(i, j + 1);
         }
       }
       break;
     case GLEV_FILL:
       for (std::size_t j = 0; j + 1 < rows; ++j) {
         for (std::size_t i = 0; i + 1 < columns; ++i) {
-          writer.Add(i, j);
-          writer.Add(i, j + 1);
-          writer.Add(i + 1, j);
-          writer.Add(i + 1, j);
-          writer.Add(i, j + 1);
-          writer.Add(i + 1, j + 1);
+          writer.add(i, j);
+          writer.add(i, j + 1);
+          writer.add(i + 1, j);
+          writer.add(i + 1, j);
+          writer.add(i, j + 1);
+          writer.add(i + 1, j + 1);
         }
       }
       break;

@@ -35,42 +35,45 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
 template <int kComponents>
-void MeshOf(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
-            std::byte* scratch) {
+void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+                      std::byte* scratch) {
   auto* const doubles = reinterpret_cast<double*>(scratch);
-  if (fast && FastMesh<kComponents>(map, range, to, doubles)) return;
-  if (CentredMesh<kComponents>(map, range, to, doubles)) return;
-  RoundedMesh<kComponents>(map, range, to, doubles);
+  if (fast && evaluate_fast_mesh<kComponents>(map, range, to, doubles)) return;
+  if (evaluate_centred_mesh<kComponents>(map, range, to, doubles)) return;
+  evaluate_rounded_mesh<kComponents>(map, range, to, doubles);
 }
 
-void Curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
-  constexpr decltype(&CurvesOf<1>) kOf[] = {CurvesOf<1>, CurvesOf<2>, CurvesOf<3>, CurvesOf<4>};
+void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {
+  constexpr decltype(&evaluate_curves<1>) kOf[] = {evaluate_curves<1>, evaluate_curves<2>, evaluate_curves<3>,
+                                                   evaluate_curves<4>};
   kOf[map.surface.components - 1](map, u, count, to);
 }
 
-void SurfaceAt(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
-               const Destination& to) {
-  constexpr decltype(&Surfaces<1>) kOf[] = {Surfaces<1>, Surfaces<2>, Surfaces<3>, Surfaces<4>};
+void evaluate_surface(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
+                      const Destination& to) {
+  constexpr decltype(&evaluate_surfaces<1>) kOf[] = {evaluate_surfaces<1>, evaluate_surfaces<2>,
+                                                     evaluate_surfaces<3>, evaluate_surfaces<4>};
   kOf[map.surface.components - 1](map, u, v, count, to);
 }
 
-void Mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
-          std::byte* scratch) {
-  constexpr decltype(&MeshOf<1>) kOf[] = {MeshOf<1>, MeshOf<2>, MeshOf<3>, MeshOf<4>};
+void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
+                   std::byte* scratch) {
+  constexpr decltype(&evaluate_mesh_of<1>) kOf[] = {evaluate_mesh_of<1>, evaluate_mesh_of<2>,
+                                                    evaluate_mesh_of<3>, evaluate_mesh_of<4>};
   kOf[map.surface.components - 1](map, range, fast, to, scratch);
 }
 
-constexpr Kernels MakeKernels(const char* name) {
+constexpr Kernels make_kernels(const char* name) {
   return {.name = name,
-          .point = Point,
-          .direct = Direct,
-          .direct_cubic_curve = DirectCubic<false>,
-          .direct_bicubic = DirectCubic<true>,
-          .curve = Curve,
-          .surface = SurfaceAt,
-          .mesh = Mesh,
-          .normals = normals::Mesh,
-          .encloses = enclosure::EncloseAll};
+          .point = evaluate_point,
+          .direct = evaluate_directly,
+          .direct_cubic_curve = evaluate_cubic_directly<false>,
+          .direct_bicubic = evaluate_cubic_directly<true>,
+          .curve = evaluate_curve,
+          .surface = evaluate_surface,
+          .mesh = evaluate_mesh,
+          .normals = normals::evaluate_mesh,
+          .encloses = enclosure::enclose_all};
 }
 
 }  // namespace glev::HWY_NAMESPACE
@@ -90,7 +93,7 @@ double Input::operator[](std::size_t i) const {
   return argument;
 }
 
-std::size_t MeshScratch(int degree, std::size_t columns) {
+std::size_t mesh_scratch(int degree, std::size_t columns) {
   constexpr std::size_t kWidest = 64;  // the step of any instruction set divides it
   const std::size_t padded = (columns + kWidest - 1) / kWidest * kWidest;
   return padded * sizeof(double) * (static_cast<std::size_t>(degree) + 3);
@@ -101,25 +104,25 @@ namespace {
 // Highway's own detection is in a library that needs the C++ run time.
 #if HWY_ARCH_X86
 // Not every compiler knows its name.
-bool HasF16c() {
+bool has_f16c() {
   unsigned a = 0, b = 0, c = 0, d = 0;
   return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
 }
-bool HasSse4() {
+bool has_sse4() {
   return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
          __builtin_cpu_supports("aes");
 }
-bool HasAvx2() {
-  return HasSse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && HasF16c();
+bool has_avx2() {
+  return has_sse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && has_f16c();
 }
-bool HasAvx3() {
-  return HasAvx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+bool has_avx3() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
          __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl");
 }
 #endif
-bool HasBaseline() { return true; }
+bool has_baseline() { return true; }
 
 struct Target {
   bool (*is_supported)();
@@ -128,20 +131,20 @@ struct Target {
 
 constexpr Target kTargets[] = {
 #if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
-    {HasAvx3, N_AVX3::MakeKernels("AVX3")},
+    {has_avx3, N_AVX3::make_kernels("AVX3")},
 #endif
 #if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
-    {HasAvx2, N_AVX2::MakeKernels("AVX2")},
+    {has_avx2, N_AVX2::make_kernels("AVX2")},
 #endif
 #if (HWY_TARGETS & HWY_SSE4) && HWY_STATIC_TARGET != HWY_SSE4
-    {HasSse4, N_SSE4::MakeKernels("SSE4")},
+    {has_sse4, N_SSE4::make_kernels("SSE4")},
 #endif
-    {HasBaseline, HWY_STATIC_DISPATCH(MakeKernels)("baseline")},
+    {has_baseline, HWY_STATIC_DISPATCH(make_kernels)("baseline")},
 };
 
 }  // namespace
 
-const Kernels* KernelsOf(std::size_t index) {
+const Kernels* kernels_of(std::size_t index) {
   for (const auto& [is_supported, kernels] : kTargets) {
     if (is_supported() && index-- == 0) return &kernels;
   }

@@ -52,25 +52,25 @@ struct Kernels {
   void (*curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   void (*surface)(const PreparedMap& map, const Input& u, const Input& v, std::size_t count,
                   const Destination& to);
-  // scratch: MeshScratch bytes, aligned to a cache line.
+  // scratch: mesh_scratch bytes, aligned to a cache line.
   void (*mesh)(const PreparedMap& map, const MeshRange& range, bool fast, const Destination& to,
                std::byte* scratch);
   // Automatic normals of a plan that has them, with the bits of NormalRow. `to` is of floats. If
   // with_vertices is set, also the correctly rounded vertices of a VERTEX_3 map: each lies right before its
-  // normal. scratch: NormalMeshScratch bytes, aligned to a cache line.
+  // normal. scratch: normal_mesh_scratch bytes, aligned to a cache line.
   void (*normals)(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
                   std::byte* scratch);
   Encloses encloses;  // for maps as that type says
 };
 
 // Bytes for so many columns of a map of so high a degree in u.
-std::size_t MeshScratch(int degree, std::size_t columns);
+std::size_t mesh_scratch(int degree, std::size_t columns);
 // Normals need the weights of the vertex map and of its derivative.
-inline std::size_t NormalMeshScratch(int degree, std::size_t columns) {
-  return MeshScratch(2 * degree, columns);
+inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
+  return mesh_scratch(2 * degree, columns);
 }
 
 // Those that this machine can run, best first; null for an index beyond the last.
-const Kernels* KernelsOf(std::size_t index);
+const Kernels* kernels_of(std::size_t index);
 
 }  // namespace glev

@@ -11,7 +11,7 @@
 namespace glev {
 
 // Bytes of one offset; 0 if there is no such type.
-inline std::size_t BytesOfOffset(glev_enum type) {
+inline std::size_t bytes_of_offset(glev_enum type) {
   switch (type) {
     case GLEV_BYTE:
     case GLEV_UNSIGNED_BYTE:
@@ -34,14 +34,14 @@ inline std::size_t BytesOfOffset(glev_enum type) {
 
 // The GL does not align the array.
 template <class Value>
-Value LoadOffset(const unsigned char* bytes) {
+Value load_offset(const unsigned char* bytes) {
   Value value;
   std::memcpy(&value, bytes, sizeof value);
   return value;
 }
 
 // Modulo 2^32, as they are added to the list base.
-inline glev_uint OffsetAt(glev_enum type, const unsigned char* bytes) {
+inline glev_uint offset_at(glev_enum type, const unsigned char* bytes) {
   const auto big_endian = [bytes](int count) {
     glev_uint value = 0;
     for (int k = 0; k < count; ++k) value = value << 8 | bytes[k];
@@ -49,13 +49,13 @@ inline glev_uint OffsetAt(glev_enum type, const unsigned char* bytes) {
   };
   switch (type) {
     case GLEV_BYTE:
-      return static_cast<glev_uint>(LoadOffset<signed char>(bytes));
+      return static_cast<glev_uint>(load_offset<signed char>(bytes));
     case GLEV_UNSIGNED_BYTE:
       return *bytes;
     case GLEV_SHORT:
-      return static_cast<glev_uint>(LoadOffset<std::int16_t>(bytes));
+      return static_cast<glev_uint>(load_offset<std::int16_t>(bytes));
     case GLEV_UNSIGNED_SHORT:
-      return LoadOffset<std::uint16_t>(bytes);
+      return load_offset<std::uint16_t>(bytes);
     case GLEV_2_BYTES:
       return big_endian(2);
     case GLEV_3_BYTES:
@@ -63,12 +63,12 @@ inline glev_uint OffsetAt(glev_enum type, const unsigned char* bytes) {
     case GLEV_4_BYTES:
       return big_endian(4);
     case GLEV_FLOAT: {
-      const float whole = std::floor(LoadOffset<float>(bytes));
+      const float whole = std::floor(load_offset<float>(bytes));
       const bool fits = whole > -0x1p63f && whole < 0x1p63f;  // no NaN either
       return fits ? static_cast<glev_uint>(static_cast<std::int64_t>(whole)) : 0;
     }
     default:  // INT, UNSIGNED_INT
-      return LoadOffset<glev_uint>(bytes);
+      return load_offset<glev_uint>(bytes);
   }
 }
 

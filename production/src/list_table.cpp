@@ -9,81 +9,81 @@ namespace glev {
 namespace {
 
 // The first of `count` successive names from low to high without `taken`; 0 if there are none.
-glev_uint FitInto(std::uint64_t low, std::uint64_t high, glev_uint count, glev_uint taken) {
+glev_uint fit_into(std::uint64_t low, std::uint64_t high, glev_uint count, glev_uint taken) {
   if (taken >= low && taken < low + count) low = std::uint64_t{taken} + 1;
   return low + count <= high + 1 ? static_cast<glev_uint>(low) : 0;
 }
 
 }  // namespace
 
-void ListTable::Free(const Allocator& allocator) {
-  for (std::size_t i = 0; i < count_; ++i) entries_[i].list.Free(allocator);
-  allocator.Release(entries_, capacity_ * sizeof(Entry), kCacheLine);
+void ListTable::free(const Allocator& allocator) {
+  for (std::size_t i = 0; i < count_; ++i) entries_[i].list.free(allocator);
+  allocator.release(entries_, capacity_ * sizeof(Entry), kCacheLine);
   entries_ = nullptr;
   count_ = capacity_ = 0;
 }
 
-std::size_t ListTable::LowerBound(glev_uint name) const {
+std::size_t ListTable::lower_bound(glev_uint name) const {
   const Entry* found = std::partition_point(entries_, entries_ + count_,
                                             [name](const Entry& entry) { return entry.last < name; });
   return static_cast<std::size_t>(found - entries_);
 }
 
-const DisplayList* ListTable::Find(glev_uint name) const {
-  const std::size_t i = LowerBound(name);
-  return Covers(i, name) && !entries_[i].deleted ? &entries_[i].list : nullptr;
+const DisplayList* ListTable::find(glev_uint name) const {
+  const std::size_t i = lower_bound(name);
+  return covers(i, name) && !entries_[i].deleted ? &entries_[i].list : nullptr;
 }
 
-bool ListTable::Define(const Allocator& allocator, glev_uint name, const DisplayList& list) {
-  std::size_t i = LowerBound(name);
-  if (Covers(i, name) && entries_[i].first == entries_[i].last) {
-    entries_[i].list.Free(allocator);
+bool ListTable::define(const Allocator& allocator, glev_uint name, const DisplayList& list) {
+  std::size_t i = lower_bound(name);
+  if (covers(i, name) && entries_[i].first == entries_[i].last) {
+    entries_[i].list.free(allocator);
     entries_[i].list = list;
     entries_[i].deleted = false;
     return true;
   }
-  DropDeleted();
-  i = LowerBound(name);
+  drop_deleted();
+  i = lower_bound(name);
   Entry pieces[3];
   std::size_t count = 0;
-  const bool split = Covers(i, name);
+  const bool split = covers(i, name);
   if (split && entries_[i].first < name) pieces[count++] = {entries_[i].first, name - 1, false, {}};
   pieces[count++] = {name, name, false, list};
   if (split && entries_[i].last > name) pieces[count++] = {name + 1, entries_[i].last, false, {}};
-  return Replace(allocator, i, split ? 1 : 0, pieces, count);
+  return replace(allocator, i, split ? 1 : 0, pieces, count);
 }
 
-bool ListTable::Delete(const Allocator& allocator, glev_uint first, glev_uint last) {
-  std::size_t i = LowerBound(first);
-  if (Covers(i, first) && entries_[i].first < first && entries_[i].last > last) {
+bool ListTable::delete_names(const Allocator& allocator, glev_uint first, glev_uint last) {
+  std::size_t i = lower_bound(first);
+  if (covers(i, first) && entries_[i].first < first && entries_[i].last > last) {
     if (entries_[i].deleted) return true;
     const Entry pieces[] = {{entries_[i].first, first - 1, false, {}},
                             {last + 1, entries_[i].last, false, {}}};
-    return Replace(allocator, i, 1, pieces, 2);
+    return replace(allocator, i, 1, pieces, 2);
   }
-  for (; Covers(i, last); ++i) {
+  for (; covers(i, last); ++i) {
     Entry& entry = entries_[i];
     if (entry.first < first) {
       entry.last = first - 1;
     } else if (entry.last > last) {
       entry.first = last + 1;
     } else {
-      entry.list.Free(allocator);
+      entry.list.free(allocator);
       entry.deleted = any_deleted_ = true;
     }
   }
   return true;
 }
 
-bool ListTable::Reserve(const Allocator& allocator, glev_uint count, glev_uint taken, glev_uint* first) {
+bool ListTable::reserve(const Allocator& allocator, glev_uint count, glev_uint taken, glev_uint* first) {
   constexpr std::uint64_t kLast = std::numeric_limits<glev_uint>::max();
-  DropDeleted();
+  drop_deleted();
   const auto after = [this](std::size_t i) { return i == 0 ? 1 : std::uint64_t{entries_[i - 1].last} + 1; };
   std::size_t place = count_;
-  *first = FitInto(after(place), kLast, count, taken);
+  *first = fit_into(after(place), kLast, count, taken);
   for (std::size_t i = 0; *first == 0 && i < count_; ++i) {
     place = i;
-    *first = FitInto(after(i), std::uint64_t{entries_[i].first} - 1, count, taken);
+    *first = fit_into(after(i), std::uint64_t{entries_[i].first} - 1, count, taken);
   }
   if (*first == 0) return true;
   const glev_uint last = *first + (count - 1);
@@ -92,10 +92,10 @@ bool ListTable::Reserve(const Allocator& allocator, glev_uint count, glev_uint t
     return true;
   }
   const Entry entry = {*first, last, false, {}};
-  return Replace(allocator, place, 0, &entry, 1);
+  return replace(allocator, place, 0, &entry, 1);
 }
 
-bool ListTable::Replace(const Allocator& allocator, std::size_t place, std::size_t replaced,
+bool ListTable::replace(const Allocator& allocator, std::size_t place, std::size_t replaced,
                         const Entry* entries, std::size_t count) {
   const std::size_t new_count = count_ - replaced + count;
   Entry* target = entries_;
@@ -103,21 +103,21 @@ bool ListTable::Replace(const Allocator& allocator, std::size_t place, std::size
   if (new_count > capacity_) {
     constexpr std::size_t kSmallest = 16;
     capacity = std::max({kSmallest, 2 * capacity_, new_count});
-    target = static_cast<Entry*>(allocator.Allocate(capacity * sizeof(Entry), kCacheLine));
+    target = static_cast<Entry*>(allocator.allocate(capacity * sizeof(Entry), kCacheLine));
     if (target == nullptr) return false;
     std::uninitialized_copy(entries_, entries_ + place, target);
   }
   const std::size_t rest = count_ - place - replaced;
   if (rest != 0) std::memmove(target + place + count, entries_ + place + replaced, rest * sizeof(Entry));
   std::copy(entries, entries + count, target + place);
-  if (target != entries_) allocator.Release(entries_, capacity_ * sizeof(Entry), kCacheLine);
+  if (target != entries_) allocator.release(entries_, capacity_ * sizeof(Entry), kCacheLine);
   entries_ = target;
   count_ = new_count;
   capacity_ = capacity;
   return true;
 }
 
-void ListTable::DropDeleted() {
+void ListTable::drop_deleted() {
   if (!any_deleted_) return;
   const Entry* end =
       std::remove_if(entries_, entries_ + count_, [](const Entry& entry) { return entry.deleted; });

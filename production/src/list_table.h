@@ -18,21 +18,21 @@ class ListTable {
   ListTable() = default;
   ListTable(const ListTable&) = delete;
   ListTable& operator=(const ListTable&) = delete;
-  void Free(const Allocator& allocator);
+  void free(const Allocator& allocator);
 
   // Null if there is no such list.
-  const DisplayList* Find(glev_uint name) const;
+  const DisplayList* find(glev_uint name) const;
 
   // Gives the name this list, which then belongs to the table. False, and nothing changed, without memory.
-  bool Define(const Allocator& allocator, glev_uint name, const DisplayList& list);
+  bool define(const Allocator& allocator, glev_uint name, const DisplayList& list);
 
   // Deletes the lists among the names first to last. False, and nothing changed, without memory: a hole in an
   // interval needs some.
-  bool Delete(const Allocator& allocator, glev_uint first, glev_uint last);
+  bool delete_names(const Allocator& allocator, glev_uint first, glev_uint last);
 
   // Makes `count` (> 0) empty lists with successive names, `taken` not among them. *first: their first name,
   // 0 if there is no such range. False, and nothing changed, without memory.
-  bool Reserve(const Allocator& allocator, glev_uint count, glev_uint taken, glev_uint* first);
+  bool reserve(const Allocator& allocator, glev_uint count, glev_uint taken, glev_uint* first);
 
  private:
   struct Entry {
@@ -42,12 +42,12 @@ class ListTable {
   };
 
   // The first entry that ends at or after the name.
-  std::size_t LowerBound(glev_uint name) const;
-  bool Covers(std::size_t i, glev_uint name) const { return i < count_ && entries_[i].first <= name; }
+  std::size_t lower_bound(glev_uint name) const;
+  bool covers(std::size_t i, glev_uint name) const { return i < count_ && entries_[i].first <= name; }
   // Puts `count` entries in the place of `replaced` ones. False, and nothing changed, without memory.
-  bool Replace(const Allocator& allocator, std::size_t place, std::size_t replaced, const Entry* entries,
+  bool replace(const Allocator& allocator, std::size_t place, std::size_t replaced, const Entry* entries,
                std::size_t count);
-  void DropDeleted();
+  void drop_deleted();
 
   Entry* entries_ = nullptr;
   std::size_t count_ = 0;

@@ -19,8 +19,8 @@ struct MapDirection {
 // The control points without padding, v fastest. Point (i, j) begins i * u.stride + j * v.stride values after
 // points. A float is kept as the double of the same value.
 template <class Real>
-void CopyPoints(int components, const MapDirection& u, const MapDirection& v, const Real* points,
-                double* out) {
+void copy_points(int components, const MapDirection& u, const MapDirection& v, const Real* points,
+                 double* out) {
   for (std::ptrdiff_t i = 0; i < u.order; ++i) {
     for (std::ptrdiff_t j = 0; j < v.order; ++j) {
       for (int k = 0; k < components; ++k) *out++ = points[i * u.stride + j * v.stride + k];
@@ -31,14 +31,14 @@ void CopyPoints(int components, const MapDirection& u, const MapDirection& v, co
 class Map {
  public:
   Map() = default;
-  void Free(const Allocator& allocator) { storage_.Free(allocator); }
+  void free(const Allocator& allocator) { storage_.free(allocator); }
 
   // Replaces everything. False, and nothing changed, without memory.
   template <class Real>
-  bool Define(const Allocator& allocator, int components, const MapDirection& u, const MapDirection& v,
+  bool define(const Allocator& allocator, int components, const MapDirection& u, const MapDirection& v,
               const Real* points) {
-    if (!storage_.Reserve(allocator, static_cast<std::size_t>(u.order) * v.order * components)) return false;
-    CopyPoints(components, u, v, points, storage_.data());
+    if (!storage_.reserve(allocator, static_cast<std::size_t>(u.order) * v.order * components)) return false;
+    copy_points(components, u, v, points, storage_.data());
     defined_ = true;
     order_[0] = u.order;
     order_[1] = v.order;

@@ -24,18 +24,18 @@ namespace glev::HWY_NAMESPACE {
 constexpr double kLargestGrowth = 0x1p40;
 
 // The points of the grid are i / n of the domain, then, with one rounding each.
-inline bool Spans(const Grid& grid, const Domain& domain) {
+inline bool spans(const Grid& grid, const Domain& domain) {
   return grid.u1 == domain.u1 && grid.u2 == domain.u2;
 }
 
 // Writes t and s of the columns, in place of the weights that are computed from them. Columns whose growth is
 // not below `limit` or not known get NaN, which is never settled. Returns the largest growth of the others.
-HWY_NOINLINE inline double PlaceColumns(const Domain& domain, const MeshRange& range, int degree,
-                                        double limit, std::size_t padded, double* t, double* s) {
+HWY_NOINLINE inline double place_columns(const Domain& domain, const MeshRange& range, int degree,
+                                         double limit, std::size_t padded, double* t, double* s) {
   const Grid& grid = range.u;
   const double n = grid.segments;
   double growth = 1;
-  if (Spans(grid, domain) && range.i1 >= 0 &&
+  if (spans(grid, domain) && range.i1 >= 0 &&
       range.i1 + static_cast<std::int64_t>(range.columns) - 1 <= grid.segments) {
     const Vector segments = hn::Set(kDoubles, n);
     for (std::size_t c = 0; c < padded; c += kLanes) {
@@ -47,8 +47,8 @@ HWY_NOINLINE inline double PlaceColumns(const Domain& domain, const MeshRange& r
   }
   for (std::size_t c = 0; c < padded; ++c) {
     const std::size_t column = std::min(c, range.columns - 1);
-    const Parameter at = Locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
-    const double own = at.is_sure ? Growth(at, degree) : HUGE_VAL;
+    const Parameter at = locate(domain, GridArgument{grid, range.i1 + static_cast<std::int64_t>(column)});
+    const double own = at.is_sure ? growth_of(at, degree) : HUGE_VAL;
     t[c] = own < limit ? at.t : std::numeric_limits<double>::quiet_NaN();
     s[c] = at.s;
     if (own < limit) growth = std::max(growth, own);
@@ -56,18 +56,18 @@ HWY_NOINLINE inline double PlaceColumns(const Domain& domain, const MeshRange& r
   return growth;
 }
 
-inline bool IsInside(const Domain& domain, const Grid& grid, std::int64_t index) {
-  const Parameter at = Locate(domain, GridArgument{grid, index});
+inline bool is_inside(const Domain& domain, const Grid& grid, std::int64_t index) {
+  const Parameter at = locate(domain, GridArgument{grid, index});
   return at.is_sure && at.t >= 0 && at.s >= 0;
 }
 
 template <int kComponents>
-HWY_INLINE void RowOf(const Surface& surface, const double* weights_v, double* row) {
+HWY_INLINE void row_of(const Surface& surface, const double* weights_v, double* row) {
   const auto [n, m] = surface.degree;
   const double* points = surface.scaled;
   for (int i = 0; i <= n; ++i, points += (m + 1) * kComponents, row += 4) {
     FourVector sum[kParts];
-    AddPoints(points, kComponents, weights_v, m, sum);
+    add_points(points, kComponents, weights_v, m, sum);
     for (std::size_t part = 0; part < kParts; ++part)
       hn::StoreU(sum[part], kFour, row + part * hn::MaxLanes(kFour));
   }
@@ -75,8 +75,8 @@ HWY_INLINE void RowOf(const Surface& surface, const double* weights_v, double* r
 
 // Sums of products of so many weights, one row of them after another, and control points of four values each.
 template <int kComponents>
-HWY_INLINE void SumOf(int degree, const double* weights, std::size_t padded, const double* points,
-                      Vector (&value)[kUnroll][kComponents]) {
+HWY_INLINE void sum_of(int degree, const double* weights, std::size_t padded, const double* points,
+                       Vector (&value)[kUnroll][kComponents]) {
   for (int k = 0; k < kComponents; ++k) {
     for (std::size_t part = 0; part < kUnroll; ++part)
       value[part][k] = hn::Mul(hn::Load(kDoubles, weights + part * kLanes), hn::Set(kDoubles, points[k]));
@@ -96,19 +96,20 @@ HWY_INLINE void SumOf(int degree, const double* weights, std::size_t padded, con
 }
 
 template <int kComponents>
-void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destination& to, double* weights) {
+void evaluate_rounded_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                           double* weights) {
   const auto [n, m] = map.surface.degree;
   const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
   double* const t = weights + (n + 1) * padded;
   double* const s = t + padded;
-  const double growth_u = PlaceColumns(map.surface.domain[0], range, n, kLargestGrowth, padded, t, s);
+  const double growth_u = place_columns(map.surface.domain[0], range, n, kLargestGrowth, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
-    StoreWeights(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), padded, weights + c);
+    store_weights(n, hn::Load(kDoubles, s + c), hn::Load(kDoubles, t + c), padded, weights + c);
   }
   const auto [domain_u, domain_v] = map.surface.domain;
-  const int roundings = Spans(range.u, domain_u) && (m == 0 || Spans(range.v, domain_v)) ? 1 : kRoundings;
-  const double units = WeightUnits(n, m, roundings);
-  const PreparedMap::Test test = TestOf(map, units, 1);
+  const int roundings = spans(range.u, domain_u) && (m == 0 || spans(range.v, domain_v)) ? 1 : kRoundings;
+  const double units = weight_units(n, m, roundings);
+  const PreparedMap::Test test = make_test(map, units, 1);
   // The weights of a block of columns stay in the nearest cache for a group of rows.
   constexpr std::size_t kRows = 8, kBlock = 2048;
   const std::size_t block = std::max(kBlock / (n + 1) / kStep, std::size_t{1}) * kStep;
@@ -117,12 +118,12 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
     PreparedMap::Test tests[kRows];
     double row[kRows][4 * kMaxOrder];
     for (std::size_t r = 0; r < rows; ++r) {
-      const Parameter at_v = Locate(map.surface.domain[1], range.v_of(first + r));
+      const Parameter at_v = locate(map.surface.domain[1], range.v_of(first + r));
       double weights_v[kMaxOrder];
-      WeightsAt(m, at_v, weights_v);
-      RowOf<kComponents>(map.surface, weights_v, row[r]);
-      const double growth = at_v.is_sure ? growth_u * Growth(at_v, m) : HUGE_VAL;
-      tests[r] = growth == 1 ? test : TestOf(map, units, growth);
+      weights_at(m, at_v, weights_v);
+      row_of<kComponents>(map.surface, weights_v, row[r]);
+      const double growth = at_v.is_sure ? growth_u * growth_of(at_v, m) : HUGE_VAL;
+      tests[r] = growth == 1 ? test : make_test(map, units, growth);
     }
     for (std::size_t begin = 0; begin < range.columns; begin += block) {
       const std::size_t end = std::min(begin + block, range.columns);
@@ -130,9 +131,9 @@ void RoundedMesh(const PreparedMap& map, const MeshRange& range, const Destinati
         const Writer<kComponents> writer(tests[r], to, to.data + (first + r) * to.row_stride);
         for (std::size_t c = begin; c < end; c += kStep) {
           Vector value[kUnroll][kComponents];
-          SumOf<kComponents>(n, weights + c, padded, row[r], value);
-          writer.Write(writer.Round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
-            return Resolve(map, k, range.u_of(i), range.v_of(first + r));
+          sum_of<kComponents>(n, weights + c, padded, row[r], value);
+          writer.write(writer.round(value), c, std::min(kStep, end - c), [&](std::size_t i, int k) {
+            return resolve(map, k, range.u_of(i), range.v_of(first + r));
           });
         }
       }

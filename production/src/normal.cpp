@@ -16,7 +16,7 @@ namespace {
 // the largest magnitude to [1/2, 1) (subnormal ones: near it), which changes no digit. Zero and what is not
 // finite stays.
 template <std::size_t kCount>
-void Scale(std::array<double, kCount>& v) {
+void scale_to_unit(std::array<double, kCount>& v) {
   double largest = 0;
   for (const double x : v) largest = std::max(largest, std::fabs(x));
   const bool harmless = largest > 0x1p-100 && largest < 0x1p100;
@@ -33,30 +33,31 @@ using Vector = std::array<double, 3>;
 
 // These have roundings of their own, which the factor contains, and may underflow, which the summand does:
 // magnitudes are near 1.
-double Outward(double error) { return error * (1 + 0x1p-40) + 0x1p-900; }
+double round_outward(double error) { return error * (1 + 0x1p-40) + 0x1p-900; }
 
 Enclosure operator*(const Enclosure& x, const Enclosure& y) {
   const double size_x = std::fabs(x.value.high), size_y = std::fabs(y.value.high);
   const double error =
       size_x * y.error + size_y * x.error + x.error * y.error + 9 * 0x1p-106 * size_x * size_y;
-  return {x.value * y.value, error == 0 ? 0 : Outward(error)};
+  return {x.value * y.value, error == 0 ? 0 : round_outward(error)};
 }
 
 Enclosure operator-(const Enclosure& x, const Enclosure& y) {
   const double size = std::fabs(x.value.high) + std::fabs(y.value.high);
   const double error = x.error + y.error + 4 * 0x1p-106 * size;
-  return {x.value - y.value, error == 0 ? 0 : Outward(error)};
+  return {x.value - y.value, error == 0 ? 0 : round_outward(error)};
 }
 
 // For numbers, and for enclosures.
 template <class Number>
-std::array<Number, 3> Cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
+std::array<Number, 3> cross_product(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // w^2 times the derivative of (x, y, z) / w.
 template <class Number>
-std::array<Number, 3> OfQuotient(const std::array<Number, 4>& p, const std::array<Number, 4>& derivative) {
+std::array<Number, 3> derive_quotient(const std::array<Number, 4>& p,
+                                      const std::array<Number, 4>& derivative) {
   std::array<Number, 3> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = p[3] * derivative[k] - derivative[3] * p[k];
   return result;
@@ -64,7 +65,7 @@ std::array<Number, 3> OfQuotient(const std::array<Number, 4>& p, const std::arra
 
 // By a power of two, to magnitudes near 1. False for what is not finite.
 template <std::size_t kCount>
-bool Scale(std::array<Enclosure, kCount>& v) {
+bool scale_to_unit(std::array<Enclosure, kCount>& v) {
   double largest = 0;
   for (const Enclosure& x : v) {
     if (!(x.error < HUGE_VAL) || !std::isfinite(x.value.high)) return false;
@@ -74,29 +75,29 @@ bool Scale(std::array<Enclosure, kCount>& v) {
   std::frexp(largest, &exponent);
   for (Enclosure& x : v) {
     x.value = {std::ldexp(x.value.high, -exponent), std::ldexp(x.value.low, -exponent)};
-    x.error = x.error == 0 ? 0 : Outward(std::ldexp(x.error, -exponent));
+    x.error = x.error == 0 ? 0 : round_outward(std::ldexp(x.error, -exponent));
   }
   return true;
 }
 
 // False where nothing is claimed.
-bool FromEnclosures(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
-                    std::array<float, 3>* result) {
+bool from_enclosures(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
+                     std::array<float, 3>* result) {
   const int components = map.surface.components;
   std::array<Enclosure, 4> p{}, p_u{}, p_v{};
   for (int k = 0; k < components; ++k) {
     const PreparedComponent& component = map.component[k];
     if (component.kind == PreparedComponent::Kind::kUnclaimed) return false;
-    p_u[k] = EncloseDerivative(component.lowest, 0, u, v);
-    p_v[k] = EncloseDerivative(component.lowest, 1, u, v);
-    if (components == 4) p[k] = Enclose(component.lowest, component.lowest_largest, u, v);
+    p_u[k] = enclose_derivative(component.lowest, 0, u, v);
+    p_v[k] = enclose_derivative(component.lowest, 1, u, v);
+    if (components == 4) p[k] = enclose(component.lowest, component.lowest_largest, u, v);
   }
-  if (!Scale(p) || !Scale(p_u) || !Scale(p_v)) return false;
+  if (!scale_to_unit(p) || !scale_to_unit(p_u) || !scale_to_unit(p_v)) return false;
   std::array<Enclosure, 3> a = {p_u[0], p_u[1], p_u[2]}, b = {p_v[0], p_v[1], p_v[2]};
-  if (components == 4) a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
-  if (!Scale(a) || !Scale(b)) return false;
-  std::array<Enclosure, 3> m = Cross(a, b);
-  if (!Scale(m)) return false;
+  if (components == 4) a = derive_quotient(p, p_u), b = derive_quotient(p, p_v);
+  if (!scale_to_unit(a) || !scale_to_unit(b)) return false;
+  std::array<Enclosure, 3> m = cross_product(a, b);
+  if (!scale_to_unit(m)) return false;
   double square = 0;
   for (const Enclosure& x : m) square += x.value.high * x.value.high;
   const double inverse = 1 / std::sqrt(square);
@@ -109,11 +110,11 @@ bool FromEnclosures(const PreparedMap& map, const GridArgument& u, const GridArg
 
 // ---- A row
 
-const PreparedMap& VerticesOf(const glev_plan& plan) { return plan.map(Attribute::kVertex); }
+const PreparedMap& vertices_of(const glev_plan& plan) { return plan.map(Attribute::kVertex); }
 
 // Sums of products with the weights of one direction: `count` of them, each over degree + 1 points.
-void Combine(const double* points, int components, int count, int degree, const double* weights, double scale,
-             double* result) {
+void combine_points(const double* points, int components, int count, int degree, const double* weights,
+                    double scale, double* result) {
   for (int i = 0; i < count; ++i, result += 4) {
     std::array<double, 4> sum{};
     for (int k = 0; k < components; ++k) sum[k] = weights[0] * *points++;
@@ -126,22 +127,22 @@ void Combine(const double* points, int components, int count, int degree, const 
 
 }  // namespace
 
-Vector UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u, std::array<double, 4> p_v) {
-  Scale(p);
-  Scale(p_u);
-  Scale(p_v);
-  Vector a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
-  Scale(a);
-  Scale(b);
-  Vector m = Cross(a, b);
-  Scale(m);
+Vector unit_normal(std::array<double, 4> p, std::array<double, 4> p_u, std::array<double, 4> p_v) {
+  scale_to_unit(p);
+  scale_to_unit(p_u);
+  scale_to_unit(p_v);
+  Vector a = derive_quotient(p, p_u), b = derive_quotient(p, p_v);
+  scale_to_unit(a);
+  scale_to_unit(b);
+  Vector m = cross_product(a, b);
+  scale_to_unit(m);
   const double length = std::sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
   if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
   for (double& x : m) x /= length;
   return m;
 }
 
-NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest) {
+NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest) {
   constexpr double kUnit = 0x1p-53, kLargest = 0x1p400, kSmallest = 0x1p-400;
   NormalBounds bounds;
   const bool is_rational = vertex.components == 4;
@@ -187,49 +188,49 @@ NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest)
   return bounds;
 }
 
-void NormalRow::MoveTo(const GridArgument& v, bool with_points) {
+void NormalRow::move_to(const GridArgument& v, bool with_points) {
   v_ = v;
   if (!plan_.automatic_normals()) return;
-  const Surface& surface = VerticesOf(plan_).surface;
+  const Surface& surface = vertices_of(plan_).surface;
   const auto [n, m] = surface.degree;
   if (n == 0 || m == 0) return;
-  const Parameter at = Locate(surface.domain[1], v);
-  growth_ = at.is_sure ? Growth(at, m) : HUGE_VAL;
+  const Parameter at = locate(surface.domain[1], v);
+  growth_ = at.is_sure ? growth_of(at, m) : HUGE_VAL;
   if (!(growth_ < 0x1p40)) return;
   std::array<double, kMaxOrder> weights, weights_of_tangent;
-  ScalarWeights(m, at.s, at.t, weights.data());
-  ScalarWeights(m - 1, at.s, at.t, weights_of_tangent.data());
+  scalar_weights(m, at.s, at.t, weights.data());
+  scalar_weights(m - 1, at.s, at.t, weights_of_tangent.data());
   const auto& scale = plan_.normal_bounds().scale;
   const auto combine = [&](NormalNet net, const Surface& points, const auto& with) {
-    Combine(points.scaled, points.components, points.degree[0] + 1, points.degree[1], with.data(), scale[net],
-            points_[net].data());
+    combine_points(points.scaled, points.components, points.degree[0] + 1, points.degree[1], with.data(),
+                   scale[net], points_[net].data());
   };
   if (surface.components == 4 || with_points) combine(kPoint, surface, weights);
   combine(kTangentU, plan_.tangent(0), weights);
   combine(kTangentV, plan_.tangent(1), weights_of_tangent);
 }
 
-std::array<float, 3> NormalRow::At(const GridArgument& u) const {
-  const Surface& surface = VerticesOf(plan_).surface;
+std::array<float, 3> NormalRow::normal_at(const GridArgument& u) const {
+  const Surface& surface = vertices_of(plan_).surface;
   const auto [n, m] = surface.degree;
   if (n == 0 || m == 0) return {0, 0, 0};
-  const Parameter at = Locate(surface.domain[0], u);
-  const double growth = at.is_sure ? growth_ * Growth(at, n) : HUGE_VAL;
+  const Parameter at = locate(surface.domain[0], u);
+  const double growth = at.is_sure ? growth_ * growth_of(at, n) : HUGE_VAL;
   const bool is_rational = surface.components == 4;
   std::array<float, 3> result;
   if (growth < 0x1p40) {
     std::array<double, kMaxOrder> weights, weights_of_tangent;
-    ScalarWeights(n, at.s, at.t, weights.data());
-    ScalarWeights(n - 1, at.s, at.t, weights_of_tangent.data());
+    scalar_weights(n, at.s, at.t, weights.data());
+    scalar_weights(n - 1, at.s, at.t, weights_of_tangent.data());
     std::array<std::array<double, 4>, kNets> value;
     // The padding of rows counts as a component.
-    if (is_rational) Combine(points(kPoint), 4, 1, n, weights.data(), 1, value[kPoint].data());
-    Combine(points(kTangentU), 4, 1, n - 1, weights_of_tangent.data(), 1, value[kTangentU].data());
-    Combine(points(kTangentV), 4, 1, n, weights.data(), 1, value[kTangentV].data());
+    if (is_rational) combine_points(points(kPoint), 4, 1, n, weights.data(), 1, value[kPoint].data());
+    combine_points(points(kTangentU), 4, 1, n - 1, weights_of_tangent.data(), 1, value[kTangentU].data());
+    combine_points(points(kTangentV), 4, 1, n, weights.data(), 1, value[kTangentV].data());
     const auto& [p, p_u, p_v] = value;
     Vector a = {p_u[0], p_u[1], p_u[2]}, b = {p_v[0], p_v[1], p_v[2]};
-    if (is_rational) a = OfQuotient(p, p_u), b = OfQuotient(p, p_v);
-    const Vector product = Cross(a, b);
+    if (is_rational) a = derive_quotient(p, p_u), b = derive_quotient(p, p_v);
+    const Vector product = cross_product(a, b);
     const double square = (product[0] * product[0] + product[1] * product[1]) + product[2] * product[2];
     double factor = growth * growth;
     if (is_rational) factor *= factor;
@@ -243,15 +244,15 @@ std::array<float, 3> NormalRow::At(const GridArgument& u) const {
       return result;
     }
   }
-  if (FromEnclosures(VerticesOf(plan_), u, v_, &result)) return result;
+  if (from_enclosures(vertices_of(plan_), u, v_, &result)) return result;
 
   const auto plainly = [&](const Surface& net, std::array<double, 4> value) {
     std::array<double, kMaxOrder * 4> room;
-    Evaluate(CurveAt(net, Locate(net.domain[1], v_), room.data()), at, value.data());
+    evaluate(curve_at(net, locate(net.domain[1], v_), room.data()), at, value.data());
     return value;
   };
-  const Vector normal = UnitNormal(plainly(surface, {0, 0, 0, 1}), plainly(plan_.tangent(0), {}),
-                                   plainly(plan_.tangent(1), {}));
+  const Vector normal = unit_normal(plainly(surface, {0, 0, 0, 1}), plainly(plan_.tangent(0), {}),
+                                    plainly(plan_.tangent(1), {}));
   for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<float>(normal[k]);
   return result;
 }

@@ -6,7 +6,7 @@
 // and of their differences (which are the control points of the tangents):
 //   A_k = U_k, B_k = V_k for VERTEX_3, A_k = P_w U_k + U_w P_k, B_k = P_w V_k + V_w P_k for VERTEX_4,
 //   M_k = A_i B_j + A_j B_i.
-// Inside the domain |p_k| <= P_k, ..., |m_k| <= M_k; outside, each factor grows with Growth.
+// Inside the domain |p_k| <= P_k, ..., |m_k| <= M_k; outside, each factor grows with growth_of().
 //
 // In double, with u = 2^-53 and n, m the degrees, the sums of products with weights t^i s^(n-i) have, to
 // first order, for each degree the 3 roundings of t or s, 1 of a product and 1 of a sum; 1 of a difference, 4
@@ -43,8 +43,8 @@ namespace glev {
 // The unit vector along q_u x q_v with q = (x, y, z) / w: for p = (x, y, z, w) and its derivatives, each up
 // to a positive factor. Scales on the way, so that the size of a surface does not matter. (0,0,0) where the
 // product is zero or not finite. In double, nothing is claimed.
-std::array<double, 3> UnitNormal(std::array<double, 4> p, std::array<double, 4> p_u,
-                                 std::array<double, 4> p_v);
+std::array<double, 3> unit_normal(std::array<double, 4> p, std::array<double, 4> p_u,
+                                  std::array<double, 4> p_v);
 
 // The nets of normals.
 enum NormalNet { kPoint, kTangentU, kTangentV, kNets };
@@ -59,22 +59,22 @@ struct NormalBounds {
   double least_square = std::numeric_limits<double>::quiet_NaN();  // of |m|; NaN: nothing is claimed
 };
 
-NormalBounds BoundNormals(const Surface& vertex, const NormalMajorants& largest);
+NormalBounds bound_normals(const Surface& vertex, const NormalMajorants& largest);
 
-// One row of a plan: v is constant. What automatic normals need of v is computed once, by MoveTo. Needs the
+// One row of a plan: v is constant. What automatic normals need of v is computed once, by move_to. Needs the
 // default floating-point environment.
 class NormalRow {
  public:
   explicit NormalRow(const glev_plan& plan) : plan_(plan) {}
   // Computes nothing if the plan has no automatic normals. Computes the points of kPoint only if normals
   // depend on them, or with_points is set.
-  void MoveTo(const GridArgument& v, bool with_points = false);
+  void move_to(const GridArgument& v, bool with_points = false);
 
   const glev_plan& plan() const { return plan_; }
   const GridArgument& v() const { return v_; }
 
   // The unit normal at u. The plan must have automatic normals.
-  std::array<float, 3> At(const GridArgument& u) const;
+  std::array<float, 3> normal_at(const GridArgument& u) const;
 
   // For the kernels: control points of the row, four values apart, and what bounds are multiplied with for
   // each factor; infinite where double does not do.

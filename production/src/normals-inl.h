@@ -29,8 +29,8 @@ struct Block {
 // A curve of a row, at columns whose weights begin at `weights`; with fused operations where bits do not
 // matter.
 template <int kComponents, bool kFused = false>
-HWY_INLINE Block<kComponents> Sum(const double* point, int degree, const double* weights,
-                                  std::size_t padded) {
+HWY_INLINE Block<kComponents> combine(const double* point, int degree, const double* weights,
+                                      std::size_t padded) {
   Block<kComponents> sum;
   for (std::size_t part = 0; part < kUnroll; ++part) {
     const Vector weight = hn::Load(kDoubles, weights + part * kLanes);
@@ -53,16 +53,16 @@ HWY_INLINE Block<kComponents> Sum(const double* point, int degree, const double*
 }
 
 // x y - z w
-HWY_INLINE Vector Difference(Vector x, Vector y, Vector z, Vector w) {
+HWY_INLINE Vector difference_of_products(Vector x, Vector y, Vector z, Vector w) {
   return hn::Sub(hn::Mul(x, y), hn::Mul(z, w));
 }
 
-HWY_INLINE Block<3> OfQuotient(const Block<4>& p, const Block<4>& derivative) {
+HWY_INLINE Block<3> derive_quotient(const Block<4>& p, const Block<4>& derivative) {
   Block<3> result;
   for (int k = 0; k < 3; ++k) {
     for (std::size_t part = 0; part < kUnroll; ++part)
-      result.value[k][part] = Difference(p.value[3][part], derivative.value[k][part],
-                                         derivative.value[3][part], p.value[k][part]);
+      result.value[k][part] = difference_of_products(p.value[3][part], derivative.value[k][part],
+                                                     derivative.value[3][part], p.value[k][part]);
   }
   return result;
 }
@@ -71,7 +71,7 @@ HWY_INLINE Block<3> OfQuotient(const Block<4>& p, const Block<4>& derivative) {
 constexpr bool kHasRecords = true;
 
 // Vertices and normals: x, y, z, nx, ny, nz of each column after the other.
-HWY_INLINE void StoreRecords(const Half (&position)[3], const Half (&normal)[3], float* to) {
+HWY_INLINE void store_records(const Half (&position)[3], const Half (&normal)[3], float* to) {
   constexpr hn::RepartitionToWide<decltype(kHalves)> kPairs;
   const auto store = [&](auto xy, auto z_nx, auto ny_nz) {
     hn::StoreInterleaved3(hn::BitCast(kPairs, xy), hn::BitCast(kPairs, z_nx), hn::BitCast(kPairs, ny_nz),
@@ -97,12 +97,12 @@ HWY_INLINE void StoreRecords(const Half (&position)[3], const Half (&normal)[3],
 }
 #else
 constexpr bool kHasRecords = false;
-inline void StoreRecords(const Half (&)[3], const Half (&)[3], float*) {}
+inline void store_records(const Half (&)[3], const Half (&)[3], float*) {}
 #endif
 
 // The lanes below `count` that are not in the mask.
 template <class D, class Function>
-HWY_NOINLINE void ForOthers(D d, hn::Mask<D> mask, std::size_t count, const Function& function) {
+HWY_NOINLINE void for_others(D d, hn::Mask<D> mask, std::size_t count, const Function& function) {
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, mask, bits);
   for (std::size_t lane = 0; lane < kLanes && lane < count; ++lane) {
@@ -117,7 +117,7 @@ struct UnitNormals {
       Vector m[3];
       for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        m[k] = Difference(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
+        m[k] = difference_of_products(a.value[i][part], b.value[j][part], a.value[j][part], b.value[i][part]);
       }
       const Vector square = hn::Add(hn::Add(hn::Mul(m[0], m[0]), hn::Mul(m[1], m[1])), hn::Mul(m[2], m[2]));
       sure[part] = hn::Ge(square, hn::Set(kDoubles, bounds.least_square));
@@ -151,7 +151,7 @@ struct Positions {
   hn::Mask<decltype(kHalves)> settled[kUnroll];
 };
 
-HWY_INLINE void StoreNormals(const Half (&normal)[3], float* to) {
+HWY_INLINE void store_normals(const Half (&normal)[3], float* to) {
 #if HWY_TARGET == HWY_SCALAR
   for (int k = 0; k < 3; ++k) to[k] = hn::GetLane(normal[k]);
 #else
@@ -161,18 +161,18 @@ HWY_INLINE void StoreNormals(const Half (&normal)[3], float* to) {
 
 // The degree in u, if known when this is compiled.
 template <bool kRational, bool kVertices, int kDegree>
-void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
+void evaluate_rows(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
   const Surface& surface = plan.surface(Attribute::kVertex);
   const int n = kDegree < 0 ? surface.degree[0] : kDegree;
   const std::size_t padded = (range.columns + kStep - 1) / kStep * kStep;
   double *const weights_of_tangent = weights + (n + 1) * padded, *const t = weights_of_tangent + n * padded,
                 *const s = t + padded;
   // Inside the domain growth is exactly 1; outside it is larger than that limit.
-  PlaceColumns(surface.domain[0], range, n, 1 + 0x1p-20, padded, t, s);
+  place_columns(surface.domain[0], range, n, 1 + 0x1p-20, padded, t, s);
   for (std::size_t c = 0; c < padded; c += kLanes) {
     const Vector at_s = hn::Load(kDoubles, s + c), at_t = hn::Load(kDoubles, t + c);
-    StoreWeights(n, at_s, at_t, padded, weights + c);
-    StoreWeights(n - 1, at_s, at_t, padded, weights_of_tangent + c);
+    store_weights(n, at_s, at_t, padded, weights + c);
+    store_weights(n - 1, at_s, at_t, padded, weights_of_tangent + c);
   }
 
   constexpr std::size_t kValues = kVertices ? 6 : 3;
@@ -180,16 +180,17 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
   NormalRow row(plan);
   for (std::size_t r = 0; r < range.rows; ++r) {
     const GridArgument v = {range.v, range.j1 + static_cast<std::int64_t>(r)};
-    row.MoveTo(v, kVertices);
+    row.move_to(v, kVertices);
     std::byte* const data = to.data + r * to.row_stride - before;
     const auto put_normal = [&](std::size_t column) {
-      const std::array<float, 3> normal = row.At({range.u, range.i1 + static_cast<std::int64_t>(column)});
+      const std::array<float, 3> normal =
+          row.normal_at({range.u, range.i1 + static_cast<std::int64_t>(column)});
       std::memcpy(data + column * to.stride + before, normal.data(), sizeof normal);
     };
     const auto put_vertex = [&](std::size_t column) {
       const GridArgument u = {range.u, range.i1 + static_cast<std::int64_t>(column)};
       float vertex[4];
-      ValuesAt(plan, Attribute::kVertex, u, v, vertex);
+      values_at(plan, Attribute::kVertex, u, v, vertex);
       std::memcpy(data + column * to.stride, vertex, 3 * sizeof(float));
     };
     if (row.growth() != 1) {
@@ -209,24 +210,25 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
       float* const results = in_place ? reinterpret_cast<float*>(element) : room;
       Block<3> a, b;
       if constexpr (kRational) {
-        const Block<4> at = Sum<4>(p, n, weights + c, padded);
-        a = OfQuotient(at, Sum<4>(p_u, n - 1, weights_of_tangent + c, padded));
-        b = OfQuotient(at, Sum<4>(p_v, n, weights + c, padded));
+        const Block<4> at = combine<4>(p, n, weights + c, padded);
+        a = derive_quotient(at, combine<4>(p_u, n - 1, weights_of_tangent + c, padded));
+        b = derive_quotient(at, combine<4>(p_v, n, weights + c, padded));
       } else {
-        a = Sum<3>(p_u, n - 1, weights_of_tangent + c, padded);
-        b = Sum<3>(p_v, n, weights + c, padded);
+        a = combine<3>(p_u, n - 1, weights_of_tangent + c, padded);
+        b = combine<3>(p_v, n, weights + c, padded);
       }
       const UnitNormals normals(a, b, plan.normal_bounds());
       [[maybe_unused]] hn::Mask<decltype(kHalves)> settled[kUnroll];
       if constexpr (kVertices) {
-        const Positions positions(Sum<3, true>(p, n, weights + c, padded), plan.map(Attribute::kVertex).test);
+        const Positions positions(combine<3, true>(p, n, weights + c, padded),
+                                  plan.map(Attribute::kVertex).test);
         for (std::size_t part = 0; part < kUnroll; ++part) {
           settled[part] = positions.settled[part];
-          StoreRecords(positions.value[part], normals.value[part], results + part * kLanes * kValues);
+          store_records(positions.value[part], normals.value[part], results + part * kLanes * kValues);
         }
       } else {
         for (std::size_t part = 0; part < kUnroll; ++part)
-          StoreNormals(normals.value[part], results + part * kLanes * kValues);
+          store_normals(normals.value[part], results + part * kLanes * kValues);
       }
       if (!in_place) {
         if (!kVertices && kStep % 4 == 0 && count == kStep) {
@@ -240,10 +242,10 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
         const std::size_t begin = c + part * kLanes, end = c + count;
         const std::size_t left = end > begin ? end - begin : 0;
         if (HWY_UNLIKELY(!hn::AllTrue(kDoubles, normals.sure[part])))
-          ForOthers(kDoubles, normals.sure[part], left, [&](std::size_t lane) { put_normal(begin + lane); });
+          for_others(kDoubles, normals.sure[part], left, [&](std::size_t lane) { put_normal(begin + lane); });
         if constexpr (kVertices) {
           if (HWY_UNLIKELY(!hn::AllTrue(kHalves, settled[part])))
-            ForOthers(kHalves, settled[part], left, [&](std::size_t lane) { put_vertex(begin + lane); });
+            for_others(kHalves, settled[part], left, [&](std::size_t lane) { put_vertex(begin + lane); });
         }
       }
     }
@@ -251,19 +253,19 @@ void Rows(const glev_plan& plan, const MeshRange& range, const Destination& to, 
 }
 
 template <bool kRational, bool kVertices>
-void RowsOf(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
+void evaluate_rows_of(const glev_plan& plan, const MeshRange& range, const Destination& to, double* weights) {
   switch (plan.surface(Attribute::kVertex).degree[0]) {
     case 2:
-      return Rows<kRational, kVertices, 2>(plan, range, to, weights);
+      return evaluate_rows<kRational, kVertices, 2>(plan, range, to, weights);
     case 3:
-      return Rows<kRational, kVertices, 3>(plan, range, to, weights);
+      return evaluate_rows<kRational, kVertices, 3>(plan, range, to, weights);
     default:
-      return Rows<kRational, kVertices, -1>(plan, range, to, weights);
+      return evaluate_rows<kRational, kVertices, -1>(plan, range, to, weights);
   }
 }
 
-inline void Mesh(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
-                 std::byte* scratch) {
+inline void evaluate_mesh(const glev_plan& plan, const MeshRange& range, const Destination& to,
+                          bool with_vertices, std::byte* scratch) {
   const Surface& surface = plan.surface(Attribute::kVertex);
   auto* const weights = reinterpret_cast<double*>(scratch);
   const auto vertices_apart = [&] {
@@ -280,11 +282,11 @@ inline void Mesh(const glev_plan& plan, const MeshRange& range, const Destinatio
     if (with_vertices) vertices_apart();
     return;
   }
-  if (surface.components == 4) return RowsOf<true, false>(plan, range, to, weights);
+  if (surface.components == 4) return evaluate_rows_of<true, false>(plan, range, to, weights);
   if constexpr (kHasRecords) {
-    if (with_vertices) return RowsOf<false, true>(plan, range, to, weights);
+    if (with_vertices) return evaluate_rows_of<false, true>(plan, range, to, weights);
   }
-  RowsOf<false, false>(plan, range, to, weights);
+  evaluate_rows_of<false, false>(plan, range, to, weights);
   if (with_vertices) vertices_apart();
 }
 

@@ -30,7 +30,7 @@ struct GridArgument {
 };
 
 // A real argument as one.
-inline GridArgument At(double u) { return {{u, u, 1}, 0}; }
+inline GridArgument argument_at(double u) { return {{u, u, 1}, 0}; }
 
 // Barycentric coordinates of an argument: t = (u - u1) / (u2 - u1) and s = 1 - t, each with a relative error
 // of its own of three roundings, which 1 - t would not have.
@@ -42,7 +42,7 @@ struct Parameter {
 };
 
 // A real argument.
-inline Parameter Locate(const Domain& domain, double u) {
+inline Parameter locate(const Domain& domain, double u) {
   if (u == domain.u1) return {1, 0, Parameter::End::kFirst};
   if (u == domain.u2) return {0, 1, Parameter::End::kLast};
   const double width = domain.u2 - domain.u1;
@@ -51,18 +51,18 @@ inline Parameter Locate(const Domain& domain, double u) {
 
 // A grid argument. Indices 0 and segments are the ends of the grid exactly (GL §21.1); where they coincide,
 // every index is.
-inline Parameter Locate(const Domain& domain, const GridArgument& argument) {
+inline Parameter locate(const Domain& domain, const GridArgument& argument) {
   const Grid& grid = argument.grid;
   const double i = static_cast<double>(argument.index), n = grid.segments;
-  if (i == 0 || grid.u1 == grid.u2) return Locate(domain, grid.u1);
-  if (i == n) return Locate(domain, grid.u2);
+  if (i == 0 || grid.u1 == grid.u2) return locate(domain, grid.u1);
+  if (i == n) return locate(domain, grid.u2);
   if (grid.u1 == domain.u1 && grid.u2 == domain.u2) return {(n - i) / n, i / n, Parameter::End::kNeither};
   if (grid.u2 == domain.u1 && grid.u1 == domain.u2) return {i / n, (n - i) / n, Parameter::End::kNeither};
   // n * (u - u1) and n * (u2 - u) for u = grid.u1 + i * (grid.u2 - grid.u1) / n. Each of the differences is
   // exact.
-  const DoubleDouble run = TwoSum(grid.u2, -grid.u1) * i;
-  const DoubleDouble start = TwoSum(grid.u1, -domain.u1) * n, rest = TwoSum(domain.u2, -grid.u1) * n;
-  const DoubleDouble a = start + run, b = rest - run, width = TwoSum(domain.u2, -domain.u1) * n;
+  const DoubleDouble run = two_sum(grid.u2, -grid.u1) * i;
+  const DoubleDouble start = two_sum(grid.u1, -domain.u1) * n, rest = two_sum(domain.u2, -grid.u1) * n;
+  const DoubleDouble a = start + run, b = rest - run, width = two_sum(domain.u2, -domain.u1) * n;
   const auto is_sure = [&](const DoubleDouble& part, const DoubleDouble& sum) {
     return std::fabs(sum.high) >= 0x1p-40 * (std::fabs(part.high) + std::fabs(run.high));
   };

@@ -10,35 +10,35 @@ using glev::Allocator, glev::Attribute, glev::kAttributes, glev::kCacheLine, gle
     glev::Map;
 
 // The highest enabled slot of the attribute, -1 if none is.
-int WinningSlot(Attribute attribute, std::span<const bool, kSlots> enabled) {
-  const auto [first, last] = glev::SlotsOf(attribute);
+int winning_slot(Attribute attribute, std::span<const bool, kSlots> enabled) {
+  const auto [first, last] = glev::slots_of(attribute);
   for (int slot = last; slot >= first; --slot) {
     if (enabled[slot]) return slot;
   }
   return -1;
 }
 
-constexpr std::size_t RoundUp(std::size_t bytes) {
+constexpr std::size_t round_up(std::size_t bytes) {
   return (bytes + kCacheLine - 1) / kCacheLine * kCacheLine;
 }
 
-std::size_t ValuesOf(std::array<int, 2> order, int components) {
+std::size_t values_of(std::array<int, 2> order, int components) {
   return static_cast<std::size_t>(order[0]) * order[1] * components;
 }
 
 // Of an array of values after which vectors may read on.
-std::size_t BytesOf(std::size_t values) { return RoundUp(sizeof(double) * (values + 3)); }
+std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
 // The orders of the derivative in one direction: 0 there if it is zero.
-std::array<int, 2> TangentOrder(const Map& map, int direction) {
+std::array<int, 2> tangent_order(const Map& map, int direction) {
   std::array<int, 2> order = {map.order(0), map.order(1)};
   --order[direction];
   return order;
 }
 
 // The control points of the derivative, without the factor order - 1: differences of neighbours.
-void Differences(const double* points, std::array<int, 2> order, int components, int direction,
-                 double* result) {
+void differences_of(const double* points, std::array<int, 2> order, int components, int direction,
+                    double* result) {
   const auto row = static_cast<std::ptrdiff_t>(order[1]) * components;
   const std::ptrdiff_t next = direction == 0 ? row : components;
   const int rows = direction == 0 ? order[0] - 1 : order[0];
@@ -49,7 +49,7 @@ void Differences(const double* points, std::array<int, 2> order, int components,
 }
 
 // Of each component, the largest magnitude; NaN counts as infinite.
-std::array<double, 4> Largest(const double* points, std::ptrdiff_t count, int components) {
+std::array<double, 4> largest_of(const double* points, std::ptrdiff_t count, int components) {
   std::array<double, 4> largest{};
   for (std::ptrdiff_t i = 0; i < count * components; ++i) {
     double& own = largest[i % components];
@@ -61,37 +61,37 @@ std::array<double, 4> Largest(const double* points, std::ptrdiff_t count, int co
 
 }  // namespace
 
-glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
+glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
   std::array<int, kAttributes> winners;
-  for (int a = 0; a < kAttributes; ++a) winners[a] = WinningSlot(static_cast<Attribute>(a), source.enabled);
+  for (int a = 0; a < kAttributes; ++a) winners[a] = winning_slot(static_cast<Attribute>(a), source.enabled);
   const int vertex_slot = winners[static_cast<std::size_t>(Attribute::kVertex)];
   const bool automatic_normals = source.automatic_normals && vertex_slot >= 0;
   if (automatic_normals) winners[static_cast<std::size_t>(Attribute::kNormal)] = -1;
 
-  std::size_t bytes = RoundUp(sizeof(glev_plan));
+  std::size_t bytes = round_up(sizeof(glev_plan));
   for (const int slot : winners) {
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    bytes += 3 * BytesOf(ValuesOf({map.order(0), map.order(1)}, kSlotTable[slot].components));
+    bytes += 3 * bytes_of(values_of({map.order(0), map.order(1)}, kSlotTable[slot].components));
   }
   constexpr std::size_t kDirectValues = 4 * 16;
-  if (vertex_slot >= 0) bytes += BytesOf(kDirectValues);
+  if (vertex_slot >= 0) bytes += bytes_of(kDirectValues);
   const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
   if (has_tangents) {
     for (const int direction : {0, 1}) {
-      const std::array<int, 2> order = TangentOrder(source.maps[vertex_slot], direction);
-      bytes += BytesOf(ValuesOf(order, kSlotTable[vertex_slot].components));
+      const std::array<int, 2> order = tangent_order(source.maps[vertex_slot], direction);
+      bytes += bytes_of(values_of(order, kSlotTable[vertex_slot].components));
     }
   }
 
-  void* memory = allocator.Allocate(bytes, kCacheLine);
+  void* memory = allocator.allocate(bytes, kCacheLine);
   if (memory == nullptr) return nullptr;
   auto* plan = new (memory) glev_plan(allocator, bytes, source);
 
-  auto* block = static_cast<std::byte*>(memory) + RoundUp(sizeof(glev_plan));
+  auto* block = static_cast<std::byte*>(memory) + round_up(sizeof(glev_plan));
   const auto take = [&block](std::array<int, 2> order, int components) {
     auto* net = reinterpret_cast<double*>(block);
-    block += BytesOf(ValuesOf(order, components));
+    block += bytes_of(values_of(order, components));
     return net;
   };
   for (int a = 0; a < kAttributes; ++a) {
@@ -104,7 +104,7 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
     const std::array<glev::Domain, 2> domain = {map.domain(0), map.domain(1)};
     double *const scaled = take(order, components), *const lowest = take(order, components);
     plan->maps_[a] =
-        glev::PrepareMap(points, order, components, domain, scaled, lowest, take(order, components));
+        glev::prepare_map(points, order, components, domain, scaled, lowest, take(order, components));
     plan->maps_[a].encloses = source.kernels->encloses;
   }
 
@@ -114,8 +114,8 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   const glev::PreparedMap& vertices = plan->map(Attribute::kVertex);
   if (plan->has_vertices_only_ && vertices.is_direct) {
     plan->direct_ = source.kernels->direct;
-    if (glev::HasDirectMap(vertices)) {
-      plan->direct_map_ = glev::DirectMapOf(vertices, take({4, 4}, 4));
+    if (glev::has_direct_map(vertices)) {
+      plan->direct_map_ = glev::direct_map_of(vertices, take({4, 4}, 4));
       plan->direct_ = vertices.surface.degree[1] == 0 ? source.kernels->direct_cubic_curve
                                                       : source.kernels->direct_bicubic;
     }
@@ -124,20 +124,20 @@ glev_plan* glev_plan::Create(const Allocator& allocator, const Source& source) {
   for (const int direction : {0, 1}) {
     if (!has_tangents) break;
     const Map& map = source.maps[vertex_slot];
-    const std::array<int, 2> order = TangentOrder(map, direction);
+    const std::array<int, 2> order = tangent_order(map, direction);
     if (order[direction] == 0) continue;
     const int components = kSlotTable[vertex_slot].components;
     double* net = take(order, components);
-    Differences(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
+    differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-    largest[glev::kTangentU + direction] = Largest(net, count, components);
-    glev::ScaleByBinomials(net, order, components, net);
+    largest[glev::kTangentU + direction] = largest_of(net, count, components);
+    glev::scale_by_binomials(net, order, components, net);
     plan->tangents_[direction] = {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};
   }
   if (automatic_normals) {
     for (std::size_t k = 0; k < 4; ++k) largest[glev::kPoint][k] = vertices.component[k].largest;
-    plan->normal_bounds_ = glev::BoundNormals(vertices.surface, largest);
+    plan->normal_bounds_ = glev::bound_normals(vertices.surface, largest);
   }
   return plan;
 }
@@ -148,10 +148,10 @@ double glev_plan::tangent_factor(int direction) const {
   return vertex.degree[direction] / (domain.u2 - domain.u1);
 }
 
-void glev_plan::Release() const {
+void glev_plan::release() const {
   if (references_.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   const Allocator allocator = allocator_;
   const std::size_t bytes = bytes_;
   this->~glev_plan();
-  allocator.Release(const_cast<glev_plan*>(this), bytes, kCacheLine);
+  allocator.release(const_cast<glev_plan*>(this), bytes, kCacheLine);
 }

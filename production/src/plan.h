@@ -29,10 +29,10 @@ struct glev_plan {
   };
 
   // Of the enabled maps, those that are not outranked. Null without memory. One reference.
-  static glev_plan* Create(const glev::Allocator& allocator, const Source& source);
+  static glev_plan* create(const glev::Allocator& allocator, const Source& source);
 
-  void Retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
-  void Release() const;
+  void retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
+  void release() const;
 
   // 0 without a map.
   int components(glev::Attribute attribute) const { return surface(attribute).components; }
@@ -91,8 +91,8 @@ namespace glev {
 
 // Writes four values of an attribute that has a map, correctly rounded; components that the map does not have
 // are those of (0, 0, 0, 1). Needs the default floating-point environment.
-inline void ValuesAt(const glev_plan& plan, Attribute attribute, const GridArgument& u, const GridArgument& v,
-                     float* values) {
+inline void values_at(const glev_plan& plan, Attribute attribute, const GridArgument& u,
+                      const GridArgument& v, float* values) {
   const PreparedMap& map = plan.map(attribute);
   plan.kernels().point(map, u, v, values);
   for (int k = map.surface.components; k < 4; ++k) values[k] = k == 3 ? 1 : 0;

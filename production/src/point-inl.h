@@ -23,7 +23,7 @@ constexpr Four kFour;
 constexpr std::size_t kParts = 4 / hn::MaxLanes(kFour);
 using FourVector = hn::Vec<Four>;
 
-HWY_INLINE void AddPoint(const double* point, double weight, FourVector (&sum)[kParts]) {
+HWY_INLINE void add_point(const double* point, double weight, FourVector (&sum)[kParts]) {
   const FourVector factor = hn::Set(kFour, weight);
   for (std::size_t part = 0; part < kParts; ++part) {
     sum[part] = hn::MulAdd(factor, hn::LoadU(kFour, point + part * hn::MaxLanes(kFour)), sum[part]);
@@ -31,20 +31,20 @@ HWY_INLINE void AddPoint(const double* point, double weight, FourVector (&sum)[k
 }
 
 // sum of weights[j] * points[j]
-HWY_INLINE void AddPoints(const double* points, int components, const double* weights, int degree,
-                          FourVector (&sum)[kParts]) {
+HWY_INLINE void add_points(const double* points, int components, const double* weights, int degree,
+                           FourVector (&sum)[kParts]) {
   FourVector odd[kParts];  // a second chain of additions
   for (std::size_t part = 0; part < kParts; ++part) sum[part] = odd[part] = hn::Zero(kFour);
   int j = 0;
   for (; j < degree; j += 2, points += 2 * components) {
-    AddPoint(points, weights[j], sum);
-    AddPoint(points + components, weights[j + 1], odd);
+    add_point(points, weights[j], sum);
+    add_point(points + components, weights[j + 1], odd);
   }
-  if (j == degree) AddPoint(points, weights[j], sum);
+  if (j == degree) add_point(points, weights[j], sum);
   for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Add(sum[part], odd[part]);
 }
 
-HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
+HWY_INLINE void weights_at(int degree, const Parameter& at, double* weights) {
   const double s = at.s, t = at.t;
   if (degree == 3) {
     const double st = s * t;
@@ -52,7 +52,7 @@ HWY_INLINE void WeightsAt(int degree, const Parameter& at, double* weights) {
   } else if (degree == 0) {
     weights[0] = 1;
   } else {
-    ScalarWeights(degree, s, t, weights);
+    scalar_weights(degree, s, t, weights);
   }
 }
 
@@ -66,7 +66,7 @@ struct Cubic {
     weight[3] = hn::Mul(hn::Mul(t, t), t);
   }
   explicit HWY_INLINE Cubic(const Parameter& at) : Cubic(hn::Set(kFour, at.s), hn::Set(kFour, at.t)) {}
-  HWY_INLINE FourVector At(const double* points, int components) const {
+  HWY_INLINE FourVector evaluate(const double* points, int components) const {
     const FourVector a = hn::MulAdd(weight[1], hn::LoadU(kFour, points + components),
                                     hn::Mul(weight[0], hn::LoadU(kFour, points)));
     const FourVector b = hn::MulAdd(weight[3], hn::LoadU(kFour, points + 3 * components),
@@ -76,33 +76,33 @@ struct Cubic {
   FourVector weight[4];
 };
 
-HWY_INLINE Parameter PlaceOf(const PreparedMap& map, int direction, const GridArgument& argument) {
+HWY_INLINE Parameter place_of(const PreparedMap& map, int direction, const GridArgument& argument) {
   const Domain& domain = map.surface.domain[direction];
   const double u = argument.grid.u1, inverse = map.inverse_width[direction];
-  if (argument.index != 0 || inverse == 0) return Locate(domain, argument);
+  if (argument.index != 0 || inverse == 0) return locate(domain, argument);
   return {(domain.u2 - u) * inverse, (u - domain.u1) * inverse, Parameter::End::kNeither};
 }
 
-HWY_NOINLINE inline void ValueOfAnyDegree(const PreparedMap& map, const Parameter& at_u,
-                                          const Parameter& at_v, FourVector (&sum)[kParts]) {
+HWY_NOINLINE inline void value_of_any_degree(const PreparedMap& map, const Parameter& at_u,
+                                             const Parameter& at_v, FourVector (&sum)[kParts]) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
   const double* points = map.surface.scaled;
   double weights_u[kMaxOrder], weights_v[kMaxOrder];
-  WeightsAt(n, at_u, weights_u);
-  if (m == 0) return AddPoints(points, components, weights_u, n, sum);
-  WeightsAt(m, at_v, weights_v);
+  weights_at(n, at_u, weights_u);
+  if (m == 0) return add_points(points, components, weights_u, n, sum);
+  weights_at(m, at_v, weights_v);
   for (std::size_t part = 0; part < kParts; ++part) sum[part] = hn::Zero(kFour);
   for (int i = 0; i <= n; ++i, points += (m + 1) * components) {
     FourVector row[kParts];
-    AddPoints(points, components, weights_v, m, row);
+    add_points(points, components, weights_v, m, row);
     for (std::size_t part = 0; part < kParts; ++part)
       sum[part] = hn::MulAdd(hn::Set(kFour, weights_u[i]), row[part], sum[part]);
   }
 }
 
-HWY_INLINE void ValueAt(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
-                        FourVector (&sum)[kParts]) {
+HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                         FourVector (&sum)[kParts]) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
   const double* points = map.surface.scaled;
@@ -111,17 +111,18 @@ HWY_INLINE void ValueAt(const PreparedMap& map, const Parameter& at_u, const Par
     for (std::size_t part = 0; part < kParts; ++part) {
       const double* own = points + part * hn::MaxLanes(kFour);
       if (m == 0) {
-        sum[part] = in_u.At(own, components);
+        sum[part] = in_u.evaluate(own, components);
         continue;
       }
       const Cubic in_v(at_v);
-      sum[part] = hn::Mul(in_u.weight[0], in_v.At(own, components));
+      sum[part] = hn::Mul(in_u.weight[0], in_v.evaluate(own, components));
       for (int i = 1; i <= 3; ++i)
-        sum[part] = hn::MulAdd(in_u.weight[i], in_v.At(own + 4 * i * components, components), sum[part]);
+        sum[part] =
+            hn::MulAdd(in_u.weight[i], in_v.evaluate(own + 4 * i * components, components), sum[part]);
     }
     return;
   }
-  ValueOfAnyDegree(map, at_u, at_v, sum);
+  value_of_any_degree(map, at_u, at_v, sum);
 }
 
 constexpr hn::Rebind<float, Four> kFourFloats;
@@ -131,33 +132,34 @@ using FourFloats = hn::Vec<decltype(kFourFloats)>;
 struct Sides {
   FourFloats low, high;
 };
-HWY_INLINE Sides SidesOf(const PreparedMap::Test& test, FourVector value, std::size_t part) {
+HWY_INLINE Sides sides_of(const PreparedMap::Test& test, FourVector value, std::size_t part) {
   const FourVector error = hn::LoadU(kFour, &test.error[part * hn::MaxLanes(kFour)]);
   return {hn::DemoteTo(kFourFloats, hn::Sub(value, error)), hn::DemoteTo(kFourFloats, hn::Add(value, error))};
 }
 
-HWY_NOINLINE inline void ResolvePoint(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
-                                      const GridArgument& u, const GridArgument& v, const double* values,
-                                      unsigned settled, float* result) {
+HWY_NOINLINE inline void resolve_point(const PreparedMap& map, const Parameter& at_u, const Parameter& at_v,
+                                       const GridArgument& u, const GridArgument& v, const double* values,
+                                       unsigned settled, float* result) {
   const auto [n, m] = map.surface.degree;
-  const double growth = at_u.is_sure && at_v.is_sure ? Growth(at_u, n) * Growth(at_v, m) : HUGE_VAL;
+  const double growth = at_u.is_sure && at_v.is_sure ? growth_of(at_u, n) * growth_of(at_v, m) : HUGE_VAL;
   if (growth != 1) settled = 0;
-  const double units = WeightUnits(n, m, kRoundings) * growth;
+  const double units = weight_units(n, m, kRoundings) * growth;
   for (int k = 0; k < map.surface.components; ++k) {
-    if ((settled >> k & 1) == 0) result[k] = Resolve(map, k, u, v, values[k], map.component[k].unit * units);
+    if ((settled >> k & 1) == 0) result[k] = resolve(map, k, u, v, values[k], map.component[k].unit * units);
   }
 }
 
-inline void Point(const PreparedMap& map, const GridArgument& u, const GridArgument& v, float* result) {
+inline void evaluate_point(const PreparedMap& map, const GridArgument& u, const GridArgument& v,
+                           float* result) {
   const auto [n, m] = map.surface.degree;
-  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 0, u);
-  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : PlaceOf(map, 1, v);
+  const Parameter at_u = n == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place_of(map, 0, u);
+  const Parameter at_v = m == 0 ? Parameter{1, 0, Parameter::End::kNeither} : place_of(map, 1, v);
   FourVector sum[kParts];
-  ValueAt(map, at_u, at_v, sum);
+  value_at(map, at_u, at_v, sum);
   unsigned settled = 0;
   for (std::size_t part = 0; part < kParts; ++part) {
     constexpr std::size_t kCount = hn::MaxLanes(kFour);
-    const auto [low, high] = SidesOf(map.test, sum[part], part);
+    const auto [low, high] = sides_of(map.test, sum[part], part);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(kFourFloats, hn::Eq(low, high), bits);
     settled |= static_cast<unsigned>(bits[0]) << (part * kCount);
@@ -170,7 +172,7 @@ inline void Point(const PreparedMap& map, const GridArgument& u, const GridArgum
   double values[4];
   for (std::size_t part = 0; part < kParts; ++part)
     hn::StoreU(sum[part], kFour, values + part * hn::MaxLanes(kFour));
-  ResolvePoint(map, at_u, at_v, u, v, values, settled, result);
+  resolve_point(map, at_u, at_v, u, v, values, settled, result);
 }
 
 }  // namespace glev::HWY_NAMESPACE

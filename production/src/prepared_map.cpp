@@ -16,33 +16,33 @@ namespace {
 // Where evaluation in double neither overflows nor loses to underflow what counts.
 constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
 
-bool IsOrdinary(const Domain& domain) {
+bool is_ordinary(const Domain& domain) {
   const double width = std::fabs(domain.u2 - domain.u1);
   return std::fabs(domain.u1) <= kLargest && std::fabs(domain.u2) <= kLargest && width >= kSmallest;
 }
 
-bool IsFinite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
+bool is_finite(const Domain& domain) { return std::isfinite(domain.u1) && std::isfinite(domain.u2); }
 
-double Unit(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
+double unit_of(std::array<int, 2> order, const std::array<Domain, 2>& domain, double largest) {
   if (!(largest <= kLargest && largest >= kSmallest)) return HUGE_VAL;
   for (int d : {0, 1}) {
-    if (order[d] > 1 && !IsOrdinary(domain[d])) return HUGE_VAL;
+    if (order[d] > 1 && !is_ordinary(domain[d])) return HUGE_VAL;
   }
   return 0x1p-53 * (1 + 0x1p-20) * largest;
 }
 
 // 1 / (u2 - u1) if that and u1 + u2 are exact, else 0.
-double InverseWidth(const Domain& domain) {
-  if (TwoSum(domain.u1, domain.u2).low != 0) return 0;
-  const DoubleDouble width = TwoSum(domain.u2, -domain.u1);
+double invert_width(const Domain& domain) {
+  if (two_sum(domain.u1, domain.u2).low != 0) return 0;
+  const DoubleDouble width = two_sum(domain.u2, -domain.u1);
   int exponent = 0;
   const double fraction = std::frexp(width.high, &exponent);
   return std::fabs(fraction) == 0.5 && width.low == 0 && std::abs(exponent) < 500 ? 1 / width.high : 0;
 }
 
-bool IsDirect(const PreparedMap& map) {
+bool is_direct(const PreparedMap& map) {
   for (const Domain& domain : map.surface.domain) {
-    if (IsSubnormal(domain.u1) || IsSubnormal(domain.u2)) return false;
+    if (is_subnormal(domain.u1) || is_subnormal(domain.u2)) return false;
   }
   for (int k = 0; k < map.surface.components; ++k) {
     const PreparedComponent& component = map.component[k];
@@ -55,7 +55,7 @@ bool IsDirect(const PreparedMap& map) {
 
 // In one direction: `count` polynomials of degree n, neighbours `step` apart, from control points to the
 // coefficients of powers of x: R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n.
-void CentreAlong(int n, int step, double* values) {
+void centre_along(int n, int step, double* values) {
   double result[kMaxCentredDegree + 1] = {};
   for (int i = 0; i <= n; ++i) {
     double power[kMaxCentredDegree + 1] = {1};  // small integers
@@ -63,25 +63,25 @@ void CentreAlong(int n, int step, double* values) {
       const double sign = k <= i ? 1 : -1;
       for (int j = k; j > 0; --j) power[j] += sign * power[j - 1];
     }
-    const double weight = std::ldexp(static_cast<double>(Binomials(n)[i]), -n);
+    const double weight = std::ldexp(static_cast<double>(binomial_row(n)[i]), -n);
     for (int k = 0; k <= n; ++k) result[k] += weight * power[k] * values[i * step];
   }
   for (int k = 0; k <= n; ++k) values[k * step] = result[k];
 }
 
 // To the coefficients of x^i y^j, in the order of the control points.
-void Centre(std::array<int, 2> order, int components, double* values) {
+void centre(std::array<int, 2> order, int components, double* values) {
   const auto [columns, rows] = order;
   for (int i = 0; i < columns; ++i) {
     for (int k = 0; k < components; ++k)
-      CentreAlong(rows - 1, components, values + i * rows * components + k);
+      centre_along(rows - 1, components, values + i * rows * components + k);
   }
-  for (int j = 0; j < rows * components; ++j) CentreAlong(columns - 1, rows * components, values + j);
+  for (int j = 0; j < rows * components; ++j) centre_along(columns - 1, rows * components, values + j);
 }
 
-// Whether Centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the coefficients
+// Whether centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the coefficients
 // have at most 6 bits behind the last of these, and 2 in front.
-bool IsCentredExactly(const double* points, std::ptrdiff_t count, int components, double largest) {
+bool is_centred_exactly(const double* points, std::ptrdiff_t count, int components, double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double scale = std::ldexp(1, 45 - exponent);
@@ -94,7 +94,7 @@ bool IsCentredExactly(const double* points, std::ptrdiff_t count, int components
 }
 
 // The error of a test, for values in double.
-double Error(const PreparedComponent& component, double units, double growth) {
+double error_bound(const PreparedComponent& component, double units, double growth) {
   if (component.kind == PreparedComponent::Kind::kConstant && component.largest == 0) return 0;
   // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
   // infinity.
@@ -105,7 +105,7 @@ double Error(const PreparedComponent& component, double units, double growth) {
   return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
 }
 
-PreparedMap::Test CentredTest(const PreparedMap& map, const double* points, std::ptrdiff_t count) {
+PreparedMap::Test make_centred_test(const PreparedMap& map, const double* points, std::ptrdiff_t count) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components;
   PreparedMap::Test test;
@@ -114,41 +114,42 @@ PreparedMap::Test CentredTest(const PreparedMap& map, const double* points, std:
     double sum = 0, units = 0;
     if (std::isfinite(component.unit)) {
       for (std::ptrdiff_t i = 0; i < count; ++i) sum += std::fabs(map.centred[i * components + k]);
-      const bool is_exact = IsCentredExactly(points + k, count, components, component.largest);
-      units = CentredUnits(n, m, sum / component.largest, is_exact);
+      const bool is_exact = is_centred_exactly(points + k, count, components, component.largest);
+      units = centred_units(n, m, sum / component.largest, is_exact);
     }
-    test.error[k] = Error(component, units, 1);
+    test.error[k] = error_bound(component, units, 1);
   }
   return test;
 }
 
 }  // namespace
 
-PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
-                       const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred) {
+PreparedMap prepare_map(const double* points, std::array<int, 2> order, int components,
+                        const std::array<Domain, 2>& domain, double* scaled, double* lowest,
+                        double* centred) {
   PreparedMap map;
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
-  ScaleByBinomials(points, order, components, scaled);
+  scale_by_binomials(points, order, components, scaled);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   // What vectors read beyond the last point.
   std::fill_n(scaled + count * components, 3, 0.0);
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
     component.unit = HUGE_VAL;
-    bool is_finite = true;
+    bool all_finite = true;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
       const double point = points[i * components + k];
-      is_finite = is_finite && std::isfinite(point);
+      all_finite = all_finite && std::isfinite(point);
       component.largest = std::max(component.largest, std::fabs(point));
     }
-    for (int d : {0, 1}) is_finite = is_finite && (order[d] == 1 || IsFinite(domain[d]));
-    if (!is_finite) continue;
+    for (int d : {0, 1}) all_finite = all_finite && (order[d] == 1 || is_finite(domain[d]));
+    if (!all_finite) continue;
 
     component.kind = PreparedComponent::Kind::kGeneral;
     double* const own = lowest + k * count;
-    const std::array<int, 2> reduced = Reduce({points + k, components, order, domain}, own);
+    const std::array<int, 2> reduced = reduce({points + k, components, order, domain}, own);
     component.lowest = {own, 1, reduced, domain};
-    component.unit = Unit(order, domain, component.largest);
+    component.unit = unit_of(order, domain, component.largest);
     for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
       component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
     }
@@ -157,7 +158,7 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
       component.kind = PreparedComponent::Kind::kConstant;
       component.constant = static_cast<float>(own[0] + 0.0);  // -0 is 0
     } else if (degree == 1) {
-      const DoubleDouble slope = TwoSum(own[1], -own[0]);
+      const DoubleDouble slope = two_sum(own[1], -own[0]);
       const auto ordinary = [](double x) {
         return x == 0 || (std::fabs(x) > 0x1p-300 && std::fabs(x) < 0x1p300);
       };
@@ -168,25 +169,25 @@ PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int compo
       component.slope = slope.high;
     }
   }
-  map.inverse_width = {InverseWidth(domain[0]), InverseWidth(domain[1])};
-  map.test = TestOf(map, WeightUnits(order[0] - 1, order[1] - 1, kRoundings), 1);
-  map.is_direct = IsDirect(map);
+  map.inverse_width = {invert_width(domain[0]), invert_width(domain[1])};
+  map.test = make_test(map, weight_units(order[0] - 1, order[1] - 1, kRoundings), 1);
+  map.is_direct = is_direct(map);
   if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
     std::copy_n(points, count * components, centred);
-    Centre(order, components, centred);
+    centre(order, components, centred);
     map.centred = centred;
-    map.centred_test = CentredTest(map, points, count);
+    map.centred_test = make_centred_test(map, points, count);
   }
   return map;
 }
 
-bool HasDirectMap(const PreparedMap& map) {
+bool has_direct_map(const PreparedMap& map) {
   const auto [n, m] = map.surface.degree;
   return map.is_direct && n == 3 && (m == 0 || m == 3) && map.inverse_width[0] != 0 &&
          (m == 0 || map.inverse_width[1] != 0);
 }
 
-DirectMap DirectMapOf(const PreparedMap& map, double* centred) {
+DirectMap direct_map_of(const PreparedMap& map, double* centred) {
   DirectMap direct;
   for (std::size_t d : {0, 1}) {
     const auto [u1, u2] = map.surface.domain[d];
@@ -204,16 +205,17 @@ DirectMap DirectMapOf(const PreparedMap& map, double* centred) {
   return direct;
 }
 
-double Growth(const Parameter& at, int degree) {
+double growth_of(const Parameter& at, int degree) {
   if (degree == 0) return 1;
   const double base = std::fabs(at.s) + std::fabs(at.t);
   // Inside, s and t are off by 3 roundings each.
   return base <= 1 + 0x1p-49 ? 1 : std::pow(base * (1 + 0x1p-40), degree) * (1 + 0x1p-20);
 }
 
-PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth) {
+PreparedMap::Test make_test(const PreparedMap& map, double units, double growth) {
   PreparedMap::Test test;
-  for (int k = 0; k < map.surface.components; ++k) test.error[k] = Error(map.component[k], units, growth);
+  for (int k = 0; k < map.surface.components; ++k)
+    test.error[k] = error_bound(map.component[k], units, growth);
   return test;
 }
 

@@ -36,18 +36,18 @@ struct PreparedComponent {
 //
 // Horner's rule in t / s, of a curve: 2 roundings + 1 of a ratio and 2 of a step for each degree, those of s
 // and 1 of a power for each, 3 of a coefficient.
-constexpr double HornerUnits(int n, int roundings) { return (3 * roundings + 4) * n + 4; }
+constexpr double horner_units(int n, int roundings) { return (3 * roundings + 4) * n + 4; }
 // Sums of products with weights t^i s^(n-i): for each degree, the roundings of a factor, 1 of a product of
 // factors and 1 of a sum; 4 of a coefficient, and products with weights and a sum of two chains of sums for
 // each direction.
-constexpr double WeightUnits(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
-// Of parameters of Locate.
+constexpr double weight_units(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
+// Of parameters of locate.
 inline constexpr int kRoundings = 3;
-// Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of Centre, whose magnitudes are
+// Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of centre, whose magnitudes are
 // together `sum` times max|R|: 2 roundings of a step; x is off by 4 units, where the derivative is at most n
 // max|R|. Coefficients that are not exact have n + 1 roundings of their own for each direction, of terms that
 // are at most 2^(n+m) max|R| together.
-constexpr double CentredUnits(int n, int m, double sum, bool is_exact) {
+constexpr double centred_units(int n, int m, double sum, bool is_exact) {
   return 2 * (n + m) * sum + (is_exact ? 0 : (n + m + 2) * (1 << (n + m))) + 4 * (n + m) + 8;
 }
 // The highest degree for which that is a good way.
@@ -62,7 +62,7 @@ struct PreparedMap {
   struct Test {
     std::array<double, 4> error{};
   };
-  Test test;  // of weights with parameters of Locate
+  Test test;  // of weights with parameters of locate
   // Coefficients of the powers of x and y, as the control points are; null where a degree is too high.
   const double* centred = nullptr;
   // Of Horner's rule with those, inside the domain. Not below `test`, from which is_direct follows: control
@@ -70,7 +70,7 @@ struct PreparedMap {
   Test centred_test;
   // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
-  Encloses encloses = Enclose;
+  Encloses encloses = enclose;
   // Sums that are these only in rounding to nearest. In memory, as compilers take that for granted.
   struct Probe {
     std::array<double, 2> first = {1, 1}, second = {0x1p-54, 0x3p-54}, sum = {1, 1 + 0x1p-52};
@@ -96,19 +96,19 @@ struct DirectMap {
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for
 // three values more, `lowest` and `centred` for as many.
-PreparedMap PrepareMap(const double* points, std::array<int, 2> order, int components,
-                       const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
+PreparedMap prepare_map(const double* points, std::array<int, 2> order, int components,
+                        const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
 
 // Whether a map of vertices has one, and that, in room for 4 or 16 points.
-bool HasDirectMap(const PreparedMap& map);
-DirectMap DirectMapOf(const PreparedMap& map, double* centred);
+bool has_direct_map(const PreparedMap& map);
+DirectMap direct_map_of(const PreparedMap& map, double* centred);
 
 // (|t| + |1 - t|)^degree: what an error inside the domain is multiplied with outside; rounded upward. At
 // least 1.
-double Growth(const Parameter& at, int degree);
+double growth_of(const Parameter& at, int degree);
 
 // The test of values within units * unit * growth of V; infinite, and so never passed, where that claims
 // nothing.
-PreparedMap::Test TestOf(const PreparedMap& map, double units, double growth);
+PreparedMap::Test make_test(const PreparedMap& map, double units, double growth);
 
 }  // namespace glev

@@ -21,9 +21,9 @@ struct Format {
 // The bits of the Real nearest x * 2^exponent, x != 0; `more`: plus something less than 2^exponent, in which
 // case x has all of its 128 bits.
 template <class Real>
-typename Format<Real>::Bits NearestBits(Limb2 x, int exponent, bool more) {
+typename Format<Real>::Bits nearest_bits(Limb2 x, int exponent, bool more) {
   using F = Format<Real>;
-  const int top = BitWidth(x) - 1 + exponent;
+  const int top = bit_width(x) - 1 + exponent;
   if (top > F::kMaxExponent) return F::kInfinityBits;
   const int last = std::max(top - F::kFractionBits, F::kLowestBit), dropped = last - exponent;
   if (dropped > 128) return 0;  // less than half of the smallest number
@@ -38,12 +38,12 @@ typename Format<Real>::Bits NearestBits(Limb2 x, int exponent, bool more) {
   return (static_cast<Bits>(last - F::kLowestBit) << F::kFractionBits) + static_cast<Bits>(significand);
 }
 
-Limb2 LeadingBits(const Limb* x, int size, int position) {
-  return Limb2{BitsAt(x, size, position + kLimbBits)} << kLimbBits | BitsAt(x, size, position);
+Limb2 leading_bits(const Limb* x, int size, int position) {
+  return Limb2{bits_at(x, size, position + kLimbBits)} << kLimbBits | bits_at(x, size, position);
 }
 
-bool IsPowerOfTwo(const IntegerPower& power) {
-  return power.exponent == 0 || TrailingZeros(power.base) == BitWidth(power.base, power.size) - 1;
+bool is_power_of_two(const IntegerPower& power) {
+  return power.exponent == 0 || trailing_zeros(power.base) == bit_width(power.base, power.size) - 1;
 }
 
 // A number of at least mantissa * 2^exponent and at most (mantissa + kUlps * errors) * 2^exponent, where
@@ -55,23 +55,23 @@ struct Approximation {
   int exponent = 1 - kBits;
   int errors = 0;
 
-  Limb Upper() const { return errors == 0 ? mantissa : mantissa + 2 * static_cast<Limb>(errors) + 1; }
+  Limb upper() const { return errors == 0 ? mantissa : mantissa + 2 * static_cast<Limb>(errors) + 1; }
 };
 
 Approximation operator*(const Approximation& x, const Approximation& y) {
   const Limb2 product = Limb2{x.mantissa} * y.mantissa;
-  const int dropped = BitWidth(product) - Approximation::kBits;
+  const int dropped = bit_width(product) - Approximation::kBits;
   const auto mantissa = static_cast<Limb>(product >> dropped);
   const bool exact = Limb2{mantissa} << dropped == product;
   return {mantissa, x.exponent + y.exponent + dropped, x.errors + y.errors + (exact ? 0 : 1)};
 }
 
-Approximation Approximate(const IntegerPower& power) {
+Approximation approximate(const IntegerPower& power) {
   Approximation result;
   if (power.exponent == 0) return result;
-  const int exponent = BitWidth(power.base, power.size) - Approximation::kBits;
-  Approximation base = {BitsAt(power.base, power.size, exponent), exponent, 0};
-  if (exponent > TrailingZeros(power.base)) base.errors = 1;
+  const int exponent = bit_width(power.base, power.size) - Approximation::kBits;
+  Approximation base = {bits_at(power.base, power.size, exponent), exponent, 0};
+  if (exponent > trailing_zeros(power.base)) base.errors = 1;
   for (int n = power.exponent; n != 0; n >>= 1) {
     if (n & 1) result = result * base;
     if (n > 1) base = base * base;
@@ -80,13 +80,13 @@ Approximation Approximate(const IntegerPower& power) {
 }
 
 // The sign of x * 2^x_exponent - y * 2^y_exponent
-int Compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size, int y_exponent) {
-  int x_bits = BitWidth(x, x_size), y_bits = BitWidth(y, y_size);
+int compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size, int y_exponent) {
+  int x_bits = bit_width(x, x_size), y_bits = bit_width(y, y_size);
   if (x_bits + x_exponent != y_bits + y_exponent) return x_bits + x_exponent < y_bits + y_exponent ? -1 : 1;
   while (x_bits > 0 || y_bits > 0) {
     x_bits -= kLimbBits;
     y_bits -= kLimbBits;
-    const Limb in_x = BitsAt(x, x_size, x_bits), in_y = BitsAt(y, y_size, y_bits);
+    const Limb in_x = bits_at(x, x_size, x_bits), in_y = bits_at(y, y_size, y_bits);
     if (in_x != in_y) return in_x < in_y ? -1 : 1;
   }
   return 0;
@@ -94,7 +94,7 @@ int Compare(const Limb* x, int x_size, int x_exponent, const Limb* y, int y_size
 
 // The sign of quotient - m, m the middle between the Real of these bits and the next
 template <class Real>
-int CompareWithMiddle(const Quotient& quotient, typename Format<Real>::Bits bits, Limb* room) {
+int compare_with_middle(const Quotient& quotient, typename Format<Real>::Bits bits, Limb* room) {
   using F = Format<Real>;
   constexpr Limb kHidden = Limb{1} << F::kFractionBits;
   const Limb field = bits >> F::kFractionBits, fraction = bits & (kHidden - 1);
@@ -103,45 +103,45 @@ int CompareWithMiddle(const Quotient& quotient, typename Format<Real>::Bits bits
   room[0] = 2 * significand + 1;
   int size = 1;
   for (const IntegerPower* const power : quotient.denominator) {
-    for (int i = 0; i < power->exponent; ++i) size = MultiplyAndGrow(room, size, power->base, power->size);
+    for (int i = 0; i < power->exponent; ++i) size = multiply_and_grow(room, size, power->base, power->size);
   }
-  return Compare(quotient.numerator, quotient.size, quotient.exponent, room, size, exponent - 1);
+  return compare(quotient.numerator, quotient.size, quotient.exponent, room, size, exponent - 1);
 }
 
 }  // namespace
 
-int RoundingRoom(const IntegerPower& first, const IntegerPower& second) {
+int rounding_room(const IntegerPower& first, const IntegerPower& second) {
   int bits = Format<double>::kFractionBits + 2, largest = 0;
   for (const IntegerPower* const power : {&first, &second}) {
     if (power->exponent == 0) continue;
-    bits += power->exponent * BitWidth(power->base, power->size);
+    bits += power->exponent * bit_width(power->base, power->size);
     largest = std::max(largest, power->size);
   }
-  return LimbsFor(bits) + largest;
+  return limbs_for(bits) + largest;
 }
 
 template <class Real>
-Real Round(const Quotient& quotient, Limb* room) {
-  const int cut = BitWidth(quotient.numerator, quotient.size) - 128;
-  const Limb2 leading = LeadingBits(quotient.numerator, quotient.size, cut);
+Real round_quotient(const Quotient& quotient, Limb* room) {
+  const int cut = bit_width(quotient.numerator, quotient.size) - 128;
+  const Limb2 leading = leading_bits(quotient.numerator, quotient.size, cut);
   const int exponent = quotient.exponent + cut;
   const IntegerPower &first = *quotient.denominator[0], &second = *quotient.denominator[1];
 
   typename Format<Real>::Bits bits;
-  if (IsPowerOfTwo(first) && IsPowerOfTwo(second)) {
+  if (is_power_of_two(first) && is_power_of_two(second)) {
     int shift = 0;
     for (const IntegerPower* const power : quotient.denominator) {
-      if (power->exponent != 0) shift += power->exponent * (BitWidth(power->base, power->size) - 1);
+      if (power->exponent != 0) shift += power->exponent * (bit_width(power->base, power->size) - 1);
     }
-    bits = NearestBits<Real>(leading, exponent - shift, cut > TrailingZeros(quotient.numerator));
+    bits = nearest_bits<Real>(leading, exponent - shift, cut > trailing_zeros(quotient.numerator));
   } else {
-    const Approximation denominator = Approximate(first) * Approximate(second);
+    const Approximation denominator = approximate(first) * approximate(second);
     // leading <= numerator < leading + 1, in units of 2^cut, and the largest quotient of the latter by an
     // integer is at most one more than the quotient rounded down.
-    const Limb2 below = leading / denominator.Upper(), above = leading / denominator.mantissa + 1;
-    bits = NearestBits<Real>(below, exponent - denominator.exponent, false);
-    if (bits != NearestBits<Real>(above, exponent - denominator.exponent, false)) {
-      const int side = CompareWithMiddle<Real>(quotient, bits, room);
+    const Limb2 below = leading / denominator.upper(), above = leading / denominator.mantissa + 1;
+    bits = nearest_bits<Real>(below, exponent - denominator.exponent, false);
+    if (bits != nearest_bits<Real>(above, exponent - denominator.exponent, false)) {
+      const int side = compare_with_middle<Real>(quotient, bits, room);
       if (side > 0 || (side == 0 && (bits & 1) != 0)) ++bits;
     }
   }
@@ -149,7 +149,7 @@ Real Round(const Quotient& quotient, Limb* room) {
   return std::bit_cast<Real>(bits | sign);
 }
 
-template float Round(const Quotient&, Limb*);
-template double Round(const Quotient&, Limb*);
+template float round_quotient(const Quotient&, Limb*);
+template double round_quotient(const Quotient&, Limb*);
 
 }  // namespace glev

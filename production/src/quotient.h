@@ -23,13 +23,13 @@ struct Quotient {
 };
 
 // What Round needs to work in.
-int RoundingRoom(const IntegerPower& first, const IntegerPower& second);
+int rounding_room(const IntegerPower& first, const IntegerPower& second);
 
 // To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading
 // 128 bits of the numerator and 63 of the denominator decide, unless the quotient is within about 2^-61 *
 // (sum of exponents) of the middle between two floats: then everything is multiplied out. Real: float or
 // double.
 template <class Real>
-Real Round(const Quotient& quotient, Limb* room);
+Real round_quotient(const Quotient& quotient, Limb* room);
 
 }  // namespace glev

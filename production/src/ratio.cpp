@@ -9,7 +9,9 @@ namespace glev {
 namespace {
 
 // Bits, because a processor may be told to take the smallest doubles for zero.
-bool Same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); }
+bool same_bits(double x, double y) {
+  return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+}
 
 // +-magnitude * 2^exponent
 struct Product {
@@ -18,8 +20,8 @@ struct Product {
   bool negative;
 };
 
-Product Times(std::int64_t multiplier, double x) {
-  const Decoded decoded = Decode(x);
+Product multiply_exactly(std::int64_t multiplier, double x) {
+  const Decoded decoded = decode(x);
   const auto factor = static_cast<Limb>(multiplier);
   return {Limb2{multiplier < 0 ? 0 - factor : factor} * decoded.mantissa, decoded.exponent,
           (multiplier < 0) != decoded.negative};
@@ -29,7 +31,7 @@ Product Times(std::int64_t multiplier, double x) {
 enum { kFrom, kTo, kFirst, kLast };
 using Products = std::array<Product, 4>;
 
-Limb OddGcd(Limb x, Limb y) {  // of x != 0 and an odd y
+Limb odd_gcd(Limb x, Limb y) {  // of x != 0 and an odd y
   while (true) {
     x >>= std::countr_zero(x);
     if (x == y) return x;
@@ -38,38 +40,38 @@ Limb OddGcd(Limb x, Limb y) {  // of x != 0 and an odd y
   }
 }
 
-void Set(RatioPart& part, Limb2 magnitude, bool negative) {
+void set_part(RatioPart& part, Limb2 magnitude, bool negative) {
   part.limbs[0] = static_cast<Limb>(magnitude);
-  part.limbs[1] = High(magnitude);
+  part.limbs[1] = high_limb(magnitude);
   part.size = part.limbs[1] != 0 ? 2 : 1;
   part.negative = negative;
 }
 
 // a, b != 0
-void SetReduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negative) {
-  const int zeros = TrailingZeros(a | b);
+void set_reduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negative) {
+  const int zeros = trailing_zeros(a | b);
   a >>= zeros;
   b >>= zeros;
   const Limb2 whole = a_negative ? b - a : b_negative ? a - b : a + b;
   // A whole that is a power of two has nothing in common with a or b any more.
   const bool power_of_two = (whole & (whole - 1)) == 0;
-  if (!power_of_two && High(a | b | whole) == 0) {
-    const Limb gcd = (a & 1) != 0 ? OddGcd(static_cast<Limb>(b), static_cast<Limb>(a))
-                                  : OddGcd(static_cast<Limb>(a), static_cast<Limb>(b));
+  if (!power_of_two && high_limb(a | b | whole) == 0) {
+    const Limb gcd = (a & 1) != 0 ? odd_gcd(static_cast<Limb>(b), static_cast<Limb>(a))
+                                  : odd_gcd(static_cast<Limb>(a), static_cast<Limb>(b));
     if (gcd != 1) {
-      Set(ratio.a, static_cast<Limb>(a) / gcd, a_negative);
-      Set(ratio.b, static_cast<Limb>(b) / gcd, b_negative);
-      Set(ratio.whole, static_cast<Limb>(whole) / gcd, false);
+      set_part(ratio.a, static_cast<Limb>(a) / gcd, a_negative);
+      set_part(ratio.b, static_cast<Limb>(b) / gcd, b_negative);
+      set_part(ratio.whole, static_cast<Limb>(whole) / gcd, false);
       return;
     }
   }
-  Set(ratio.a, a, a_negative);
-  Set(ratio.b, b, b_negative);
-  Set(ratio.whole, whole, false);
+  set_part(ratio.a, a, a_negative);
+  set_part(ratio.b, b, b_negative);
+  set_part(ratio.whole, whole, false);
 }
 
 // What of the products fits into 127 bits above 2^low.
-Parameter::End ToRatioNarrow(const Products& products, int low, Ratio& ratio) {
+Parameter::End to_ratio_narrow(const Products& products, int low, Ratio& ratio) {
   const auto integer = [low](const Product& product) {
     if (product.magnitude == 0) return product.magnitude;
     const Limb2 shifted = product.magnitude << (product.exponent - low);
@@ -81,34 +83,34 @@ Parameter::End ToRatioNarrow(const Products& products, int low, Ratio& ratio) {
   if (b == 0) return Parameter::End::kLast;
   const auto negative = [](Limb2 x) { return x >> 127 != 0; };
   const bool flip = negative(a + b);
-  SetReduced(ratio, negative(a) ? 0 - a : a, negative(b) ? 0 - b : b, negative(a) != flip,
-             negative(b) != flip);
+  set_reduced(ratio, negative(a) ? 0 - a : a, negative(b) ? 0 - b : b, negative(a) != flip,
+              negative(b) != flip);
   return Parameter::End::kNeither;
 }
 
 // part += product * 2^-low, or -=
-void Accumulate(RatioPart& part, const Product& product, int low, bool subtract) {
+void accumulate(RatioPart& part, const Product& product, int low, bool subtract) {
   if (product.magnitude == 0) return;
   const int shift = product.exponent - low;
   const int size = static_cast<int>(part.limbs.size()), first = shift / kLimbBits;
   const Limb power = Limb{1} << shift % kLimbBits;
-  const std::array<Limb, 2> limbs = {static_cast<Limb>(product.magnitude), High(product.magnitude)};
+  const std::array<Limb, 2> limbs = {static_cast<Limb>(product.magnitude), high_limb(product.magnitude)};
   if (product.negative == subtract) {
-    AddProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
+    add_product(part.limbs.data() + first, size - first, limbs.data(), 2, power);
   } else {
-    SubtractProduct(part.limbs.data() + first, size - first, limbs.data(), 2, power);
+    subtract_product(part.limbs.data() + first, size - first, limbs.data(), 2, power);
   }
 }
 
-Parameter::End ToRatioWide(const Products& products, int low, Ratio& ratio) {
+Parameter::End to_ratio_wide(const Products& products, int low, Ratio& ratio) {
   constexpr int kSize = static_cast<int>(std::tuple_size_v<decltype(RatioPart::limbs)>);
   for (RatioPart* const part : {&ratio.a, &ratio.b}) {
     const bool is_b = part == &ratio.b;
     part->limbs.fill(0);
-    Accumulate(*part, products[kFrom], low, is_b);
-    Accumulate(*part, products[kTo], low, is_b);
-    Accumulate(*part, products[is_b ? kLast : kFirst], low, !is_b);
-    part->size = Trimmed(part->limbs.data(), kSize);
+    accumulate(*part, products[kFrom], low, is_b);
+    accumulate(*part, products[kTo], low, is_b);
+    accumulate(*part, products[is_b ? kLast : kFirst], low, !is_b);
+    part->size = trimmed_size(part->limbs.data(), kSize);
   }
   if (ratio.a.size == 0) return Parameter::End::kFirst;
   if (ratio.b.size == 0) return Parameter::End::kLast;
@@ -116,52 +118,52 @@ Parameter::End ToRatioWide(const Products& products, int low, Ratio& ratio) {
   constexpr std::array<Limb, 1> kOne = {1};
   ratio.whole.limbs = ratio.a.limbs;
   for (int i = 0; i < kSize; ++i) {
-    AddProduct(ratio.whole.limbs.data() + i, kSize - i, kOne.data(), 1, ratio.b.limbs[i]);
+    add_product(ratio.whole.limbs.data() + i, kSize - i, kOne.data(), 1, ratio.b.limbs[i]);
   }
-  const bool flip = IsNegative(ratio.whole.limbs.data(), kSize);
-  const int zeros = std::min(TrailingZeros(ratio.a.limbs.data()), TrailingZeros(ratio.b.limbs.data()));
+  const bool flip = is_negative(ratio.whole.limbs.data(), kSize);
+  const int zeros = std::min(trailing_zeros(ratio.a.limbs.data()), trailing_zeros(ratio.b.limbs.data()));
   for (RatioPart* const part : {&ratio.a, &ratio.b, &ratio.whole}) {
     Limb* const limbs = part->limbs.data();
-    part->negative = IsNegative(limbs, kSize);
-    if (part->negative) Negate(limbs, kSize);
+    part->negative = is_negative(limbs, kSize);
+    if (part->negative) negate(limbs, kSize);
     part->negative = part->negative != flip;
-    ShiftRight(limbs, kSize, zeros);
-    part->size = Trimmed(limbs, kSize);
+    shift_right(limbs, kSize, zeros);
+    part->size = trimmed_size(limbs, kSize);
   }
   return Parameter::End::kNeither;
 }
 
 }  // namespace
 
-Parameter::End ToRatio(const Domain& domain, const GridArgument& argument, Ratio& ratio) {
+Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Ratio& ratio) {
   const Grid& grid = argument.grid;
   std::int64_t to = argument.index, from = grid.segments - to, all = grid.segments;
-  if (to == 0 || Same(grid.u1, grid.u2)) {
+  if (to == 0 || same_bits(grid.u1, grid.u2)) {
     from = all = 1;
     to = 0;
   } else if (from == 0) {
     to = all = 1;
   } else {
-    const bool along = Same(grid.u1, domain.u1) && Same(grid.u2, domain.u2);
-    const bool against = Same(grid.u1, domain.u2) && Same(grid.u2, domain.u1);
+    const bool along = same_bits(grid.u1, domain.u1) && same_bits(grid.u2, domain.u2);
+    const bool against = same_bits(grid.u1, domain.u2) && same_bits(grid.u2, domain.u1);
     if (along || against) {
       if (against) std::swap(from, to);
       const auto magnitude = [](std::int64_t x) { return static_cast<Limb2>(x < 0 ? -x : x); };
-      SetReduced(ratio, magnitude(to), magnitude(from), to < 0, from < 0);
+      set_reduced(ratio, magnitude(to), magnitude(from), to < 0, from < 0);
       return Parameter::End::kNeither;
     }
   }
 
-  const Products products = {Times(from, grid.u1), Times(to, grid.u2), Times(all, domain.u1),
-                             Times(all, domain.u2)};
+  const Products products = {multiply_exactly(from, grid.u1), multiply_exactly(to, grid.u2),
+                             multiply_exactly(all, domain.u1), multiply_exactly(all, domain.u2)};
   int low = 1024, high = -1074;
   for (const Product& product : products) {
     if (product.magnitude == 0) continue;
     low = std::min(low, product.exponent);
-    high = std::max(high, product.exponent + BitWidth(product.magnitude));
+    high = std::max(high, product.exponent + bit_width(product.magnitude));
   }
   // Sums of up to four products, and a sign.
-  return high - low + 3 <= 127 ? ToRatioNarrow(products, low, ratio) : ToRatioWide(products, low, ratio);
+  return high - low + 3 <= 127 ? to_ratio_narrow(products, low, ratio) : to_ratio_wide(products, low, ratio);
 }
 
 }  // namespace glev

@@ -14,7 +14,7 @@ inline constexpr int kRatioBits = 1074 + 1024 + 37;
 
 // |a|, |b| or a + b, without leading zero limbs.
 struct RatioPart {
-  std::array<Limb, LimbsFor(kRatioBits + 1)> limbs;
+  std::array<Limb, limbs_for(kRatioBits + 1)> limbs;
   int size;
   bool negative;
 };
@@ -27,6 +27,6 @@ struct Ratio {
 // Where the argument is, exactly. The ratio is set unless that is at an end of the domain. All values are
 // finite and the ends of the domain differ. Factors that a and b share are divided out if all of it fits a
 // limb.
-Parameter::End ToRatio(const Domain& domain, const GridArgument& argument, Ratio& ratio);
+Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Ratio& ratio);
 
 }  // namespace glev

@@ -29,24 +29,24 @@ struct Range {
   int low = 1024, high = -1074;
 };
 
-Range RangeOf(const Line& line) {
+Range range_of(const Line& line) {
   Range range;
   for (int i = 0; i <= line.degree; ++i) {
-    const Decoded decoded = Decode(line[i]);
+    const Decoded decoded = decode(line[i]);
     if (decoded.mantissa == 0) continue;
     range.low = std::min(range.low, decoded.exponent);
-    range.high = std::max(range.high, decoded.exponent + BitWidth(decoded.mantissa));
+    range.high = std::max(range.high, decoded.exponent + bit_width(decoded.mantissa));
   }
   return range;
 }
 
 // False if P(-1) is not 0 modulo 2^64, and then not at all.
-bool MayReduce(const Line& line) {
-  const std::uint64_t* const binomials = Binomials(line.degree);
-  const Range range = RangeOf(line);
+bool may_reduce(const Line& line) {
+  const std::uint64_t* const binomials = binomial_row(line.degree);
+  const Range range = range_of(line);
   Limb sum = 0;
   for (int i = 0; i <= line.degree; ++i) {
-    const Decoded decoded = Decode(line[i]);
+    const Decoded decoded = decode(line[i]);
     const int shift = decoded.exponent - range.low;
     if (decoded.mantissa == 0 || shift >= kLimbBits) continue;
     const Limb term = decoded.mantissa * binomials[i] << shift;
@@ -56,10 +56,10 @@ bool MayReduce(const Line& line) {
 }
 
 // +-magnitude / divisor * 2^exponent as a double if it is one. Overwrites the magnitude.
-bool ToDouble(bool negative, Limb* magnitude, int size, Limb divisor, int exponent, double& result) {
+bool to_double(bool negative, Limb* magnitude, int size, Limb divisor, int exponent, double& result) {
   constexpr int kPrecision = 53, kLowest = -1074, kHighest = 1024;
   result = 0;
-  size = Trimmed(magnitude, size);
+  size = trimmed_size(magnitude, size);
   if (size == 0) return true;
   const int twos = std::countr_zero(divisor);
   Limb remainder = 0;
@@ -69,13 +69,13 @@ bool ToDouble(bool negative, Limb* magnitude, int size, Limb divisor, int expone
     remainder = static_cast<Limb>(dividend % (divisor >> twos));
   }
   if (remainder != 0) return false;
-  size = Trimmed(magnitude, size);
-  const int zeros = TrailingZeros(magnitude), width = BitWidth(magnitude, size) - zeros;
+  size = trimmed_size(magnitude, size);
+  const int zeros = trailing_zeros(magnitude), width = bit_width(magnitude, size) - zeros;
   exponent += zeros - twos;
   if (width > kPrecision || exponent < kLowest || exponent + width > kHighest) return false;
   // The place of the lowest bit, normal or not.
   const int last = std::max(exponent + width - kPrecision, kLowest);
-  const Limb significand = BitsAt(magnitude, size, zeros) << (exponent - last);
+  const Limb significand = bits_at(magnitude, size, zeros) << (exponent - last);
   const Limb bits = (static_cast<Limb>(last - kLowest) << (kPrecision - 1)) + significand;
   result = std::bit_cast<double>(bits | static_cast<Limb>(negative) << (kLimbBits - 1));
   return true;
@@ -85,22 +85,22 @@ bool ToDouble(bool negative, Limb* magnitude, int size, Limb divisor, int expone
 class Polynomial {
  public:
   // False if it is too wide.
-  bool Load(const Line& line) {
-    const Range range = RangeOf(line);
+  bool load(const Line& line) {
+    const Range range = range_of(line);
     if (range.high - range.low > kMaxRange) return false;
     degree_ = line.degree;
     low_ = range.low;
-    const std::uint64_t* const binomials = Binomials(degree_);
+    const std::uint64_t* const binomials = binomial_row(degree_);
     for (int i = 0; i <= degree_; ++i) {
       coefficients_[i] = {};
-      const Decoded decoded = Decode(line[i]);
+      const Decoded decoded = decode(line[i]);
       if (decoded.mantissa == 0) continue;
       const Limb2 product = Limb2{decoded.mantissa} * binomials[i];
-      const std::array<Limb, 2> limbs = {static_cast<Limb>(product), High(product)};
+      const std::array<Limb, 2> limbs = {static_cast<Limb>(product), high_limb(product)};
       const int shift = decoded.exponent - low_, first = shift / kLimbBits;
       const Limb power = Limb{1} << shift % kLimbBits;
-      AddProduct(coefficients_[i].data() + first, kLimbs - first, limbs.data(), 2, power);
-      if (decoded.negative) Negate(coefficients_[i].data(), kLimbs);
+      add_product(coefficients_[i].data() + first, kLimbs - first, limbs.data(), 2, power);
+      if (decoded.negative) negate(coefficients_[i].data(), kLimbs);
     }
     return true;
   }
@@ -108,32 +108,32 @@ class Polynomial {
   int degree() const { return degree_; }
 
   // By 1 + x, or else false and nothing changed.
-  bool Divide() {
+  bool divide() {
     if (degree_ == 0) return false;
     for (int i = 1; i <= degree_; ++i) {
-      SubtractProduct(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
+      subtract_product(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
     }
     --degree_;
-    if (Trimmed(coefficients_[degree_ + 1].data(), kLimbs) == 0) return true;
-    Multiply();
+    if (trimmed_size(coefficients_[degree_ + 1].data(), kLimbs) == 0) return true;
+    multiply();
     return false;
   }
 
-  void Multiply() {
+  void multiply() {
     ++degree_;
     for (int i = degree_; i > 0; --i) {
-      AddProduct(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
+      add_product(coefficients_[i].data(), kLimbs, coefficients_[i - 1].data(), kLimbs, 1);
     }
   }
 
   // The control points of this degree. False if not all of them are doubles.
-  bool Points(std::array<double, kMaxOrder>& points) const {
-    const std::uint64_t* const binomials = Binomials(degree_);
+  bool get_points(std::array<double, kMaxOrder>& points) const {
+    const std::uint64_t* const binomials = binomial_row(degree_);
     for (int i = 0; i <= degree_; ++i) {
       Coefficient magnitude = coefficients_[i];
-      const bool negative = IsNegative(magnitude.data(), kLimbs);
-      if (negative) Negate(magnitude.data(), kLimbs);
-      if (!ToDouble(negative, magnitude.data(), kLimbs, binomials[i], low_, points[i])) return false;
+      const bool negative = is_negative(magnitude.data(), kLimbs);
+      if (negative) negate(magnitude.data(), kLimbs);
+      if (!to_double(negative, magnitude.data(), kLimbs, binomials[i], low_, points[i])) return false;
     }
     return true;
   }
@@ -151,17 +151,17 @@ class Polynomial {
 };
 
 // In place; the new degree of the lines i * line_step, i < count.
-int ReduceLines(double* points, std::ptrdiff_t line_step, int count, std::ptrdiff_t step, int degree) {
+int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdiff_t step, int degree) {
   const auto line = [=](int i) { return Line{points + i * line_step, step, degree}; };
   for (int i = 0; i < count; ++i) {
-    if (!MayReduce(line(i))) return degree;
+    if (!may_reduce(line(i))) return degree;
   }
 
   Polynomial polynomial;
   int lowest = 0;
   for (int i = 0; i < count && lowest < degree; ++i) {
-    if (!polynomial.Load(line(i))) return degree;
-    while (polynomial.degree() > lowest && polynomial.Divide()) continue;
+    if (!polynomial.load(line(i))) return degree;
+    while (polynomial.degree() > lowest && polynomial.divide()) continue;
     lowest = polynomial.degree();
   }
 
@@ -169,9 +169,9 @@ int ReduceLines(double* points, std::ptrdiff_t line_step, int count, std::ptrdif
   // that whenever a line asks for a higher one all others are asked again.
   std::array<double, kMaxOrder> reduced;
   for (int i = 0, agreed = 0; agreed < count; i = (i + 1) % count) {
-    polynomial.Load(line(i));
-    while (polynomial.degree() > lowest) polynomial.Divide();
-    while (!polynomial.Points(reduced)) polynomial.Multiply();
+    polynomial.load(line(i));
+    while (polynomial.degree() > lowest) polynomial.divide();
+    while (!polynomial.get_points(reduced)) polynomial.multiply();
     agreed = polynomial.degree() == lowest ? agreed + 1 : 1;
     lowest = polynomial.degree();
     if (lowest == degree) return degree;
@@ -180,9 +180,9 @@ int ReduceLines(double* points, std::ptrdiff_t line_step, int count, std::ptrdif
   // Rows move together, each after it has been read.
   const std::ptrdiff_t new_step = step == 1 ? lowest + 1 : line_step;
   for (int i = 0; i < count; ++i) {
-    polynomial.Load(line(i));
-    while (polynomial.degree() > lowest) polynomial.Divide();
-    polynomial.Points(reduced);
+    polynomial.load(line(i));
+    while (polynomial.degree() > lowest) polynomial.divide();
+    polynomial.get_points(reduced);
     const Line to = {points + i * new_step, step, lowest};
     for (int j = 0; j <= lowest; ++j) to[j] = reduced[j];
   }
@@ -191,7 +191,7 @@ int ReduceLines(double* points, std::ptrdiff_t line_step, int count, std::ptrdif
 
 }  // namespace
 
-std::array<int, 2> Reduce(const Component& component, double* reduced) {
+std::array<int, 2> reduce(const Component& component, double* reduced) {
   std::array<int, 2> order = component.order;
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   for (std::ptrdiff_t i = 0; i < count; ++i) reduced[i] = component.points[i * component.stride];
@@ -199,8 +199,8 @@ std::array<int, 2> Reduce(const Component& component, double* reduced) {
     const int before = order[direction];
     if (before > 1) {
       const std::ptrdiff_t row = order[1];
-      order[direction] = 1 + (direction == 1 ? ReduceLines(reduced, row, order[0], 1, before - 1)
-                                             : ReduceLines(reduced, 1, order[1], row, before - 1));
+      order[direction] = 1 + (direction == 1 ? reduce_lines(reduced, row, order[0], 1, before - 1)
+                                             : reduce_lines(reduced, 1, order[1], row, before - 1));
     }
     unchanged = order[direction] == before ? unchanged + 1 : 0;
   }

@@ -15,6 +15,6 @@ namespace glev {
 // The directions take turns, v first, until neither goes down. What would need numbers of more than 448 bits
 // stays as it is: rows or columns with points that are more than 320 binades apart, which floats never are.
 // Data without structure is recognised after the first row and column.
-std::array<int, 2> Reduce(const Component& component, double* reduced);
+std::array<int, 2> reduce(const Component& component, double* reduced);
 
 }  // namespace glev

@@ -13,21 +13,21 @@
 namespace glev {
 namespace {
 
-bool IsFinite(const GridArgument& argument) {
+bool is_finite(const GridArgument& argument) {
   return std::isfinite(argument.grid.u1) && std::isfinite(argument.grid.u2);
 }
 
 // In double alone.
-double Plainly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+double resolve_plainly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
   std::array<double, kMaxOrder * 4> room;
-  const Curve curve = CurveAt(map.surface, Locate(map.surface.domain[1], v), room.data());
+  const Curve curve = curve_at(map.surface, locate(map.surface.domain[1], v), room.data());
   std::array<double, 4> result;
-  Evaluate(curve, Locate(curve.domain, u), result.data());
+  evaluate(curve, locate(curve.domain, u), result.data());
   return result[k];
 }
 
 // The sum of both parts of x rounded to odd: it stays on the same side of every number of fewer digits.
-double ToOdd(const DoubleDouble& x) {
+double round_to_odd(const DoubleDouble& x) {
   auto bits = std::bit_cast<std::uint64_t>(x.high);
   if (x.low != 0 && (bits & 1) == 0) bits += (x.low > 0) == (x.high > 0) ? 1 : -1;
   return std::bit_cast<double>(bits);
@@ -35,65 +35,65 @@ double ToOdd(const DoubleDouble& x) {
 
 // first + t * slope where t is a double, as Boldo and Melquiond emulate the FMA ("Emulation of a FMA and
 // correctly rounded sums", 2008), but for the last rounding, which is to odd, too, and to float after that.
-bool OnLine(const PreparedComponent& line, const GridArgument& argument, float* result) {
+bool resolve_on_line(const PreparedComponent& line, const GridArgument& argument, float* result) {
   const Domain& domain = line.lowest.domain[line.line_direction];
   const Grid& grid = argument.grid;
   if (grid.u1 != grid.u2 && argument.index != 0) return false;
-  const DoubleDouble a = TwoSum(grid.u1, -domain.u1), width = TwoSum(domain.u2, -domain.u1);
+  const DoubleDouble a = two_sum(grid.u1, -domain.u1), width = two_sum(domain.u2, -domain.u1);
   int exponent = 0;
   const double fraction = std::frexp(width.high, &exponent);
   const bool is_power = std::fabs(fraction) == 0.5 && width.low == 0;
   const double t = a.high / width.high;
   if (!is_power || a.low != 0 || !(t == 0 || (std::fabs(t) > 0x1p-300 && std::fabs(t) < 0x1p300)))
     return false;
-  const DoubleDouble product = TwoProduct(t, line.slope), low = TwoSum(line.first, product.low),
-                     high = TwoSum(product.high, low.high);
-  const double odd = ToOdd(TwoSum(high.high, ToOdd(TwoSum(high.low, low.low))));
+  const DoubleDouble product = two_product(t, line.slope), low = two_sum(line.first, product.low),
+                     high = two_sum(product.high, low.high);
+  const double odd = round_to_odd(two_sum(high.high, round_to_odd(two_sum(high.low, low.low))));
   *result = static_cast<float>(odd + 0.0);  // -0 + 0.0 = 0
   return true;
 }
 
 }  // namespace
 
-float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
+float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
               double error) {
   const bool is_claimed = map.component[k].kind != PreparedComponent::Kind::kUnclaimed;
   float result;
-  return is_claimed && Settle({value, 0}, error, &result) ? result : Resolve(map, k, u, v);
+  return is_claimed && settle({value, 0}, error, &result) ? result : resolve(map, k, u, v);
 }
 
-float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
   const PreparedComponent& component = map.component[k];
   if (component.kind == PreparedComponent::Kind::kConstant) return component.constant;
-  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
-    return static_cast<float>(Plainly(map, k, u, v) + 0.0);
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v))
+    return static_cast<float>(resolve_plainly(map, k, u, v) + 0.0);
   float result;
   if (component.kind == PreparedComponent::Kind::kLine &&
-      OnLine(component, component.line_direction == 0 ? u : v, &result))
+      resolve_on_line(component, component.line_direction == 0 ? u : v, &result))
     return result;
   const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
-  if (Settle(enclosure.value, enclosure.error, &result)) return result;
-  return RoundExactly(component.lowest, u, v);
+  if (settle(enclosure.value, enclosure.error, &result)) return result;
+  return round_exactly(component.lowest, u, v);
 }
 
-double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
+double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
   const PreparedComponent& component = map.component[k];
-  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v))
-    return Plainly(map, k, u, v);
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v))
+    return resolve_plainly(map, k, u, v);
   const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
   // Half an ULP of rounding and this are less than one.
   if (!(enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))
-    return RoundExactly<double>(component.lowest, u, v);
+    return round_exactly<double>(component.lowest, u, v);
   return enclosure.value.high;
 }
 
-bool DerivativeInDouble(const PreparedMap& map, int direction, int k, const GridArgument& u,
-                        const GridArgument& v, double* result) {
+bool resolve_derivative_in_double(const PreparedMap& map, int direction, int k, const GridArgument& u,
+                                  const GridArgument& v, double* result) {
   const PreparedComponent& component = map.component[k];
-  if (component.kind == PreparedComponent::Kind::kUnclaimed || !IsFinite(u) || !IsFinite(v)) return false;
+  if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v)) return false;
   const auto [u1, u2] = map.surface.domain[direction];
-  const Enclosure enclosure = EncloseDerivative(component.lowest, direction, u, v);
-  const DoubleDouble width = TwoSum(u2, -u1);
+  const Enclosure enclosure = enclose_derivative(component.lowest, direction, u, v);
+  const DoubleDouble width = two_sum(u2, -u1);
   const bool ordinary = std::fabs(width.high) >= 0x1p-300 && std::fabs(width.high) <= 0x1p300;
   if (!ordinary || !(enclosure.error < HUGE_VAL)) return false;
   *result = (enclosure.value / width).high + 0.0;

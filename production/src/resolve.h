@@ -8,16 +8,16 @@ namespace glev {
 
 // Component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. Tries straight lines,
 // exactly, then double-double, and exact integers. For what is not finite, whatever double gives.
-float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
+float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 // The same where a value in double with its bound, perhaps infinite, is known and may decide already.
-float Resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
+float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,
               double error);
 
 // In double, by double-double or, where that claims nothing, exactly: GLEV_DOUBLE of glevaluator.h.
-double InDouble(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
+double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 
 // The derivative by u (direction 0) or v (1), likewise. False where double-double claims nothing.
-bool DerivativeInDouble(const PreparedMap& map, int direction, int k, const GridArgument& u,
-                        const GridArgument& v, double* result);
+bool resolve_derivative_in_double(const PreparedMap& map, int direction, int k, const GridArgument& u,
+                                  const GridArgument& v, double* result);
 
 }  // namespace glev

@@ -37,7 +37,7 @@ class Sequence {
   }
 
   // Each of so many values, and of those that fill the last vector, as often.
-  HWY_INLINE void Repeat(const Value* values, std::size_t count, Value* to) const {
+  HWY_INLINE void repeat(const Value* values, std::size_t count, Value* to) const {
     for (std::size_t c = 0; c < count; c += kWidth) {
       const Values value = hn::Load(kTag, values + c);
       for (std::size_t i = 0; i < kComponents * kWidth; i += kWidth) {
@@ -48,7 +48,7 @@ class Sequence {
   }
 
   // The components of a point, where vectors may read on, as vector number `part` of a period.
-  HWY_INLINE Values Of(const Value* point, std::size_t part) const {
+  HWY_INLINE Values values_of(const Value* point, std::size_t part) const {
     if constexpr (kWidth >= 4) {
       return hn::TableLookupLanes(hn::LoadU(kTag, point),
                                   hn::SetTableIndices(kTag, component_ + part * kWidth));
@@ -66,7 +66,7 @@ class Sequence {
 
 // evaluate(begin, group) gives so many floats of `count`, those from `begin` on.
 template <std::size_t kGroup, class Evaluate>
-HWY_INLINE void InGroups(std::size_t count, float* out, const Evaluate& evaluate) {
+HWY_INLINE void in_groups(std::size_t count, float* out, const Evaluate& evaluate) {
   std::size_t begin = 0;
   for (; begin + kGroup <= count; begin += kGroup) evaluate(begin, out + begin);
   if (begin < count) {

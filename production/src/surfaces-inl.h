@@ -18,25 +18,25 @@ HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
 template <int kComponents>
-void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v, std::size_t count,
-              const Destination& to) {
+void evaluate_surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v, std::size_t count,
+                       const Destination& to) {
   const Place place_u(map, 0), place_v(map, 1);
   const auto [n, m] = map.surface.degree;
-  const double units = WeightUnits(n, m, std::max(place_u.roundings(), place_v.roundings()));
-  const Writer<kComponents> writer(TestOf(map, units, 1), to, to.data);
+  const double units = weight_units(n, m, std::max(place_u.roundings(), place_v.roundings()));
+  const Writer<kComponents> writer(make_test(map, units, 1), to, to.data);
   for (std::size_t begin = 0; begin < count; begin += kStep) {
     const std::size_t part_count = std::min(kStep, count - begin);
     alignas(64) double arguments_u[kStep], arguments_v[kStep];
-    Fetch(input_u, begin, part_count, arguments_u);
-    Fetch(input_v, begin, part_count, arguments_v);
+    fetch(input_u, begin, part_count, arguments_u);
+    fetch(input_v, begin, part_count, arguments_v);
     Vector value[kUnroll][kComponents];
     for (std::size_t part = 0; part < kUnroll; ++part) {
       const Vector u = hn::Load(kDoubles, arguments_u + part * kLanes),
                    v = hn::Load(kDoubles, arguments_v + part * kLanes);
       Vector weights_u[kMaxOrder], weights_v[kMaxOrder];
-      const Vector su = place_u.S(u), sv = place_v.S(v);
-      WeightsOf(n, su, Inside(place_u.T(u), su), weights_u);
-      WeightsOf(m, sv, Inside(place_v.T(v), sv), weights_v);
+      const Vector su = place_u.s_of(u), sv = place_v.s_of(v);
+      weights_of(n, su, nan_outside(place_u.t_of(u), su), weights_u);
+      weights_of(m, sv, nan_outside(place_v.t_of(v), sv), weights_v);
       for (int k = 0; k < kComponents; ++k) value[part][k] = hn::Zero(kDoubles);
       const double* point = map.surface.scaled;
       for (int i = 0; i <= n; ++i) {
@@ -50,8 +50,9 @@ void Surfaces(const PreparedMap& map, const Input& input_u, const Input& input_v
           value[part][k] = hn::MulAdd(weights_u[i], sum[k], value[part][k]);
       }
     }
-    writer.Write(writer.Round(value), begin, part_count,
-                 [&](std::size_t i, int k) { return Resolve(map, k, At(input_u[i]), At(input_v[i])); });
+    writer.write(writer.round(value), begin, part_count, [&](std::size_t i, int k) {
+      return resolve(map, k, argument_at(input_u[i]), argument_at(input_v[i]));
+    });
   }
 }
 

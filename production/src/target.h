@@ -37,7 +37,7 @@ struct SlotRange {
   int first, last;
 };
 
-inline constexpr SlotRange SlotsOf(Attribute attribute) {
+inline constexpr SlotRange slots_of(Attribute attribute) {
   constexpr std::array<SlotRange, kAttributes> kRanges = {{{7, 8}, {0, 0}, {2, 2}, {3, 6}}};
   return kRanges[static_cast<std::size_t>(attribute)];
 }
@@ -49,7 +49,7 @@ struct Target {
   explicit operator bool() const { return dimension != 0; }
 };
 
-inline constexpr Target FindTarget(glev_enum name) {
+inline constexpr Target find_target(glev_enum name) {
   if (name >= GLEV_MAP1_COLOR_4 && name <= GLEV_MAP1_VERTEX_4)
     return {1, static_cast<int>(name - GLEV_MAP1_COLOR_4)};
   if (name >= GLEV_MAP2_COLOR_4 && name <= GLEV_MAP2_VERTEX_4)

@@ -26,11 +26,11 @@ using Half = hn::Vec<decltype(kHalves)>;
 #if HWY_TARGET == HWY_SCALAR
 constexpr std::size_t kUnroll = 1;
 constexpr decltype(kHalves) kWhole;
-HWY_INLINE Half Join(const Half (&parts)[kUnroll]) { return parts[0]; }
+HWY_INLINE Half join(const Half (&parts)[kUnroll]) { return parts[0]; }
 #else
 constexpr std::size_t kUnroll = 2;
 constexpr hn::Twice<decltype(kHalves)> kWhole;
-HWY_INLINE hn::Vec<decltype(kWhole)> Join(const Half (&parts)[kUnroll]) {
+HWY_INLINE hn::Vec<decltype(kWhole)> join(const Half (&parts)[kUnroll]) {
   return hn::Combine(kWhole, parts[1], parts[0]);
 }
 #endif

@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-HWY_INLINE void WeightsOf(int degree, Vector s, Vector t, Vector* weights) {
+HWY_INLINE void weights_of(int degree, Vector s, Vector t, Vector* weights) {
   weights[0] = hn::Set(kDoubles, 1);
   for (int i = 1; i <= degree; ++i) weights[i] = hn::Mul(weights[i - 1], t);
   Vector power = s;
@@ -22,9 +22,9 @@ HWY_INLINE void WeightsOf(int degree, Vector s, Vector t, Vector* weights) {
 }
 
 // The weights of kLanes columns, to where those of each i are `padded` apart.
-HWY_INLINE void StoreWeights(int degree, Vector s, Vector t, std::size_t padded, double* weights) {
+HWY_INLINE void store_weights(int degree, Vector s, Vector t, std::size_t padded, double* weights) {
   Vector column[kMaxOrder];
-  WeightsOf(degree, s, t, column);
+  weights_of(degree, s, t, column);
   for (int i = 0; i <= degree; ++i) hn::Store(column[i], kDoubles, weights + i * padded);
 }
 

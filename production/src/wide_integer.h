@@ -13,15 +13,15 @@ using Limb = std::uint64_t;
 __extension__ using Limb2 = unsigned __int128;
 inline constexpr int kLimbBits = 64;
 
-constexpr Limb High(Limb2 x) { return static_cast<Limb>(x >> kLimbBits); }
-constexpr int BitWidth(Limb x) { return static_cast<int>(std::bit_width(x)); }
-constexpr int BitWidth(Limb2 x) {
-  return High(x) != 0 ? kLimbBits + BitWidth(High(x)) : BitWidth(static_cast<Limb>(x));
+constexpr Limb high_limb(Limb2 x) { return static_cast<Limb>(x >> kLimbBits); }
+constexpr int bit_width(Limb x) { return static_cast<int>(std::bit_width(x)); }
+constexpr int bit_width(Limb2 x) {
+  return high_limb(x) != 0 ? kLimbBits + bit_width(high_limb(x)) : bit_width(static_cast<Limb>(x));
 }
 // Of x != 0.
-constexpr int TrailingZeros(Limb2 x) {
+constexpr int trailing_zeros(Limb2 x) {
   return static_cast<Limb>(x) != 0 ? std::countr_zero(static_cast<Limb>(x))
-                                   : kLimbBits + std::countr_zero(High(x));
+                                   : kLimbBits + std::countr_zero(high_limb(x));
 }
 
 // The finite double +-mantissa * 2^exponent with an odd mantissa; 0 has mantissa 0.
@@ -31,7 +31,7 @@ struct Decoded {
   bool negative;
 };
 
-inline Decoded Decode(double x) {
+inline Decoded decode(double x) {
   constexpr int kFraction = 52;
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int field = static_cast<int>(bits >> kFraction & 0x7FF);
@@ -44,23 +44,23 @@ inline Decoded Decode(double x) {
 
 // ---- Sizes, in limbs
 
-constexpr int LimbsFor(int bits) { return (bits + kLimbBits - 1) / kLimbBits; }
+constexpr int limbs_for(int bits) { return (bits + kLimbBits - 1) / kLimbBits; }
 
 // Without leading zeros.
-inline int Trimmed(const Limb* x, int size) {
+inline int trimmed_size(const Limb* x, int size) {
   while (size > 0 && x[size - 1] == 0) --size;
   return size;
 }
 
-inline bool IsNegative(const Limb* x, int size) { return x[size - 1] >> (kLimbBits - 1) != 0; }
+inline bool is_negative(const Limb* x, int size) { return x[size - 1] >> (kLimbBits - 1) != 0; }
 
 // A signed integer in more limbs.
-inline void SignExtend(Limb* x, int size, int new_size) {
-  const Limb sign = IsNegative(x, size) ? ~Limb{0} : 0;
+inline void sign_extend(Limb* x, int size, int new_size) {
+  const Limb sign = is_negative(x, size) ? ~Limb{0} : 0;
   for (int i = size; i < new_size; ++i) x[i] = sign;
 }
 
-inline void Negate(Limb* x, int size) {
+inline void negate(Limb* x, int size) {
   Limb carry = 1;
   for (int i = 0; i < size; ++i) {
     x[i] = ~x[i] + carry;
@@ -71,14 +71,14 @@ inline void Negate(Limb* x, int size) {
 // ---- Sums of products
 
 // x += carry, modulo 2^(64 * size)
-inline void Add(Limb* x, int size, Limb carry) {
+inline void add(Limb* x, int size, Limb carry) {
   for (int i = 0; i < size && carry != 0; ++i) {
     x[i] += carry;
     carry = x[i] < carry;
   }
 }
 
-inline void Subtract(Limb* x, int size, Limb borrow) {
+inline void subtract(Limb* x, int size, Limb borrow) {
   for (int i = 0; i < size && borrow != 0; ++i) {
     const Limb old = x[i];
     x[i] -= borrow;
@@ -87,86 +87,86 @@ inline void Subtract(Limb* x, int size, Limb borrow) {
 }
 
 // x *= factor; the limb that is carried out.
-inline Limb Multiply(Limb* x, int size, Limb factor) {
+inline Limb multiply(Limb* x, int size, Limb factor) {
   Limb carry = 0;
   for (int i = 0; i < size; ++i) {
     const Limb2 product = Limb2{x[i]} * factor + carry;
     x[i] = static_cast<Limb>(product);
-    carry = High(product);
+    carry = high_limb(product);
   }
   return carry;
 }
 
 // sum += x * factor, modulo 2^(64 * sum_size)
-inline void AddProduct(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
+inline void add_product(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
   const int used = std::min(size, sum_size);
   Limb carry = 0;
   for (int i = 0; i < used; ++i) {
     const Limb2 product = Limb2{x[i]} * factor + sum[i] + carry;
     sum[i] = static_cast<Limb>(product);
-    carry = High(product);
+    carry = high_limb(product);
   }
-  Add(sum + used, sum_size - used, carry);
+  add(sum + used, sum_size - used, carry);
 }
 
 // sum -= x * factor, likewise
-inline void SubtractProduct(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
+inline void subtract_product(Limb* sum, int sum_size, const Limb* x, int size, Limb factor) {
   const int used = std::min(size, sum_size);
   Limb borrow = 0;
   for (int i = 0; i < used; ++i) {
     const Limb2 product = Limb2{x[i]} * factor + borrow;
     const auto low = static_cast<Limb>(product);
-    borrow = High(product) + (sum[i] < low);
+    borrow = high_limb(product) + (sum[i] < low);
     sum[i] -= low;
   }
-  Subtract(sum + used, sum_size - used, borrow);
+  subtract(sum + used, sum_size - used, borrow);
 }
 
 // x *= factor in place, modulo 2^(64 * size).
-inline void Multiply(Limb* x, int size, const Limb* factor, int factor_size) {
+inline void multiply(Limb* x, int size, const Limb* factor, int factor_size) {
   if (factor_size == 1) {
-    Multiply(x, size, factor[0]);
+    multiply(x, size, factor[0]);
     return;
   }
   // From the top: the products of a limb touch only limbs that are already replaced by their products.
   for (int i = size - 1; i >= 0; --i) {
     const Limb limb = x[i];
     x[i] = 0;
-    if (limb != 0) AddProduct(x + i, size - i, factor, factor_size, limb);
+    if (limb != 0) add_product(x + i, size - i, factor, factor_size, limb);
   }
 }
 
 // x *= factor of a non-negative x, all of it; the new size. Room: size + factor_size limbs.
-inline int MultiplyAndGrow(Limb* x, int size, const Limb* factor, int factor_size) {
+inline int multiply_and_grow(Limb* x, int size, const Limb* factor, int factor_size) {
   std::fill_n(x + size, factor_size, Limb{0});
-  Multiply(x, size + factor_size, factor, factor_size);
-  return Trimmed(x, size + factor_size);
+  multiply(x, size + factor_size, factor, factor_size);
+  return trimmed_size(x, size + factor_size);
 }
 
 // ---- Bits of a non-negative integer
 
 // Of one without leading zero limbs.
-inline int BitWidth(const Limb* x, int size) {
-  return size == 0 ? 0 : (size - 1) * kLimbBits + BitWidth(x[size - 1]);
+inline int bit_width(const Limb* x, int size) {
+  return size == 0 ? 0 : (size - 1) * kLimbBits + bit_width(x[size - 1]);
 }
 
 // Bits position ... position + 63. Those below bit 0 and above the top are zero.
-inline Limb BitsAt(const Limb* x, int size, int position) {
+inline Limb bits_at(const Limb* x, int size, int position) {
   const int limb = position >> 6, shift = position & 63;  // rounds down
   const auto at = [&](int i) { return i >= 0 && i < size ? x[i] : 0; };
   return shift == 0 ? at(limb) : at(limb) >> shift | at(limb + 1) << (kLimbBits - shift);
 }
 
 // Of a number that is not 0.
-inline int TrailingZeros(const Limb* x) {
+inline int trailing_zeros(const Limb* x) {
   int zeros = 0;
   for (; *x == 0; ++x) zeros += kLimbBits;
   return zeros + std::countr_zero(*x);
 }
 
-inline void ShiftRight(Limb* x, int size, int bits) {
+inline void shift_right(Limb* x, int size, int bits) {
   // Reads only what is not written yet.
-  for (int i = 0; i < size; ++i) x[i] = BitsAt(x, size, i * kLimbBits + bits);
+  for (int i = 0; i < size; ++i) x[i] = bits_at(x, size, i * kLimbBits + bits);
 }
 
 }  // namespace glev

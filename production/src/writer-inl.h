@@ -20,7 +20,7 @@ namespace glev::HWY_NAMESPACE {
 
 // Whether points can be stored one behind the other. Single floats cannot where they are not aligned.
 template <int kComponents>
-bool IsPacked(const Destination& to) {
+bool is_packed(const Destination& to) {
   const bool is_aligned =
       reinterpret_cast<std::uintptr_t>(to.data) % alignof(float) == 0 && to.row_stride % alignof(float) == 0;
   return to.components == kComponents && to.stride == kComponents * sizeof(float) &&
@@ -29,7 +29,7 @@ bool IsPacked(const Destination& to) {
 
 // Points one behind the other, that vectors have written, to where they belong.
 template <int kComponents>
-HWY_NOINLINE void Scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
+HWY_NOINLINE void scatter(const float* values, std::size_t count, const Destination& to, std::byte* data) {
   if constexpr (kComponents == 3) {
     if (count % 4 == 0 && to.components == 3) return CopyTriples(values, count, to.stride, data);
   }
@@ -52,10 +52,10 @@ class Writer {
 
   Writer(const PreparedMap::Test& test, const Destination& to, std::byte* data) : to_(to), data_(data) {
     for (int k = 0; k < kComponents; ++k) error_[k] = hn::Set(kDoubles, test.error[k]);
-    is_packed_ = IsPacked<kComponents>(to);
+    is_packed_ = is_packed<kComponents>(to);
   }
 
-  HWY_INLINE Rounded Round(const Vector (&value)[kUnroll][kComponents]) const {
+  HWY_INLINE Rounded round(const Vector (&value)[kUnroll][kComponents]) const {
     Rounded rounded;
     for (int k = 0; k < kComponents; ++k) {
       Half low[kUnroll], high[kUnroll];
@@ -63,8 +63,8 @@ class Writer {
         low[part] = hn::DemoteTo(kHalves, hn::Sub(value[part][k], error_[k]));
         high[part] = hn::DemoteTo(kHalves, hn::Add(value[part][k], error_[k]));
       }
-      rounded.value[k] = Join(high);
-      rounded.settled[k] = hn::Eq(Join(low), rounded.value[k]);
+      rounded.value[k] = join(high);
+      rounded.settled[k] = hn::Eq(join(low), rounded.value[k]);
     }
     return rounded;
   }
@@ -72,26 +72,26 @@ class Writer {
   // The elements from `begin` on, `count` <= kStep of them. Where one is not settled resolve(element,
   // component) is right.
   template <class Resolver>
-  HWY_INLINE void Write(const Rounded& rounded, std::size_t begin, std::size_t count,
+  HWY_INLINE void write(const Rounded& rounded, std::size_t begin, std::size_t count,
                         const Resolver& resolve) const {
     if (HWY_LIKELY(is_packed_ && count == kStep)) {
-      Interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
+      interleave(rounded, reinterpret_cast<float*>(data_ + begin * to_.stride));
     } else {
       alignas(64) float values[kStep * kComponents];
-      Interleave(rounded, values);
-      Scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
+      interleave(rounded, values);
+      scatter<kComponents>(values, count, to_, data_ + begin * to_.stride);
     }
     auto settled = rounded.settled[0];
     for (int k = 1; k < kComponents; ++k) settled = hn::And(settled, rounded.settled[k]);
     if (HWY_UNLIKELY(!hn::AllTrue(kWhole, settled))) {
       std::uint8_t bits[kComponents][8];
       for (int k = 0; k < kComponents; ++k) hn::StoreMaskBits(kWhole, rounded.settled[k], bits[k]);
-      Repair(bits, begin, count, resolve);
+      repair(bits, begin, count, resolve);
     }
   }
 
  private:
-  static HWY_INLINE void Interleave(const Rounded& rounded, float* to) {
+  static HWY_INLINE void interleave(const Rounded& rounded, float* to) {
 #if HWY_TARGET == HWY_SCALAR
     for (int k = 0; k < kComponents; ++k) to[k] = hn::GetLane(rounded.value[k]);
 #else
@@ -104,7 +104,7 @@ class Writer {
   }
 
   template <class Resolver>
-  HWY_NOINLINE void Repair(const std::uint8_t (&settled)[kComponents][8], std::size_t begin,
+  HWY_NOINLINE void repair(const std::uint8_t (&settled)[kComponents][8], std::size_t begin,
                            std::size_t count, const Resolver& resolve) const {
     for (std::size_t i = 0; i < count; ++i) {
       for (int k = 0; k < kComponents; ++k) {

@@ -14,14 +14,14 @@ class AttributeStack : public ContextTest {
     bool operator==(const Groups&) const = default;
   };
 
-  Groups Observe() {
+  Groups observe() {
     Groups groups;
     const auto add = [&](std::vector<double>& to, glev_enum name, std::size_t count) {
       double values[4];
       glevGetDoublev(gl, name, values);
       to.insert(to.end(), values, values + count);
     };
-    for (glev_enum cap : Capabilities()) groups.flags.push_back(glevIsEnabled(gl, cap));
+    for (glev_enum cap : capabilities()) groups.flags.push_back(glevIsEnabled(gl, cap));
     add(groups.grids, GLEV_MAP1_GRID_DOMAIN, 2);
     add(groups.grids, GLEV_MAP1_GRID_SEGMENTS, 1);
     add(groups.grids, GLEV_MAP2_GRID_DOMAIN, 4);
@@ -41,10 +41,10 @@ class AttributeStack : public ContextTest {
   }
 
   // Gives all of it other values, different ones for each n; maps, too.
-  void Change(int n) {
+  void change(int n) {
     const auto f = static_cast<float>(n);
-    for (std::size_t i = 0; i < Capabilities().size(); ++i) {
-      ((i + n) % 3 == 0 ? glevDisable : glevEnable)(gl, Capabilities()[i]);
+    for (std::size_t i = 0; i < capabilities().size(); ++i) {
+      ((i + n) % 3 == 0 ? glevDisable : glevEnable)(gl, capabilities()[i]);
     }
     glevMapGrid1f(gl, n, f, f + 1);
     glevMapGrid2f(gl, n + 1, f, f + 2, n + 2, f, f + 3);
@@ -58,16 +58,16 @@ class AttributeStack : public ContextTest {
     glevListBase(gl, 100 + n);
     glevActiveTexture(gl, GLEV_TEXTURE0);
     const float point[] = {f, f, f, f};
-    for (const TargetRow& row : TargetRows()) {
+    for (const TargetRow& row : target_rows()) {
       glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, f, f + 1, 4, 1, point);
       glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, f, f + 1, 4, 1, f, f + 1, 4, 1, point);
     }
     glevActiveTexture(gl, GLEV_TEXTURE0 + n % 8);
   }
 
-  std::vector<double> Maps() {
+  std::vector<double> map_state() {
     std::vector<double> maps;
-    for (const TargetRow& row : TargetRows()) {
+    for (const TargetRow& row : target_rows()) {
       for (const glev_enum target : {GLEV_MAP1_COLOR_4 + row.offset, GLEV_MAP2_COLOR_4 + row.offset}) {
         double values[4];
         glevGetMapdv(gl, target, GLEV_DOMAIN, values);
@@ -84,58 +84,58 @@ TEST_F(AttributeStack, EachBitBringsBackItsGroupAndNothingElse) {
   for (int bit = -1; bit < 33; ++bit) {
     const glev_bitfield mask = bit < 0 ? 0 : bit == 32 ? GLEV_ALL_ATTRIB_BITS : 1u << bit;
     SCOPED_TRACE(mask);
-    Change(2);
-    const Groups pushed = Observe();
-    ExpectAccepted([&] { glevPushAttrib(gl, mask); });
-    EXPECT_EQ(Observe(), pushed) << "PushAttrib changes nothing";
-    Change(7);
-    Groups expected = Observe();
-    const std::vector<double> maps = Maps();
+    change(2);
+    const Groups pushed = observe();
+    expect_accepted([&] { glevPushAttrib(gl, mask); });
+    EXPECT_EQ(observe(), pushed) << "PushAttrib changes nothing";
+    change(7);
+    Groups expected = observe();
+    const std::vector<double> maps = map_state();
     if ((mask & (GLEV_EVAL_BIT | GLEV_ENABLE_BIT)) != 0) expected.flags = pushed.flags;
     if ((mask & GLEV_EVAL_BIT) != 0) expected.grids = pushed.grids;
     if ((mask & GLEV_CURRENT_BIT) != 0) expected.current = pushed.current;
     if ((mask & GLEV_TEXTURE_BIT) != 0) expected.texture = pushed.texture;
     if ((mask & GLEV_LIST_BIT) != 0) expected.list = pushed.list;
-    ExpectAccepted([&] { glevPopAttrib(gl); });
-    EXPECT_EQ(Observe(), expected);
-    EXPECT_EQ(Maps(), maps) << "maps are in no group";
+    expect_accepted([&] { glevPopAttrib(gl); });
+    EXPECT_EQ(observe(), expected);
+    EXPECT_EQ(map_state(), maps) << "maps are in no group";
   }
 }
 
 TEST_F(AttributeStack, BitsAddUp) {
-  Change(2);
-  const Groups pushed = Observe();
+  change(2);
+  const Groups pushed = observe();
   glevPushAttrib(gl, GLEV_ENABLE_BIT | GLEV_LIST_BIT);
-  Change(7);
-  Groups expected = Observe();
+  change(7);
+  Groups expected = observe();
   expected.flags = pushed.flags;
   expected.list = pushed.list;
   glevPopAttrib(gl);
-  EXPECT_EQ(Observe(), expected);
+  EXPECT_EQ(observe(), expected);
 }
 
 TEST_F(AttributeStack, NestsToSixteen) {
   std::vector<Groups> pushed;
   for (int n = 1; n <= 16; ++n) {
-    Change(n);
-    pushed.push_back(Observe());
-    ExpectAccepted([&] { glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS); });
+    change(n);
+    pushed.push_back(observe());
+    expect_accepted([&] { glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS); });
   }
-  Change(17);
-  ExpectRefused(GLEV_STACK_OVERFLOW, [&] { glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS); });
+  change(17);
+  expect_rejected(GLEV_STACK_OVERFLOW, [&] { glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS); });
   for (; !pushed.empty(); pushed.pop_back()) {
-    ExpectAccepted([&] { glevPopAttrib(gl); });
-    EXPECT_EQ(Observe(), pushed.back());
+    expect_accepted([&] { glevPopAttrib(gl); });
+    EXPECT_EQ(observe(), pushed.back());
   }
-  ExpectRefused(GLEV_STACK_UNDERFLOW, [&] { glevPopAttrib(gl); });
+  expect_rejected(GLEV_STACK_UNDERFLOW, [&] { glevPopAttrib(gl); });
 }
 
 TEST_F(AttributeStack, NotBetweenBeginAndEnd) {
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevPushAttrib(gl, GLEV_EVAL_BIT); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevPopAttrib(gl); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevPushAttrib(gl, GLEV_EVAL_BIT); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevPopAttrib(gl); });
   glevPushAttrib(gl, GLEV_EVAL_BIT);
-  Change(3);
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevPopAttrib(gl); });
+  change(3);
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevPopAttrib(gl); });
   int depth = 0;
   glevGetIntegerv(gl, GLEV_ATTRIB_STACK_DEPTH, &depth);
   EXPECT_EQ(depth, 1);
@@ -148,8 +148,8 @@ TEST_F(AttributeStack, EvaluationFollowsWhatWasPopped) {
   glevPushAttrib(gl, GLEV_ENABLE_BIT);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevEnable(gl, GLEV_MAP2_VERTEX_3);
-  EXPECT_EQ(OneVertex([&] { glevEvalCoord1f(gl, 0); }).position[0], 1);
-  EXPECT_EQ(OneVertex([&] { glevEvalCoord2f(gl, 0, 0); }).position[0], 2);
+  EXPECT_EQ(one_vertex([&] { glevEvalCoord1f(gl, 0); }).position[0], 1);
+  EXPECT_EQ(one_vertex([&] { glevEvalCoord2f(gl, 0, 0); }).position[0], 2);
   glevPopAttrib(gl);
   recording = {};
   glevBegin(gl, GLEV_POINTS);
@@ -164,7 +164,7 @@ TEST_F(AttributeStack, EvaluationFollowsWhatWasPopped) {
   glevMapGrid1f(gl, 4, 0, 1);
   glevPushAttrib(gl, GLEV_EVAL_BIT);
   glevMapGrid1f(gl, 2, 0, 1);
-  EXPECT_EQ(OneVertex([&] { glevEvalPoint1(gl, 1); }).position[0], 4);
+  EXPECT_EQ(one_vertex([&] { glevEvalPoint1(gl, 1); }).position[0], 4);
   recording = {};
   glevEvalMesh1(gl, GLEV_POINT, 1, 1);
   EXPECT_EQ(recording.vertices.at(0).position[0], 4);
@@ -179,9 +179,9 @@ TEST_F(AttributeStack, EvaluationFollowsWhatWasPopped) {
   glevNormal3f(gl, 7, 7, 7);
   glevPushAttrib(gl, GLEV_ENABLE_BIT);
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  EXPECT_EQ(OneVertex([&] { glevEvalCoord2f(gl, 0, 0); }).normal[0], 0);
+  EXPECT_EQ(one_vertex([&] { glevEvalCoord2f(gl, 0, 0); }).normal[0], 0);
   glevPopAttrib(gl);
-  EXPECT_EQ(OneVertex([&] { glevEvalCoord2f(gl, 0, 0); }).normal[0], 7);
+  EXPECT_EQ(one_vertex([&] { glevEvalCoord2f(gl, 0, 0); }).normal[0], 7);
 }
 
 TEST_F(AttributeStack, WhatDidNotChangeKeepsItsPlan) {

@@ -20,12 +20,12 @@ constexpr GridCase kGridCases[] = {{8, 0, 1},      {7, 1, 0},       {1, 0, 1},
 
 class GridPoints : public ContextTest {
  protected:
-  void SetGrids(const GridCase& u, const GridCase& v) {
+  void set_grids(const GridCase& u, const GridCase& v) {
     glevMapGrid1d(gl, u.segments, u.u1, u.u2);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
   }
 
-  std::vector<glev_vertex> EvalPoints(std::size_t dimension, const Range& range) {
+  std::vector<glev_vertex> eval_points(std::size_t dimension, const Range& range) {
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     for (std::int64_t j = range.j1; j <= range.j2; ++j) {
@@ -38,54 +38,54 @@ class GridPoints : public ContextTest {
     return recording.vertices;
   }
 
-  void ExpectBitsOfEvalPoint(std::size_t dimension, const Range& range) {
+  void expect_bits_of_eval_point(std::size_t dimension, const Range& range) {
     const Plan plan(gl, dimension);
     const std::size_t columns = range.columns(), rows = range.rows();
-    const Layout layout = ChooseLayout(chance_, plan, columns, rows, dimension == 2);
+    const Layout layout = choose_layout(chance_, plan, columns, rows, dimension == 2);
     Memory memory(layout.bytes);
     const LaidOut outputs(layout, memory);
     glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, GLEV_CORRECTLY_ROUNDED,
                       outputs,     nullptr,  0};
     // Exactly as much scratch memory as is asked for, anywhere.
     const std::size_t scratch_size = glevGetMeshScratchSize(plan, &mesh),
-                      start = static_cast<std::size_t>(chance_.Whole(0, 70));
+                      start = static_cast<std::size_t>(chance_.whole(0, 70));
     Memory scratch(start + scratch_size + 64);
     mesh.scratch = scratch.data() + start;
     mesh.scratch_size = scratch_size;
     ASSERT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
-    const Memory expected = Expected(layout, EvalPoints(dimension, range), columns);
+    const Memory expected = expected_memory(layout, eval_points(dimension, range), columns);
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << columns << " x " << rows
                                     << " from " << range.i1 << ", " << range.j1 << ", byte "
-                                    << memory.Mismatch(expected) << " of " << memory.size();
-    scratch.Poison(start, scratch_size);
-    ASSERT_TRUE(scratch.IsUntouched());
+                                    << memory.mismatch(expected) << " of " << memory.size();
+    scratch.poison(start, scratch_size);
+    ASSERT_TRUE(scratch.is_untouched());
   }
 
   // A range of at most so many indices: inside the grid, across its ends, far from it.
-  std::pair<int, int> ChooseRange(int segments, int most) {
-    const int count = chance_.Whole(0, most);
-    const std::int64_t first =
-        chance_.OneOf<std::int64_t>({0, 0, -3, chance_.Whole(0, segments), std::int64_t{segments} - count + 1,
-                                     -count / 2, INT_MIN, std::int64_t{INT_MAX} - count + 1, -1000000});
-    if (count == 0) return {chance_.OneOf({1, 0, INT_MAX}), chance_.OneOf({-1, INT_MIN})};
+  std::pair<int, int> choose_range(int segments, int most) {
+    const int count = chance_.whole(0, most);
+    const std::int64_t first = chance_.one_of<std::int64_t>(
+        {0, 0, -3, chance_.whole(0, segments), std::int64_t{segments} - count + 1, -count / 2, INT_MIN,
+         std::int64_t{INT_MAX} - count + 1, -1000000});
+    if (count == 0) return {chance_.one_of({1, 0, INT_MAX}), chance_.one_of({-1, INT_MIN})};
     const std::int64_t i1 = std::min(first, std::int64_t{INT_MAX} - count + 1);
     return {static_cast<int>(i1), static_cast<int>(i1 + count - 1)};
   }
 
-  void ExpectBitsOfEvalPointEverywhere(int most_order) {
+  void expect_bits_of_eval_point_everywhere(int most_order) {
     for (const GridCase& u : kGridCases) {
       for (const GridCase& v : kGridCases) {
-        DefineMaps(gl, chance_, most_order);
-        EnableMaps(gl, chance_);
+        define_maps(gl, chance_, most_order);
+        enable_maps(gl, chance_);
         // for grids that span the domain of a map
-        std::vector<float> points = chance_.Points(16 * 3);
+        std::vector<float> points = chance_.next_points(16 * 3);
         glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, 4, 0, 1, 3, 4, points.data());
         glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
-        SetGrids(u, v);
-        const auto [i1, i2] = ChooseRange(u.segments, 40);
-        const auto [j1, j2] = ChooseRange(v.segments, 6);
-        ExpectBitsOfEvalPoint(1, {i1, i2});
-        ExpectBitsOfEvalPoint(2, {i1, i2, j1, j2});
+        set_grids(u, v);
+        const auto [i1, i2] = choose_range(u.segments, 40);
+        const auto [j1, j2] = choose_range(v.segments, 6);
+        expect_bits_of_eval_point(1, {i1, i2});
+        expect_bits_of_eval_point(2, {i1, i2, j1, j2});
         if (HasFatalFailure()) return;
       }
     }
@@ -95,37 +95,37 @@ class GridPoints : public ContextTest {
 };
 
 TEST_F(GridPoints, HaveTheBitsOfEvalPoint) {
-  for (int k = 0; k < 3; ++k) ExpectBitsOfEvalPointEverywhere(5);
+  for (int k = 0; k < 3; ++k) expect_bits_of_eval_point_everywhere(5);
 }
 
-TEST_F(GridPoints, OfHighOrdersToo) { ExpectBitsOfEvalPointEverywhere(10); }
+TEST_F(GridPoints, OfHighOrdersToo) { expect_bits_of_eval_point_everywhere(10); }
 
 TEST_F(GridPoints, WithAutomaticNormalsToo) {
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  ExpectBitsOfEvalPointEverywhere(4);
+  expect_bits_of_eval_point_everywhere(4);
 }
 
 TEST_F(GridPoints, OfAnyNumberOfColumns) {
-  DefineMaps(gl, chance_, 4);
-  EnableMaps(gl, chance_);
-  SetGrids({70, 0, 1}, {3, 0, 1});
+  define_maps(gl, chance_, 4);
+  enable_maps(gl, chance_);
+  set_grids({70, 0, 1}, {3, 0, 1});
   for (int columns = 0; columns <= 70; ++columns) {
-    ExpectBitsOfEvalPoint(1, {0, columns - 1});
-    ExpectBitsOfEvalPoint(2, {-1, columns - 2, 1, 2});
+    expect_bits_of_eval_point(1, {0, columns - 1});
+    expect_bits_of_eval_point(2, {-1, columns - 2, 1, 2});
     if (HasFatalFailure()) return;
   }
 }
 
 TEST_F(GridPoints, OfGridsThatAreNotFiniteDoNoHarm) {
   for (double bad : {kInfinity, -kInfinity, kNaN, 1.7e308}) {
-    DefineMaps(gl, chance_, 4);
-    EnableMaps(gl, chance_);
+    define_maps(gl, chance_, 4);
+    enable_maps(gl, chance_);
     for (const GridCase& u : {GridCase{5, bad, 1}, {5, 0, bad}, {5, bad, -bad}, {5, bad, bad}}) {
-      SetGrids(u, {4, 0, 1});
-      ExpectBitsOfEvalPoint(1, {-2, 12});
-      ExpectBitsOfEvalPoint(2, {-2, 12, 0, 3});
-      SetGrids({4, 0, 1}, u);
-      ExpectBitsOfEvalPoint(2, {-2, 12, 0, 3});
+      set_grids(u, {4, 0, 1});
+      expect_bits_of_eval_point(1, {-2, 12});
+      expect_bits_of_eval_point(2, {-2, 12, 0, 3});
+      set_grids({4, 0, 1}, u);
+      expect_bits_of_eval_point(2, {-2, 12, 0, 3});
       if (HasFatalFailure()) return;
     }
   }
@@ -136,11 +136,11 @@ TEST_F(GridPoints, OfGridsThatAreNotFiniteDoNoHarm) {
 class Scratch : public GridPoints {
  protected:
   Scratch() {
-    DefineMaps(gl, chance_, 6);
-    EnableMaps(gl, chance_);
-    SetGrids({20, 0, 1}, {20, 0, 1});
+    define_maps(gl, chance_, 6);
+    enable_maps(gl, chance_);
+    set_grids({20, 0, 1}, {20, 0, 1});
   }
-  glev_mesh MeshOf(const Range& range) const {
+  glev_mesh mesh_of(const Range& range) const {
     return {sizeof(glev_mesh),      range.i1, range.i2, range.j1, range.j2,
             GLEV_CORRECTLY_ROUNDED, {},       nullptr,  0};
   }
@@ -148,27 +148,27 @@ class Scratch : public GridPoints {
 
 TEST_F(Scratch, DependsOnTheColumnsAlone) {
   const Plan plan(gl, 2);
-  glev_mesh mesh = MeshOf({0, 9, 0, 9});
+  glev_mesh mesh = mesh_of({0, 9, 0, 9});
   const std::size_t size = glevGetMeshScratchSize(plan, &mesh);
   EXPECT_GT(size, 0u);
-  mesh = MeshOf({5, 14, -7, 900});
+  mesh = mesh_of({5, 14, -7, 900});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
   const glev_output output{};  // is not looked at
   mesh.outputs.vertex = &output;
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
-  mesh = MeshOf({0, 999, 0, 9});
+  mesh = mesh_of({0, 999, 0, 9});
   EXPECT_GT(glevGetMeshScratchSize(plan, &mesh), size);
   // every index there is: 2^32 columns
-  mesh = MeshOf({INT_MIN, INT_MAX, INT_MIN, INT_MAX});
+  mesh = mesh_of({INT_MIN, INT_MAX, INT_MIN, INT_MAX});
   EXPECT_GE(glevGetMeshScratchSize(plan, &mesh), std::size_t{1} << 35);
 }
 
 TEST_F(Scratch, OneByteLessIsTooSmall) {
   for (std::size_t dimension : {1, 2}) {
     const Plan plan(gl, dimension);
-    glev_mesh mesh = MeshOf({0, 9, 0, dimension == 1 ? 0 : 9});
+    glev_mesh mesh = mesh_of({0, 9, 0, dimension == 1 ? 0 : 9});
     Memory memory(4096), scratch(glevGetMeshScratchSize(plan, &mesh));
-    const glev_output color = memory.Output(0, 16, 4);
+    const glev_output color = memory.make_output(0, 16, 4);
     mesh.outputs.color = &color;
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size() - 1;
@@ -176,8 +176,8 @@ TEST_F(Scratch, OneByteLessIsTooSmall) {
     mesh.scratch = nullptr;
     mesh.scratch_size = 0;
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_ERROR_BUFFER_TOO_SMALL);
-    EXPECT_TRUE(memory.IsUntouched());
-    EXPECT_TRUE(scratch.IsUntouched());
+    EXPECT_TRUE(memory.is_untouched());
+    EXPECT_TRUE(scratch.is_untouched());
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size();
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
@@ -187,13 +187,13 @@ TEST_F(Scratch, OneByteLessIsTooSmall) {
 TEST_F(Scratch, IsNotNeededForNoPoints) {
   const Plan plan(gl, 2);
   Memory memory(100);
-  const glev_output color = memory.Output(0, 16, 4);
+  const glev_output color = memory.make_output(0, 16, 4);
   for (const Range& range : {Range{1, 0, 0, 3}, {0, 3, 1, 0}, {INT_MAX, INT_MIN, INT_MAX, INT_MIN}}) {
-    glev_mesh mesh = MeshOf(range);
+    glev_mesh mesh = mesh_of(range);
     mesh.outputs.color = &color;
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
   }
-  EXPECT_TRUE(memory.IsUntouched());
+  EXPECT_TRUE(memory.is_untouched());
 }
 
 // More than memory holds, but not more than numbers do.
@@ -209,9 +209,9 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
       for (std::size_t row_stride : {std::size_t{0}, SIZE_MAX / 2, SIZE_MAX}) {
         for (std::size_t size : {memory.size(), SIZE_MAX}) {
           if (size == SIZE_MAX && stride <= SIZE_MAX / 2) continue;  // there may be as much
-          glev_output color = memory.Output(0, stride, 4, 0, row_stride);
+          glev_output color = memory.make_output(0, stride, 4, 0, row_stride);
           color.data_size = size;
-          glev_mesh mesh = MeshOf(range);
+          glev_mesh mesh = mesh_of(range);
           mesh.outputs.color = &color;
           mesh.scratch = scratch.data();
           mesh.scratch_size = scratch.size();
@@ -222,19 +222,19 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
       }
     }
   }
-  EXPECT_TRUE(memory.IsUntouched());
-  EXPECT_TRUE(scratch.IsUntouched());
+  EXPECT_TRUE(memory.is_untouched());
+  EXPECT_TRUE(scratch.is_untouched());
 }
 
 TEST(BatchMemory, EvaluationDoesNotAllocate) {
   Ledger ledger;
-  const glev_allocator allocator = ledger.Allocator();
+  const glev_allocator allocator = ledger.make_allocator();
   const glev_context_info info = {sizeof info, &allocator, nullptr};
   glev_context* gl = nullptr;
   ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
   Chance chance;
-  DefineMaps(gl, chance, 12);
-  EnableMaps(gl, chance);
+  define_maps(gl, chance, 12);
+  enable_maps(gl, chance);
   glevMapGrid2f(gl, 10, 0, 1, 10, 0.1F, 2);
   {
     const Plan curve(gl, 1), surface(gl, 2);
@@ -243,11 +243,11 @@ TEST(BatchMemory, EvaluationDoesNotAllocate) {
     const std::vector<float> u = {0, 0.25F, 1, 7, 0.3F};
     for (glev_attribute attribute : kEveryAttribute) {
       for (glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
-        Scattered(curve, attribute, u, {}, precision);
-        Scattered<double>(surface, attribute, u, u, precision);
-        OfGrid(curve, attribute, {0, 10}, precision);
-        OfGrid(surface, attribute, {0, 10, 0, 10}, precision);
-        OfGrid<double>(surface, attribute, {0, 10, 0, 10}, precision);
+        evaluate_scattered(curve, attribute, u, {}, precision);
+        evaluate_scattered<double>(surface, attribute, u, u, precision);
+        evaluate_grid(curve, attribute, {0, 10}, precision);
+        evaluate_grid(surface, attribute, {0, 10, 0, 10}, precision);
+        evaluate_grid<double>(surface, attribute, {0, 10, 0, 10}, precision);
       }
     }
     EXPECT_EQ(ledger.requests, requests);
@@ -267,14 +267,14 @@ TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
     for (const int order : {2, 3, 4, 6}) {
       for (const glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
         std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
-        for (float& point : points) point = static_cast<float>(chance.Whole(-9, 9));
+        for (float& point : points) point = static_cast<float>(chance.whole(-9, 9));
         glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
         glevEnable(gl, GLEV_MAP2_VERTEX_3);
         glevMapGrid2f(gl, 1024, 0, 1, 1024, 0, 1);
         const Plan plan(gl, 2);
-        const Floats aligned = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, kRange, precision);
+        const Floats aligned = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, kRange, precision);
         Memory memory(aligned.size() * sizeof(float) + 1);
-        const glev_output output = memory.Output(1, 3 * sizeof(float), 3, GLEV_FLOAT);
+        const glev_output output = memory.make_output(1, 3 * sizeof(float), 3, GLEV_FLOAT);
         glev_mesh mesh = {sizeof mesh, kRange.i1, kRange.i2, kRange.j1, kRange.j2, precision, {}, nullptr, 0};
         mesh.outputs.vertex = &output;
         std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));

@@ -17,7 +17,7 @@ class Misuse : public ContextTest {
 
   Misuse() {
     Chance chance;
-    DefineMaps(gl, chance, 4);
+    define_maps(gl, chance, 4);
     for (glev_enum target : {GLEV_MAP1_VERTEX_3, GLEV_MAP1_TEXTURE_COORD_2, GLEV_MAP2_VERTEX_3,
                              GLEV_MAP2_TEXTURE_COORD_2, GLEV_MAP2_NORMAL}) {
       glevEnable(gl, target);
@@ -32,26 +32,26 @@ class Misuse : public ContextTest {
   };
   using Change = std::function<void(Call&)>;
 
-  void Refer(Call& call, glev_outputs& outputs, bool has_tangent) {
+  void refer(Call& call, glev_outputs& outputs, bool has_tangent) {
     outputs = {&call.vertex, nullptr, nullptr, &call.texcoord, has_tangent ? &call.tangent : nullptr,
                nullptr};
   }
 
-  glev_result Evaluate(std::size_t dimension, const Change& change, Memory& memory) {
+  glev_result evaluate(std::size_t dimension, const Change& change, Memory& memory) {
     const Plan plan(gl, dimension);
     const glev_input input = {arguments_, sizeof arguments_, sizeof(float)};
     Call call = {{sizeof(glev_batch), kPoints, GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, input, {}, {}},
                  {},
-                 memory.Output(0, 24, 3),
-                 memory.Output(12, 24, 2),
-                 memory.Output(1000, 12, 3)};
+                 memory.make_output(0, 24, 3),
+                 memory.make_output(12, 24, 2),
+                 memory.make_output(1000, 12, 3)};
     if (dimension == 2) call.batch.v = input;
-    Refer(call, call.batch.outputs, dimension == 2);
+    refer(call, call.batch.outputs, dimension == 2);
     change(call);
     return glevEvaluate(plan, &call.batch);
   }
 
-  glev_result EvaluateMesh(std::size_t dimension, const Change& change, Memory& memory, Memory& scratch) {
+  glev_result evaluate_mesh(std::size_t dimension, const Change& change, Memory& memory, Memory& scratch) {
     const Plan plan(gl, dimension);
     Call call = {{},
                  {sizeof(glev_mesh),
@@ -63,30 +63,30 @@ class Misuse : public ContextTest {
                   {},
                   scratch.data(),
                   scratch.size()},
-                 memory.Output(0, 24, 3),
-                 memory.Output(12, 24, 2),
-                 memory.Output(1000, 12, 3)};
-    Refer(call, call.mesh.outputs, dimension == 2);
+                 memory.make_output(0, 24, 3),
+                 memory.make_output(12, 24, 2),
+                 memory.make_output(1000, 12, 3)};
+    refer(call, call.mesh.outputs, dimension == 2);
     change(call);
     return glevEvaluateMesh(plan, &call.mesh);
   }
 
-  void ExpectBatch(glev_result expected, std::size_t dimension, const char* what, const Change& change) {
+  void expect_batch(glev_result expected, std::size_t dimension, const char* what, const Change& change) {
     Memory memory(kNoRoom);
-    EXPECT_EQ(Evaluate(dimension, change, memory), expected) << what << ", dimension " << dimension;
-    EXPECT_EQ(memory.IsUntouched(), expected != GLEV_SUCCESS) << what << ", dimension " << dimension;
+    EXPECT_EQ(evaluate(dimension, change, memory), expected) << what << ", dimension " << dimension;
+    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS) << what << ", dimension " << dimension;
   }
-  void ExpectMesh(glev_result expected, std::size_t dimension, const char* what, const Change& change) {
+  void expect_mesh(glev_result expected, std::size_t dimension, const char* what, const Change& change) {
     Memory memory(kNoRoom), scratch(kNoRoom);
-    EXPECT_EQ(EvaluateMesh(dimension, change, memory, scratch), expected)
+    EXPECT_EQ(evaluate_mesh(dimension, change, memory, scratch), expected)
         << what << ", dimension " << dimension;
-    EXPECT_EQ(memory.IsUntouched(), expected != GLEV_SUCCESS) << what << ", dimension " << dimension;
-    EXPECT_TRUE(expected == GLEV_SUCCESS || scratch.IsUntouched()) << what;
+    EXPECT_EQ(memory.is_untouched(), expected != GLEV_SUCCESS) << what << ", dimension " << dimension;
+    EXPECT_TRUE(expected == GLEV_SUCCESS || scratch.is_untouched()) << what;
   }
-  void ExpectBoth(glev_result expected, const char* what, const Change& change) {
+  void expect_both(glev_result expected, const char* what, const Change& change) {
     for (std::size_t dimension : {1, 2}) {
-      ExpectBatch(expected, dimension, what, change);
-      ExpectMesh(expected, dimension, what, change);
+      expect_batch(expected, dimension, what, change);
+      expect_mesh(expected, dimension, what, change);
     }
   }
 
@@ -96,8 +96,8 @@ class Misuse : public ContextTest {
 constexpr glev_result kInvalid = GLEV_ERROR_INVALID_ARGUMENT, kTooSmall = GLEV_ERROR_BUFFER_TOO_SMALL;
 
 TEST_F(Misuse, WhatWouldDoDoes) {
-  ExpectBoth(GLEV_SUCCESS, "nothing", [](Call&) {});
-  ExpectBoth(GLEV_SUCCESS, "no outputs but one", [](Call& call) {
+  expect_both(GLEV_SUCCESS, "nothing", [](Call&) {});
+  expect_both(GLEV_SUCCESS, "no outputs but one", [](Call& call) {
     call.batch.outputs.texcoord = call.mesh.outputs.texcoord = nullptr;
     call.batch.outputs.tangent_u = call.mesh.outputs.tangent_u = nullptr;
   });
@@ -105,13 +105,13 @@ TEST_F(Misuse, WhatWouldDoDoes) {
 
 TEST_F(Misuse, OfOutputs) {
   const auto change = [&](glev_result expected, const char* what, auto spoil) {
-    ExpectBoth(expected, what, [&](Call& call) { spoil(call.vertex); });
-    ExpectBoth(expected, what, [&](Call& call) {
+    expect_both(expected, what, [&](Call& call) { spoil(call.vertex); });
+    expect_both(expected, what, [&](Call& call) {
       call.texcoord.components = 3;  // of 12 bytes, too
       spoil(call.texcoord);
     });
-    ExpectBatch(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
-    ExpectMesh(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
+    expect_batch(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
+    expect_mesh(expected, 2, what, [&](Call& call) { spoil(call.tangent); });
   };
   change(kInvalid, "size 0", [](glev_output& output) { output.size = 0; });
   change(kInvalid, "size - 1", [](glev_output& output) { --output.size; });
@@ -134,8 +134,8 @@ TEST_F(Misuse, OfOutputs) {
 }
 
 TEST_F(Misuse, OfComponents) {
-  ExpectBoth(kInvalid, "vertex", [](Call& call) { call.vertex.components = 2; });
-  ExpectBoth(kInvalid, "texture coordinate", [](Call& call) { call.texcoord.components = 1; });
+  expect_both(kInvalid, "vertex", [](Call& call) { call.vertex.components = 2; });
+  expect_both(kInvalid, "texture coordinate", [](Call& call) { call.texcoord.components = 1; });
   for (bool mesh : {false, true}) {
     const auto normal = [&](Call& call) {
       call.texcoord.components = 4;
@@ -143,7 +143,7 @@ TEST_F(Misuse, OfComponents) {
       call.batch.outputs = call.mesh.outputs = {};
       (mesh ? call.mesh.outputs : call.batch.outputs).normal = &call.texcoord;
     };
-    mesh ? ExpectMesh(kInvalid, 2, "normal of 4", normal) : ExpectBatch(kInvalid, 2, "normal of 4", normal);
+    mesh ? expect_mesh(kInvalid, 2, "normal of 4", normal) : expect_batch(kInvalid, 2, "normal of 4", normal);
   }
 }
 
@@ -157,22 +157,22 @@ TEST_F(Misuse, OfAttributesWithoutAMap) {
       call.batch.outputs.*member = call.mesh.outputs.*member = &call.texcoord;
       call.batch.outputs.texcoord = call.mesh.outputs.texcoord = nullptr;
     };
-    ExpectBatch(GLEV_ERROR_NO_MAP, 1, "1", ask);
-    ExpectMesh(GLEV_ERROR_NO_MAP, 1, "1", ask);
+    expect_batch(GLEV_ERROR_NO_MAP, 1, "1", ask);
+    expect_mesh(GLEV_ERROR_NO_MAP, 1, "1", ask);
     if (!is_color) continue;
-    ExpectBatch(GLEV_ERROR_NO_MAP, 2, "2", ask);
-    ExpectMesh(GLEV_ERROR_NO_MAP, 2, "2", ask);
+    expect_batch(GLEV_ERROR_NO_MAP, 2, "2", ask);
+    expect_mesh(GLEV_ERROR_NO_MAP, 2, "2", ask);
   }
   glevDisable(gl, GLEV_MAP2_VERTEX_3);
   const auto no_vertex = [](Call& call) { call.batch.outputs.vertex = call.mesh.outputs.vertex = nullptr; };
-  ExpectBatch(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
-  ExpectMesh(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
+  expect_batch(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
+  expect_mesh(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
 }
 
 TEST_F(Misuse, OfBatches) {
   for (std::size_t dimension : {1, 2}) {
     const auto change = [&](glev_result expected, const char* what, auto spoil) {
-      ExpectBatch(expected, dimension, what, [&](Call& call) { spoil(call.batch); });
+      expect_batch(expected, dimension, what, [&](Call& call) { spoil(call.batch); });
     };
     change(kInvalid, "size 0", [](glev_batch& batch) { batch.size = 0; });
     change(kInvalid, "size - 1", [](glev_batch& batch) { --batch.size; });
@@ -193,7 +193,7 @@ TEST_F(Misuse, OfBatches) {
     change(kTooSmall, "all arguments", [](glev_batch& batch) { batch.count = SIZE_MAX; });
   }
   const auto change_v = [&](glev_result expected, std::size_t dimension, const char* what, auto spoil) {
-    ExpectBatch(expected, dimension, what, [&](Call& call) { spoil(call.batch.v); });
+    expect_batch(expected, dimension, what, [&](Call& call) { spoil(call.batch.v); });
   };
   change_v(kInvalid, 2, "no v", [](glev_input& v) { v = {}; });
   change_v(kInvalid, 2, "v without data", [](glev_input& v) { v.data = nullptr; });
@@ -208,7 +208,7 @@ TEST_F(Misuse, OfBatches) {
 TEST_F(Misuse, OfMeshes) {
   for (std::size_t dimension : {1, 2}) {
     const auto change = [&](glev_result expected, const char* what, auto spoil) {
-      ExpectMesh(expected, dimension, what, [&](Call& call) { spoil(call.mesh); });
+      expect_mesh(expected, dimension, what, [&](Call& call) { spoil(call.mesh); });
     };
     change(kInvalid, "size 0", [](glev_mesh& mesh) { mesh.size = 0; });
     change(kInvalid, "size - 1", [](glev_mesh& mesh) { --mesh.size; });
@@ -222,7 +222,7 @@ TEST_F(Misuse, OfMeshes) {
   }
   for (auto member : {&glev_mesh::j1, &glev_mesh::j2}) {
     for (int j : {1, -1}) {
-      ExpectMesh(kInvalid, 1, "rows of a curve", [&](Call& call) { call.mesh.*member = j; });
+      expect_mesh(kInvalid, 1, "rows of a curve", [&](Call& call) { call.mesh.*member = j; });
     }
   }
   const Plan curve(gl, 1);
@@ -242,19 +242,19 @@ TEST_F(Misuse, OfRowStrides) {
     };
   };
   // A row ends 12 bytes after the beginning of its last element.
-  ExpectMesh(GLEV_SUCCESS, 2, "as short as may be", ask(4 * 24 + 12));
-  ExpectMesh(kInvalid, 2, "shorter", ask(4 * 24 + 11));
-  ExpectMesh(kInvalid, 2, "1", ask(1));
-  ExpectMesh(kTooSmall, 2, "large", ask(SIZE_MAX));
-  ExpectMesh(kTooSmall, 2, "half", ask(SIZE_MAX / 2 + 1));
-  ExpectMesh(kInvalid, 1, "of a curve", ask(4 * 24 + 24));
-  for (std::size_t dimension : {1, 2}) ExpectBatch(kInvalid, dimension, "of a batch", ask(4 * 24 + 24));
+  expect_mesh(GLEV_SUCCESS, 2, "as short as may be", ask(4 * 24 + 12));
+  expect_mesh(kInvalid, 2, "shorter", ask(4 * 24 + 11));
+  expect_mesh(kInvalid, 2, "1", ask(1));
+  expect_mesh(kTooSmall, 2, "large", ask(SIZE_MAX));
+  expect_mesh(kTooSmall, 2, "half", ask(SIZE_MAX / 2 + 1));
+  expect_mesh(kInvalid, 1, "of a curve", ask(4 * 24 + 24));
+  for (std::size_t dimension : {1, 2}) expect_batch(kInvalid, dimension, "of a batch", ask(4 * 24 + 24));
   // two more rows, or one byte less
-  ExpectMesh(GLEV_SUCCESS, 2, "exactly", [&](Call& call) {
+  expect_mesh(GLEV_SUCCESS, 2, "exactly", [&](Call& call) {
     ask(200)(call);
     call.vertex.data_size = 2 * 200 + 4 * 24 + 12;
   });
-  ExpectMesh(kTooSmall, 2, "one byte less", [&](Call& call) {
+  expect_mesh(kTooSmall, 2, "one byte less", [&](Call& call) {
     ask(200)(call);
     call.vertex.data_size = 2 * 200 + 4 * 24 + 11;
   });
@@ -270,7 +270,7 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   struct {
     glev_output output;
     unsigned char rest[8];
-  } output = {memory.Output(0, 12, 3), {}};
+  } output = {memory.make_output(0, 12, 3), {}};
   output.output.size = sizeof output;
   later.mesh.outputs.vertex = &output.output;
   EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), GLEV_SUCCESS);
@@ -281,7 +281,7 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   output.rest[4] = 0;
   later.rest[0] = 1;
   EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kInvalid);
-  EXPECT_TRUE(memory.IsUntouched());
+  EXPECT_TRUE(memory.is_untouched());
 }
 
 // ---- Overlaps, against sets of bytes
@@ -289,7 +289,7 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
 struct Block {
   std::size_t offset, columns, rows, stride, row_stride, element;
 
-  std::vector<bool> BytesOf(std::size_t size) const {
+  std::vector<bool> bytes_of(std::size_t size) const {
     std::vector<bool> bytes(size);
     for (std::size_t j = 0; j < rows; ++j) {
       for (std::size_t i = 0; i < columns; ++i) {
@@ -301,9 +301,9 @@ struct Block {
   std::size_t end() const { return offset + (rows - 1) * row_stride + (columns - 1) * stride + element; }
 };
 
-bool ShareAByte(const Block& a, const Block& b) {
+bool share_a_byte(const Block& a, const Block& b) {
   const std::size_t size = std::max(a.end(), b.end());
-  const std::vector<bool> in_a = a.BytesOf(size), in_b = b.BytesOf(size);
+  const std::vector<bool> in_a = a.bytes_of(size), in_b = b.bytes_of(size);
   for (std::size_t k = 0; k < size; ++k) {
     if (in_a[k] && in_b[k]) return true;
   }
@@ -311,8 +311,8 @@ bool ShareAByte(const Block& a, const Block& b) {
 }
 
 // Where strides differ, extents decide.
-bool IsRefused(const Block& a, const Block& b) {
-  if (a.stride == b.stride && a.row_stride == b.row_stride) return ShareAByte(a, b);
+bool is_rejected(const Block& a, const Block& b) {
+  if (a.stride == b.stride && a.row_stride == b.row_stride) return share_a_byte(a, b);
   return a.offset < b.end() && b.offset < a.end();
 }
 
@@ -322,31 +322,31 @@ TEST_F(Misuse, OverlapsOfOutputsAreThoseOfTheirBytes) {
   Memory memory(kNoRoom), scratch(kNoRoom);
   int refused = 0, interleaved = 0;
   for (int k = 0; k < 20000; ++k) {
-    const auto columns = static_cast<std::size_t>(chance.Whole(1, 4)),
-               rows = static_cast<std::size_t>(chance.Whole(1, 3));
+    const auto columns = static_cast<std::size_t>(chance.whole(1, 4)),
+               rows = static_cast<std::size_t>(chance.whole(1, 3));
     const auto choose = [&](std::size_t components, std::size_t stride, std::size_t row_stride) {
-      const std::size_t element = 4 * components, least = element + (chance.Whole(0, 3) != 0 ? 0 : 3);
+      const std::size_t element = 4 * components, least = element + (chance.whole(0, 3) != 0 ? 0 : 3);
       stride = std::max(stride, least);
       const std::size_t row = (columns - 1) * stride + element;
-      return Block{static_cast<std::size_t>(chance.Whole(0, 250)),
+      return Block{static_cast<std::size_t>(chance.whole(0, 250)),
                    columns,
                    rows,
                    stride,
                    std::max(row_stride, row),
                    element};
     };
-    const auto stride = static_cast<std::size_t>(chance.Whole(12, 40)),
-               row_stride = static_cast<std::size_t>(chance.OneOf({0, 100, 40, 160, 129, 300}));
+    const auto stride = static_cast<std::size_t>(chance.whole(12, 40)),
+               row_stride = static_cast<std::size_t>(chance.one_of({0, 100, 40, 160, 129, 300}));
     Block a = choose(3, stride, row_stride), b = choose(2, stride, row_stride);
-    if (chance.Whole(0, 3) != 0) {
+    if (chance.whole(0, 3) != 0) {
       b.stride = a.stride;
       b.row_stride = a.row_stride = std::max(a.row_stride, b.row_stride);
     }
     if (a.row_stride < (columns - 1) * a.stride + a.element ||
         b.row_stride < (columns - 1) * b.stride + b.element)
       continue;
-    const glev_output vertex = memory.Output(a.offset, a.stride, 3, 0, a.row_stride),
-                      texcoord = memory.Output(b.offset, b.stride, 2, 0, b.row_stride);
+    const glev_output vertex = memory.make_output(a.offset, a.stride, 3, 0, a.row_stride),
+                      texcoord = memory.make_output(b.offset, b.stride, 2, 0, b.row_stride);
     const glev_mesh mesh = {sizeof mesh,
                             0,
                             static_cast<int>(columns) - 1,
@@ -356,7 +356,7 @@ TEST_F(Misuse, OverlapsOfOutputsAreThoseOfTheirBytes) {
                             {&vertex, nullptr, nullptr, &texcoord, nullptr, nullptr},
                             scratch.data(),
                             scratch.size()};
-    const bool is_refused = IsRefused(a, b);
+    const bool is_refused = is_rejected(a, b);
     ASSERT_EQ(glevEvaluateMesh(plan, &mesh), is_refused ? GLEV_ERROR_OVERLAP : GLEV_SUCCESS)
         << columns << " x " << rows << ": " << a.offset << " " << a.stride << " " << a.row_stride << ", "
         << b.offset << " " << b.stride << " " << b.row_stride;
@@ -376,7 +376,7 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithArguments) {
         const auto change = [&](Call& call) {
           (is_u ? call.batch.u : call.batch.v) = glev_input{memory.data() + offset, kNoRoom - offset, stride};
         };
-        EXPECT_EQ(Evaluate(dimension, change, memory), expected) << offset << " " << stride;
+        EXPECT_EQ(evaluate(dimension, change, memory), expected) << offset << " " << stride;
       };
       // vertices at 0, texture coordinates at 12, of 24 bytes
       expect(GLEV_SUCCESS, 20, 24);
@@ -397,7 +397,7 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithScratchMemory) {
   glev_mesh mesh = {sizeof mesh, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, {}, nullptr, 0};
   const std::size_t needed = glevGetMeshScratchSize(plan, &mesh);
   Memory memory(2 * needed + 4096);
-  const glev_output vertex = memory.Output(needed, 24, 3);
+  const glev_output vertex = memory.make_output(needed, 24, 3);
   const std::size_t extent = 14 * 24 + 12;
   mesh.outputs.vertex = &vertex;
   const auto expect = [&](glev_result expected, std::size_t offset, std::size_t size) {
@@ -411,7 +411,7 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithScratchMemory) {
   expect(GLEV_ERROR_OVERLAP, needed + extent - 1, needed);
   for (std::size_t size : {needed + extent, SIZE_MAX / 2, SIZE_MAX}) expect(GLEV_ERROR_OVERLAP, 1, size);
   expect(GLEV_ERROR_BUFFER_TOO_SMALL, 1, needed - 1);
-  EXPECT_TRUE(memory.IsUntouched());
+  EXPECT_TRUE(memory.is_untouched());
   expect(GLEV_SUCCESS, 0, needed);
   expect(GLEV_SUCCESS, needed + extent, needed);
 }

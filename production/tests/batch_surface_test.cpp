@@ -10,8 +10,8 @@ namespace {
 class ScatteredPoints : public ContextTest {
  protected:
   template <class Real>
-  std::vector<glev_vertex> EvalCoords(std::size_t dimension, const std::vector<Real>& u,
-                                      const std::vector<Real>& v) {
+  std::vector<glev_vertex> eval_coords(std::size_t dimension, const std::vector<Real>& u,
+                                       const std::vector<Real>& v) {
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -27,20 +27,20 @@ class ScatteredPoints : public ContextTest {
 
   // Inside the domains, near their ends, outside, and no numbers at all.
   template <class Real>
-  Real Argument() {
+  Real choose_argument() {
     using Limits = std::numeric_limits<Real>;
-    switch (chance_.Whole(0, 24)) {
+    switch (chance_.whole(0, 24)) {
       case 0:
-        return chance_.OneOf<Real>(
+        return chance_.one_of<Real>(
             {0, -0.0F, 1, 0.5F, Limits::denorm_min(), -Limits::min(), 1 - Limits::epsilon()});
       case 1:
-        return chance_.OneOf<Real>({Limits::max(), Limits::lowest(), 1e19F, -1e6F, 17, -3});
+        return chance_.one_of<Real>({Limits::max(), Limits::lowest(), 1e19F, -1e6F, 17, -3});
       case 2:
-        return chance_.OneOf({Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()});
+        return chance_.one_of({Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()});
       case 3:
-        return static_cast<Real>(3 * chance_.Double() - 1);
+        return static_cast<Real>(3 * chance_.next_double() - 1);
       default:
-        return static_cast<Real>(chance_.Double());
+        return static_cast<Real>(chance_.next_double());
     }
   }
 
@@ -52,15 +52,15 @@ class ScatteredPoints : public ContextTest {
     std::vector<Real> values;
   };
   template <class Real>
-  Arguments<Real> ChooseArguments(std::size_t count) {
-    const std::size_t stride = chance_.OneOf<std::size_t>(
+  Arguments<Real> choose_arguments(std::size_t count) {
+    const std::size_t stride = chance_.one_of<std::size_t>(
                           {sizeof(Real), sizeof(Real), 0, 2 * sizeof(Real), sizeof(Real) + 3, 1000}),
-                      start = chance_.OneOf<std::size_t>({0, 0, 1, 6});
+                      start = chance_.one_of<std::size_t>({0, 0, 1, 6});
     Arguments<Real> arguments;
     const std::size_t bytes = count == 0 ? 0 : (count - 1) * stride + sizeof(Real);
     arguments.bytes.assign(start + bytes, 0xFF);
     for (std::size_t i = 0; i < count; ++i) {
-      const Real value = stride == 0 && i > 0 ? arguments.values[0] : Argument<Real>();
+      const Real value = stride == 0 && i > 0 ? arguments.values[0] : choose_argument<Real>();
       arguments.values.push_back(value);
       std::memcpy(arguments.bytes.data() + start + i * stride, &value, sizeof value);
     }
@@ -69,30 +69,30 @@ class ScatteredPoints : public ContextTest {
   }
 
   template <class Real>
-  void ExpectBitsOfEvalCoord(std::size_t dimension, std::size_t count) {
+  void expect_bits_of_eval_coord(std::size_t dimension, std::size_t count) {
     const Plan plan(gl, dimension);
-    const auto u = ChooseArguments<Real>(count), v = ChooseArguments<Real>(count);
-    const Layout layout = ChooseLayout(chance_, plan, count, 1, false);
+    const auto u = choose_arguments<Real>(count), v = choose_arguments<Real>(count);
+    const Layout layout = choose_layout(chance_, plan, count, 1, false);
     Memory memory(layout.bytes);
     const LaidOut outputs(layout, memory);
     const glev_batch batch = {sizeof batch,  count,
-                              kTypeOf<Real>, chance_.OneOf({GLEV_CORRECTLY_ROUNDED, GLEV_FAST}),
+                              kTypeOf<Real>, chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_FAST}),
                               u.input,       dimension == 2 ? v.input : glev_input{},
                               outputs};
     ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
-    const Memory expected = Expected(layout, EvalCoords(dimension, u.values, v.values), count);
+    const Memory expected = expected_memory(layout, eval_coords(dimension, u.values, v.values), count);
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << count << " points, byte "
-                                    << memory.Mismatch(expected) << " of " << memory.size();
+                                    << memory.mismatch(expected) << " of " << memory.size();
   }
 
-  void ExpectBitsOfEvalCoordForAllCounts(int most_order, int repetitions) {
+  void expect_bits_of_eval_coord_for_all_counts(int most_order, int repetitions) {
     for (int k = 0; k < repetitions; ++k) {
-      DefineMaps(gl, chance_, most_order);
-      EnableMaps(gl, chance_);
+      define_maps(gl, chance_, most_order);
+      enable_maps(gl, chance_);
       for (std::size_t count = 0; count <= 40; ++count) {
         for (std::size_t dimension : {1, 2}) {
-          ExpectBitsOfEvalCoord<float>(dimension, count);
-          ExpectBitsOfEvalCoord<double>(dimension, count);
+          expect_bits_of_eval_coord<float>(dimension, count);
+          expect_bits_of_eval_coord<double>(dimension, count);
           if (HasFatalFailure()) return;
         }
       }
@@ -102,28 +102,28 @@ class ScatteredPoints : public ContextTest {
   Chance chance_;
 };
 
-TEST_F(ScatteredPoints, HaveTheBitsOfEvalCoord) { ExpectBitsOfEvalCoordForAllCounts(5, 6); }
+TEST_F(ScatteredPoints, HaveTheBitsOfEvalCoord) { expect_bits_of_eval_coord_for_all_counts(5, 6); }
 
-TEST_F(ScatteredPoints, OfHighOrdersToo) { ExpectBitsOfEvalCoordForAllCounts(12, 2); }
+TEST_F(ScatteredPoints, OfHighOrdersToo) { expect_bits_of_eval_coord_for_all_counts(12, 2); }
 
 TEST_F(ScatteredPoints, WithAutomaticNormalsToo) {
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  ExpectBitsOfEvalCoordForAllCounts(4, 2);
+  expect_bits_of_eval_coord_for_all_counts(4, 2);
 }
 
 // Values for which nothing is claimed, but that are the same everywhere and do no harm.
 TEST_F(ScatteredPoints, OfMapsThatAreNotFiniteToo) {
   for (double bad : {kInfinity, -kInfinity, kNaN}) {
-    DefineMaps(gl, chance_, 5);
-    EnableMaps(gl, chance_);
+    define_maps(gl, chance_, 5);
+    enable_maps(gl, chance_);
     std::vector<double> points(48, 1);
-    points[static_cast<std::size_t>(chance_.Whole(0, 47))] = bad;
+    points[static_cast<std::size_t>(chance_.whole(0, 47))] = bad;
     glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, 4, 0, 1, 3, 4, points.data());
     glevMap1d(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 16, points.data());
     glevMap2d(gl, GLEV_MAP2_COLOR_4, bad, 1, 16, 3, 0, 1, 4, 3, points.data());
     glevMap1d(gl, GLEV_MAP1_COLOR_4, 0, bad, 4, 3, points.data());
     for (std::size_t count : {1, 5, 33}) {
-      for (std::size_t dimension : {1, 2}) ExpectBitsOfEvalCoord<double>(dimension, count);
+      for (std::size_t dimension : {1, 2}) expect_bits_of_eval_coord<double>(dimension, count);
     }
   }
 }
@@ -139,9 +139,9 @@ TEST_F(ScatteredPoints, OfControlPointsNearTheLargestDoubleAreStillRight) {
   }
   const Plan curve(gl, 1), surface(gl, 2);
   const std::vector<double> u = {0x1p-1000, 0, 0x1p-1020, 0x1p-990, 0x1p-1015};
-  const Floats got = Scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u);
-  EXPECT_EQ(Scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, u), got);
-  const std::vector<glev_vertex> one_by_one = EvalCoords<double>(1, u, {});
+  const Floats got = evaluate_scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u);
+  EXPECT_EQ(evaluate_scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, u), got);
+  const std::vector<glev_vertex> one_by_one = eval_coords<double>(1, u, {});
   for (std::size_t i = 0; i < u.size(); ++i) {
     const auto value = static_cast<float>(2 * u[i] * kMost);  // and 2 u^2, which does not count
     EXPECT_EQ(got[i], value) << u[i];

@@ -9,23 +9,23 @@ namespace {
 using EveryBits = std::vector<std::vector<std::uint64_t>>;
 
 // Of one thread's own: its arguments, its ranges, its memory.
-EveryBits WorkOf(int thread, const glev_plan* curve, const glev_plan* surface) {
+EveryBits work_of(int thread, const glev_plan* curve, const glev_plan* surface) {
   Chance chance(kSeed + static_cast<unsigned>(thread));
   EveryBits bits;
   for (int round = 0; round < 12; ++round) {
     std::vector<float> u, v;
     for (int i = 0; i < 50 + thread; ++i) {
-      u.push_back(chance.OneOf({chance.Float(), 0.5F, chance.Between(-1, 2)}));
-      v.push_back(chance.Float());
+      u.push_back(chance.one_of({chance.next_float(), 0.5F, chance.between(-1, 2)}));
+      v.push_back(chance.next_float());
     }
     for (glev_attribute attribute : kEveryAttribute) {
       for (glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
-        bits.push_back(BitsOf(Scattered(curve, attribute, u, {}, precision)));
-        bits.push_back(BitsOf(Scattered(surface, attribute, u, v, precision)));
-        bits.push_back(BitsOf(OfGrid(curve, attribute, {-thread, 30}, precision)));
-        bits.push_back(BitsOf(OfGrid(surface, attribute, {thread, 20, 0, 8}, precision)));
+        bits.push_back(bits_of(evaluate_scattered(curve, attribute, u, {}, precision)));
+        bits.push_back(bits_of(evaluate_scattered(surface, attribute, u, v, precision)));
+        bits.push_back(bits_of(evaluate_grid(curve, attribute, {-thread, 30}, precision)));
+        bits.push_back(bits_of(evaluate_grid(surface, attribute, {thread, 20, 0, 8}, precision)));
       }
-      bits.push_back(BitsOf(Scattered<double>(surface, attribute, u, v)));
+      bits.push_back(bits_of(evaluate_scattered<double>(surface, attribute, u, v)));
     }
   }
   return bits;
@@ -35,8 +35,8 @@ class Threads : public ContextTest, public ::testing::WithParamInterface<bool> {
 
 TEST_P(Threads, GetTheBitsThatTheyGetAlone) {
   Chance chance;
-  DefineMaps(gl, chance, 7);
-  EnableMaps(gl, chance);
+  define_maps(gl, chance, 7);
+  enable_maps(gl, chance);
   if (GetParam()) glevEnable(gl, GLEV_AUTO_NORMAL);
   glevMapGrid1f(gl, 30, 0, 1);
   glevMapGrid2f(gl, 20, 0.1F, 0.9F, 8, 0, 1);
@@ -45,11 +45,11 @@ TEST_P(Threads, GetTheBitsThatTheyGetAlone) {
   std::array<EveryBits, kThreads> together;
   std::vector<std::thread> threads;
   for (int k = 0; k < kThreads; ++k) {
-    threads.emplace_back([&, k] { together[static_cast<std::size_t>(k)] = WorkOf(k, curve, surface); });
+    threads.emplace_back([&, k] { together[static_cast<std::size_t>(k)] = work_of(k, curve, surface); });
   }
   for (std::thread& thread : threads) thread.join();
   for (int k = 0; k < kThreads; ++k)
-    EXPECT_TRUE(together[static_cast<std::size_t>(k)] == WorkOf(k, curve, surface)) << "thread " << k;
+    EXPECT_TRUE(together[static_cast<std::size_t>(k)] == work_of(k, curve, surface)) << "thread " << k;
 }
 
 INSTANTIATE_TEST_SUITE_P(, Threads, ::testing::Values(false, true),

@@ -16,23 +16,23 @@ namespace glev_tests {
 constexpr glev_attribute kEveryAttribute[] = {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR,
                                               GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD};
 
-inline const glev_output*& OutputOf(glev_outputs& outputs, glev_attribute attribute) {
+inline const glev_output*& output_of(glev_outputs& outputs, glev_attribute attribute) {
   constexpr const glev_output* glev_outputs::*kMembers[] = {&glev_outputs::vertex, &glev_outputs::color,
                                                             &glev_outputs::normal, &glev_outputs::texcoord};
   return outputs.*kMembers[attribute];
 }
 
 // What a vertex says of it, three values of a normal.
-inline Floats AttributeOf(const glev_vertex& vertex, glev_attribute attribute) {
+inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) {
   switch (attribute) {
     case GLEV_ATTRIBUTE_VERTEX:
-      return Values(vertex.position);
+      return values_of(vertex.position);
     case GLEV_ATTRIBUTE_COLOR:
-      return Values(vertex.color);
+      return values_of(vertex.color);
     case GLEV_ATTRIBUTE_NORMAL:
-      return Values(vertex.normal);
+      return values_of(vertex.normal);
     case GLEV_ATTRIBUTE_TEXCOORD:
-      return Values(vertex.texcoord[0]);
+      return values_of(vertex.texcoord[0]);
   }
   return {};
 }
@@ -63,22 +63,22 @@ class Memory {
   unsigned char* data() { return bytes_.data(); }
   std::size_t size() const { return bytes_.size(); }
   bool operator==(const Memory&) const = default;
-  bool IsUntouched() const { return *this == Memory(size()); }
+  bool is_untouched() const { return *this == Memory(size()); }
 
   // Everything from there on.
-  glev_output Output(std::size_t offset, std::size_t stride, std::size_t components, glev_enum type = 0,
-                     std::size_t row_stride = 0) {
+  glev_output make_output(std::size_t offset, std::size_t stride, std::size_t components, glev_enum type = 0,
+                          std::size_t row_stride = 0) {
     return {sizeof(glev_output), data() + offset, size() - offset, stride, components, type, row_stride};
   }
   template <class Value>
-  void Put(std::size_t offset, const Value* values, std::size_t count) {
+  void put(std::size_t offset, const Value* values, std::size_t count) {
     std::memcpy(data() + offset, values, count * sizeof(Value));
   }
-  void Poison(std::size_t offset, std::size_t count) {
+  void poison(std::size_t offset, std::size_t count) {
     std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), count, kPoisonByte);
   }
   // The first byte that differs, for messages; size() if none does.
-  std::size_t Mismatch(const Memory& other) const {
+  std::size_t mismatch(const Memory& other) const {
     return static_cast<std::size_t>(std::mismatch(bytes_.begin(), bytes_.end(), other.bytes_.begin()).first -
                                     bytes_.begin());
   }
@@ -88,7 +88,7 @@ class Memory {
 };
 
 template <class Real>
-std::vector<std::uint64_t> BitsOf(const std::vector<Real>& values) {
+std::vector<std::uint64_t> bits_of(const std::vector<Real>& values) {
   using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   std::vector<std::uint64_t> bits;
   for (Real value : values) bits.push_back(std::bit_cast<Word>(value));
@@ -99,22 +99,22 @@ template <class Real>
 constexpr glev_enum kTypeOf = sizeof(Real) == sizeof(double) ? GLEV_DOUBLE : GLEV_FLOAT;
 
 template <class Real>
-glev_input InputOf(const std::vector<Real>& arguments) {
+glev_input input_of(const std::vector<Real>& arguments) {
   if (arguments.empty()) return {};
   return {arguments.data(), arguments.size() * sizeof(Real), sizeof(Real)};
 }
 
 // One attribute at scattered arguments, packed. v: for plans of dimension 2.
 template <class Result = float, class Real>
-std::vector<Result> Scattered(const glev_plan* plan, glev_attribute attribute, const std::vector<Real>& u,
-                              const std::vector<Real>& v = {},
-                              glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
+std::vector<Result> evaluate_scattered(const glev_plan* plan, glev_attribute attribute,
+                                       const std::vector<Real>& u, const std::vector<Real>& v = {},
+                                       glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
   const std::size_t components = glevGetPlanComponents(plan, attribute), stride = components * sizeof(Result);
   std::vector<Result> results(u.size() * components);
   const glev_output output = {
       sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
-  glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, InputOf(u), InputOf(v), {}};
-  OutputOf(batch.outputs, attribute) = &output;
+  glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, input_of(u), input_of(v), {}};
+  output_of(batch.outputs, attribute) = &output;
   EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
   return results;
 }
@@ -127,16 +127,16 @@ struct Range {
 
 // One attribute at points of the grid, packed, or so many values apart with `between` between them.
 template <class Result = float>
-std::vector<Result> OfGrid(const glev_plan* plan, glev_attribute attribute, const Range& range,
-                           glev_precision precision = GLEV_CORRECTLY_ROUNDED, std::size_t apart = 0,
-                           Result between = 0) {
+std::vector<Result> evaluate_grid(const glev_plan* plan, glev_attribute attribute, const Range& range,
+                                  glev_precision precision = GLEV_CORRECTLY_ROUNDED, std::size_t apart = 0,
+                                  Result between = 0) {
   const std::size_t components = glevGetPlanComponents(plan, attribute);
   const std::size_t values = std::max(apart, components), stride = values * sizeof(Result);
   std::vector<Result> results(range.columns() * range.rows() * values, between);
   const glev_output output = {
       sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
   glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, {}, nullptr, 0};
-  OutputOf(mesh.outputs, attribute) = &output;
+  output_of(mesh.outputs, attribute) = &output;
   std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
   mesh.scratch = scratch.data();
   mesh.scratch_size = scratch.size();
@@ -150,25 +150,25 @@ class Chance {
   explicit Chance(unsigned seed = kSeed) : engine_(seed) {}
 
   // least to most
-  int Whole(int least, int most) {
+  int whole(int least, int most) {
     return least + static_cast<int>(engine_() % (static_cast<std::uint64_t>(most) - least + 1));
   }
   template <class List>
-  auto OneOf(const List& list) {
+  auto one_of(const List& list) {
     return std::data(list)[engine_() % std::size(list)];
   }
   template <class Value>
-  Value OneOf(std::initializer_list<Value> list) {
+  Value one_of(std::initializer_list<Value> list) {
     return list.begin()[engine_() % list.size()];
   }
   // In [0, 1), of 24 and 53 bits.
-  float Float() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }
-  double Double() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  float Between(float least, float most) { return least + Float() * (most - least); }
+  float next_float() { return static_cast<float>(engine_() >> 40) * 0x1p-24f; }
+  double next_double() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+  float between(float least, float most) { return least + next_float() * (most - least); }
 
-  std::vector<float> Points(std::size_t values) {
+  std::vector<float> next_points(std::size_t values) {
     std::vector<float> points(values);
-    for (float& point : points) point = Between(-2, 2);
+    for (float& point : points) point = between(-2, 2);
     return points;
   }
 
@@ -177,13 +177,13 @@ class Chance {
 };
 
 // All four attributes of both dimensions, each with orders and a domain of its own.
-inline void DefineMaps(glev_context* gl, Chance& chance, int most_order) {
-  const auto end = [&](float near) { return near + chance.Between(-0.25f, 0.25f); };
-  for (const TargetRow& row : TargetRows()) {
+inline void define_maps(glev_context* gl, Chance& chance, int most_order) {
+  const auto end = [&](float near) { return near + chance.between(-0.25f, 0.25f); };
+  for (const TargetRow& row : target_rows()) {
     if (row.offset == GLEV_MAP1_INDEX - GLEV_MAP1_COLOR_4) continue;
-    const int n = chance.Whole(1, most_order), m = chance.Whole(1, most_order);
-    const bool reversed = chance.Whole(0, 3) == 0;
-    const std::vector<float> points = chance.Points(static_cast<std::size_t>(n) * m * row.components);
+    const int n = chance.whole(1, most_order), m = chance.whole(1, most_order);
+    const bool reversed = chance.whole(0, 3) == 0;
+    const std::vector<float> points = chance.next_points(static_cast<std::size_t>(n) * m * row.components);
     const float u1 = end(reversed), u2 = end(!reversed), v1 = end(0), v2 = end(1);
     glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, u1, u2, row.components, n, points.data());
     glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, u1, u2, row.components * m, n, v1, v2, row.components, m,
@@ -192,9 +192,9 @@ inline void DefineMaps(glev_context* gl, Chance& chance, int most_order) {
 }
 
 // The attributes' maps on, of the vertex and texture maps one by chance.
-inline void EnableMaps(glev_context* gl, Chance& chance) {
+inline void enable_maps(glev_context* gl, Chance& chance) {
   for (glev_enum offset = 0; offset < 9; ++offset) {
-    const bool is_on = offset == 0 || offset == 2 || chance.Whole(0, 1) == 1;
+    const bool is_on = offset == 0 || offset == 2 || chance.whole(0, 1) == 1;
     for (glev_enum first : {GLEV_MAP1_COLOR_4, GLEV_MAP2_COLOR_4}) {
       (is_on ? glevEnable : glevDisable)(gl, first + offset);
     }
@@ -212,18 +212,18 @@ struct Layout {
   std::size_t bytes = 0;
 };
 
-inline Layout ChooseLayout(Chance& chance, const glev_plan* plan, std::size_t columns, std::size_t rows,
-                           bool has_rows) {
+inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t columns, std::size_t rows,
+                            bool has_rows) {
   Layout layout;
   std::vector<std::size_t> order = {0, 1, 2, 3};
   for (std::size_t k = 3; k > 0; --k)
-    std::swap(order[k], order[static_cast<std::size_t>(chance.Whole(0, 3)) % (k + 1)]);
-  const auto gap = [&] { return static_cast<std::size_t>(chance.OneOf({0, 0, 0, 1, 2, 4, 7, 16})); };
-  const bool interleaved = chance.Whole(0, 1) == 1, has_pitch = has_rows && chance.Whole(0, 1) == 1;
+    std::swap(order[k], order[static_cast<std::size_t>(chance.whole(0, 3)) % (k + 1)]);
+  const auto gap = [&] { return static_cast<std::size_t>(chance.one_of({0, 0, 0, 1, 2, 4, 7, 16})); };
+  const bool interleaved = chance.whole(0, 1) == 1, has_pitch = has_rows && chance.whole(0, 1) == 1;
   for (std::size_t a : order) {
     const int of_map = static_cast<int>(glevGetPlanComponents(plan, kEveryAttribute[a]));
     layout.components[a] = static_cast<std::size_t>(
-        chance.Whole(0, 1) == 1 ? of_map : chance.Whole(of_map, a == GLEV_ATTRIBUTE_NORMAL ? 3 : 4));
+        chance.whole(0, 1) == 1 ? of_map : chance.whole(of_map, a == GLEV_ATTRIBUTE_NORMAL ? 3 : 4));
   }
   std::size_t at = gap();
   if (interleaved) {
@@ -250,14 +250,15 @@ inline Layout ChooseLayout(Chance& chance, const glev_plan* plan, std::size_t co
 }
 
 // What memory of this layout has to be: poison, but for the attributes of the vertices.
-inline Memory Expected(const Layout& layout, const std::vector<glev_vertex>& vertices, std::size_t columns) {
+inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices,
+                              std::size_t columns) {
   Memory memory(layout.bytes);
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     for (std::size_t a = 0; a < 4; ++a) {
       const std::size_t row_stride =
           layout.row_stride[a] != 0 ? layout.row_stride[a] : columns * layout.stride[a];
-      const Floats values = AttributeOf(vertices[k], kEveryAttribute[a]);
-      memory.Put(layout.offset[a] + k % columns * layout.stride[a] + k / columns * row_stride, values.data(),
+      const Floats values = attribute_of(vertices[k], kEveryAttribute[a]);
+      memory.put(layout.offset[a] + k % columns * layout.stride[a] + k / columns * row_stride, values.data(),
                  layout.components[a]);
     }
   }
@@ -269,9 +270,9 @@ class LaidOut {
  public:
   LaidOut(const Layout& layout, Memory& memory) {
     for (std::size_t a = 0; a < 4; ++a) {
-      outputs_[a] =
-          memory.Output(layout.offset[a], layout.stride[a], layout.components[a], 0, layout.row_stride[a]);
-      OutputOf(all_, kEveryAttribute[a]) = &outputs_[a];
+      outputs_[a] = memory.make_output(layout.offset[a], layout.stride[a], layout.components[a], 0,
+                                       layout.row_stride[a]);
+      output_of(all_, kEveryAttribute[a]) = &outputs_[a];
     }
   }
   LaidOut(const LaidOut&) = delete;

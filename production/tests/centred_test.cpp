@@ -27,10 +27,10 @@ struct Centred {
         scaled(points.size() + 3),
         lowest(points.size()),
         coefficients(points.size()),
-        map(glev::PrepareMap(points.data(), order, components, {}, scaled.data(), lowest.data(),
-                             coefficients.data())) {}
+        map(glev::prepare_map(points.data(), order, components, {}, scaled.data(), lowest.data(),
+                              coefficients.data())) {}
 
-  Rational Value(int k, const Rational& x, const Rational& y) const {
+  Rational value_at(int k, const Rational& x, const Rational& y) const {
     const auto basis = [](int degree, const Rational& at) {
       std::vector<Rational> values;
       const Rational t = (1 + at) / 2, s = 1 - t;
@@ -43,12 +43,12 @@ struct Centred {
       }
       return values;
     };
-    return Tensor(basis(order[0] - 1, x), basis(order[1] - 1, y), points, components, k).value;
+    return tensor(basis(order[0] - 1, x), basis(order[1] - 1, y), points, components, k).value;
   }
 
   // By Horner's rule, in the numbers of T.
   template <class T, class From>
-  T Sum(int k, const T& x, const T& y, const From& from) const {
+  T sum_of(int k, const T& x, const T& y, const From& from) const {
     T result = 0;
     for (int i = order[0] - 1; i >= 0; --i) {
       T row = 0;
@@ -59,7 +59,7 @@ struct Centred {
     return result;
   }
 
-  double Largest(int k) const {
+  double largest_of(int k) const {
     double largest = 0;
     for (std::size_t i = k; i < points.size(); i += components)
       largest = std::max(largest, std::fabs(points[i]));
@@ -67,17 +67,17 @@ struct Centred {
   }
 
   // The units of the bound where the coefficients are taken as exact or not.
-  double Units(int k, bool is_exact) const {
+  double error_units(int k, bool is_exact) const {
     double sum = 0;
     for (std::size_t i = k; i < points.size(); i += components) sum += std::fabs(map.centred[i]);
-    return glev::CentredUnits(order[0] - 1, order[1] - 1, sum / Largest(k), is_exact);
+    return glev::centred_units(order[0] - 1, order[1] - 1, sum / largest_of(k), is_exact);
   }
 };
 
 class CentredMaps : public ::testing::Test {
  protected:
   // Control points of one magnitude or of many, as floats, integers, doubles; and what cancels most.
-  Centred Choose(int kind) {
+  Centred choose(int kind) {
     std::uniform_int_distribution<int> order(1, 4), components(1, 4), whole(-9, 9), exponent(-60, 0),
         bits(40, 52);
     std::uniform_real_distribution<double> value(-1, 1);
@@ -95,19 +95,19 @@ class CentredMaps : public ::testing::Test {
     return {orders, count, points};
   }
 
-  static bool IsTakenAsExact(const Centred& given, int k) {
+  static bool is_taken_as_exact(const Centred& given, int k) {
     const double units = given.map.centred_test.error[k] / given.map.component[k].unit - 2;
-    const bool is_exact = std::fabs(units - given.Units(k, true)) < 1e-6;
-    EXPECT_NEAR(units, given.Units(k, is_exact), 1e-6);
+    const bool is_exact = std::fabs(units - given.error_units(k, true)) < 1e-6;
+    EXPECT_NEAR(units, given.error_units(k, is_exact), 1e-6);
     return is_exact;
   }
 
   // Polynomials that agree in so many places are the same.
-  static void ExpectExact(const Centred& given, int k) {
+  static void expect_exact(const Centred& given, int k) {
     for (int i = 0; i < given.order[0]; ++i) {
       for (int j = 0; j < given.order[1]; ++j) {
         const Rational x = 2 * i - 3, y = 2 * j - 3;
-        EXPECT_EQ(given.Sum(k, x, y, Exactly), given.Value(k, x, y)) << "seed " << kSeed;
+        EXPECT_EQ(given.sum_of(k, x, y, to_rational), given.value_at(k, x, y)) << "seed " << kSeed;
       }
     }
   }
@@ -118,11 +118,11 @@ class CentredMaps : public ::testing::Test {
 TEST_F(CentredMaps, CoefficientsThatAreTakenAsExactAre) {
   std::array<int, 2> taken{};
   for (int round = 0; round < 1500; ++round) {
-    const Centred given = Choose(round % 5);
+    const Centred given = choose(round % 5);
     for (int k = 0; k < given.components; ++k) {
-      if (given.Largest(k) == 0) continue;
-      ++taken[IsTakenAsExact(given, k)];
-      if (IsTakenAsExact(given, k)) ExpectExact(given, k);
+      if (given.largest_of(k) == 0) continue;
+      ++taken[is_taken_as_exact(given, k)];
+      if (is_taken_as_exact(given, k)) expect_exact(given, k);
     }
   }
   EXPECT_GT(taken[0], 500);
@@ -137,8 +137,8 @@ TEST_F(CentredMaps, CoefficientsOfManyBitsAreExactOrNotTakenAsThat) {
     std::vector<double> points(16);
     for (double& point : points) point = std::rint(std::ldexp(value(random_), 43 + round % 5));
     const Centred given({4, 4}, 1, points);
-    ++taken[IsTakenAsExact(given, 0)];
-    if (IsTakenAsExact(given, 0)) ExpectExact(given, 0);
+    ++taken[is_taken_as_exact(given, 0)];
+    if (is_taken_as_exact(given, 0)) expect_exact(given, 0);
   }
   EXPECT_GT(taken[0], 100);
   EXPECT_GT(taken[1], 200);
@@ -150,7 +150,7 @@ TEST_F(CentredMaps, TheFloatsOfOrdinaryDataAreExact) {
     std::vector<double> points(16);
     for (double& point : points) point = static_cast<float>(value(random_) + (round % 2 == 0 ? 3 : 0));
     const Centred given({4, 4}, 1, points);
-    EXPECT_NEAR(given.map.centred_test.error[0] / given.map.component[0].unit - 2, given.Units(0, true),
+    EXPECT_NEAR(given.map.centred_test.error[0] / given.map.component[0].unit - 2, given.error_units(0, true),
                 1e-6);
   }
 }
@@ -159,18 +159,18 @@ TEST_F(CentredMaps, HornersRuleKeepsTheBound) {
   std::uniform_real_distribution<double> place(-1, 1);
   double worst = 0;
   for (int round = 0; round < 3000; ++round) {
-    const Centred given = Choose(round % 5);
+    const Centred given = choose(round % 5);
     const auto& [n, m] = given.map.surface.degree;
     for (int k = 0; k < given.components; ++k) {
-      if (given.Largest(k) == 0) continue;
+      if (given.largest_of(k) == 0) continue;
       EXPECT_GE(given.map.centred_test.error[k], given.map.test.error[k] * (1 - 0x1p-40));
       // Without what is there for x and y.
       const double unit = given.map.component[k].unit,
                    bound = given.map.centred_test.error[k] - (4 * (n + m) + 8) * unit;
       for (int i = 0; i < 4; ++i) {
         const double x = i == 0 ? 1 : place(random_), y = i == 1 ? -1 : place(random_);
-        const double got = given.Sum(k, x, y, [](double c) { return c; });
-        const Rational error = abs(Exactly(got) - given.Value(k, Exactly(x), Exactly(y)));
+        const double got = given.sum_of(k, x, y, [](double c) { return c; });
+        const Rational error = abs(to_rational(got) - given.value_at(k, to_rational(x), to_rational(y)));
         worst = std::max(worst, error.convert_to<double>() / bound);
       }
     }

@@ -14,23 +14,23 @@ class DirectCalls : public ContextTest {
  protected:
   Chance chance;
 
-  Floats RandomPoints(std::size_t count) {
+  Floats random_points(std::size_t count) {
     Floats points;
-    const float scale = std::ldexp(1.0F, chance.Whole(-70, 70));
+    const float scale = std::ldexp(1.0F, chance.whole(-70, 70));
     for (std::size_t i = 0; i < count; ++i) {
-      const float value = chance.OneOf({chance.Between(-2, 2), chance.Between(-2, 2), 0.0F, 1.0F, 1e-30F});
+      const float value = chance.one_of({chance.between(-2, 2), chance.between(-2, 2), 0.0F, 1.0F, 1e-30F});
       points.push_back(value * scale);
     }
     return points;
   }
   // Ends, far outside, subnormal, and whatever.
-  Floats Arguments() {
+  Floats choose_arguments() {
     Floats u = {0, 1, -0.0F, 0x1p-149F, -0x1p-130F, 0x1p-126F, 1.5F, -3, 1e38F};
-    for (int i = 0; i < 60; ++i) u.push_back(chance.Between(0, 1));
+    for (int i = 0; i < 60; ++i) u.push_back(chance.between(0, 1));
     return u;
   }
 
-  Floats Positions(int components = 4) const {
+  Floats recorded_positions(int components = 4) const {
     Floats positions;
     for (const glev_vertex& vertex : recording.vertices) {
       positions.insert(positions.end(), vertex.position, vertex.position + components);
@@ -39,7 +39,7 @@ class DirectCalls : public ContextTest {
     return positions;
   }
 
-  void DefineLine(glev_enum target = GLEV_MAP1_VERTEX_3) const {
+  void define_line(glev_enum target = GLEV_MAP1_VERTEX_3) const {
     const float points[][3] = {{1, 2, 3}, {3, 2, 3}};
     glevMap1f(gl, target, 0, 1, 3, 2, &points[0][0]);
     glevEnable(gl, target);
@@ -48,54 +48,56 @@ class DirectCalls : public ContextTest {
 
 TEST_F(DirectCalls, CurvesAreThoseOfBatches) {
   for (int trial = 0; trial < 300; ++trial) {
-    const int components = chance.Whole(3, 4), order = chance.OneOf({1, 2, 3, 4, 4, 5, 8, 20});
+    const int components = chance.whole(3, 4), order = chance.one_of({1, 2, 3, 4, 4, 5, 8, 20});
     const glev_enum target = components == 3 ? GLEV_MAP1_VERTEX_3 : GLEV_MAP1_VERTEX_4;
-    const Floats points = RandomPoints(static_cast<std::size_t>(components * order));
-    const float end = chance.OneOf({1.0F, 1.0F, 0.3F, -2.0F});
+    const Floats points = random_points(static_cast<std::size_t>(components * order));
+    const float end = chance.one_of({1.0F, 1.0F, 0.3F, -2.0F});
     glevDisable(gl, GLEV_MAP1_VERTEX_4);
     glevMap1f(gl, target, 0, end, components, order, points.data());
     glevEnable(gl, target);
     recording = {};
-    const Floats u = Arguments();
+    const Floats u = choose_arguments();
     glevBegin(gl, GLEV_POINTS);
     for (const float argument : u) glevEvalCoord1f(gl, argument);
     glevEnd(gl);
     const Plan plan(gl, 1);
-    EXPECT_EQ(BitsOf(Positions(components)), BitsOf(Scattered(plan, GLEV_ATTRIBUTE_VERTEX, u)))
+    EXPECT_EQ(bits_of(recorded_positions(components)),
+              bits_of(evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u)))
         << "order " << order << ", components " << components << ", to " << end;
   }
 }
 
 TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
   for (int trial = 0; trial < 300; ++trial) {
-    const int components = chance.Whole(3, 4);
-    const int n = chance.OneOf({4, 4, 1, 2, 7}), m = chance.OneOf({4, 4, 1, 3, 9});
+    const int components = chance.whole(3, 4);
+    const int n = chance.one_of({4, 4, 1, 2, 7}), m = chance.one_of({4, 4, 1, 3, 9});
     const glev_enum target = components == 3 ? GLEV_MAP2_VERTEX_3 : GLEV_MAP2_VERTEX_4;
-    const Floats points = RandomPoints(static_cast<std::size_t>(components * n * m));
-    const float end = chance.OneOf({1.0F, 1.0F, 0.7F, -4.0F});
+    const Floats points = random_points(static_cast<std::size_t>(components * n * m));
+    const float end = chance.one_of({1.0F, 1.0F, 0.7F, -4.0F});
     glevDisable(gl, GLEV_MAP2_VERTEX_4);
     glevMap2f(gl, target, 0, end, components * m, n, -1, 1, components, m, points.data());
     glevEnable(gl, target);
     recording = {};
-    const Floats u = Arguments();
+    const Floats u = choose_arguments();
     const Floats v(u.rbegin(), u.rend());
     glevBegin(gl, GLEV_POINTS);
     for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord2f(gl, u[i], v[i]);
     glevEnd(gl);
     const Plan plan(gl, 2);
-    EXPECT_EQ(BitsOf(Positions(components)), BitsOf(Scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v)))
+    EXPECT_EQ(bits_of(recorded_positions(components)),
+              bits_of(evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v)))
         << n << " x " << m << ", components " << components << ", to " << end;
   }
 }
 
 // What the caller changes after Begin, too.
 TEST_F(DirectCalls, InWhateverEnvironment) {
-  Floats points = RandomPoints(12);
-  for (float& point : points) point = chance.Between(-2, 2);
+  Floats points = random_points(12);
+  for (float& point : points) point = chance.between(-2, 2);
   points[1] = points[4] = points[7] = points[10] = 0;
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  const Floats u = Arguments();
+  const Floats u = choose_arguments();
   const auto evaluate = [&](const std::function<void()>& change) {
     recording = {};
     std::fenv_t before;
@@ -106,7 +108,7 @@ TEST_F(DirectCalls, InWhateverEnvironment) {
     for (const float argument : u) glevEvalCoord1f(gl, argument);
     std::fesetenv(&before);
     glevEnd(gl);
-    return BitsOf(Positions());
+    return bits_of(recorded_positions());
   };
   const auto expected = evaluate([] {});
   for (const int rounding : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
@@ -131,7 +133,7 @@ TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
     for (int i = 0; i < 50; ++i) glevEvalCoord1d(gl, 0.5 + (i - 25) * std::ldexp(1.0, -52 + i % 20));
     _mm_setcsr(before);
     glevEnd(gl);
-    return BitsOf(Positions());
+    return bits_of(recorded_positions());
   };
   const auto usual = evaluate(0x1F80);
   for (const unsigned control : {0x9F80U, 0x1FC0U, 0x9FC0U}) EXPECT_EQ(evaluate(control), usual);
@@ -139,7 +141,7 @@ TEST_F(DirectCalls, ResultsThatFlushToZeroWouldLose) {
 }
 
 TEST_F(DirectCalls, CurrentValuesInBetween) {
-  DefineLine();
+  define_line();
   glevBegin(gl, GLEV_LINE_STRIP);
   for (int i = 0; i < 4; ++i) {
     const auto value = static_cast<float>(i);
@@ -168,7 +170,7 @@ TEST_F(DirectCalls, CurrentValuesInBetween) {
 }
 
 TEST_F(DirectCalls, AMapThatIsDefinedInBetween) {
-  DefineLine();
+  define_line();
   for (const float x : {1.0F, 5.0F, 7.0F}) {
     const float points[][3] = {{x, 0, 0}, {x, 1, 0}};
     glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, &points[0][0]);
@@ -188,7 +190,7 @@ TEST_F(DirectCalls, AMapThatIsDefinedInBetween) {
 }
 
 TEST_F(DirectCalls, AreCompiled) {
-  DefineLine();
+  define_line();
   glevBegin(gl, GLEV_POINTS);
   for (int i = 0; i < 3; ++i) glevEvalCoord1f(gl, 0.5F);
   glevEnd(gl);
@@ -208,7 +210,7 @@ TEST_F(DirectCalls, FromCallbacks) {
     int calls = 0;
     std::vector<float> x;
   } state{gl, 0, {}};
-  DefineLine();
+  define_line();
   // Evaluates once more within a callback, then ends the primitive and takes its map away.
   const glev_sink sink = {sizeof sink, &state, nullptr,
                           [](void* user, const glev_vertex* vertex) {
@@ -230,7 +232,7 @@ TEST_F(DirectCalls, FromCallbacks) {
   glevEvalCoord1f(gl, 0.5F);
   glevEnd(gl);
   EXPECT_EQ(state.calls, 5);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ struct Registers {
   bool operator==(const Registers&) const = default;
 };
 
-Registers ReadRegisters() {
+Registers read_registers() {
   Registers registers = {std::fegetround(), std::fetestexcept(FE_ALL_EXCEPT)};
 #if defined(__SSE2__)
   registers.sse = _mm_getcsr();
@@ -79,21 +79,22 @@ struct Data {
   std::vector<double> wide_points, wide_u;
 };
 
-Data ChooseData() {
+Data choose_data() {
   Chance chance;
   Data data;
   constexpr float kLeast = std::numeric_limits<float>::denorm_min();
   for (int i = 0; i < 4 * 64; ++i) {
-    data.points.push_back(chance.OneOf({chance.Between(-2, 2), chance.Between(-2, 2), chance.Between(-2, 2),
-                                        static_cast<float>(chance.Whole(-3, 3)), kLeast * 12345, -1e-39F,
-                                        std::numeric_limits<float>::min()}));
+    data.points.push_back(chance.one_of({chance.between(-2, 2), chance.between(-2, 2), chance.between(-2, 2),
+                                         static_cast<float>(chance.whole(-3, 3)), kLeast * 12345, -1e-39F,
+                                         std::numeric_limits<float>::min()}));
     data.wide_points.push_back(
-        chance.OneOf({chance.Double(), 0x1p-1074 * chance.Whole(1, 1 << 30), -0x1p-1030}));
+        chance.one_of({chance.next_double(), 0x1p-1074 * chance.whole(1, 1 << 30), -0x1p-1030}));
   }
   for (int i = 0; i < 45; ++i) {
-    data.u.push_back(chance.OneOf({chance.Float(), chance.Float(), 0.5F, 1e-40F, -kLeast, 1.5F, 0.0F}));
-    data.v.push_back(chance.OneOf({chance.Float(), chance.Float(), 0.25F, 3e-39F, 1.0F}));
-    data.wide_u.push_back(chance.OneOf({chance.Double(), 0x1p-1074, 0x1p-1030, 3.0}));
+    data.u.push_back(
+        chance.one_of({chance.next_float(), chance.next_float(), 0.5F, 1e-40F, -kLeast, 1.5F, 0.0F}));
+    data.v.push_back(chance.one_of({chance.next_float(), chance.next_float(), 0.25F, 3e-39F, 1.0F}));
+    data.wide_u.push_back(chance.one_of({chance.next_double(), 0x1p-1074, 0x1p-1030, 3.0}));
   }
   return data;
 }
@@ -109,94 +110,95 @@ class Work {
   std::vector<std::vector<double>> doubles;
   std::vector<glev_vertex> vertices;
 
-  void Do() {
-    callers_ = ReadRegisters();
+  void run_all() {
+    callers_ = read_registers();
     const glev_sink sink = {sizeof sink, this, nullptr,
                             [](void* user, const glev_vertex* vertex) {
                               auto* self = static_cast<Work*>(user);
                               self->vertices.push_back(*vertex);
-                              self->unlike_the_callers += ReadRegisters() != self->callers_;
+                              self->unlike_the_callers += read_registers() != self->callers_;
                             },
                             nullptr};
-    Call([&] { glevCreateContext(nullptr, &gl_); });
+    call([&] { glevCreateContext(nullptr, &gl_); });
     glevSetSink(gl_, &sink);
-    DefineFloatMaps();
+    define_float_maps();
     for (bool automatic : {false, true}) {
       (automatic ? glevEnable : glevDisable)(gl_, GLEV_AUTO_NORMAL);
-      Evaluate();
+      evaluate();
     }
-    DefineDoubleMaps();
-    Evaluate();
-    Lists();
-    Query();
+    define_double_maps();
+    evaluate();
+    run_lists();
+    run_queries();
     glevDestroyContext(gl_);
   }
 
  private:
   template <class Function>
-  void Call(const Function& function) {
-    const Registers before = ReadRegisters();
+  void call(const Function& function) {
+    const Registers before = read_registers();
     function();
-    changed += ReadRegisters() != before;
+    changed += read_registers() != before;
   }
 
-  void DefineFloatMaps() {
+  void define_float_maps() {
     const float* const points = data_.points.data();
-    Call([&] { glevMap1f(gl_, GLEV_MAP1_VERTEX_3, 0, 1, 3, 6, points); });
-    Call([&] { glevMap1f(gl_, GLEV_MAP1_COLOR_4, 1e-40F, -1e-39F, 4, 4, points); });
-    Call([&] { glevMap1f(gl_, GLEV_MAP1_TEXTURE_COORD_2, 0, 0x1p-149F, 2, 9, points); });
-    Call([&] { glevMap2f(gl_, GLEV_MAP2_VERTEX_4, 0, 1, 16, 4, 0, 1, 4, 4, points); });
-    Call([&] { glevMap2f(gl_, GLEV_MAP2_COLOR_4, 0, 1e-40F, 12, 3, 0, 1, 4, 3, points); });
-    Call([&] { glevMap2f(gl_, GLEV_MAP2_NORMAL, 0, 1, 30, 2, -0.3F, 1.7F, 3, 10, points); });
+    call([&] { glevMap1f(gl_, GLEV_MAP1_VERTEX_3, 0, 1, 3, 6, points); });
+    call([&] { glevMap1f(gl_, GLEV_MAP1_COLOR_4, 1e-40F, -1e-39F, 4, 4, points); });
+    call([&] { glevMap1f(gl_, GLEV_MAP1_TEXTURE_COORD_2, 0, 0x1p-149F, 2, 9, points); });
+    call([&] { glevMap2f(gl_, GLEV_MAP2_VERTEX_4, 0, 1, 16, 4, 0, 1, 4, 4, points); });
+    call([&] { glevMap2f(gl_, GLEV_MAP2_COLOR_4, 0, 1e-40F, 12, 3, 0, 1, 4, 3, points); });
+    call([&] { glevMap2f(gl_, GLEV_MAP2_NORMAL, 0, 1, 30, 2, -0.3F, 1.7F, 3, 10, points); });
     for (glev_enum target : {GLEV_MAP1_VERTEX_3, GLEV_MAP1_COLOR_4, GLEV_MAP1_TEXTURE_COORD_2,
                              GLEV_MAP2_VERTEX_4, GLEV_MAP2_COLOR_4, GLEV_MAP2_NORMAL})
-      Call([&] { glevEnable(gl_, target); });
-    Call([&] { glevMapGrid1f(gl_, 7, 0, 0.9F); });
-    Call([&] { glevMapGrid2f(gl_, 8, 1e-39F, 1, 3, 0, 1e-40F); });
+      call([&] { glevEnable(gl_, target); });
+    call([&] { glevMapGrid1f(gl_, 7, 0, 0.9F); });
+    call([&] { glevMapGrid2f(gl_, 8, 1e-39F, 1, 3, 0, 1e-40F); });
   }
 
-  void DefineDoubleMaps() {
+  void define_double_maps() {
     const double* const points = data_.wide_points.data();
-    Call([&] { glevMap1d(gl_, GLEV_MAP1_VERTEX_3, 0, 0x1p-1070, 3, 6, points); });
-    Call([&] { glevMap2d(gl_, GLEV_MAP2_VERTEX_4, 0, 1, 16, 4, 0x1p-1073, 0, 4, 4, points); });
-    Call([&] { glevMapGrid1d(gl_, 5, 0x1p-1074, 0x1p-1069); });
-    Call([&] { glevMapGrid2d(gl_, 5, 0, 1, 3, 0, 0x1p-1072); });
+    call([&] { glevMap1d(gl_, GLEV_MAP1_VERTEX_3, 0, 0x1p-1070, 3, 6, points); });
+    call([&] { glevMap2d(gl_, GLEV_MAP2_VERTEX_4, 0, 1, 16, 4, 0x1p-1073, 0, 4, 4, points); });
+    call([&] { glevMapGrid1d(gl_, 5, 0x1p-1074, 0x1p-1069); });
+    call([&] { glevMapGrid2d(gl_, 5, 0, 1, 3, 0, 0x1p-1072); });
   }
 
-  void Evaluate() {
-    Call([&] { glevBegin(gl_, GLEV_POINTS); });
+  void evaluate() {
+    call([&] { glevBegin(gl_, GLEV_POINTS); });
     for (std::size_t i = 0; i < data_.u.size(); ++i) {
-      Call([&] { glevEvalCoord1f(gl_, data_.u[i]); });
-      Call([&] { glevEvalCoord1fv(gl_, &data_.u[i]); });
-      Call([&] { glevEvalCoord1d(gl_, data_.wide_u[i]); });
-      Call([&] { glevEvalCoord2f(gl_, data_.u[i], data_.v[i]); });
+      call([&] { glevEvalCoord1f(gl_, data_.u[i]); });
+      call([&] { glevEvalCoord1fv(gl_, &data_.u[i]); });
+      call([&] { glevEvalCoord1d(gl_, data_.wide_u[i]); });
+      call([&] { glevEvalCoord2f(gl_, data_.u[i], data_.v[i]); });
       const float uv[] = {data_.u[i], data_.v[i]};
-      Call([&] { glevEvalCoord2fv(gl_, uv); });
-      Call([&] { glevEvalPoint2(gl_, static_cast<int>(i) - 5, static_cast<int>(i) / 5); });
+      call([&] { glevEvalCoord2fv(gl_, uv); });
+      call([&] { glevEvalPoint2(gl_, static_cast<int>(i) - 5, static_cast<int>(i) / 5); });
     }
-    Call([&] { glevEnd(gl_); });
-    Call([&] { glevEvalMesh1(gl_, GLEV_LINE, -1, 8); });
-    Call([&] { glevEvalMesh2(gl_, GLEV_POINT, -1, 9, 0, 3); });
-    Call([&] { glevEvalMesh2(gl_, GLEV_LINE, 0, 2, -1, 1); });
-    Call([&] { glevEvalMesh2(gl_, GLEV_FILL, 0, 2, 0, 4); });
+    call([&] { glevEnd(gl_); });
+    call([&] { glevEvalMesh1(gl_, GLEV_LINE, -1, 8); });
+    call([&] { glevEvalMesh2(gl_, GLEV_POINT, -1, 9, 0, 3); });
+    call([&] { glevEvalMesh2(gl_, GLEV_LINE, 0, 2, -1, 1); });
+    call([&] { glevEvalMesh2(gl_, GLEV_FILL, 0, 2, 0, 4); });
     glev_plan *curve = nullptr, *surface = nullptr;
     const glev_plan_info one = {sizeof one, 1}, two = {sizeof two, 2};
-    Call([&] { glevCreatePlan(gl_, &one, &curve); });
-    Call([&] { glevCreatePlan(gl_, &two, &surface); });
+    call([&] { glevCreatePlan(gl_, &one, &curve); });
+    call([&] { glevCreatePlan(gl_, &two, &surface); });
     for (glev_attribute attribute : kEveryAttribute) {
       for (glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
         if (glevGetPlanComponents(curve, attribute) != 0) {
-          Call([&] { floats.push_back(Scattered(curve, attribute, data_.u, {}, precision)); });
-          Call([&] { floats.push_back(Scattered(curve, attribute, data_.wide_u, {}, precision)); });
-          Call([&] { doubles.push_back(Scattered<double>(curve, attribute, data_.u)); });
-          Call([&] { floats.push_back(OfGrid(curve, attribute, {-1, 30}, precision)); });
+          call([&] { floats.push_back(evaluate_scattered(curve, attribute, data_.u, {}, precision)); });
+          call([&] { floats.push_back(evaluate_scattered(curve, attribute, data_.wide_u, {}, precision)); });
+          call([&] { doubles.push_back(evaluate_scattered<double>(curve, attribute, data_.u)); });
+          call([&] { floats.push_back(evaluate_grid(curve, attribute, {-1, 30}, precision)); });
         }
         if (glevGetPlanComponents(surface, attribute) != 0) {
-          Call([&] { floats.push_back(Scattered(surface, attribute, data_.u, data_.v, precision)); });
-          Call([&] { doubles.push_back(Scattered<double>(surface, attribute, data_.u, data_.v)); });
-          Call([&] { floats.push_back(OfGrid(surface, attribute, {0, 8, 0, 3}, precision)); });
-          Call([&] { floats.push_back(OfGrid(surface, attribute, {-3, 18, -1, 5}, precision)); });
-          Call([&] { doubles.push_back(OfGrid<double>(surface, attribute, {0, 8, 0, 3})); });
+          call(
+              [&] { floats.push_back(evaluate_scattered(surface, attribute, data_.u, data_.v, precision)); });
+          call([&] { doubles.push_back(evaluate_scattered<double>(surface, attribute, data_.u, data_.v)); });
+          call([&] { floats.push_back(evaluate_grid(surface, attribute, {0, 8, 0, 3}, precision)); });
+          call([&] { floats.push_back(evaluate_grid(surface, attribute, {-3, 18, -1, 5}, precision)); });
+          call([&] { doubles.push_back(evaluate_grid<double>(surface, attribute, {0, 8, 0, 3})); });
         }
       }
     }
@@ -204,33 +206,33 @@ class Work {
     glevReleasePlan(surface);
   }
 
-  void Lists() {
-    Call([&] { glevNewList(gl_, 1, GLEV_COMPILE); });
-    DefineDoubleMaps();
-    DefineFloatMaps();
-    Call([&] { glevBegin(gl_, GLEV_POINTS); });
-    Call([&] { glevEvalCoord1f(gl_, 1e-39F); });
-    Call([&] { glevEnd(gl_); });
-    Call([&] { glevEvalMesh2(gl_, GLEV_FILL, 0, 2, 0, 4); });
-    Call([&] { glevEndList(gl_); });
-    Call([&] { glevCallList(gl_, 1); });
+  void run_lists() {
+    call([&] { glevNewList(gl_, 1, GLEV_COMPILE); });
+    define_double_maps();
+    define_float_maps();
+    call([&] { glevBegin(gl_, GLEV_POINTS); });
+    call([&] { glevEvalCoord1f(gl_, 1e-39F); });
+    call([&] { glevEnd(gl_); });
+    call([&] { glevEvalMesh2(gl_, GLEV_FILL, 0, 2, 0, 4); });
+    call([&] { glevEndList(gl_); });
+    call([&] { glevCallList(gl_, 1); });
   }
 
-  void Query() {
+  void run_queries() {
     // A grid that differs by a subnormal number is another one.
     glevMapGrid1d(gl_, 4, 0, 1);
     glevMap1f(gl_, GLEV_MAP1_VERTEX_3, 0, 0x1p-149F, 3, 6, data_.points.data());
-    Call([&] { glevPushAttrib(gl_, GLEV_EVAL_BIT); });
-    Call([&] { glevMapGrid1d(gl_, 4, 0x1p-1040, 1); });
-    Call([&] { glevEvalMesh1(gl_, GLEV_POINT, 0, 0); });
-    Call([&] { glevPopAttrib(gl_); });
-    Call([&] { glevEvalMesh1(gl_, GLEV_POINT, 0, 0); });
+    call([&] { glevPushAttrib(gl_, GLEV_EVAL_BIT); });
+    call([&] { glevMapGrid1d(gl_, 4, 0x1p-1040, 1); });
+    call([&] { glevEvalMesh1(gl_, GLEV_POINT, 0, 0); });
+    call([&] { glevPopAttrib(gl_); });
+    call([&] { glevEvalMesh1(gl_, GLEV_POINT, 0, 0); });
     Floats domain(2), points(6 * 3);
-    Call([&] { glevGetMapfv(gl_, GLEV_MAP1_VERTEX_3, GLEV_DOMAIN, domain.data()); });
-    Call([&] { glevGetMapfv(gl_, GLEV_MAP1_VERTEX_3, GLEV_COEFF, points.data()); });
+    call([&] { glevGetMapfv(gl_, GLEV_MAP1_VERTEX_3, GLEV_DOMAIN, domain.data()); });
+    call([&] { glevGetMapfv(gl_, GLEV_MAP1_VERTEX_3, GLEV_COEFF, points.data()); });
     Floats grid(2);
     glevMapGrid1d(gl_, 4, 1.0 / 3, 1e-40);
-    Call([&] { glevGetFloatv(gl_, GLEV_MAP1_GRID_DOMAIN, grid.data()); });
+    call([&] { glevGetFloatv(gl_, GLEV_MAP1_GRID_DOMAIN, grid.data()); });
     for (const Floats& values : {domain, points, grid}) floats.push_back(values);
   }
 
@@ -240,18 +242,18 @@ class Work {
 };
 
 template <class Lists>
-auto BitsOfAll(const Lists& lists) {
+auto bits_of_all(const Lists& lists) {
   std::vector<std::vector<std::uint64_t>> bits;
-  for (const auto& list : lists) bits.push_back(BitsOf(list));
+  for (const auto& list : lists) bits.push_back(bits_of(list));
   return bits;
 }
 
 TEST(HostileEnvironment, ChangesNoBitAndIsNotChanged) {
-  const Data data = ChooseData();
+  const Data data = choose_data();
   Work usual(data);
   {
     const In environment(kDefaultEnvironment);
-    usual.Do();
+    usual.run_all();
   }
   EXPECT_EQ(usual.vertices.size() > 500, true);
   for (const Environment& hostile : kHostileEnvironments) {
@@ -259,23 +261,23 @@ TEST(HostileEnvironment, ChangesNoBitAndIsNotChanged) {
     Registers before, after;
     {
       const In environment(hostile);
-      before = ReadRegisters();
-      work.Do();
-      after = ReadRegisters();
+      before = read_registers();
+      work.run_all();
+      after = read_registers();
     }
     EXPECT_TRUE(before == after) << hostile.name;
     EXPECT_EQ(work.changed, 0) << hostile.name;
     EXPECT_EQ(work.unlike_the_callers, 0) << hostile.name;
-    const auto floats = BitsOfAll(work.floats), usual_floats = BitsOfAll(usual.floats);
+    const auto floats = bits_of_all(work.floats), usual_floats = bits_of_all(usual.floats);
     for (std::size_t i = 0; i < floats.size(); ++i)
       EXPECT_EQ(floats[i], usual_floats[i]) << hostile.name << " " << i;
-    EXPECT_EQ(BitsOfAll(work.doubles), BitsOfAll(usual.doubles)) << hostile.name;
+    EXPECT_EQ(bits_of_all(work.doubles), bits_of_all(usual.doubles)) << hostile.name;
     ASSERT_EQ(work.vertices.size(), usual.vertices.size()) << hostile.name;
     std::size_t different = 0;
     for (std::size_t i = 0; i < work.vertices.size(); ++i) {
       for (glev_attribute attribute : kEveryAttribute)
-        different += BitsOf(AttributeOf(work.vertices[i], attribute)) !=
-                     BitsOf(AttributeOf(usual.vertices[i], attribute));
+        different += bits_of(attribute_of(work.vertices[i], attribute)) !=
+                     bits_of(attribute_of(usual.vertices[i], attribute));
     }
     EXPECT_EQ(different, 0u) << hostile.name;
   }

@@ -12,7 +12,7 @@ using Integer = boost::multiprecision::cpp_int;
 using Rational = boost::multiprecision::cpp_rational;
 
 // The value of a finite double.
-inline Rational Exactly(double x) {
+inline Rational to_rational(double x) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);
   const Integer mantissa(static_cast<long long>(std::ldexp(fraction, 53)));
@@ -25,16 +25,16 @@ struct ExactPoint {
   Rational magnitude;  // sum of the absolute values
 };
 
-inline ExactPoint Bezier(double u1, double u2, const std::vector<double>& points, double u) {
+inline ExactPoint exact_bezier(double u1, double u2, const std::vector<double>& points, double u) {
   // t = a / (a + b); everything over (a + b)^n, so that only the end divides.
-  const Rational a = Exactly(u) - Exactly(u1), b = Exactly(u2) - Exactly(u);
+  const Rational a = to_rational(u) - to_rational(u1), b = to_rational(u2) - to_rational(u);
   const std::size_t n = points.size() - 1;
   std::vector<Rational> powers_of_b(n + 1, 1);
   for (std::size_t i = 1; i <= n; ++i) powers_of_b[i] = powers_of_b[i - 1] * b;
   Rational power_of_a = 1, binomial = 1, whole = 1;
   ExactPoint sum;
   for (std::size_t i = 0; i <= n; ++i) {
-    const Rational term = binomial * power_of_a * powers_of_b[n - i] * Exactly(points[i]);
+    const Rational term = binomial * power_of_a * powers_of_b[n - i] * to_rational(points[i]);
     sum.value += term;
     sum.magnitude += abs(term);
     power_of_a *= a;
@@ -49,8 +49,8 @@ struct ExactBasis {
   std::vector<Rational> values, derivatives;
 };
 
-inline ExactBasis Basis(double u1, double u2, std::size_t order, double u) {
-  const Rational t = (Exactly(u) - Exactly(u1)) / (Exactly(u2) - Exactly(u1)), s = 1 - t;
+inline ExactBasis exact_basis(double u1, double u2, std::size_t order, double u) {
+  const Rational t = (to_rational(u) - to_rational(u1)) / (to_rational(u2) - to_rational(u1)), s = 1 - t;
   std::vector<Rational> powers_of_t = {1}, powers_of_s = {1};
   for (std::size_t i = 1; i < order; ++i) {
     powers_of_t.push_back(powers_of_t.back() * t);
@@ -71,13 +71,13 @@ inline ExactBasis Basis(double u1, double u2, std::size_t order, double u) {
 }
 
 // sum of u[i] * v[j] * R_ij, v fastest: component k of points with `components` values.
-inline ExactPoint Tensor(const std::vector<Rational>& u, const std::vector<Rational>& v,
+inline ExactPoint tensor(const std::vector<Rational>& u, const std::vector<Rational>& v,
                          const std::vector<double>& points, std::size_t components = 1, std::size_t k = 0) {
   ExactPoint sum;
   for (std::size_t i = 0; i < u.size(); ++i) {
     ExactPoint row;
     for (std::size_t j = 0; j < v.size(); ++j) {
-      const Rational term = v[j] * Exactly(points[(i * v.size() + j) * components + k]);
+      const Rational term = v[j] * to_rational(points[(i * v.size() + j) * components + k]);
       row.value += term;
       row.magnitude += abs(term);
     }

@@ -24,16 +24,16 @@ struct TargetRow {
   std::vector<double> initial;
 };
 
-inline const std::vector<TargetRow>& TargetRows() {
-  static const std::vector<TargetRow> rows = {{0, 4, {1, 1, 1, 1}}, {1, 1, {1}},       {2, 3, {0, 0, 1}},
-                                              {3, 1, {0}},          {4, 2, {0, 0}},    {5, 3, {0, 0, 0}},
-                                              {6, 4, {0, 0, 0, 1}}, {7, 3, {0, 0, 0}}, {8, 4, {0, 0, 0, 1}}};
-  return rows;
+inline const std::vector<TargetRow>& target_rows() {
+  static const std::vector<TargetRow> kRows = {{0, 4, {1, 1, 1, 1}}, {1, 1, {1}},       {2, 3, {0, 0, 1}},
+                                               {3, 1, {0}},          {4, 2, {0, 0}},    {5, 3, {0, 0, 0}},
+                                               {6, 4, {0, 0, 0, 1}}, {7, 3, {0, 0, 0}}, {8, 4, {0, 0, 0, 1}}};
+  return kRows;
 }
 
-inline std::vector<glev_enum> Capabilities() {
+inline std::vector<glev_enum> capabilities() {
   std::vector<glev_enum> names;
-  for (const TargetRow& row : TargetRows()) {
+  for (const TargetRow& row : target_rows()) {
     names.push_back(GLEV_MAP1_COLOR_4 + row.offset);
     names.push_back(GLEV_MAP2_COLOR_4 + row.offset);
   }
@@ -46,7 +46,7 @@ struct Recording {
   std::vector<glev_vertex> vertices;
   int ended = 0;
 
-  glev_sink Sink() {
+  glev_sink make_sink() {
     return {sizeof(glev_sink), this,
             [](void* user, glev_enum mode) { static_cast<Recording*>(user)->begun.push_back(mode); },
             [](void* user, const glev_vertex* v) { static_cast<Recording*>(user)->vertices.push_back(*v); },
@@ -58,20 +58,20 @@ class ContextTest : public ::testing::Test {
  protected:
   ContextTest() {
     EXPECT_EQ(glevCreateContext(nullptr, &gl), GLEV_SUCCESS);
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     EXPECT_EQ(glevSetSink(gl, &sink), GLEV_SUCCESS);
   }
   ~ContextTest() override { glevDestroyContext(gl); }
 
   // Everything a query can tell, in one row of numbers. Outside Begin/End and NewList/EndList only; keeps the
   // error flag as it is.
-  std::vector<double> State() const {
+  std::vector<double> query_state() const {
     std::vector<double> state;
     std::vector<double> values(64 * 64 * 4);
     const auto add = [&](std::size_t count) {
       state.insert(state.end(), values.begin(), values.begin() + count);
     };
-    for (const TargetRow& row : TargetRows()) {
+    for (const TargetRow& row : target_rows()) {
       for (int dimension : {1, 2}) {
         const glev_enum target = (dimension == 1 ? GLEV_MAP1_COLOR_4 : GLEV_MAP2_COLOR_4) + row.offset;
         glevGetMapdv(gl, target, GLEV_ORDER, values.data());
@@ -83,7 +83,7 @@ class ContextTest : public ::testing::Test {
         add(points * row.components);
       }
     }
-    for (glev_enum cap : Capabilities()) state.push_back(glevIsEnabled(gl, cap));
+    for (glev_enum cap : capabilities()) state.push_back(glevIsEnabled(gl, cap));
     const std::pair<glev_enum, std::size_t> names[] = {
         {GLEV_LIST_BASE, 1},        {GLEV_LIST_INDEX, 1},
         {GLEV_LIST_MODE, 1},        {GLEV_ATTRIB_STACK_DEPTH, 1},
@@ -108,38 +108,38 @@ class ContextTest : public ::testing::Test {
   }
 
   // One error, and only one.
-  void ExpectError(glev_enum error) const {
+  void expect_error(glev_enum error) const {
     EXPECT_EQ(glevGetError(gl), error);
     EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR));
   }
 
   // The call records this error and does nothing else.
-  void ExpectRefused(glev_enum error, const std::function<void()>& call) const {
-    const std::vector<double> before = State();
+  void expect_rejected(glev_enum error, const std::function<void()>& call) const {
+    const std::vector<double> before = query_state();
     const std::size_t vertices = recording.vertices.size();
     EXPECT_EQ(glevGetError(gl), static_cast<glev_enum>(GLEV_NO_ERROR)) << "left over";
     call();
-    ExpectError(error);
-    EXPECT_EQ(State(), before);
+    expect_error(error);
+    EXPECT_EQ(query_state(), before);
     EXPECT_EQ(recording.vertices.size(), vertices);
   }
 
   // The same between Begin and End.
-  void ExpectRefusedInPrimitive(glev_enum error, const std::function<void()>& call) const {
-    ExpectRefused(error, [&] {
+  void expect_rejected_in_primitive(glev_enum error, const std::function<void()>& call) const {
+    expect_rejected(error, [&] {
       glevBegin(gl, GLEV_POINTS);
       call();
       glevEnd(gl);
     });
   }
 
-  void ExpectAccepted(const std::function<void()>& call) const {
+  void expect_accepted(const std::function<void()>& call) const {
     call();
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
   }
 
   template <class Evaluate>
-  glev_vertex OneVertex(Evaluate evaluate) {
+  glev_vertex one_vertex(Evaluate evaluate) {
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     evaluate();
@@ -153,7 +153,7 @@ class ContextTest : public ::testing::Test {
 };
 
 template <std::size_t kCount>
-std::vector<float> Values(const float (&values)[kCount]) {
+std::vector<float> values_of(const float (&values)[kCount]) {
   return {values, values + kCount};
 }
 

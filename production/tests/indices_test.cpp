@@ -9,26 +9,26 @@ namespace {
 
 constexpr glev_enum kIndexTypes[] = {GLEV_UNSIGNED_BYTE, GLEV_UNSIGNED_SHORT, GLEV_UNSIGNED_INT};
 
-std::size_t BytesOfIndex(glev_enum type) {
+std::size_t bytes_of_index(glev_enum type) {
   return type == GLEV_UNSIGNED_BYTE ? 1 : type == GLEV_UNSIGNED_SHORT ? 2 : 4;
 }
 
-glev_indices Indices(glev_enum mode, std::size_t columns, std::size_t rows,
-                     glev_enum type = GLEV_UNSIGNED_INT, std::size_t first = 0) {
+glev_indices make_indices(glev_enum mode, std::size_t columns, std::size_t rows,
+                          glev_enum type = GLEV_UNSIGNED_INT, std::size_t first = 0) {
   return {sizeof(glev_indices), mode, columns, rows, first, type, nullptr, 0};
 }
 
 // Into exactly as many bytes as they need.
-std::vector<std::uint32_t> Get(glev_indices indices) {
-  const std::size_t count = glevGetIndexCount(&indices), each = BytesOfIndex(indices.type);
+std::vector<std::uint32_t> get_indices(glev_indices indices) {
+  const std::size_t count = glevGetIndexCount(&indices), each = bytes_of_index(indices.type);
   Memory memory(count * each + 8);
   indices.data = memory.data() + 1;
   indices.data_size = count * each;
   EXPECT_EQ(glevGetIndices(&indices), GLEV_SUCCESS);
   std::vector<std::uint32_t> numbers(count);
   for (std::size_t k = 0; k < count; ++k) std::memcpy(&numbers[k], memory.data() + 1 + k * each, each);
-  memory.Poison(1, count * each);
-  EXPECT_TRUE(memory.IsUntouched());
+  memory.poison(1, count * each);
+  EXPECT_TRUE(memory.is_untouched());
   return numbers;
 }
 
@@ -38,7 +38,7 @@ class IndicesOfMeshes : public ContextTest {
 
   IndicesOfMeshes() {
     Chance chance;
-    DefineMaps(gl, chance, 4);
+    define_maps(gl, chance, 4);
     glevEnable(gl, GLEV_MAP1_VERTEX_3);
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
     glevMapGrid1f(gl, 7, 0.1F, 0.9F);
@@ -46,28 +46,28 @@ class IndicesOfMeshes : public ContextTest {
   }
 
   // What indices of vertices of a mesh stand for.
-  std::vector<Corner> Corners(std::size_t dimension, const Range& range, std::size_t first,
-                              const std::vector<std::uint32_t>& numbers) {
+  std::vector<Corner> expected_corners(std::size_t dimension, const Range& range, std::size_t first,
+                                       const std::vector<std::uint32_t>& numbers) {
     const Plan plan(gl, dimension);
-    const Floats values = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range);
+    const Floats values = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range);
     std::vector<Corner> corners;
     for (std::uint32_t number : numbers) {
       EXPECT_GE(number, first);
       const float* vertex = values.data() + 3 * (number - first);
-      corners.push_back(BitsOf(Floats{vertex, vertex + 3}));
+      corners.push_back(bits_of(Floats{vertex, vertex + 3}));
     }
     return corners;
   }
 
   // What the sink has seen as points, lines or triangles.
-  std::vector<Corner> Drawn() const {
+  std::vector<Corner> drawn_corners() const {
     std::vector<Corner> corners;
     std::size_t at = 0;
     for (std::size_t primitive = 0; primitive < recording.begun.size(); ++primitive) {
       const std::size_t size = sizes_[primitive];
       const auto corner = [&](std::size_t k) {
         const float* position = recording.vertices[at + k].position;
-        return BitsOf(Floats{position, position + 3});
+        return bits_of(Floats{position, position + 3});
       };
       switch (recording.begun[primitive]) {
         case GLEV_POINTS:
@@ -91,7 +91,7 @@ class IndicesOfMeshes : public ContextTest {
     return corners;
   }
 
-  void Draw2(glev_enum mode, const Range& range) {
+  void draw2(glev_enum mode, const Range& range) {
     recording = {};
     sizes_.clear();
     const auto strips = [&](std::size_t count, std::size_t size) {
@@ -113,12 +113,12 @@ TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh2) {
     for (int rows = 1; rows <= 5; ++rows) {
       const Range range = {1, columns, -1, rows - 2};
       for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
-        Draw2(mode, range);
-        const std::vector<Corner> drawn = Drawn();
+        draw2(mode, range);
+        const std::vector<Corner> drawn = drawn_corners();
         for (glev_enum type : kIndexTypes) {
           for (std::size_t first : {0, 200}) {
-            const auto numbers = Get(Indices(mode, range.columns(), range.rows(), type, first));
-            EXPECT_EQ(Corners(2, range, first, numbers), drawn)
+            const auto numbers = get_indices(make_indices(mode, range.columns(), range.rows(), type, first));
+            EXPECT_EQ(expected_corners(2, range, first, numbers), drawn)
                 << std::hex << mode << std::dec << ", " << columns << " x " << rows << ", from " << first;
           }
         }
@@ -134,9 +134,11 @@ TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh1) {
       recording = {};
       glevEvalMesh1(gl, mode, range.i1, range.i2);
       sizes_ = {range.columns()};
-      EXPECT_EQ(Corners(1, range, 7, Get(Indices(mode, range.columns(), 1, GLEV_UNSIGNED_BYTE, 7))), Drawn());
+      EXPECT_EQ(expected_corners(1, range, 7,
+                                 get_indices(make_indices(mode, range.columns(), 1, GLEV_UNSIGNED_BYTE, 7))),
+                drawn_corners());
     }
-    EXPECT_TRUE(Get(Indices(GLEV_FILL, range.columns(), 1)).empty());
+    EXPECT_TRUE(get_indices(make_indices(GLEV_FILL, range.columns(), 1)).empty());
   }
 }
 
@@ -144,7 +146,7 @@ TEST_F(IndicesOfMeshes, MakeThePrimitivesOfEvalMesh1) {
 // every cell is covered once.
 TEST(IndexBuffers, TrianglesTurnOneWayAndCoverEveryCell) {
   constexpr int kColumns = 5, kRows = 4;
-  const std::vector<std::uint32_t> numbers = Get(Indices(GLEV_FILL, kColumns, kRows));
+  const std::vector<std::uint32_t> numbers = get_indices(make_indices(GLEV_FILL, kColumns, kRows));
   ASSERT_EQ(numbers.size(), 6u * (kColumns - 1) * (kRows - 1));
   std::multiset<int> cells;
   for (std::size_t k = 0; k < numbers.size(); k += 3) {
@@ -164,9 +166,9 @@ TEST(IndexBuffers, TrianglesTurnOneWayAndCoverEveryCell) {
 
 TEST(IndexBuffers, HoldTheNumbersOfTheirType) {
   for (glev_enum type : kIndexTypes) {
-    const std::size_t largest = (std::size_t{1} << (8 * BytesOfIndex(type))) - 1;
+    const std::size_t largest = (std::size_t{1} << (8 * bytes_of_index(type))) - 1;
     const auto count = [&](std::size_t columns, std::size_t rows, std::size_t first) {
-      const glev_indices indices = Indices(GLEV_POINT, columns, rows, type, first);
+      const glev_indices indices = make_indices(GLEV_POINT, columns, rows, type, first);
       return glevGetIndexCount(&indices);
     };
     EXPECT_EQ(count(1, 1, largest), 1u);
@@ -180,19 +182,19 @@ TEST(IndexBuffers, HoldTheNumbersOfTheirType) {
     EXPECT_EQ(count(SIZE_MAX, 1, 0), 0u);
     EXPECT_EQ(count(SIZE_MAX, SIZE_MAX, 0), 0u);
     EXPECT_EQ(count(std::size_t{1} << 32, std::size_t{1} << 32, 0), 0u);
-    const std::vector<std::uint32_t> numbers = Get(Indices(GLEV_FILL, 2, 2, type, largest - 3));
+    const std::vector<std::uint32_t> numbers = get_indices(make_indices(GLEV_FILL, 2, 2, type, largest - 3));
     EXPECT_EQ(numbers.back(), static_cast<std::uint32_t>(largest));
     EXPECT_EQ(numbers.front(), static_cast<std::uint32_t>(largest - 3));
   }
   // too many to write, but not to count
-  const glev_indices most = Indices(GLEV_FILL, 1 << 16, 1 << 16);
+  const glev_indices most = make_indices(GLEV_FILL, 1 << 16, 1 << 16);
   EXPECT_EQ(glevGetIndexCount(&most), 6 * std::size_t{65535} * 65535);
 }
 
 TEST(IndexBuffers, OfNoVerticesAreEmpty) {
   for (glev_enum mode : {GLEV_POINT, GLEV_LINE, GLEV_FILL}) {
     for (auto [columns, rows] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 5}, {5, 0}, {SIZE_MAX, 0}}) {
-      const glev_indices indices = Indices(mode, columns, rows);
+      const glev_indices indices = make_indices(mode, columns, rows);
       EXPECT_EQ(glevGetIndexCount(&indices), 0u);
       EXPECT_EQ(glevGetIndices(&indices), GLEV_SUCCESS);
     }
@@ -202,12 +204,12 @@ TEST(IndexBuffers, OfNoVerticesAreEmpty) {
 TEST(IndexBuffers, MisuseIsRefusedAndNothingWritten) {
   Memory memory(1000);
   const auto with = [&](glev_result expected, auto change) {
-    glev_indices indices = Indices(GLEV_LINE, 4, 3, GLEV_UNSIGNED_SHORT);
+    glev_indices indices = make_indices(GLEV_LINE, 4, 3, GLEV_UNSIGNED_SHORT);
     indices.data = memory.data();
     indices.data_size = memory.size();
     change(indices);
     EXPECT_EQ(glevGetIndices(&indices), expected);
-    EXPECT_TRUE(memory.IsUntouched());
+    EXPECT_TRUE(memory.is_untouched());
     return glevGetIndexCount(&indices);
   };
   constexpr glev_result kWrong = GLEV_ERROR_INVALID_ARGUMENT;

@@ -5,29 +5,29 @@ namespace glev_tests {
 namespace {
 
 // All that maps of both dimensions give: one by one, in batches, in meshes, in float and double.
-std::vector<std::uint64_t> EverythingOf(const char* target, unsigned seed, int least_order, int most_order) {
+std::vector<std::uint64_t> everything_of(const char* target, unsigned seed, int least_order, int most_order) {
   Recording recording;
   glev_context* gl = nullptr;
   const glev_context_info info = {sizeof info, nullptr, target};
   EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS) << target;
   if (gl == nullptr) return {};
-  const glev_sink sink = recording.Sink();
+  const glev_sink sink = recording.make_sink();
   glevSetSink(gl, &sink);
 
   Chance chance(seed);
   const auto points = [&](int n, int m, int components) {
     // what rounds is as frequent as what is exact
-    const bool is_exact = chance.Whole(0, 1) == 1;
-    std::vector<float> values = chance.Points(static_cast<std::size_t>(n) * m * components);
+    const bool is_exact = chance.whole(0, 1) == 1;
+    std::vector<float> values = chance.next_points(static_cast<std::size_t>(n) * m * components);
     for (float& value : values) value = is_exact ? std::round(8 * value) : value;
     return values;
   };
-  const auto order = [&] { return chance.Whole(least_order, most_order); };
+  const auto order = [&] { return chance.whole(least_order, most_order); };
   for (glev_enum target_of : {GLEV_MAP1_COLOR_4, GLEV_MAP1_NORMAL, GLEV_MAP1_TEXTURE_COORD_1,
                               GLEV_MAP1_TEXTURE_COORD_2, GLEV_MAP1_VERTEX_3}) {
-    const int components = TargetRows()[target_of - GLEV_MAP1_COLOR_4].components;
+    const int components = target_rows()[target_of - GLEV_MAP1_COLOR_4].components;
     const glev_enum second = target_of - GLEV_MAP1_COLOR_4 + GLEV_MAP2_COLOR_4;
-    const float u1 = chance.OneOf({0.0F, 0.0F, -0.3F, 1.0F}), u2 = u1 + chance.OneOf({1.0F, 0.7F});
+    const float u1 = chance.one_of({0.0F, 0.0F, -0.3F, 1.0F}), u2 = u1 + chance.one_of({1.0F, 0.7F});
     const int n = order(), m = order();
     glevMap1f(gl, target_of, u1, u2, components, n, points(n, 1, components).data());
     glevMap2f(gl, second, u1, u2, components * m, n, 0, 1, components, m, points(n, m, components).data());
@@ -39,25 +39,25 @@ std::vector<std::uint64_t> EverythingOf(const char* target, unsigned seed, int l
 
   std::vector<float> u, v;
   for (int i = 0; i < 37; ++i) {
-    u.push_back(i % 5 == 0   ? chance.Between(-1, 2)
+    u.push_back(i % 5 == 0   ? chance.between(-1, 2)
                 : i % 7 == 0 ? static_cast<float>(i % 9) / 8
-                             : chance.Float());
-    v.push_back(chance.Float());
+                             : chance.next_float());
+    v.push_back(chance.next_float());
   }
   std::vector<std::uint64_t> bits;
   const auto add = [&](const auto& values) {
-    const auto more = BitsOf(values);
+    const auto more = bits_of(values);
     bits.insert(bits.end(), more.begin(), more.end());
   };
   {
     const Plan curve(gl, 1), surface(gl, 2);
     for (glev_attribute attribute : kEveryAttribute) {
-      add(Scattered(curve, attribute, u));
-      add(Scattered(surface, attribute, u, v));
-      add(Scattered<double>(curve, attribute, u));
-      add(OfGrid(curve, attribute, {-1, 19}));
-      add(OfGrid(surface, attribute, {0, 16, -1, 3}));
-      add(OfGrid<double>(surface, attribute, {3, 5, -1, 3}));
+      add(evaluate_scattered(curve, attribute, u));
+      add(evaluate_scattered(surface, attribute, u, v));
+      add(evaluate_scattered<double>(curve, attribute, u));
+      add(evaluate_grid(curve, attribute, {-1, 19}));
+      add(evaluate_grid(surface, attribute, {0, 16, -1, 3}));
+      add(evaluate_grid<double>(surface, attribute, {3, 5, -1, 3}));
     }
   }
   glevBegin(gl, GLEV_POINTS);
@@ -68,25 +68,26 @@ std::vector<std::uint64_t> EverythingOf(const char* target, unsigned seed, int l
   glevEnd(gl);
   glevEvalMesh2(gl, GLEV_FILL, 0, 5, 0, 3);
   for (const glev_vertex& vertex : recording.vertices) {
-    for (glev_attribute attribute : kEveryAttribute) add(AttributeOf(vertex, attribute));
+    for (glev_attribute attribute : kEveryAttribute) add(attribute_of(vertex, attribute));
   }
   glevDestroyContext(gl);
   return bits;
 }
 
-void ExpectSameBitsEverywhere(unsigned seed, int least_order, int most_order) {
-  const std::vector<std::uint64_t> best = EverythingOf(nullptr, seed, least_order, most_order);
+void expect_same_bits_everywhere(unsigned seed, int least_order, int most_order) {
+  const std::vector<std::uint64_t> best = everything_of(nullptr, seed, least_order, most_order);
   for (std::size_t i = 0; const char* target = glevGetTargetName(i); ++i)
-    ASSERT_TRUE(EverythingOf(target, seed, least_order, most_order) == best)
+    ASSERT_TRUE(everything_of(target, seed, least_order, most_order) == best)
         << target << ", orders " << least_order << " to " << most_order << ", seed " << seed;
 }
 
 TEST(InstructionSets, GiveTheSameBitsForEveryOrder) {
-  for (int order : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 31, 64}) ExpectSameBitsEverywhere(kSeed, order, order);
+  for (int order : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 17, 31, 64})
+    expect_same_bits_everywhere(kSeed, order, order);
 }
 
 TEST(InstructionSets, GiveTheSameBitsForLowOrders) {
-  for (unsigned seed = 0; seed < 60; ++seed) ExpectSameBitsEverywhere(seed, 1, 5);
+  for (unsigned seed = 0; seed < 60; ++seed) expect_same_bits_everywhere(seed, 1, 5);
 }
 
 TEST(InstructionSets, HaveNames) {

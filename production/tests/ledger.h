@@ -18,7 +18,7 @@ struct Ledger {
   int requests = 0;
   int refuse_from = -1;
 
-  glev_allocator Allocator() {
+  glev_allocator make_allocator() {
     return {sizeof(glev_allocator), this,
             [](void* user, std::size_t bytes, std::size_t alignment) -> void* {
               auto* ledger = static_cast<Ledger*>(user);

@@ -9,22 +9,22 @@ namespace {
 
 // Everything that an array argument is read from: 0.25, 0.5, 0.75, ...
 template <class Real>
-const Real* Numbers() {
-  static const std::vector<Real> numbers = [] {
+const Real* numbers() {
+  static const std::vector<Real> kNumbers = [] {
     std::vector<Real> made(200);
     for (std::size_t i = 0; i < made.size(); ++i) made[i] = static_cast<Real>(i + 1) / 4;
     return made;
   }();
-  return numbers.data();
+  return kNumbers.data();
 }
 
 // One call of each function whose command belongs into lists.
-std::vector<Row> CompiledCommands() {
+std::vector<Row> compiled_commands() {
   static constexpr glev_enum kUnit = GLEV_TEXTURE0 + 3;
-  const float* f = Numbers<float>();
-  const double* d = Numbers<double>();
-  static const glev_boolean no = GLEV_FALSE;
-  static const unsigned char names[] = {90, 91};
+  const float* f = numbers<float>();
+  const double* d = numbers<double>();
+  static const glev_boolean kNo = GLEV_FALSE;
+  static const unsigned char kNames[] = {90, 91};
 #define COMMAND(name, ...) Row(#name, [=](glev_context* gl) { glev##name(gl, __VA_ARGS__); })
 #define VECTORS(name)                                                \
   Row(#name "fv", [=](glev_context* gl) { glev##name##fv(gl, f); }), \
@@ -58,8 +58,8 @@ std::vector<Row> CompiledCommands() {
           FORMS(Color4, 0.5f, 2, 3, 4),
           FORMS(Normal3, 0.5f, 2, 3),
           FORMS(Index, 7.5f),
-          COMMAND(EdgeFlag, no),
-          COMMAND(EdgeFlagv, &no),
+          COMMAND(EdgeFlag, kNo),
+          COMMAND(EdgeFlagv, &kNo),
           FORMS(TexCoord1, 1.5f),
           FORMS(TexCoord2, 1.5f, 2),
           FORMS(TexCoord3, 1.5f, 2, 3),
@@ -72,7 +72,7 @@ std::vector<Row> CompiledCommands() {
           COMMAND(PushAttrib, GLEV_EVAL_BIT),
           Row("PopAttrib", [](glev_context* gl) { glevPopAttrib(gl); }),
           COMMAND(CallList, 90),
-          COMMAND(CallLists, 2, GLEV_UNSIGNED_BYTE, names),
+          COMMAND(CallLists, 2, GLEV_UNSIGNED_BYTE, kNames),
           COMMAND(ListBase, 17)};
 #undef UNIT_FORMS
 #undef FORMS
@@ -91,12 +91,12 @@ class EveryCommand : public Lists {
   };
 
   // A context where every command has an effect.
-  void Prepare() {
-    Fresh();
-    Compile(90, [&] { glevColor3f(gl, 9, 0, 0); });
-    Compile(91, [&] { glevNormal3f(gl, 9, 1, 0); });
-    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 3, Numbers<float>() + 2);
-    glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 3, 0, 1, 9, 2, Numbers<float>() + 4);
+  void prepare() {
+    fresh();
+    compile(90, [&] { glevColor3f(gl, 9, 0, 0); });
+    compile(91, [&] { glevNormal3f(gl, 9, 1, 0); });
+    glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 3, numbers<float>() + 2);
+    glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 3, 0, 1, 9, 2, numbers<float>() + 4);
     glevEnable(gl, GLEV_MAP1_VERTEX_3);
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
     glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS);
@@ -104,8 +104,8 @@ class EveryCommand : public Lists {
     recording = {};
   }
 
-  Effect Observe() {
-    Effect effect{glevGetError(gl), State(), {}};
+  Effect observe() {
+    Effect effect{glevGetError(gl), query_state(), {}};
     for (glev_enum mode : recording.begun) effect.drawn.push_back(mode);
     effect.drawn.push_back(recording.ended);
     for (const glev_vertex& v : recording.vertices) {
@@ -123,45 +123,45 @@ class EveryCommand : public Lists {
   }
 
   // Runs the commands at once; in a list that is called; in a list while it is compiled; in that list again.
-  void Check(const Command& commands) {
-    Prepare();
-    const Effect nothing = Observe();
+  void check(const Command& commands) {
+    prepare();
+    const Effect nothing = observe();
     commands(gl);
-    const Effect once = Observe();
+    const Effect once = observe();
     EXPECT_NE(once, nothing) << "the test sees nothing of it";
     recording = {};
     commands(gl);
-    const Effect twice = Observe();
+    const Effect twice = observe();
 
-    Prepare();
+    prepare();
     glevNewList(gl, 1, GLEV_COMPILE);
     commands(gl);
     glevEndList(gl);
-    EXPECT_EQ(Observe(), nothing) << "executed while compiled";
+    EXPECT_EQ(observe(), nothing) << "executed while compiled";
     glevCallList(gl, 1);
-    EXPECT_EQ(Observe(), once) << "list";
+    EXPECT_EQ(observe(), once) << "list";
     recording = {};
     glevCallList(gl, 1);
-    EXPECT_EQ(Observe(), twice) << "list, again";
+    EXPECT_EQ(observe(), twice) << "list, again";
 
-    Prepare();
+    prepare();
     glevNewList(gl, 1, GLEV_COMPILE_AND_EXECUTE);
     commands(gl);
     glevEndList(gl);
-    EXPECT_EQ(Observe(), once) << "compile and execute";
+    EXPECT_EQ(observe(), once) << "compile and execute";
     recording = {};
     glevCallList(gl, 1);
-    EXPECT_EQ(Observe(), twice) << "executed, then list";
+    EXPECT_EQ(observe(), twice) << "executed, then list";
   }
 };
 
 TEST_F(EveryCommand, HasTheEffectOfItsCallWhenTheListIsCalledAndNotBefore) {
-  for (const auto& compiled : CompiledCommands()) {
+  for (const auto& compiled : compiled_commands()) {
     const auto& command = compiled.second;  // clang 14 captures no structured binding
     const std::string_view text = compiled.first;
     SCOPED_TRACE(text);
     if (text == "Begin") {
-      Check([&](glev_context* context) {
+      check([&](glev_context* context) {
         command(context);
         glevVertex2f(context, 1, 1);
         glevEnd(context);
@@ -170,9 +170,9 @@ TEST_F(EveryCommand, HasTheEffectOfItsCallWhenTheListIsCalledAndNotBefore) {
     }
     const bool draws =
         text.starts_with("Vertex") || text.starts_with("EvalCoord") || text.starts_with("EvalPoint");
-    if (!draws) Check(command);
+    if (!draws) check(command);
     // between Begin and End, where some are errors
-    Check([&](glev_context* context) {
+    check([&](glev_context* context) {
       glevBegin(context, GLEV_POINTS);
       command(context);
       glevVertex2f(context, 1, 1);
@@ -196,20 +196,20 @@ TEST_F(EveryCommand, NullPointersAreErrorsOfTheList) {
       {"CallLists", [](glev_context* c) { glevCallLists(c, 1, GLEV_INT, nullptr); }}};
   for (const auto& [name, command] : commands) {
     SCOPED_TRACE(name);
-    Check(command);
-    Compile(1, [&, &run = command] { run(gl); });
-    ExpectError(GLEV_NO_ERROR);
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevCallList(gl, 1); });
+    check(command);
+    compile(1, [&, &run = command] { run(gl); });
+    expect_error(GLEV_NO_ERROR);
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevCallList(gl, 1); });
   }
-  Compile(1, [&] { glevCallLists(gl, 0, GLEV_INT, nullptr); });
-  ExpectAccepted([&] { glevCallList(gl, 1); });
+  compile(1, [&] { glevCallLists(gl, 0, GLEV_INT, nullptr); });
+  expect_accepted([&] { glevCallList(gl, 1); });
 }
 
 // ---- Errors
 
 TEST_F(EveryCommand, ErrorsComeWhenTheListIsCalledAndDoNotEndIt) {
-  const float* f = Numbers<float>();
-  const double* d = Numbers<double>();
+  const float* f = numbers<float>();
+  const double* d = numbers<double>();
   const unsigned char names[] = {90};
   const std::pair<glev_enum, Command> rows[] = {
       {GLEV_INVALID_ENUM, [=](glev_context* c) { glevMap1f(c, GLEV_MAP2_VERTEX_3, 0, 1, 3, 2, f); }},
@@ -245,17 +245,17 @@ TEST_F(EveryCommand, ErrorsComeWhenTheListIsCalledAndDoNotEndIt) {
   for (std::size_t i = 0; i < std::size(rows); ++i) {
     SCOPED_TRACE(i);
     const auto& [error, command] = rows[i];
-    Check(command);
-    Prepare();
-    Compile(1, [&, &run = command] {
+    check(command);
+    prepare();
+    compile(1, [&, &run = command] {
       run(gl);
-      ExpectError(GLEV_NO_ERROR);
+      expect_error(GLEV_NO_ERROR);
       glevIndexf(gl, 5);
     });
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
     glevCallList(gl, 1);
-    ExpectError(error);
-    EXPECT_EQ(Index(), 5) << "the list goes on";
+    expect_error(error);
+    EXPECT_EQ(current_index(), 5) << "the list goes on";
   }
 }
 

@@ -10,18 +10,18 @@ namespace {
 
 class ListMemory : public Lists {
  protected:
-  ListMemory() { Create(); }
-  ~ListMemory() override { Destroy(); }
+  ListMemory() { create(); }
+  ~ListMemory() override { destroy(); }
 
-  void Create() {
+  void create() {
     glevDestroyContext(gl);
-    allocator_ = ledger_.Allocator();
+    allocator_ = ledger_.make_allocator();
     const glev_context_info info = {sizeof(glev_context_info), &allocator_, nullptr};
     EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
   }
-  void Destroy() {
+  void destroy() {
     glevDestroyContext(gl);
     gl = nullptr;
     EXPECT_TRUE(ledger_.out.empty()) << ledger_.out.size() << " blocks leaked";
@@ -34,7 +34,7 @@ class ListMemory : public Lists {
 TEST_F(ListMemory, ComesFromTheAllocatorAndGoesBack) {
   const glev_uint first = glevGenLists(gl, 100);
   for (glev_uint i = 0; i < 100; i += 3) {
-    Compile(first + i, [&] {
+    compile(first + i, [&] {
       for (glev_uint k = 0; k < i * 10; ++k) glevEvalCoord2f(gl, 0, 1);
     });
   }
@@ -42,7 +42,7 @@ TEST_F(ListMemory, ComesFromTheAllocatorAndGoesBack) {
   EXPECT_GT(before, 30u);
   glevDeleteLists(gl, first + 10, 20);
   EXPECT_EQ(ledger_.out.size(), before - 6) << "at once: of 12, 15, ..., 27";
-  Compile(first, [] {});
+  compile(first, [] {});
   glevNewList(gl, first + 3, GLEV_COMPILE);
   glevIndexf(gl, 1);
 }
@@ -50,8 +50,8 @@ TEST_F(ListMemory, ComesFromTheAllocatorAndGoesBack) {
 TEST_F(ListMemory, ExecutionDoesNotAllocate) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   const unsigned char names[] = {2, 2};
-  Compile(2, [&] { glevEvalCoord1f(gl, 0.5f); });
-  Compile(1, [&] {
+  compile(2, [&] { glevEvalCoord1f(gl, 0.5f); });
+  compile(1, [&] {
     glevPushAttrib(gl, GLEV_ALL_ATTRIB_BITS);
     glevBegin(gl, GLEV_POINTS);
     for (int i = 0; i < 100; ++i) glevEvalCoord1f(gl, 0.5f);
@@ -71,8 +71,8 @@ TEST_F(ListMemory, ExecutionDoesNotAllocate) {
 TEST_F(ListMemory, AListThatFindsNoMemoryLeavesTheOldOne) {
   int refused = 0;
   for (;; ++refused) {
-    Create();
-    Compile(7, [&] { glevIndexf(gl, 7); });
+    create();
+    compile(7, [&] { glevIndexf(gl, 7); });
     ledger_.refuse_from = ledger_.requests + refused;
     bool recorded = false;
     glevNewList(gl, 7, GLEV_COMPILE_AND_EXECUTE);
@@ -81,20 +81,20 @@ TEST_F(ListMemory, AListThatFindsNoMemoryLeavesTheOldOne) {
       const glev_enum error = glevGetError(gl);
       EXPECT_TRUE(error == GLEV_NO_ERROR || (error == GLEV_OUT_OF_MEMORY && !recorded));
       recorded |= error == GLEV_OUT_OF_MEMORY;
-      EXPECT_EQ(Integer(GLEV_EDGE_FLAG), i % 2 == 0) << "executed all the same";
+      EXPECT_EQ(get_integer(GLEV_EDGE_FLAG), i % 2 == 0) << "executed all the same";
     }
     glevIndexf(gl, 8);
     recorded |= glevGetError(gl) == GLEV_OUT_OF_MEMORY;
     glevEndList(gl);
-    EXPECT_EQ(Integer(GLEV_LIST_INDEX), 0);
-    ExpectError(recorded ? GLEV_OUT_OF_MEMORY : GLEV_NO_ERROR);
+    EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 0);
+    expect_error(recorded ? GLEV_OUT_OF_MEMORY : GLEV_NO_ERROR);
     glevCallList(gl, 7);
-    EXPECT_EQ(Index(), recorded ? 7 : 8);
+    EXPECT_EQ(current_index(), recorded ? 7 : 8);
     ledger_.refuse_from = -1;
-    Compile(7, [&] { glevIndexf(gl, 9); });
-    ExpectError(GLEV_NO_ERROR);
+    compile(7, [&] { glevIndexf(gl, 9); });
+    expect_error(GLEV_NO_ERROR);
     glevCallList(gl, 7);
-    EXPECT_EQ(Index(), 9);
+    EXPECT_EQ(current_index(), 9);
     if (!recorded) break;
   }
   EXPECT_GE(refused, 2) << "the list has to grow";
@@ -110,26 +110,26 @@ TEST_F(ListMemory, CommandsWithArraysAndNamesFindNoMemory) {
       {"CallLists", [&](glev_context* c) { glevCallLists(c, 5000, GLEV_INT, names.data()); }}};
   for (const auto& [name, command] : commands) {
     SCOPED_TRACE(name);
-    Create();
+    create();
     ledger_.refuse_from = 0;
     glevNewList(gl, 1, GLEV_COMPILE);
     command(gl);
-    ExpectError(GLEV_OUT_OF_MEMORY);
+    expect_error(GLEV_OUT_OF_MEMORY);
     command(gl);
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
     glevEndList(gl);
-    ExpectError(GLEV_OUT_OF_MEMORY);
+    expect_error(GLEV_OUT_OF_MEMORY);
     EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
     ledger_.refuse_from = -1;
   }
-  Create();
+  create();
   ledger_.refuse_from = 0;
-  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { EXPECT_EQ(glevGenLists(gl, 3), 0u); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { EXPECT_EQ(glevGenLists(gl, 3), 0u); });
   glevNewList(gl, 1, GLEV_COMPILE);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   glevEndList(gl);
-  ExpectError(GLEV_OUT_OF_MEMORY);
-  EXPECT_EQ(Integer(GLEV_LIST_INDEX), 0);
+  expect_error(GLEV_OUT_OF_MEMORY);
+  EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 0);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
   ledger_.refuse_from = -1;
 }
@@ -154,7 +154,7 @@ TEST_F(ListMemory, DeleteListsWithoutMemoryDeletesNothing) {
   EXPECT_LT(deleted, 500);
   EXPECT_GT(deleted, 1);
   // what lies at the ends of ranges goes without
-  ExpectAccepted([&] { glevDeleteLists(gl, first, 1000); });
+  expect_accepted([&] { glevDeleteLists(gl, first, 1000); });
   for (glev_uint k = 0; k < 1000; ++k) EXPECT_EQ(glevIsList(gl, first + k), GLEV_FALSE);
   ledger_.refuse_from = -1;
 }

@@ -9,14 +9,14 @@ namespace {
 
 class ListNames : public ContextTest {
  protected:
-  void Define(glev_uint name, float index) {
+  void define(glev_uint name, float index) {
     glevNewList(gl, name, GLEV_COMPILE);
     glevIndexf(gl, index);
     glevEndList(gl);
   }
 
   // What the list sets the colour index to; -1 if nothing.
-  float IndexOf(glev_uint name) {
+  float index_of(glev_uint name) {
     glevIndexf(gl, -1);
     glevCallList(gl, name);
     float index;
@@ -24,7 +24,7 @@ class ListNames : public ContextTest {
     return index;
   }
 
-  bool IsList(glev_uint name) { return glevIsList(gl, name) == GLEV_TRUE; }
+  bool is_list(glev_uint name) { return glevIsList(gl, name) == GLEV_TRUE; }
 };
 
 constexpr glev_uint kLast = 0xFFFFFFFF;
@@ -32,29 +32,29 @@ constexpr glev_uint kLast = 0xFFFFFFFF;
 TEST_F(ListNames, GenListsMakesEmptyListsWithSuccessiveNames) {
   const glev_uint first = glevGenLists(gl, 5);
   EXPECT_NE(first, 0u);
-  for (glev_uint i = 0; i < 5; ++i) EXPECT_TRUE(IsList(first + i));
-  EXPECT_FALSE(IsList(first - 1));
-  EXPECT_FALSE(IsList(first + 5));
-  EXPECT_FALSE(IsList(0));
-  EXPECT_EQ(IndexOf(first), -1);
+  for (glev_uint i = 0; i < 5; ++i) EXPECT_TRUE(is_list(first + i));
+  EXPECT_FALSE(is_list(first - 1));
+  EXPECT_FALSE(is_list(first + 5));
+  EXPECT_FALSE(is_list(0));
+  EXPECT_EQ(index_of(first), -1);
   const glev_uint second = glevGenLists(gl, 3);
   EXPECT_TRUE(second > first + 4 || second + 2 < first);
   EXPECT_EQ(glevGenLists(gl, 0), 0u);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(ListNames, GenListsGoesRoundNamesInUse) {
-  Define(2, 2);
-  Define(5, 5);
-  Define(kLast, 9);
+  define(2, 2);
+  define(5, 5);
+  define(kLast, 9);
   const glev_uint one = glevGenLists(gl, 1), two = glevGenLists(gl, 2), many = glevGenLists(gl, 1000);
   EXPECT_EQ(one, 1u);
   EXPECT_EQ(two, 3u);
   EXPECT_EQ(many, 6u);
-  EXPECT_EQ(IndexOf(2), 2);
-  EXPECT_EQ(IndexOf(5), 5);
-  EXPECT_EQ(IndexOf(kLast), 9);
-  ExpectError(GLEV_NO_ERROR);
+  EXPECT_EQ(index_of(2), 2);
+  EXPECT_EQ(index_of(5), 5);
+  EXPECT_EQ(index_of(kLast), 9);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(ListNames, AllNamesCanBeUsedAndThenThereAreNone) {
@@ -64,26 +64,26 @@ TEST_F(ListNames, AllNamesCanBeUsedAndThenThereAreNone) {
   EXPECT_EQ(glevGenLists(gl, 2), 0u);
   EXPECT_EQ(glevGenLists(gl, 1), kLast);
   EXPECT_EQ(glevGenLists(gl, 1), 0u);
-  ExpectError(GLEV_NO_ERROR);
-  Define(kLast, 3);
-  Define(1, 4);
-  EXPECT_EQ(IndexOf(kLast), 3);
-  EXPECT_EQ(IndexOf(1), 4);
+  expect_error(GLEV_NO_ERROR);
+  define(kLast, 3);
+  define(1, 4);
+  EXPECT_EQ(index_of(kLast), 3);
+  EXPECT_EQ(index_of(1), 4);
   glevDeleteLists(gl, 0x10000, 7);
   EXPECT_EQ(glevGenLists(gl, 8), 0u);
   EXPECT_EQ(glevGenLists(gl, 7), 0x10000u);
   glevDeleteLists(gl, 0x80000000, 0x7FFFFFFF);
-  EXPECT_TRUE(IsList(0x7FFFFFFF));
-  EXPECT_FALSE(IsList(0x80000000));
-  EXPECT_FALSE(IsList(kLast - 1));
-  EXPECT_TRUE(IsList(kLast));
+  EXPECT_TRUE(is_list(0x7FFFFFFF));
+  EXPECT_FALSE(is_list(0x80000000));
+  EXPECT_FALSE(is_list(kLast - 1));
+  EXPECT_TRUE(is_list(kLast));
   glevDeleteLists(gl, kLast, 0x7FFFFFFF);
-  EXPECT_FALSE(IsList(kLast)) << "a range that goes past the last name";
+  EXPECT_FALSE(is_list(kLast)) << "a range that goes past the last name";
   glevDeleteLists(gl, 0, 3);
-  EXPECT_FALSE(IsList(1));
-  EXPECT_FALSE(IsList(2));
-  EXPECT_TRUE(IsList(3));
-  ExpectError(GLEV_NO_ERROR);
+  EXPECT_FALSE(is_list(1));
+  EXPECT_FALSE(is_list(2));
+  EXPECT_TRUE(is_list(3));
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(ListNames, TheNameOfTheOpenListIsNotGivenAway) {
@@ -91,54 +91,54 @@ TEST_F(ListNames, TheNameOfTheOpenListIsNotGivenAway) {
     glevNewList(gl, open, GLEV_COMPILE);
     const glev_uint first = glevGenLists(gl, 2);
     EXPECT_TRUE(first > open || first + 1 < open) << first;
-    EXPECT_FALSE(IsList(open));
+    EXPECT_FALSE(is_list(open));
     glevEndList(gl);
-    EXPECT_TRUE(IsList(open));
+    EXPECT_TRUE(is_list(open));
     glevDeleteLists(gl, 0, 100);
   }
 }
 
 TEST_F(ListNames, DeletedListsAreGone) {
-  for (glev_uint name = 10; name < 20; ++name) Define(name, static_cast<float>(name));
+  for (glev_uint name = 10; name < 20; ++name) define(name, static_cast<float>(name));
   glevDeleteLists(gl, 12, 3);
   for (glev_uint name = 8; name < 22; ++name) {
     const bool there = name >= 10 && name < 20 && (name < 12 || name > 14);
-    EXPECT_EQ(IsList(name), there);
-    EXPECT_EQ(IndexOf(name), there ? static_cast<float>(name) : -1);
+    EXPECT_EQ(is_list(name), there);
+    EXPECT_EQ(index_of(name), there ? static_cast<float>(name) : -1);
   }
   glevDeleteLists(gl, 15, 0);
-  EXPECT_TRUE(IsList(15));
-  Define(13, 7);
-  EXPECT_EQ(IndexOf(13), 7);
-  ExpectError(GLEV_NO_ERROR);
+  EXPECT_TRUE(is_list(15));
+  define(13, 7);
+  EXPECT_EQ(index_of(13), 7);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(ListNames, NegativeRangesAreRefused) {
-  Define(1, 1);
-  ExpectRefused(GLEV_INVALID_VALUE, [&] { EXPECT_EQ(glevGenLists(gl, -1), 0u); });
-  ExpectRefused(GLEV_INVALID_VALUE, [&] { glevDeleteLists(gl, 1, -1); });
-  EXPECT_TRUE(IsList(1));
+  define(1, 1);
+  expect_rejected(GLEV_INVALID_VALUE, [&] { EXPECT_EQ(glevGenLists(gl, -1), 0u); });
+  expect_rejected(GLEV_INVALID_VALUE, [&] { glevDeleteLists(gl, 1, -1); });
+  EXPECT_TRUE(is_list(1));
 }
 
 TEST_F(ListNames, NotBetweenBeginAndEnd) {
-  Define(1, 1);
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { EXPECT_EQ(glevGenLists(gl, 1), 0u); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevDeleteLists(gl, 1, 1); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE); });
-  EXPECT_TRUE(IsList(1));
-  EXPECT_FALSE(IsList(2));
+  define(1, 1);
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { EXPECT_EQ(glevGenLists(gl, 1), 0u); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevDeleteLists(gl, 1, 1); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE); });
+  EXPECT_TRUE(is_list(1));
+  EXPECT_FALSE(is_list(2));
 }
 
 TEST_F(ListNames, ContextsDoNotShareLists) {
-  Define(1, 1);
+  define(1, 1);
   glev_context* other;
   ASSERT_EQ(glevCreateContext(nullptr, &other), GLEV_SUCCESS);
   EXPECT_EQ(glevIsList(other, 1), GLEV_FALSE);
   glevNewList(other, 1, GLEV_COMPILE);
   glevEndList(other);
-  EXPECT_EQ(IndexOf(1), 1);
+  EXPECT_EQ(index_of(1), 1);
   glevDeleteLists(other, 1, 1);
-  EXPECT_EQ(IndexOf(1), 1);
+  EXPECT_EQ(index_of(1), 1);
   glevDestroyContext(other);
 }
 
@@ -162,7 +162,7 @@ TEST_F(ListNames, ManyRandomOperations) {
       case 3:
       case 4:
         model[name] = static_cast<float>(step);
-        Define(name, static_cast<float>(step));
+        define(name, static_cast<float>(step));
         break;
       default: {
         const glev_uint count = below(12) == 0 ? 3000 : below(10);
@@ -172,11 +172,11 @@ TEST_F(ListNames, ManyRandomOperations) {
     }
     const glev_uint probe = below(130);
     const auto found = model.find(probe);
-    ASSERT_EQ(IsList(probe), found != model.end()) << step;
-    ASSERT_EQ(IndexOf(probe), found == model.end() ? -1 : found->second) << step;
+    ASSERT_EQ(is_list(probe), found != model.end()) << step;
+    ASSERT_EQ(index_of(probe), found == model.end() ? -1 : found->second) << step;
   }
-  for (glev_uint name = 0; name < 4000; ++name) EXPECT_EQ(IsList(name), model.contains(name));
-  ExpectError(GLEV_NO_ERROR);
+  for (glev_uint name = 0; name < 4000; ++name) EXPECT_EQ(is_list(name), model.contains(name));
+  expect_error(GLEV_NO_ERROR);
 }
 
 }  // namespace

@@ -15,35 +15,35 @@ using Row = std::pair<const char*, Command>;
 
 class Lists : public ContextTest {
  protected:
-  void Compile(glev_uint name, const std::function<void()>& commands, glev_enum mode = GLEV_COMPILE) {
+  void compile(glev_uint name, const std::function<void()>& commands, glev_enum mode = GLEV_COMPILE) {
     glevNewList(gl, name, mode);
     commands();
     glevEndList(gl);
   }
 
-  float Index() {
+  float current_index() {
     float index;
     glevGetFloatv(gl, GLEV_CURRENT_INDEX, &index);
     return index;
   }
 
-  std::vector<float> Indices() {
+  std::vector<float> recorded_indices() {
     std::vector<float> indices;
     for (const glev_vertex& vertex : recording.vertices) indices.push_back(vertex.index);
     return indices;
   }
 
-  int Integer(glev_enum name) {
+  int get_integer(glev_enum name) {
     int value = -77;
     glevGetIntegerv(gl, name, &value);
     return value;
   }
 
-  void Fresh() {
+  void fresh() {
     glevDestroyContext(gl);
     ASSERT_EQ(glevCreateContext(nullptr, &gl), GLEV_SUCCESS);
     recording = {};
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
   }
 };

@@ -15,19 +15,19 @@ TEST_F(Lists, StateIsJudgedWhenTheListIsCalled) {
   const float point[] = {1, 2, 3};
   const auto map = [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 1, point); };
   glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
-  Compile(1, map);
+  compile(1, map);
   glevActiveTexture(gl, GLEV_TEXTURE0);
-  ExpectAccepted([&] { glevCallList(gl, 1); });
-  Compile(2, map);
+  expect_accepted([&] { glevCallList(gl, 1); });
+  compile(2, map);
   glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
-  ExpectRefused(GLEV_INVALID_OPERATION, [&] { glevCallList(gl, 2); });
+  expect_rejected(GLEV_INVALID_OPERATION, [&] { glevCallList(gl, 2); });
   glevActiveTexture(gl, GLEV_TEXTURE0);
-  Compile(3, [&] {
+  compile(3, [&] {
     glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
     map();
   });
   glevCallList(gl, 3);
-  ExpectError(GLEV_INVALID_OPERATION);
+  expect_error(GLEV_INVALID_OPERATION);
 }
 
 TEST_F(Lists, InsideBeginAndEndTheCommandsOfAListHaveTheirErrors) {
@@ -40,18 +40,18 @@ TEST_F(Lists, InsideBeginAndEndTheCommandsOfAListHaveTheirErrors) {
            [&] { glevEnable(gl, GLEV_MAP1_INDEX); }, [&] { glevBegin(gl, GLEV_LINES); },
            [&] { glevActiveTexture(gl, GLEV_TEXTURE0 + 1); }, [&] { glevPushAttrib(gl, GLEV_EVAL_BIT); },
            [&] { glevPopAttrib(gl); }, [&] { glevListBase(gl, 1); }}) {
-    Compile(1, [&] {
+    compile(1, [&] {
       glevEvalCoord1f(gl, 0);
       forbidden();
       glevEvalPoint1(gl, 1);
     });
-    const std::vector<double> before = State();
+    const std::vector<double> before = query_state();
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     glevCallList(gl, 1);
     glevEnd(gl);
-    ExpectError(GLEV_INVALID_OPERATION);
-    EXPECT_EQ(State(), before);
+    expect_error(GLEV_INVALID_OPERATION);
+    EXPECT_EQ(query_state(), before);
     EXPECT_EQ(recording.vertices.size(), 2u);
     EXPECT_EQ(recording.begun, std::vector<glev_enum>{GLEV_POINTS});
   }
@@ -75,9 +75,9 @@ TEST_F(Lists, PointsAreReadWhenTheCommandIsGivenAndNoFurtherThanTheyGo) {
   fill(color, 3);
   fill(coord, 1);
   fill(names, 2);
-  Compile(1, [&] { glevNormal3f(gl, 1, 0, 0); });
-  Compile(2, [&] { glevIndexf(gl, 2); });
-  Compile(3, [&] {
+  compile(1, [&] { glevNormal3f(gl, 1, 0, 0); });
+  compile(2, [&] { glevIndexf(gl, 2); });
+  compile(3, [&] {
     glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 7, 4, f.get());
     glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 11, 2, 0, 1, 4, 3, d.get());
     glevColor3fv(gl, color.get());
@@ -94,22 +94,22 @@ TEST_F(Lists, PointsAreReadWhenTheCommandIsGivenAndNoFurtherThanTheyGo) {
   coord.reset();
   names.reset();
   glevCallList(gl, 3);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   std::vector<double> got(12);
   glevGetMapdv(gl, GLEV_MAP1_VERTEX_3, GLEV_COEFF, got.data());
   EXPECT_EQ(got, (std::vector<double>{1, 2, 3, 8, 9, 10, 15, 16, 17, 22, 23, 24}));
   got.resize(18);
   glevGetMapdv(gl, GLEV_MAP2_VERTEX_3, GLEV_COEFF, got.data());
   EXPECT_EQ(got, (std::vector<double>{1, 2, 3, 5, 6, 7, 9, 10, 11, 12, 13, 14, 16, 17, 18, 20, 21, 22}));
-  EXPECT_EQ(Index(), 2);
+  EXPECT_EQ(current_index(), 2);
   ASSERT_EQ(recording.vertices.size(), 1u);
-  EXPECT_EQ(Values(recording.vertices[0].position), (Floats{22, 23, 24, 1}));
-  EXPECT_EQ(Values(recording.vertices[0].color), (Floats{1, 2, 3, 1}));
+  EXPECT_EQ(values_of(recording.vertices[0].position), (Floats{22, 23, 24, 1}));
+  EXPECT_EQ(values_of(recording.vertices[0].color), (Floats{1, 2, 3, 1}));
 }
 
 TEST_F(Lists, DoublesStayDoubles) {
   const double given[] = {0.1, 1.0 / 3.0, 1e300, -0x1p-1074};
-  Compile(1, [&] {
+  compile(1, [&] {
     glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, 0.1, 0.1 + 0x1p-56, 1, 4, given);
     glevMapGrid1d(gl, 3, 0.1, 1.0 / 3.0);
   });
@@ -125,9 +125,9 @@ TEST_F(Lists, DoublesStayDoubles) {
   const double line[] = {0, 0, 0, 0x1p40, 0, 0};
   glevMap1d(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, line);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  Compile(2, [&] { glevEvalCoord1d(gl, 1.0 / 3.0); });
-  const float immediate = OneVertex([&] { glevEvalCoord1d(gl, 1.0 / 3.0); }).position[0];
-  EXPECT_EQ(OneVertex([&] { glevCallList(gl, 2); }).position[0], immediate);
+  compile(2, [&] { glevEvalCoord1d(gl, 1.0 / 3.0); });
+  const float immediate = one_vertex([&] { glevEvalCoord1d(gl, 1.0 / 3.0); }).position[0];
+  EXPECT_EQ(one_vertex([&] { glevCallList(gl, 2); }).position[0], immediate);
 }
 
 // ---- Execution
@@ -135,7 +135,7 @@ TEST_F(Lists, DoublesStayDoubles) {
 TEST_F(Lists, EvaluationUsesTheStateOfTheCall) {
   const float first[] = {0, 0, 0, 1, 0, 0}, second[] = {0, 0, 0, 8, 0, 0};
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, first);
-  Compile(1, [&] {
+  compile(1, [&] {
     glevBegin(gl, GLEV_POINTS);
     glevEvalCoord1f(gl, 0.5f);
     glevEvalPoint1(gl, 1);
@@ -155,8 +155,8 @@ TEST_F(Lists, EvaluationUsesTheStateOfTheCall) {
   EXPECT_EQ(recording.vertices[2].position[0], 2);
 
   // maps from one list count in the rest of the list that calls it
-  Compile(2, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, first); });
-  Compile(3, [&] {
+  compile(2, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 2, first); });
+  compile(3, [&] {
     glevEvalMesh1(gl, GLEV_POINT, 4, 4);
     glevCallList(gl, 2);
     glevEvalMesh1(gl, GLEV_POINT, 4, 4);
@@ -165,7 +165,7 @@ TEST_F(Lists, EvaluationUsesTheStateOfTheCall) {
   glevCallList(gl, 3);
   EXPECT_EQ(recording.vertices.at(0).position[0], 8);
   EXPECT_EQ(recording.vertices.at(1).position[0], 1);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(Lists, CurrentValuesAreUntouchedByCompiledEvaluation) {
@@ -173,7 +173,7 @@ TEST_F(Lists, CurrentValuesAreUntouchedByCompiledEvaluation) {
   glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, 1, &s);
   glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  Compile(1, [&] {
+  compile(1, [&] {
     glevTexCoord4f(gl, 5, 6, 7, 8);
     glevEvalCoord1f(gl, 0.5f);
     glevVertex2f(gl, 0, 0);
@@ -182,16 +182,16 @@ TEST_F(Lists, CurrentValuesAreUntouchedByCompiledEvaluation) {
   glevCallList(gl, 1);
   glevEnd(gl);
   ASSERT_EQ(recording.vertices.size(), 2u);
-  EXPECT_EQ(Values(recording.vertices[0].texcoord[0]), (Floats{3, 0, 0, 1}));
-  EXPECT_EQ(Values(recording.vertices[1].texcoord[0]), (Floats{5, 6, 7, 8}));
+  EXPECT_EQ(values_of(recording.vertices[0].texcoord[0]), (Floats{3, 0, 0, 1}));
+  EXPECT_EQ(values_of(recording.vertices[1].texcoord[0]), (Floats{5, 6, 7, 8}));
 }
 
 TEST_F(Lists, APrimitiveMayBeSpreadOverLists) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  Compile(1, [&] { glevBegin(gl, GLEV_LINE_STRIP); });
-  Compile(2, [&] { glevEvalCoord1f(gl, 0); });
-  Compile(3, [&] { glevEnd(gl); });
-  ExpectError(GLEV_NO_ERROR);
+  compile(1, [&] { glevBegin(gl, GLEV_LINE_STRIP); });
+  compile(2, [&] { glevEvalCoord1f(gl, 0); });
+  compile(3, [&] { glevEnd(gl); });
+  expect_error(GLEV_NO_ERROR);
   glevCallList(gl, 1);
   glevCallList(gl, 2);
   glevEvalCoord1f(gl, 1);
@@ -200,22 +200,22 @@ TEST_F(Lists, APrimitiveMayBeSpreadOverLists) {
   glevBegin(gl, GLEV_POINTS);
   glevCallList(gl, 2);
   glevCallList(gl, 3);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   EXPECT_EQ(recording.begun, (std::vector<glev_enum>{GLEV_LINE_STRIP, GLEV_POINTS}));
   EXPECT_EQ(recording.vertices.size(), 4u);
   EXPECT_EQ(recording.ended, 2);
 }
 
 TEST_F(Lists, NamesWithoutAListAreIgnored) {
-  ExpectAccepted([&] { glevCallList(gl, 0); });
-  ExpectAccepted([&] { glevCallList(gl, 77); });
+  expect_accepted([&] { glevCallList(gl, 0); });
+  expect_accepted([&] { glevCallList(gl, 77); });
   const int names[] = {0, 77, -1};
-  ExpectAccepted([&] { glevCallLists(gl, 3, GLEV_INT, names); });
+  expect_accepted([&] { glevCallLists(gl, 3, GLEV_INT, names); });
 }
 
 TEST_F(Lists, NestSixtyFourDeepAndIgnoreWhatIsDeeper) {
   for (glev_uint name = 1; name <= 70; ++name) {
-    Compile(name, [&] {
+    compile(name, [&] {
       glevIndexf(gl, static_cast<float>(name));
       glevVertex2f(gl, 0, 0);
       const glev_uint next = name + 1;
@@ -233,14 +233,14 @@ TEST_F(Lists, NestSixtyFourDeepAndIgnoreWhatIsDeeper) {
     glevCallList(gl, 1);
     glevEnd(gl);
     EXPECT_EQ(recording.vertices.size(), 128u);
-    EXPECT_EQ(Index(), 64);
+    EXPECT_EQ(current_index(), 64);
   }
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(Lists, AListMayCallItself) {
-  Compile(5, [&] { glevIndexf(gl, 1); });
-  Compile(
+  compile(5, [&] { glevIndexf(gl, 1); });
+  compile(
       5,
       [&] {
         glevBegin(gl, GLEV_POINTS);
@@ -250,60 +250,60 @@ TEST_F(Lists, AListMayCallItself) {
       },
       GLEV_COMPILE_AND_EXECUTE);
   EXPECT_EQ(recording.vertices.size(), 1u);
-  EXPECT_EQ(Index(), 1) << "the name stood for the old list until EndList";
+  EXPECT_EQ(current_index(), 1) << "the name stood for the old list until EndList";
   recording = {};
   glevCallList(gl, 5);
   EXPECT_EQ(recording.vertices.size(), 64u);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(Lists, ALaterDefinitionIsWhatACompiledCallFinds) {
-  Compile(1, [&] { glevCallList(gl, 2); });
+  compile(1, [&] { glevCallList(gl, 2); });
   glevCallList(gl, 1);
-  EXPECT_EQ(Index(), 1);
-  Compile(2, [&] { glevIndexf(gl, 22); });
+  EXPECT_EQ(current_index(), 1);
+  compile(2, [&] { glevIndexf(gl, 22); });
   glevCallList(gl, 1);
-  EXPECT_EQ(Index(), 22);
+  EXPECT_EQ(current_index(), 22);
   glevDeleteLists(gl, 2, 1);
   glevIndexf(gl, 0);
   glevCallList(gl, 1);
-  EXPECT_EQ(Index(), 0);
+  EXPECT_EQ(current_index(), 0);
 }
 
 TEST_F(Lists, WhatACalledListDoesIsNotCompiledAgain) {
-  Compile(1, [&] { glevIndexf(gl, 5); });
-  Compile(
+  compile(1, [&] { glevIndexf(gl, 5); });
+  compile(
       2, [&] { glevCallList(gl, 1); }, GLEV_COMPILE_AND_EXECUTE);
-  EXPECT_EQ(Index(), 5);
-  Compile(1, [&] {});
+  EXPECT_EQ(current_index(), 5);
+  compile(1, [&] {});
   glevIndexf(gl, 0);
   glevCallList(gl, 2);
-  EXPECT_EQ(Index(), 0);
+  EXPECT_EQ(current_index(), 0);
 }
 
 // ---- NewList and EndList
 
 TEST_F(Lists, NewListAndEndListAreRefused) {
-  ExpectRefused(GLEV_INVALID_VALUE, [&] { glevNewList(gl, 0, GLEV_COMPILE); });
+  expect_rejected(GLEV_INVALID_VALUE, [&] { glevNewList(gl, 0, GLEV_COMPILE); });
   for (const glev_enum mode : {0, 0x12FF, 0x1302}) {
-    ExpectRefused(GLEV_INVALID_ENUM, [&] { glevNewList(gl, 1, mode); });
+    expect_rejected(GLEV_INVALID_ENUM, [&] { glevNewList(gl, 1, mode); });
   }
-  ExpectRefused(GLEV_INVALID_OPERATION, [&] { glevEndList(gl); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevNewList(gl, 1, GLEV_COMPILE); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevEndList(gl); });
+  expect_rejected(GLEV_INVALID_OPERATION, [&] { glevEndList(gl); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevNewList(gl, 1, GLEV_COMPILE); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEndList(gl); });
   EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
   glevNewList(gl, 1, GLEV_COMPILE);
   glevIndexf(gl, 5);
   glevNewList(gl, 2, GLEV_COMPILE_AND_EXECUTE);
-  ExpectError(GLEV_INVALID_OPERATION);
-  EXPECT_EQ(Integer(GLEV_LIST_INDEX), 1);
-  EXPECT_EQ(Integer(GLEV_LIST_MODE), GLEV_COMPILE);
+  expect_error(GLEV_INVALID_OPERATION);
+  EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 1);
+  EXPECT_EQ(get_integer(GLEV_LIST_MODE), GLEV_COMPILE);
   glevEdgeFlag(gl, GLEV_FALSE);
   glevEndList(gl);
   EXPECT_EQ(glevIsList(gl, 2), GLEV_FALSE);
-  ExpectAccepted([&] { glevCallList(gl, 1); });
-  EXPECT_EQ(Index(), 5);
-  EXPECT_EQ(Integer(GLEV_EDGE_FLAG), 0) << "the list went on";
+  expect_accepted([&] { glevCallList(gl, 1); });
+  EXPECT_EQ(current_index(), 5);
+  EXPECT_EQ(get_integer(GLEV_EDGE_FLAG), 0) << "the list went on";
 }
 
 TEST_F(Lists, EndListBetweenAnExecutedBeginAndItsEndLeavesTheListOpen) {
@@ -311,10 +311,10 @@ TEST_F(Lists, EndListBetweenAnExecutedBeginAndItsEndLeavesTheListOpen) {
   glevBegin(gl, GLEV_POINTS);
   glevEndList(gl);
   glevEnd(gl);
-  EXPECT_EQ(Integer(GLEV_LIST_INDEX), 1);
-  ExpectError(GLEV_INVALID_OPERATION);
+  EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 1);
+  expect_error(GLEV_INVALID_OPERATION);
   glevEndList(gl);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   recording = {};
   glevCallList(gl, 1);
   EXPECT_EQ(recording.begun.size(), 1u);
@@ -322,11 +322,11 @@ TEST_F(Lists, EndListBetweenAnExecutedBeginAndItsEndLeavesTheListOpen) {
 }
 
 TEST_F(Lists, TheOldListStandsUntilEndList) {
-  Compile(1, [&] { glevIndexf(gl, 5); });
+  compile(1, [&] { glevIndexf(gl, 5); });
   glevNewList(gl, 1, GLEV_COMPILE_AND_EXECUTE);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
   glevCallList(gl, 1);
-  EXPECT_EQ(Index(), 5);
+  EXPECT_EQ(current_index(), 5);
   glevDeleteLists(gl, 1, 1);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
   glevIndexf(gl, 6);
@@ -334,20 +334,20 @@ TEST_F(Lists, TheOldListStandsUntilEndList) {
   glevEndList(gl);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
   glevIndexf(gl, 0);
-  Compile(2, [&] { glevCallList(gl, 1); });
+  compile(2, [&] { glevCallList(gl, 1); });
   glevCallList(gl, 2);
-  EXPECT_EQ(Index(), 6);
-  Compile(1, [&] {});
+  EXPECT_EQ(current_index(), 6);
+  compile(1, [&] {});
   glevIndexf(gl, 0);
   glevCallList(gl, 1);
-  EXPECT_EQ(Index(), 0) << "an empty list";
+  EXPECT_EQ(current_index(), 0) << "an empty list";
   EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
 }
 
 TEST_F(Lists, QueriesAndListsOfNamesAreExecutedAtOnce) {
   const float points[] = {1, 2, 3};
-  const std::vector<double> state = State();
-  Compile(40, [] {});
+  const std::vector<double> state = query_state();
+  compile(40, [] {});
   for (const glev_enum mode : {GLEV_COMPILE, GLEV_COMPILE_AND_EXECUTE}) {
     glevEnable(gl, 0);
     glevNewList(gl, 1, mode);
@@ -387,23 +387,23 @@ TEST_F(Lists, QueriesAndListsOfNamesAreExecutedAtOnce) {
     EXPECT_NE(made, 0u);
     // their errors, too
     glevGetMapdv(gl, 0, GLEV_COEFF, d);
-    ExpectError(GLEV_INVALID_ENUM);
+    expect_error(GLEV_INVALID_ENUM);
     glevGenLists(gl, -1);
-    ExpectError(GLEV_INVALID_VALUE);
+    expect_error(GLEV_INVALID_VALUE);
     glevEndList(gl);
-    EXPECT_EQ(State(), state);
+    EXPECT_EQ(query_state(), state);
 
-    Compile(40, [] {});
+    compile(40, [] {});
     const glev_uint next = glevGenLists(gl, 1);
     if (mode == GLEV_COMPILE_AND_EXECUTE) {
-      EXPECT_EQ(State(), state);
+      EXPECT_EQ(query_state(), state);
     }
     glevCallList(gl, 1);
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
     EXPECT_EQ(glevIsList(gl, 40), GLEV_TRUE) << "DeleteLists was in the list";
     EXPECT_EQ(glevIsList(gl, next + 1), GLEV_FALSE) << "GenLists was in the list";
-    Fresh();
-    Compile(40, [] {});
+    fresh();
+    compile(40, [] {});
   }
 }
 
@@ -421,8 +421,8 @@ TEST_F(Lists, APlanTakenWhileAListIsOpenHasWhatWasExecuted) {
 TEST_F(Lists, AnOpenListDoesNotOutliveTheContext) {
   glevNewList(gl, 1, GLEV_COMPILE);
   for (int i = 0; i < 100; ++i) glevIndexf(gl, 1);
-  Fresh();  // a memory checker sees what is left
-  EXPECT_EQ(Integer(GLEV_LIST_INDEX), 0);
+  fresh();  // a memory checker sees what is left
+  EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 0);
 }
 
 // ---- Callbacks of the sink
@@ -430,7 +430,7 @@ TEST_F(Lists, AnOpenListDoesNotOutliveTheContext) {
 class ListCallbacks : public Lists {
  protected:
   // In the first vertex callback `act` is called.
-  void OnVertex(std::function<void()> act) {
+  void on_vertex(std::function<void()> act) {
     act_ = std::move(act);
     const glev_sink sink = {sizeof(glev_sink), this, nullptr,
                             [](void* user, const glev_vertex*) {
@@ -448,27 +448,27 @@ class ListCallbacks : public Lists {
 };
 
 TEST_F(ListCallbacks, MayCallLists) {
-  Compile(2, [&] {
+  compile(2, [&] {
     glevIndexf(gl, 5);
     glevEnable(gl, GLEV_MAP1_VERTEX_3);
     glevVertex2f(gl, 0, 0);
   });
   const unsigned char two[] = {2};
-  OnVertex([&] { glevCallLists(gl, 1, GLEV_UNSIGNED_BYTE, two); });
+  on_vertex([&] { glevCallLists(gl, 1, GLEV_UNSIGNED_BYTE, two); });
   glevBegin(gl, GLEV_POINTS);
   glevVertex2f(gl, 0, 0);
   glevEnd(gl);
   EXPECT_EQ(vertices_, 2);
-  EXPECT_EQ(Index(), 5);
-  ExpectError(GLEV_INVALID_OPERATION);
+  EXPECT_EQ(current_index(), 5);
+  expect_error(GLEV_INVALID_OPERATION);
 
   // and in a mesh, whose primitive End does not end
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  Compile(3, [&] { glevEnd(gl); });
-  OnVertex([&] { glevCallList(gl, 3); });
+  compile(3, [&] { glevEnd(gl); });
+  on_vertex([&] { glevCallList(gl, 3); });
   glevEvalMesh1(gl, GLEV_POINT, 0, 3);
   EXPECT_EQ(vertices_, 4);
-  ExpectError(GLEV_INVALID_OPERATION);
+  expect_error(GLEV_INVALID_OPERATION);
 }
 
 TEST_F(ListCallbacks, CannotChangeListsWhileOneIsExecuting) {
@@ -478,38 +478,38 @@ TEST_F(ListCallbacks, CannotChangeListsWhileOneIsExecuting) {
     for (const std::function<void()>& change : std::initializer_list<std::function<void()>>{
              [&] { glevDeleteLists(gl, 1, 1); }, [&] { glevNewList(gl, 1, GLEV_COMPILE); },
              [&] { glevEndList(gl); }, [&] { EXPECT_EQ(glevGenLists(gl, 1), 0u); }}) {
-      Compile(1, [&] {
+      compile(1, [&] {
         glevBegin(gl, GLEV_POINTS);
         glevVertex2f(gl, 0, 0);
         for (int i = 0; i < 50; ++i) glevIndexf(gl, static_cast<float>(i));
       });
-      OnVertex([&] {
+      on_vertex([&] {
         if (end) glevEnd(gl);
         change();
       });
       glevCallList(gl, 1);
       if (!end) glevEnd(gl);
-      ExpectError(GLEV_INVALID_OPERATION);
-      EXPECT_EQ(Index(), 49);
+      expect_error(GLEV_INVALID_OPERATION);
+      EXPECT_EQ(current_index(), 49);
       EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
       EXPECT_EQ(glevIsList(gl, 2), GLEV_FALSE);
-      EXPECT_EQ(Integer(GLEV_LIST_INDEX), 0);
+      EXPECT_EQ(get_integer(GLEV_LIST_INDEX), 0);
     }
   }
-  Compile(1, [&] { glevEvalMesh1(gl, GLEV_POINT, 0, 1); });
-  OnVertex([&] { glevDeleteLists(gl, 1, 1); });
+  compile(1, [&] { glevEvalMesh1(gl, GLEV_POINT, 0, 1); });
+  on_vertex([&] { glevDeleteLists(gl, 1, 1); });
   glevCallList(gl, 1);
   EXPECT_EQ(vertices_, 2);
-  ExpectError(GLEV_INVALID_OPERATION);
+  expect_error(GLEV_INVALID_OPERATION);
   EXPECT_EQ(glevIsList(gl, 1), GLEV_TRUE);
   // afterwards all is well
-  ExpectAccepted([&] { glevDeleteLists(gl, 1, 1); });
+  expect_accepted([&] { glevDeleteLists(gl, 1, 1); });
   EXPECT_EQ(glevIsList(gl, 1), GLEV_FALSE);
 }
 
 TEST_F(ListCallbacks, WhatTheyIssueIsExecutedOnceAndNotCompiled) {
-  OnVertex([&] { glevIndexf(gl, 5); });
-  Compile(
+  on_vertex([&] { glevIndexf(gl, 5); });
+  compile(
       1,
       [&] {
         glevBegin(gl, GLEV_POINTS);
@@ -518,21 +518,21 @@ TEST_F(ListCallbacks, WhatTheyIssueIsExecutedOnceAndNotCompiled) {
         glevEdgeFlag(gl, GLEV_FALSE);
       },
       GLEV_COMPILE_AND_EXECUTE);
-  EXPECT_EQ(Index(), 5);
+  EXPECT_EQ(current_index(), 5);
   glevIndexf(gl, 0);
   glevEdgeFlag(gl, GLEV_TRUE);
   glevCallList(gl, 1);  // the callback has nothing left to do
-  EXPECT_EQ(Index(), 0);
-  EXPECT_EQ(Integer(GLEV_EDGE_FLAG), 0);
+  EXPECT_EQ(current_index(), 0);
+  EXPECT_EQ(get_integer(GLEV_EDGE_FLAG), 0);
 }
 
 TEST_F(ListCallbacks, EndlessRecursionEndsAtTheLimit) {
-  Compile(1, [&] { glevVertex2f(gl, 0, 0); });
+  compile(1, [&] { glevVertex2f(gl, 0, 0); });
   std::function<void()> again = [&] {
     act_ = again;
     glevCallList(gl, 1);
   };
-  OnVertex(again);
+  on_vertex(again);
   glevBegin(gl, GLEV_POINTS);
   glevCallList(gl, 1);
   glevEnd(gl);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr glev_enum kModes[] = {GLEV_POINT, GLEV_LINE, GLEV_FILL};
 
-bool SameBits(const glev_vertex& a, const glev_vertex& b) {
+bool same_bits(const glev_vertex& a, const glev_vertex& b) {
   return std::memcmp(&a, &b, offsetof(glev_vertex, edge_flag) + 1) == 0;
 }
 
@@ -21,7 +21,7 @@ bool SameBits(const glev_vertex& a, const glev_vertex& b) {
 
 class Grids : public ContextTest {
  protected:
-  std::vector<double> Doubles(glev_enum name, std::size_t count) {
+  std::vector<double> get_doubles(glev_enum name, std::size_t count) {
     std::vector<double> values(count + 1, -77);
     glevGetDoublev(gl, name, values.data());
     EXPECT_EQ(values.back(), -77);
@@ -31,21 +31,21 @@ class Grids : public ContextTest {
 };
 
 TEST_F(Grids, AreSetAndRead) {
-  ExpectAccepted([&] { glevMapGrid1f(gl, 7, 0.1f, -3); });
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{7}));
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1f, -3}));
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{1, 1}));
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0, 1, 0, 1}));
-  ExpectAccepted([&] { glevMapGrid1d(gl, INT_MAX, 0.1, 1.0 / 3); });
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1, 1.0 / 3})) << "not rounded";
-  ExpectAccepted([&] { glevMapGrid2f(gl, 3, 0.1f, 2, 4, 5, 6); });
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{3, 4}));
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1f, 2, 5, 6}));
-  ExpectAccepted([&] { glevMapGrid2d(gl, 5, 0.1, 0.2, 6, 0.3, 0.4); });
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{5, 6}));
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
+  expect_accepted([&] { glevMapGrid1f(gl, 7, 0.1f, -3); });
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{7}));
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1f, -3}));
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{1, 1}));
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0, 1, 0, 1}));
+  expect_accepted([&] { glevMapGrid1d(gl, INT_MAX, 0.1, 1.0 / 3); });
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{0.1, 1.0 / 3})) << "not rounded";
+  expect_accepted([&] { glevMapGrid2f(gl, 3, 0.1f, 2, 4, 5, 6); });
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{3, 4}));
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1f, 2, 5, 6}));
+  expect_accepted([&] { glevMapGrid2d(gl, 5, 0.1, 0.2, 6, 0.3, 0.4); });
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_SEGMENTS, 2), (std::vector<double>{5, 6}));
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_SEGMENTS, 1), (std::vector<double>{INT_MAX}));
 }
 
 TEST_F(Grids, AreConvertedToTheTypeOfTheQuery) {
@@ -55,7 +55,7 @@ TEST_F(Grids, AreConvertedToTheTypeOfTheQuery) {
   EXPECT_EQ(std::vector<int>(integers, integers + 4), (std::vector<int>{2, -3, INT_MAX, 0}));
   float floats[4];
   glevGetFloatv(gl, GLEV_MAP2_GRID_DOMAIN, floats);
-  EXPECT_EQ(Values(floats), (Floats{1.6f, -2.5f, 1e20f, 0}));
+  EXPECT_EQ(values_of(floats), (Floats{1.6f, -2.5f, 1e20f, 0}));
   glev_boolean booleans[4];
   glevGetBooleanv(gl, GLEV_MAP2_GRID_DOMAIN, booleans);
   EXPECT_EQ(std::vector<int>(booleans, booleans + 4), (std::vector<int>{1, 1, 1, 0}));
@@ -72,29 +72,29 @@ TEST_F(Grids, AreConvertedToTheTypeOfTheQuery) {
 
 TEST_F(Grids, NumbersOfSegmentsMustBePositive) {
   for (int n : {0, -1, INT_MIN}) {
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid1d(gl, n, 2, 3); });
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, n, 2, 3, 5, 2, 3); });
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, n, 2, 3, 5, 2, 3); });
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, 5, 2, 3, n, 2, 3); });
-    ExpectRefused(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, 5, 2, 3, n, 2, 3); });
-    ExpectRefusedInPrimitive(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid1d(gl, n, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, n, 2, 3, 5, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, n, 2, 3, 5, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2f(gl, 5, 2, 3, n, 2, 3); });
+    expect_rejected(GLEV_INVALID_VALUE, [&] { glevMapGrid2d(gl, 5, 2, 3, n, 2, 3); });
+    expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevMapGrid1f(gl, n, 2, 3); });
   }
 }
 
 TEST_F(Grids, NotBetweenBeginAndEnd) {
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1f(gl, 2, 2, 3); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1d(gl, 2, 2, 3); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2f(gl, 2, 2, 3, 4, 2, 3); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2d(gl, 2, 2, 3, 4, 2, 3); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1f(gl, 2, 2, 3); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid1d(gl, 2, 2, 3); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2f(gl, 2, 2, 3, 4, 2, 3); });
+  expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevMapGrid2d(gl, 2, 2, 3, 4, 2, 3); });
 }
 
 TEST_F(Grids, EqualEndsAndAnyActiveTextureAreLegal) {
   glevActiveTexture(gl, GLEV_TEXTURE0 + 1);
-  ExpectAccepted([&] { glevMapGrid1f(gl, 3, 5, 5); });
-  ExpectAccepted([&] { glevMapGrid2f(gl, 3, 5, 5, 4, 6, 6); });
-  EXPECT_EQ(Doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{5, 5}));
-  EXPECT_EQ(Doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{5, 5, 6, 6}));
+  expect_accepted([&] { glevMapGrid1f(gl, 3, 5, 5); });
+  expect_accepted([&] { glevMapGrid2f(gl, 3, 5, 5, 4, 6, 6); });
+  EXPECT_EQ(get_doubles(GLEV_MAP1_GRID_DOMAIN, 2), (std::vector<double>{5, 5}));
+  EXPECT_EQ(get_doubles(GLEV_MAP2_GRID_DOMAIN, 4), (std::vector<double>{5, 5, 6, 6}));
 }
 
 // ---- Points and meshes: random maps of all attributes, on a grid that is not their domain
@@ -105,7 +105,7 @@ struct Primitive {
   std::vector<std::pair<int, int>> points;
 };
 
-std::vector<Primitive> Loops(glev_enum mode, int i1, int i2, int j1, int j2) {
+std::vector<Primitive> loops(glev_enum mode, int i1, int i2, int j1, int j2) {
   std::vector<Primitive> result;
   if (mode == GLEV_POINT) {
     result.push_back({GLEV_POINTS, {}});
@@ -138,7 +138,7 @@ class Meshes : public ContextTest {
   Meshes() {
     for (std::size_t i = 0; i < points_.size(); ++i)
       points_[i] = static_cast<float>(std::sin(1.7 * static_cast<double>(i)) + 0.1);
-    for (const TargetRow& row : TargetRows()) {
+    for (const TargetRow& row : target_rows()) {
       if (row.offset == GLEV_MAP1_VERTEX_4 - GLEV_MAP1_COLOR_4) continue;
       const glev_enum one = GLEV_MAP1_COLOR_4 + row.offset, two = GLEV_MAP2_COLOR_4 + row.offset;
       const float* points = points_.data() + 5 * row.offset;
@@ -150,19 +150,19 @@ class Meshes : public ContextTest {
     glevMapGrid1f(gl, 7, 0.1f, 0.7f);
     glevMapGrid2f(gl, 5, 0.1f, 1.7f, 3, -0.9f, 2.2f);
   }
-  glev_vertex Point(int i) {
-    return OneVertex([&] { glevEvalPoint1(gl, i); });
+  glev_vertex point_at(int i) {
+    return one_vertex([&] { glevEvalPoint1(gl, i); });
   }
-  glev_vertex Point(int i, int j) {
-    return OneVertex([&] { glevEvalPoint2(gl, i, j); });
+  glev_vertex point_at(int i, int j) {
+    return one_vertex([&] { glevEvalPoint2(gl, i, j); });
   }
-  void Mesh2(glev_enum mode, int i1, int i2, int j1, int j2) {
+  void mesh2(glev_enum mode, int i1, int i2, int j1, int j2) {
     recording = {};
-    ExpectAccepted([&] { glevEvalMesh2(gl, mode, i1, i2, j1, j2); });
+    expect_accepted([&] { glevEvalMesh2(gl, mode, i1, i2, j1, j2); });
   }
-  void Mesh1(glev_enum mode, int i1, int i2) {
+  void mesh1(glev_enum mode, int i1, int i2) {
     recording = {};
-    ExpectAccepted([&] { glevEvalMesh1(gl, mode, i1, i2); });
+    expect_accepted([&] { glevEvalMesh1(gl, mode, i1, i2); });
   }
 
   std::array<float, 400> points_;
@@ -171,13 +171,13 @@ class Meshes : public ContextTest {
 TEST_F(Meshes, Mesh1DrawsItsPointsInOnePrimitive) {
   for (auto [mode, primitive] : {std::pair{GLEV_POINT, GLEV_POINTS}, {GLEV_LINE, GLEV_LINE_STRIP}}) {
     for (auto [i1, i2] : {std::pair{0, 7}, {2, 5}, {-3, 11}, {4, 4}, {5, 4}, {INT_MAX, INT_MIN}}) {
-      Mesh1(mode, i1, i2);
+      mesh1(mode, i1, i2);
       EXPECT_EQ(recording.begun, (std::vector<glev_enum>{static_cast<glev_enum>(primitive)}));
       EXPECT_EQ(recording.ended, 1);
       const std::vector<glev_vertex> drawn = recording.vertices;
       ASSERT_EQ(drawn.size(), i1 > i2 ? 0u : static_cast<std::size_t>(i2 - i1 + 1));
       for (std::size_t k = 0; k < drawn.size(); ++k) {
-        EXPECT_TRUE(SameBits(drawn[k], Point(i1 + static_cast<int>(k)))) << i1 << "+" << k;
+        EXPECT_TRUE(same_bits(drawn[k], point_at(i1 + static_cast<int>(k)))) << i1 << "+" << k;
       }
     }
   }
@@ -199,8 +199,8 @@ TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
                                     {3, 2, 2, 1}}) {
         SCOPED_TRACE(testing::Message() << std::hex << mode << std::dec << " i " << i1 << ".." << i2 << " j "
                                         << j1 << ".." << j2);
-        const std::vector<Primitive> expected = Loops(mode, i1, i2, j1, j2);
-        Mesh2(mode, i1, i2, j1, j2);
+        const std::vector<Primitive> expected = loops(mode, i1, i2, j1, j2);
+        mesh2(mode, i1, i2, j1, j2);
         const Recording drawn = recording;
         std::vector<glev_enum> begun;
         std::vector<std::pair<int, int>> points;
@@ -212,7 +212,7 @@ TEST_F(Meshes, Mesh2FollowsTheLoopsWithTheVerticesOfEvalPoint) {
         EXPECT_EQ(drawn.ended, static_cast<int>(begun.size()));
         ASSERT_EQ(drawn.vertices.size(), points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
-          EXPECT_TRUE(SameBits(drawn.vertices[k], Point(points[k].first, points[k].second)))
+          EXPECT_TRUE(same_bits(drawn.vertices[k], point_at(points[k].first, points[k].second)))
               << "vertex " << k;
         }
       }
@@ -237,7 +237,7 @@ TEST_F(Meshes, VerticesAreInTheirPrimitives) {
   glevEvalMesh2(gl, GLEV_LINE, 0, 1, 0, 2);
   EXPECT_EQ(events, (std::vector<int>{103, 1, 1, -1, 103, 1,   1, -1, 103, 1, 1, -1,  //
                                       103, 1, 1, 1,  -1,  103, 1, 1,  1,   -1}));
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(Meshes, TheEndsOfTheGridAreExact) {
@@ -249,11 +249,11 @@ TEST_F(Meshes, TheEndsOfTheGridAreExact) {
       glevMapGrid2f(gl, n, u1, u2, n, u2, u1);
       for (auto [index, u] : {std::pair{0, u1}, {n, u2}}) {
         glevMap1f(gl, GLEV_MAP1_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, ramp);
-        ASSERT_EQ(Point(index).position[0], 0) << n << " " << u;
+        ASSERT_EQ(point_at(index).position[0], 0) << n << " " << u;
         glevMap2f(gl, GLEV_MAP2_VERTEX_3, u, std::nextafter(u, 2e3f), 3, 2, 0, 1, 3, 1, ramp);
-        ASSERT_EQ(Point(index, 0).position[0], 0) << n << " " << u;
+        ASSERT_EQ(point_at(index, 0).position[0], 0) << n << " " << u;
         glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, u, std::nextafter(u, 2e3f), 3, 2, ramp);
-        ASSERT_EQ(Point(0, n - index).position[0], 0) << n << " " << u;
+        ASSERT_EQ(point_at(0, n - index).position[0], 0) << n << " " << u;
       }
     }
   }
@@ -268,12 +268,12 @@ TEST_F(Meshes, TheEndsOfTheGridAreExactInDouble) {
       glevMapGrid2d(gl, n, u1, u2, n, u2, u1);
       for (auto [index, u] : {std::pair{0, u1}, {n, u2}}) {
         glevMap1d(gl, GLEV_MAP1_VERTEX_3, u, std::nextafter(u, 2e3), 3, 2, ramp);
-        ASSERT_EQ(Point(index).position[0], 0) << n << " " << u;
+        ASSERT_EQ(point_at(index).position[0], 0) << n << " " << u;
         glevMap2d(gl, GLEV_MAP2_VERTEX_3, u, std::nextafter(u, 2e3), 3, 2, 0, 1, 3, 1, ramp);
-        ASSERT_EQ(Point(index, 0).position[0], 0) << n << " " << u;
+        ASSERT_EQ(point_at(index, 0).position[0], 0) << n << " " << u;
         glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, u, std::nextafter(u, 2e3), 3, 2, ramp);
-        ASSERT_EQ(Point(0, n - index).position[0], 0) << n << " " << u;
-        Mesh2(GLEV_FILL, 0, 0, n - index, n - index + 1);
+        ASSERT_EQ(point_at(0, n - index).position[0], 0) << n << " " << u;
+        mesh2(GLEV_FILL, 0, 0, n - index, n - index + 1);
         ASSERT_EQ(recording.vertices.at(0).position[0], 0) << n << " " << u;
       }
     }
@@ -289,11 +289,11 @@ TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
     glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0.1f, 0.7f, 3, 2, line);
     for (int i : {1, 2, n / 2, n - 1, n + (n < INT_MAX ? 1 : 0), -1, -n}) {
       const auto expected = static_cast<float>(3.0 * i / n);
-      EXPECT_EQ(Point(i).position[0], expected) << i << "/" << n;
+      EXPECT_EQ(point_at(i).position[0], expected) << i << "/" << n;
       glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0.1f, 0.7f, 3, 2, 0, 1, 3, 1, line);
-      EXPECT_EQ(Point(i, 5).position[0], expected) << i << "/" << n;
+      EXPECT_EQ(point_at(i, 5).position[0], expected) << i << "/" << n;
       glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 3, 1, -2, 5, 3, 2, line);
-      EXPECT_EQ(Point(5, i).position[0], expected) << i << "/" << n;
+      EXPECT_EQ(point_at(5, i).position[0], expected) << i << "/" << n;
     }
   }
 }
@@ -301,11 +301,11 @@ TEST_F(Meshes, PointsInBetweenAreNotRoundedOrAccumulated) {
 TEST_F(Meshes, AGridOfEqualEndsIsOnePoint) {
   glevMapGrid1f(gl, 7, 0.37f, 0.37f);
   glevMapGrid2f(gl, 7, 0.37f, 0.37f, 11, 0.61f, 0.61f);
-  const glev_vertex one = OneVertex([&] { glevEvalCoord1f(gl, 0.37f); });
-  const glev_vertex two = OneVertex([&] { glevEvalCoord2f(gl, 0.37f, 0.61f); });
+  const glev_vertex one = one_vertex([&] { glevEvalCoord1f(gl, 0.37f); });
+  const glev_vertex two = one_vertex([&] { glevEvalCoord2f(gl, 0.37f, 0.61f); });
   for (int i : {-3, 0, 1, 2, 3, 4, 5, 6, 7, 100}) {
-    EXPECT_TRUE(SameBits(Point(i), one)) << i;
-    EXPECT_TRUE(SameBits(Point(i, i + 1), two)) << i;
+    EXPECT_TRUE(same_bits(point_at(i), one)) << i;
+    EXPECT_TRUE(same_bits(point_at(i, i + 1), two)) << i;
   }
 }
 
@@ -313,37 +313,37 @@ TEST_F(Meshes, IndicesAtTheEndsOfInt) {
   glevMapGrid1f(gl, INT_MAX, 0, 1);
   glevMapGrid2f(gl, 1, 0, 1, 1, 0, 1);
   for (int i : {INT_MIN, INT_MAX}) {
-    Point(i);
-    Point(i, i);
-    Point(i, 0);
+    point_at(i);
+    point_at(i, i);
+    point_at(i, 0);
   }
-  Mesh1(GLEV_LINE, INT_MAX - 2, INT_MAX);
+  mesh1(GLEV_LINE, INT_MAX - 2, INT_MAX);
   EXPECT_EQ(recording.vertices.size(), 3u);
-  Mesh1(GLEV_POINT, INT_MIN, INT_MIN + 1);
+  mesh1(GLEV_POINT, INT_MIN, INT_MIN + 1);
   EXPECT_EQ(recording.vertices.size(), 2u);
   for (glev_enum mode : kModes) {
-    Mesh2(mode, INT_MAX - 1, INT_MAX, INT_MAX - 1, INT_MAX);
+    mesh2(mode, INT_MAX - 1, INT_MAX, INT_MAX - 1, INT_MAX);
     EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
-    Mesh2(mode, INT_MIN, INT_MIN + 1, INT_MIN, INT_MIN + 1);
+    mesh2(mode, INT_MIN, INT_MIN + 1, INT_MIN, INT_MIN + 1);
     EXPECT_EQ(recording.vertices.size(), mode == GLEV_LINE ? 8u : 4u);
   }
 }
 
 TEST_F(Meshes, OtherModesAreRefusedFirst) {
   for (bool vertex_map : {true, false}) {
-    for (const TargetRow& row : TargetRows()) {
+    for (const TargetRow& row : target_rows()) {
       if (vertex_map) break;
       glevDisable(gl, GLEV_MAP1_COLOR_4 + row.offset);
       glevDisable(gl, GLEV_MAP2_COLOR_4 + row.offset);
     }
     for (glev_enum mode : {0, 1, 3, 7, 8, 0x1AFF, 0x1B03, GLEV_FILL}) {
-      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
-      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 1, 0); });
-      ExpectRefusedInPrimitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 1, 0); });
+      expect_rejected_in_primitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh1(gl, mode, 0, 1); });
       if (mode == GLEV_FILL) continue;
-      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
-      ExpectRefused(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 1, 0, 0, 1); });
-      ExpectRefusedInPrimitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+      expect_rejected(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 1, 0, 0, 1); });
+      expect_rejected_in_primitive(GLEV_INVALID_ENUM, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
     }
   }
   EXPECT_EQ(recording.begun.size(), 2 * (8u + 7u)) << "those of the test itself";
@@ -351,9 +351,9 @@ TEST_F(Meshes, OtherModesAreRefusedFirst) {
 
 TEST_F(Meshes, NotBetweenBeginAndEnd) {
   for (glev_enum mode : kModes) {
-    ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
+    expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh2(gl, mode, 0, 1, 0, 1); });
     if (mode != GLEV_FILL)
-      ExpectRefusedInPrimitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh1(gl, mode, 0, 1); });
+      expect_rejected_in_primitive(GLEV_INVALID_OPERATION, [&] { glevEvalMesh1(gl, mode, 0, 1); });
   }
   EXPECT_EQ(recording.begun.size(), 5u);
   EXPECT_EQ(recording.ended, 5) << "the open primitive is not disturbed";
@@ -363,7 +363,7 @@ TEST_F(Meshes, WithoutAVertexMapOfTheDimensionNothingHappens) {
   glevDisable(gl, GLEV_MAP2_VERTEX_3);
   glevEnable(gl, GLEV_AUTO_NORMAL);
   for (glev_enum mode : kModes) {
-    Mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
+    mesh2(mode, INT_MIN, INT_MAX, INT_MIN, INT_MAX);
     EXPECT_TRUE(recording.begun.empty() && recording.vertices.empty() && recording.ended == 0);
   }
   glevBegin(gl, GLEV_POINTS);
@@ -371,20 +371,20 @@ TEST_F(Meshes, WithoutAVertexMapOfTheDimensionNothingHappens) {
   glevEvalCoord2f(gl, 0.37f, 0);
   glevEnd(gl);
   EXPECT_TRUE(recording.vertices.empty());
-  Mesh1(GLEV_LINE, 0, 3);
+  mesh1(GLEV_LINE, 0, 3);
   EXPECT_EQ(recording.vertices.size(), 4u);
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   glevEnable(gl, GLEV_MAP2_VERTEX_3);
-  Mesh1(GLEV_LINE, INT_MIN, INT_MAX);
+  mesh1(GLEV_LINE, INT_MIN, INT_MAX);
   EXPECT_TRUE(recording.begun.empty());
-  Mesh2(GLEV_POINT, 0, 1, 0, 2);
+  mesh2(GLEV_POINT, 0, 1, 0, 2);
   EXPECT_EQ(recording.vertices.size(), 6u);
 }
 
 TEST_F(Meshes, PointsOutsideBeginAndEndAreIgnored) {
-  ExpectAccepted([&] { glevEvalPoint1(gl, 1); });
-  ExpectAccepted([&] { glevEvalPoint2(gl, 1, 1); });
-  ExpectAccepted([&] { glevEvalCoord2f(gl, 1, 1); });
+  expect_accepted([&] { glevEvalPoint1(gl, 1); });
+  expect_accepted([&] { glevEvalPoint2(gl, 1, 1); });
+  expect_accepted([&] { glevEvalCoord2f(gl, 1, 1); });
   EXPECT_TRUE(recording.vertices.empty());
 }
 
@@ -393,28 +393,28 @@ TEST_F(Meshes, StateIsLeftAlone) {
   glevColor4f(gl, 0.1f, 0.2f, 0.3f, 0.4f);
   glevNormal3f(gl, 5, 6, 7);
   glevTexCoord4f(gl, 5, 6, 7, 8);
-  const std::vector<double> before = State();
-  for (glev_enum mode : kModes) Mesh2(mode, -1, 6, -1, 4);
-  Mesh1(GLEV_LINE, -1, 8);
-  EXPECT_EQ(State(), before);
+  const std::vector<double> before = query_state();
+  for (glev_enum mode : kModes) mesh2(mode, -1, 6, -1, 4);
+  mesh1(GLEV_LINE, -1, 8);
+  EXPECT_EQ(query_state(), before);
 }
 
 TEST_F(Meshes, TheGridInForceCounts) {
-  const glev_vertex before = Point(1, 1), before1 = Point(1);
+  const glev_vertex before = point_at(1, 1), before1 = point_at(1);
   glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.2f);
-  const glev_vertex u = Point(1, 1);
+  const glev_vertex u = point_at(1, 1);
   glevMapGrid2f(gl, 5, 0.1f, 1.6f, 3, -0.9f, 2.1f);
-  const glev_vertex v = Point(1, 1);
+  const glev_vertex v = point_at(1, 1);
   EXPECT_NE(before.position[0], u.position[0]);
   EXPECT_NE(v.position[0], u.position[0]);
-  EXPECT_TRUE(SameBits(Point(1), before1));
+  EXPECT_TRUE(same_bits(point_at(1), before1));
   glevMapGrid1f(gl, 7, 0.1f, 0.8f);
-  EXPECT_NE(Point(1).position[0], before1.position[0]);
-  Mesh1(GLEV_POINT, 1, 1);
+  EXPECT_NE(point_at(1).position[0], before1.position[0]);
+  mesh1(GLEV_POINT, 1, 1);
   const glev_vertex drawn = recording.vertices.at(0);
-  EXPECT_TRUE(SameBits(drawn, Point(1)));
-  Mesh2(GLEV_POINT, 1, 1, 1, 1);
-  EXPECT_TRUE(SameBits(recording.vertices.at(0), v));
+  EXPECT_TRUE(same_bits(drawn, point_at(1)));
+  mesh2(GLEV_POINT, 1, 1, 1, 1);
+  EXPECT_TRUE(same_bits(recording.vertices.at(0), v));
 }
 
 // ---- A sink that calls back
@@ -425,7 +425,7 @@ struct Caller {
   std::vector<glev_vertex> vertices;
   int ended = 0;
 
-  glev_sink Sink() {
+  glev_sink make_sink() {
     return {sizeof(glev_sink), this, nullptr,
             [](void* user, const glev_vertex* v) {
               auto* self = static_cast<Caller*>(user);
@@ -445,12 +445,12 @@ TEST_F(Meshes, ACallbackMayChangeCurrentValues) {
                      glevEdgeFlag(context, GLEV_FALSE);
                    },
                    {}};
-  const glev_sink sink = caller.Sink();
+  const glev_sink sink = caller.make_sink();
   glevSetSink(gl, &sink);
   for (glev_enum mode : kModes) {
     glevColor4f(gl, 0, 0, 0, 1);
     caller.vertices.clear();
-    ExpectAccepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
+    expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
     for (std::size_t k = 0; k < caller.vertices.size(); ++k) {
       EXPECT_EQ(caller.vertices[k].color[0], k == 0 ? 0.0f : 1.0f) << k;
     }
@@ -459,9 +459,9 @@ TEST_F(Meshes, ACallbackMayChangeCurrentValues) {
 
 TEST_F(Meshes, ACallbackCannotEndTheMeshOrChangeItsMaps) {
   Caller caller = {gl, nullptr, {}};
-  const glev_sink sink = caller.Sink();
+  const glev_sink sink = caller.make_sink();
   glevSetSink(gl, &sink);
-  const std::vector<double> before = State();
+  const std::vector<double> before = query_state();
   void (*const calls[])(glev_context*) = {
       [](glev_context* context) { glevEnd(context); },
       [](glev_context* context) { glevBegin(context, GLEV_POINTS); },
@@ -474,18 +474,18 @@ TEST_F(Meshes, ACallbackCannotEndTheMeshOrChangeItsMaps) {
     caller.vertices.clear();
     caller.ended = 0;
     glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2);
-    ExpectError(GLEV_INVALID_OPERATION);
+    expect_error(GLEV_INVALID_OPERATION);
     EXPECT_EQ(caller.vertices.size(), 12u);
     EXPECT_EQ(caller.ended, 2);
     caller.vertices.clear();
     glevEvalMesh1(gl, GLEV_LINE, 0, 2);
-    ExpectError(GLEV_INVALID_OPERATION);
+    expect_error(GLEV_INVALID_OPERATION);
     EXPECT_EQ(caller.vertices.size(), 3u);
-    EXPECT_EQ(State(), before);
+    EXPECT_EQ(query_state(), before);
   }
   // Outside meshes End belongs to the caller.
   caller.call = [](glev_context*) {};
-  ExpectAccepted([&] { glevBegin(gl, GLEV_POINTS), glevEnd(gl); });
+  expect_accepted([&] { glevBegin(gl, GLEV_POINTS), glevEnd(gl); });
 }
 
 TEST_F(Meshes, ACallbackMayEvaluate) {
@@ -500,31 +500,31 @@ TEST_F(Meshes, ACallbackMayEvaluate) {
                      --depth;
                    },
                    {}};
-  const glev_vertex one = OneVertex([&] { glevEvalCoord1f(gl, 0.5f); }), two = Point(1, 1);
-  Mesh2(GLEV_POINT, 0, 1, 0, 0);
+  const glev_vertex one = one_vertex([&] { glevEvalCoord1f(gl, 0.5f); }), two = point_at(1, 1);
+  mesh2(GLEV_POINT, 0, 1, 0, 0);
   const std::vector<glev_vertex> plain = recording.vertices;
-  const glev_sink sink = caller.Sink();
+  const glev_sink sink = caller.make_sink();
   glevSetSink(gl, &sink);
-  ExpectAccepted([&] { glevEvalMesh2(gl, GLEV_POINT, 0, 1, 0, 0); });
+  expect_accepted([&] { glevEvalMesh2(gl, GLEV_POINT, 0, 1, 0, 0); });
   ASSERT_EQ(caller.vertices.size(), 6u);
   const glev_vertex expected[] = {plain[0], one, two, plain[1], one, two};
-  for (std::size_t k = 0; k < 6; ++k) EXPECT_TRUE(SameBits(caller.vertices[k], expected[k])) << k;
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_TRUE(same_bits(caller.vertices[k], expected[k])) << k;
 }
 
 TEST_F(Meshes, WithoutASinkNothingBreaks) {
   glevSetSink(gl, nullptr);
-  for (glev_enum mode : kModes) ExpectAccepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
-  ExpectAccepted([&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
+  for (glev_enum mode : kModes) expect_accepted([&] { glevEvalMesh2(gl, mode, 0, 2, 0, 2); });
+  expect_accepted([&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
 }
 
 TEST_F(Meshes, NotANumberDoesNoHarm) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   for (double bad : {kInf, -kInf, std::nan(""), 1.7e308}) {
     glevMapGrid1d(gl, 3, 0, bad);
-    Mesh1(GLEV_LINE, -1, 4);
+    mesh1(GLEV_LINE, -1, 4);
     EXPECT_EQ(recording.vertices.size(), 6u);
     glevMapGrid2d(gl, 3, bad, -1.7e308, 3, bad, bad);
-    for (glev_enum mode : kModes) Mesh2(mode, 0, 3, 0, 3);
+    for (glev_enum mode : kModes) mesh2(mode, 0, 3, 0, 3);
   }
 }
 

@@ -17,14 +17,14 @@ struct Fraction {
 };
 
 // t of a grid argument; of a plain one, {{u, u, 1}, 0}.
-inline Rational ExactT(const glev::Domain& domain, const glev::GridArgument& at) {
-  const Rational u = Exactly(at.grid.u1) + (Exactly(at.grid.u2) - Exactly(at.grid.u1)) *
-                                               Rational(Integer(at.index), Integer(at.grid.segments));
-  return (u - Exactly(domain.u1)) / (Exactly(domain.u2) - Exactly(domain.u1));
+inline Rational exact_t(const glev::Domain& domain, const glev::GridArgument& at) {
+  const Rational u = to_rational(at.grid.u1) + (to_rational(at.grid.u2) - to_rational(at.grid.u1)) *
+                                                   Rational(Integer(at.index), Integer(at.grid.segments));
+  return (u - to_rational(domain.u1)) / (to_rational(domain.u2) - to_rational(domain.u1));
 }
 
 // C(n, i) p^i (q - p)^(n - i) for t = p / q
-inline std::vector<Integer> IntegerBasis(const Rational& t, int order) {
+inline std::vector<Integer> integer_basis(const Rational& t, int order) {
   const Integer p = numerator(t), rest = denominator(t) - p;
   std::vector<Integer> basis(order, 1);
   Integer power = 1, binomial = 1;
@@ -38,10 +38,10 @@ inline std::vector<Integer> IntegerBasis(const Rational& t, int order) {
 }
 
 // The polynomial of these control points, v fastest, at t. One of order 1 in v is a curve.
-inline Fraction ExactValue(const std::vector<double>& points, std::array<int, 2> order, const Rational& t_u,
-                           const Rational& t_v) {
+inline Fraction exact_value(const std::vector<double>& points, std::array<int, 2> order, const Rational& t_u,
+                            const Rational& t_v) {
   constexpr int kScale = 1074;  // every double is a multiple of 2^-1074
-  const std::vector<Integer> in_u = IntegerBasis(t_u, order[0]), in_v = IntegerBasis(t_v, order[1]);
+  const std::vector<Integer> in_u = integer_basis(t_u, order[0]), in_v = integer_basis(t_v, order[1]);
   Fraction value = {0, pow(denominator(t_u), order[0] - 1) * pow(denominator(t_v), order[1] - 1)};
   for (int i = 0; i < order[0]; ++i) {
     Integer row = 0;
@@ -66,7 +66,7 @@ inline Fraction ExactValue(const std::vector<double>& points, std::array<int, 2>
 
 // Nearest, ties to even, to infinity from 2^128 - 2^103. Zero gets a sign only from a number that is not
 // zero.
-inline float Nearest(const Fraction& x) {
+inline float nearest_float(const Fraction& x) {
   const Integer magnitude = abs(x.numerator) << 150;
   // Whether that is at least, or more than, the middle between the float of these bits and the next one,
   // in units of 2^-150.

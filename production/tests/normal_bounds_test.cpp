@@ -45,7 +45,7 @@ struct Oracle {
   Wide ratio = 0;  // |m| to its majorant; 0: there is no normal
 };
 
-std::vector<Wide> Bernstein(int degree, const Wide& t) {
+std::vector<Wide> bernstein_basis(int degree, const Wide& t) {
   std::vector<Wide> basis(degree + 1, 1);
   Wide power_of_t = 1, power_of_s = 1, binomial = 1;
   for (int i = 0; i <= degree; ++i, power_of_t *= t) basis[i] *= power_of_t;
@@ -57,10 +57,10 @@ std::vector<Wide> Bernstein(int degree, const Wide& t) {
 }
 
 // Of the Bernstein polynomials by t.
-std::vector<Wide> Slopes(int degree, const Wide& t) {
+std::vector<Wide> bernstein_slopes(int degree, const Wide& t) {
   std::vector<Wide> slopes(degree + 1, 0);
   if (degree == 0) return slopes;
-  const std::vector<Wide> lower = Bernstein(degree - 1, t);
+  const std::vector<Wide> lower = bernstein_basis(degree - 1, t);
   for (int i = 0; i < degree; ++i) {
     slopes[i] -= degree * lower[i];
     slopes[i + 1] += degree * lower[i];
@@ -68,7 +68,7 @@ std::vector<Wide> Slopes(int degree, const Wide& t) {
   return slopes;
 }
 
-Wide Sum(const Patch& patch, int k, const std::vector<Wide>& u, const std::vector<Wide>& v) {
+Wide combine(const Patch& patch, int k, const std::vector<Wide>& u, const std::vector<Wide>& v) {
   Wide sum = 0;
   for (int i = 0; i < patch.order[0]; ++i) {
     Wide row = 0;
@@ -79,10 +79,10 @@ Wide Sum(const Patch& patch, int k, const std::vector<Wide>& u, const std::vecto
   return sum;
 }
 
-Wide Length(const std::array<Wide, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+Wide length_of(const std::array<Wide, 3>& v) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 // Largest magnitude of component k of control points, or of their differences in a direction.
-double Largest(const Patch& patch, int k, int direction) {
+double largest_of(const Patch& patch, int k, int direction) {
   double largest = 0;
   for (int i = 0; i < patch.order[0]; ++i) {
     for (int j = 0; j < patch.order[1]; ++j) {
@@ -98,26 +98,26 @@ double Largest(const Patch& patch, int k, int direction) {
 }
 
 // At grid point (i, j).
-Oracle Exactly(const Patch& patch, int i, int j) {
+Oracle exact_normal(const Patch& patch, int i, int j) {
   std::array<std::vector<Wide>, 2> values, slopes;
   for (int d : {0, 1}) {
     const Wide a = patch.grid.ends[2 * d], b = patch.grid.ends[2 * d + 1], u1 = patch.domain[2 * d],
                u2 = patch.domain[2 * d + 1];
     const Wide t = (a + (d == 0 ? i : j) * (b - a) / patch.grid.segments[d] - u1) / (u2 - u1);
-    values[d] = Bernstein(patch.order[d] - 1, t);
-    slopes[d] = Slopes(patch.order[d] - 1, t);
+    values[d] = bernstein_basis(patch.order[d] - 1, t);
+    slopes[d] = bernstein_slopes(patch.order[d] - 1, t);
   }
   Oracle oracle;
   oracle.p = {0, 0, 0, 1};
   oracle.p_u = oracle.p_v = {0, 0, 0, 0};
   std::array<double, 4> largest = {0, 0, 0, 1}, largest_u{}, largest_v{};
   for (int k = 0; k < patch.components; ++k) {
-    oracle.p[k] = Sum(patch, k, values[0], values[1]);
-    oracle.p_u[k] = Sum(patch, k, slopes[0], values[1]);
-    oracle.p_v[k] = Sum(patch, k, values[0], slopes[1]);
-    largest[k] = Largest(patch, k, -1);
-    largest_u[k] = (patch.order[0] - 1) * Largest(patch, k, 0);
-    largest_v[k] = (patch.order[1] - 1) * Largest(patch, k, 1);
+    oracle.p[k] = combine(patch, k, values[0], values[1]);
+    oracle.p_u[k] = combine(patch, k, slopes[0], values[1]);
+    oracle.p_v[k] = combine(patch, k, values[0], slopes[1]);
+    largest[k] = largest_of(patch, k, -1);
+    largest_u[k] = (patch.order[0] - 1) * largest_of(patch, k, 0);
+    largest_v[k] = (patch.order[1] - 1) * largest_of(patch, k, 1);
   }
   std::array<Wide, 3> a, b, most_a, most_b, m, majorant;
   for (int k = 0; k < 3; ++k) {
@@ -131,7 +131,7 @@ Oracle Exactly(const Patch& patch, int i, int j) {
     m[k] = a[x] * b[y] - a[y] * b[x];
     majorant[k] = most_a[x] * most_b[y] + most_a[y] * most_b[x];
   }
-  const Wide length = Length(m), most = Length(majorant);
+  const Wide length = length_of(m), most = length_of(majorant);
   // What is left of 600 digits where m is zero.
   oracle.ratio = most == 0 || length < most * 0x1p-400 ? Wide(0) : Wide(length / most);
   for (int k = 0; k < 3; ++k) {
@@ -146,7 +146,7 @@ constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -
 
 // What a caller may have done to the processor.
 template <class Call>
-void InMode(int mode, const Call& call) {
+void call_in_mode(int mode, const Call& call) {
 #if defined(__SSE2__)
   const unsigned control = _mm_getcsr();
   if (mode < 0) _mm_setcsr(control | 0x8040);  // subnormal numbers taken for zero, flushed to zero
@@ -161,18 +161,18 @@ void InMode(int mode, const Call& call) {
 
 using Normal = std::array<float, 3>;
 
-bool SameBits(const Normal& a, const Normal& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
+bool same_bits(const Normal& a, const Normal& b) { return std::memcmp(a.data(), b.data(), sizeof a) == 0; }
 
 class NormalBounds : public ::testing::Test {
  protected:
-  static std::vector<std::string> Targets() {
+  static std::vector<std::string> targets() {
     std::vector<std::string> names;
     for (std::size_t i = 0; glevGetTargetName(i) != nullptr; ++i) names.emplace_back(glevGetTargetName(i));
     return names;
   }
 
   // A context with the patch and its grid.
-  static glev_context* Make(const Patch& patch, const std::string& target) {
+  static glev_context* make_context(const Patch& patch, const std::string& target) {
     glev_context_info info = {sizeof info, nullptr, target.c_str()};
     glev_context* gl = nullptr;
     EXPECT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
@@ -195,9 +195,9 @@ class NormalBounds : public ::testing::Test {
 
   // `output` of the mesh, elements `values` apart.
   template <class Real>
-  static std::vector<Real> Mesh(glev_context* gl, const Range& range,
-                                const glev_output* glev_outputs::*output, std::size_t components,
-                                std::size_t values, int mode = FE_TONEAREST) {
+  static std::vector<Real> evaluate_mesh(glev_context* gl, const Range& range,
+                                         const glev_output* glev_outputs::*output, std::size_t components,
+                                         std::size_t values, int mode = FE_TONEAREST) {
     const glev_plan_info info = {sizeof info, 2};
     glev_plan* plan = nullptr;
     EXPECT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
@@ -216,13 +216,13 @@ class NormalBounds : public ::testing::Test {
     std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size();
-    InMode(mode, [&] { EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS); });
+    call_in_mode(mode, [&] { EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS); });
     glevReleasePlan(plan);
     return result;
   }
 
   // Vertices and normals as records of six floats, `stride` floats apart, against the calls.
-  static void CheckRecords(glev_context* gl, const Range& range, std::size_t stride) {
+  static void check_records(glev_context* gl, const Range& range, std::size_t stride) {
     const glev_plan_info info = {sizeof info, 2};
     glev_plan* plan = nullptr;
     ASSERT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
@@ -247,7 +247,7 @@ class NormalBounds : public ::testing::Test {
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
     glevReleasePlan(plan);
     Recording recording;
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
     glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2);
     glevSetSink(gl, nullptr);
@@ -262,11 +262,12 @@ class NormalBounds : public ::testing::Test {
     EXPECT_EQ(different, 0) << "stride " << stride;
   }
 
-  static std::vector<Normal> Calls(glev_context* gl, const Range& range, int mode = FE_TONEAREST) {
+  static std::vector<Normal> evaluate_by_calls(glev_context* gl, const Range& range,
+                                               int mode = FE_TONEAREST) {
     Recording recording;
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
-    InMode(mode, [&] { glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2); });
+    call_in_mode(mode, [&] { glevEvalMesh2(gl, GLEV_POINT, range.i1, range.i2, range.j1, range.j2); });
     std::vector<Normal> normals;
     for (const glev_vertex& vertex : recording.vertices)
       normals.push_back({vertex.normal[0], vertex.normal[1], vertex.normal[2]});
@@ -275,27 +276,28 @@ class NormalBounds : public ::testing::Test {
   }
 
   // The normals of the calls, which every instruction set must give in meshes, packed or not, in every mode.
-  static std::vector<Normal> Everywhere(const Patch& patch, const Range& range) {
+  static std::vector<Normal> evaluate_everywhere(const Patch& patch, const Range& range) {
     std::vector<Normal> expected;
-    for (const std::string& target : Targets()) {
-      glev_context* const gl = Make(patch, target);
-      if (expected.empty()) expected = Calls(gl, range);
+    for (const std::string& target : targets()) {
+      glev_context* const gl = make_context(patch, target);
+      if (expected.empty()) expected = evaluate_by_calls(gl, range);
       for (const int mode : kModes) {
-        const std::vector<Normal> calls = Calls(gl, range, mode);
+        const std::vector<Normal> calls = evaluate_by_calls(gl, range, mode);
         const std::size_t values = mode == FE_UPWARD ? 3 : 6;
-        const std::vector<float> mesh = Mesh<float>(gl, range, &glev_outputs::normal, 3, values, mode);
+        const std::vector<float> mesh =
+            evaluate_mesh<float>(gl, range, &glev_outputs::normal, 3, values, mode);
         int different = 0;
         for (std::size_t i = 0; i < range.count(); ++i) {
           const Normal got = {mesh[i * values], mesh[i * values + 1], mesh[i * values + 2]};
-          if (!SameBits(got, expected[i]) || !SameBits(calls[i], expected[i])) ++different;
+          if (!same_bits(got, expected[i]) || !same_bits(calls[i], expected[i])) ++different;
           if (values == 6 && mesh[i * values + 3] != 77) ++different;  // written between elements
         }
         EXPECT_EQ(different, 0) << target << ", mode " << mode << ", orders " << patch.order[0] << " x "
                                 << patch.order[1] << ", components " << patch.components;
       }
       if (patch.components == 3) {
-        CheckRecords(gl, range, 6);
-        CheckRecords(gl, range, 7);
+        check_records(gl, range, 6);
+        check_records(gl, range, 7);
       }
       glevDestroyContext(gl);
     }
@@ -303,15 +305,15 @@ class NormalBounds : public ::testing::Test {
   }
 
   // Each `step`-th one against the oracle. Returns the least ratio met.
-  static double Check(const Patch& patch, const Range& range, std::size_t step = 1) {
-    const std::vector<Normal> got = Everywhere(patch, range);
+  static double check(const Patch& patch, const Range& range, std::size_t step = 1) {
+    const std::vector<Normal> got = evaluate_everywhere(patch, range);
     double least = 1;
     for (std::size_t at = 0; at < got.size(); at += step) {
       const int i = range.i1 + static_cast<int>(at % range.columns()),
                 j = range.j1 + static_cast<int>(at / range.columns());
-      const Oracle oracle = Exactly(patch, i, j);
+      const Oracle oracle = exact_normal(patch, i, j);
       if (oracle.ratio == 0) {
-        EXPECT_TRUE(SameBits(got[at], {0, 0, 0})) << "at " << i << ", " << j;
+        EXPECT_TRUE(same_bits(got[at], {0, 0, 0})) << "at " << i << ", " << j;
         continue;
       }
       least = std::min(least, static_cast<double>(oracle.ratio));
@@ -331,16 +333,16 @@ class NormalBounds : public ::testing::Test {
     return least;
   }
 
-  double Uniform(double low, double high) {
+  double random_between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
-  Patch Random(std::array<int, 2> order, int components, bool floats = true) {
+  Patch random_patch(std::array<int, 2> order, int components, bool floats = true) {
     Patch patch;
     patch.order = order;
     patch.components = components;
     for (int i = 0; i < order[0] * order[1]; ++i) {
       for (int k = 0; k < components; ++k) {
-        const double x = k == 3 ? Uniform(0.5, 2) : Uniform(-1, 1);
+        const double x = k == 3 ? random_between(0.5, 2) : random_between(-1, 1);
         patch.points.push_back(floats ? static_cast<double>(static_cast<float>(x)) : x);
       }
     }
@@ -353,32 +355,32 @@ class NormalBounds : public ::testing::Test {
 TEST_F(NormalBounds, OfRandomPatches) {
   for (const int components : {3, 4}) {
     for (const std::array<int, 2> order : {std::array{2, 2}, {2, 5}, {3, 3}, {4, 4}, {5, 3}, {8, 8}}) {
-      Patch patch = Random(order, components);
+      Patch patch = random_patch(order, components);
       patch.grid.segments = {36, 7};
-      Check(patch, {0, 36, 0, 7}, 3);
+      check(patch, {0, 36, 0, 7}, 3);
       patch.domain = {0.1, -2, 3, 3.7};
       patch.grid = {{0.1, -2, 3.7, 3}, {21, 5}};
-      Check(patch, {0, 21, 0, 5}, 3);
+      check(patch, {0, 21, 0, 5}, 3);
     }
-    Patch patch = Random({30, 30}, components);
+    Patch patch = random_patch({30, 30}, components);
     patch.grid.segments = {36, 7};
-    Check(patch, {0, 36, 0, 7}, 20);
+    check(patch, {0, 36, 0, 7}, 20);
   }
 }
 
 TEST_F(NormalBounds, OnGridsThatAreNotTheDomain) {
   for (const int components : {3, 4}) {
-    Patch patch = Random({4, 5}, components);
+    Patch patch = random_patch({4, 5}, components);
     // Far outside, across the ends, and with arguments that cancellation leaves few digits of.
     patch.grid = {{0.2, 0.9, -0.1, 0.6}, {10, 7}};
-    Check(patch, {-9, 25, -3, 4}, 5);
+    check(patch, {-9, 25, -3, 4}, 5);
     patch.grid = {{-3, 7, -1e4, 1e4}, {10, 20000}};
-    Check(patch, {-2, 8, 9998, 10003});
+    check(patch, {-2, 8, 9998, 10003});
     patch.domain = {0.1, 0.7, 0.3, 0.4};
     patch.grid = {{-0.5, 0.7 + 0x1p-50, 0.1, 0.5 + 0x1p-52}, {2, 2}};
-    Check(patch, {0, 2, 0, 2});
+    check(patch, {0, 2, 0, 2});
     patch.grid = {{0.1 - 1, 0.1 + 1 + 0x1p-45, 0.3 - 8, 0.3 + 8 + 0x1p-40}, {2, 2}};
-    Check(patch, {0, 2, 0, 2});
+    check(patch, {0, 2, 0, 2});
   }
 }
 
@@ -387,7 +389,7 @@ TEST_F(NormalBounds, OfNearlyDegeneratePatches) {
   for (const int components : {3, 4}) {
     for (const std::array<int, 2> order : {std::array{4, 4}, {8, 8}}) {
       for (int digits = 5; digits <= 45; digits += digits < 20 ? 3 : 8) {
-        Patch patch = Random(order, components, false);
+        Patch patch = random_patch(order, components, false);
         for (int i = 0; i < order[0] * order[1]; ++i) {
           const int column = i / order[1], row = i % order[1];
           const double along =
@@ -398,7 +400,7 @@ TEST_F(NormalBounds, OfNearlyDegeneratePatches) {
           if (components == 4) point[3] += 1;
         }
         patch.grid.segments = {18, 3};
-        const double least = Check(patch, {0, 18, 0, 3}, 5);
+        const double least = check(patch, {0, 18, 0, 3}, 5);
         EXPECT_LT(least, std::ldexp(1, 2 - digits));
       }
     }
@@ -409,7 +411,7 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
   for (const int components : {3, 4}) {
     for (const std::array<int, 2> order : {std::array{4, 4}, {8, 8}, {3, 12}}) {
       for (const bool turned : {false, true}) {
-        Patch patch = Random(order, components);
+        Patch patch = random_patch(order, components);
         for (int i = 0; i < order[0] * order[1]; ++i) {
           double* const point = &patch.points[i * components];
           const double w = components == 4 ? static_cast<float>(point[3]) : 1;
@@ -421,20 +423,20 @@ TEST_F(NormalBounds, FlatPatchesHaveExactZeros) {
           point[2] = w * static_cast<float>(0.3);
         }
         patch.grid.segments = {36, 7};
-        for (const Normal& normal : Everywhere(patch, {0, 36, 0, 7}))
-          EXPECT_TRUE(SameBits(normal, {0, 0, turned ? -1.0f : 1.0f})) << normal[0] << " " << normal[2];
+        for (const Normal& normal : evaluate_everywhere(patch, {0, 36, 0, 7}))
+          EXPECT_TRUE(same_bits(normal, {0, 0, turned ? -1.0f : 1.0f})) << normal[0] << " " << normal[2];
         // z = 3 x, to which rounding errors of its own add noise; far outside they are larger.
         Patch tilted = patch;
         for (int i = 0; i < order[0] * order[1]; ++i)
           tilted.points[i * components + 2] = 3 * tilted.points[i * components];
         for (const Range range : {Range{0, 36, 0, 7}, {3, 7, 100, 110}, {400, 410, 3, 5}}) {
-          for (const Normal& normal : Everywhere(tilted, range))
+          for (const Normal& normal : evaluate_everywhere(tilted, range))
             EXPECT_EQ(std::bit_cast<std::uint32_t>(normal[1]), 0u) << normal[1];
         }
         if (components == 4) continue;
         // z = x: the plane contains an axis.
         for (int i = 0; i < order[0] * order[1]; ++i) patch.points[3 * i + 2] = patch.points[3 * i];
-        for (const Normal& normal : Everywhere(patch, {0, 36, 0, 7})) {
+        for (const Normal& normal : evaluate_everywhere(patch, {0, 36, 0, 7})) {
           EXPECT_EQ(std::bit_cast<std::uint32_t>(normal[1]), 0u);
           EXPECT_EQ(normal[2], turned ? -0x1.6a09e6p-1f : 0x1.6a09e6p-1f);
           EXPECT_EQ(normal[0], -normal[2]);
@@ -456,31 +458,33 @@ TEST_F(NormalBounds, OfAPatchWithACollapsedEdge) {
       patch.points.insert(patch.points.end(), {cos_u * cos_v, sin_u * cos_v, w_u * sin_v, w_u * w_v});
   }
   patch.grid.segments = {40, 40};
-  Check(patch, {0, 40, 0, 40}, 7);
-  for (const Normal& normal : Everywhere(patch, {0, 40, 40, 40})) EXPECT_TRUE(SameBits(normal, {0, 0, 0}));
+  check(patch, {0, 40, 0, 40}, 7);
+  for (const Normal& normal : evaluate_everywhere(patch, {0, 40, 40, 40}))
+    EXPECT_TRUE(same_bits(normal, {0, 0, 0}));
   // Close to it.
   patch.grid = {{0, 1, 1 - 0x1p-30, 1}, {9, 1}};
-  Check(patch, {0, 9, 0, 0});
+  check(patch, {0, 9, 0, 0});
   patch.grid = {{0, 1, 1 - 0x1p-50, 1}, {9, 1}};
-  Check(patch, {0, 9, 0, 0});
+  check(patch, {0, 9, 0, 0});
   // Not rational, one edge a point in both directions.
-  Patch triangle = Random({4, 4}, 3);
+  Patch triangle = random_patch({4, 4}, 3);
   for (int j = 0; j < 4; ++j) std::copy_n(triangle.points.begin(), 3, triangle.points.begin() + 3 * j);
-  Check(triangle, {0, 16, 0, 16}, 5);
-  for (const Normal& normal : Everywhere(triangle, {0, 0, 0, 16})) EXPECT_TRUE(SameBits(normal, {0, 0, 0}));
+  check(triangle, {0, 16, 0, 16}, 5);
+  for (const Normal& normal : evaluate_everywhere(triangle, {0, 0, 0, 16}))
+    EXPECT_TRUE(same_bits(normal, {0, 0, 0}));
 }
 
 TEST_F(NormalBounds, DoNotDependOnSize) {
   for (const int components : {3, 4}) {
-    Patch patch = Random({4, 4}, components);
+    Patch patch = random_patch({4, 4}, components);
     const Range range = {0, 16, 0, 16};
-    const std::vector<Normal> expected = Everywhere(patch, range);
+    const std::vector<Normal> expected = evaluate_everywhere(patch, range);
     for (const int exponent : {-140, -100, 60, 120, 250}) {
       Patch scaled = patch;
       for (std::size_t i = 0; i < scaled.points.size(); ++i) {
         if (i % components != 3) scaled.points[i] = std::ldexp(scaled.points[i], exponent);
       }
-      EXPECT_EQ(Everywhere(scaled, range), expected) << exponent;
+      EXPECT_EQ(evaluate_everywhere(scaled, range), expected) << exponent;
     }
   }
 }
@@ -488,23 +492,23 @@ TEST_F(NormalBounds, DoNotDependOnSize) {
 TEST_F(NormalBounds, OfTangents) {
   for (const int components : {3, 4}) {
     for (const std::array<int, 2> order : {std::array{2, 3}, {4, 4}, {12, 5}}) {
-      Patch patch = Random(order, components, order[0] == 4);
+      Patch patch = random_patch(order, components, order[0] == 4);
       patch.domain = {0.25, 3, 1, 0.5};
       patch.grid = {{0.5, 3, 1, 0.5}, {9, 6}};
       const Range range = {0, 9, 0, 6};
-      for (const std::string& target : Targets()) {
-        glev_context* const gl = Make(patch, target);
+      for (const std::string& target : targets()) {
+        glev_context* const gl = make_context(patch, target);
         for (const int direction : {0, 1}) {
           const auto output = direction == 0 ? &glev_outputs::tangent_u : &glev_outputs::tangent_v;
-          const std::vector<float> floats = Mesh<float>(gl, range, output, components, 4);
-          const std::vector<double> doubles = Mesh<double>(gl, range, output, components, 4);
+          const std::vector<float> floats = evaluate_mesh<float>(gl, range, output, components, 4);
+          const std::vector<double> doubles = evaluate_mesh<double>(gl, range, output, components, 4);
           const double width = std::fabs(patch.domain[2 * direction + 1] - patch.domain[2 * direction]);
           for (std::size_t at = 0; at < range.count(); ++at) {
-            const Oracle oracle = Exactly(patch, static_cast<int>(at % 10), static_cast<int>(at / 10));
+            const Oracle oracle = exact_normal(patch, static_cast<int>(at % 10), static_cast<int>(at / 10));
             for (int k = 0; k < components; ++k) {
               Wide exact = (direction == 0 ? oracle.p_u : oracle.p_v)[k];
               if (k == 3) exact /= patch.domain[2 * direction + 1] - patch.domain[2 * direction];
-              const double most = (order[direction] - 1) * Largest(patch, k, direction) / width,
+              const double most = (order[direction] - 1) * largest_of(patch, k, direction) / width,
                            size = std::fabs(static_cast<double>(exact));
               const double units = 13 * (order[0] + order[1] - 2) + 4;
               EXPECT_LE(static_cast<double>(abs(floats[4 * at + k] - exact)),

@@ -17,7 +17,7 @@ class Normals : public ContextTest {
  protected:
   Normals() { glevEnable(gl, GLEV_AUTO_NORMAL); }
 
-  void Define(std::array<double, 4> domain, int n, int m, int components, const std::vector<double>& points) {
+  void define(std::array<double, 4> domain, int n, int m, int components, const std::vector<double>& points) {
     domain_ = domain;
     n_ = n;
     m_ = m;
@@ -29,21 +29,21 @@ class Normals : public ContextTest {
     glevEnable(gl, target);
   }
   // A plane with u along +x and v along +y.
-  void Plane(double size = 1) {
-    Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, size, 0, size, 0, 0, size, size, 0});
+  void define_plane(double size = 1) {
+    define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, size, 0, size, 0, 0, size, size, 0});
   }
-  Floats At(double u, double v) {
-    return Values(OneVertex([&] { glevEvalCoord2d(gl, u, v); }).normal);
+  Floats normal_at(double u, double v) {
+    return values_of(one_vertex([&] { glevEvalCoord2d(gl, u, v); }).normal);
   }
 
   // q_u x q_v, normalised, by the quotient rule; only the length is computed in double.
-  std::array<double, 3> Exact(double u, double v) const {
-    const ExactBasis basis_u = Basis(domain_[0], domain_[1], n_, u),
-                     basis_v = Basis(domain_[2], domain_[3], m_, v);
+  std::array<double, 3> exact_normal_at(double u, double v) const {
+    const ExactBasis basis_u = exact_basis(domain_[0], domain_[1], n_, u),
+                     basis_v = exact_basis(domain_[2], domain_[3], m_, v);
     std::array<Rational, 4> p = {0, 0, 0, 1}, p_u = {0, 0, 0, 0}, p_v = {0, 0, 0, 0};
     for (int k = 0; k < components_; ++k) {
       const auto sum = [&](const std::vector<Rational>& a, const std::vector<Rational>& b) {
-        return Tensor(a, b, points_, components_, k).value;
+        return tensor(a, b, points_, components_, k).value;
       };
       p[k] = sum(basis_u.values, basis_v.values);
       p_u[k] = sum(basis_u.derivatives, basis_v.values);
@@ -65,9 +65,9 @@ class Normals : public ContextTest {
     return normal;
   }
 
-  void ExpectExact(double u, double v) {
-    const std::array<double, 3> expected = Exact(u, v);
-    const Floats got = At(u, v);
+  void expect_exact(double u, double v) {
+    const std::array<double, 3> expected = exact_normal_at(u, v);
+    const Floats got = normal_at(u, v);
     for (int k = 0; k < 3; ++k) {
       EXPECT_NEAR(got[k], expected[k], 0x1p-23) << "component " << k << " at (" << u << "," << v << ") order "
                                                 << n_ << "x" << m_ << ", seed " << kSeed;
@@ -76,7 +76,7 @@ class Normals : public ContextTest {
   }
 
   // A bumpy sheet: the derivatives are nowhere parallel near the domain.
-  std::vector<double> Sheet(int n, int m, int components, double size = 1) {
+  std::vector<double> sheet(int n, int m, int components, double size = 1) {
     std::uniform_real_distribution<double> noise(-0.3, 0.3), weight(0.5, 2);
     std::vector<double> points;
     for (int i = 0; i < n; ++i) {
@@ -99,10 +99,10 @@ class Normals : public ContextTest {
 };
 
 TEST_F(Normals, PointAlongTheCrossProductOfUAndV) {
-  Plane();
-  EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, 1}));
-  Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
-  EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, -1})) << "u along +y, v along +x";
+  define_plane();
+  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
+  define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
+  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, -1})) << "u along +y, v along +x";
 }
 
 TEST_F(Normals, AgreeWithTheExactOne) {
@@ -112,7 +112,7 @@ TEST_F(Normals, AgreeWithTheExactOne) {
   for (int components : {3, 4}) {
     for (auto [n, m] : {std::pair{2, 2}, {2, 5}, {4, 4}, {7, 3}, {3, 12}, {16, 2}}) {
       const std::array<double, 4>& d = domains[turn++ % 4];
-      Define(d, n, m, components, Sheet(n, m, components));
+      define(d, n, m, components, sheet(n, m, components));
       for (auto [s, t] : {std::pair{0.0, 0.0},
                           {1.0, 1.0},
                           {0.0, 1.0},
@@ -122,7 +122,7 @@ TEST_F(Normals, AgreeWithTheExactOne) {
                           {0.6, 1.0},
                           {inside(random_), inside(random_)},
                           {-0.05, 1.02}}) {
-        ExpectExact(s == 1 ? d[1] : d[0] + s * (d[1] - d[0]), t == 1 ? d[3] : d[2] + t * (d[3] - d[2]));
+        expect_exact(s == 1 ? d[1] : d[0] + s * (d[1] - d[0]), t == 1 ? d[3] : d[2] + t * (d[3] - d[2]));
       }
     }
     glevDisable(gl, GLEV_MAP2_VERTEX_3);
@@ -131,15 +131,15 @@ TEST_F(Normals, AgreeWithTheExactOne) {
 
 TEST_F(Normals, SizeDoesNotMatter) {
   for (double size : {1e-30, 1e30, 1e-3, 1e-300, 1e300, 0x1p-1060}) {
-    Plane(size);
-    EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, 1})) << size;
+    define_plane(size);
+    EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1})) << size;
   }
   for (double size : {1e-30, 1e30, 1e-44}) {
     for (int components : {3, 4}) {
       glevDisable(gl, GLEV_MAP2_VERTEX_4);
-      Define({0, 1, 0, 1}, 4, 3, components, Sheet(4, 3, components, size));
-      ExpectExact(0.3, 0.6);
-      ExpectExact(1, 0);
+      define({0, 1, 0, 1}, 4, 3, components, sheet(4, 3, components, size));
+      expect_exact(0.3, 0.6);
+      expect_exact(1, 0);
     }
   }
 }
@@ -148,8 +148,8 @@ TEST_F(Normals, TheCommonFactorOfHomogeneousCoordinatesDoesNotMatter) {
   for (double factor : {1e-300, 1e-200, 1e-30, 1e30, 1e200, 1e300}) {
     std::vector<double> points = {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4};
     for (double& x : points) x *= factor;
-    Define({0, 1, 0, 1}, 2, 2, 4, points);
-    const Floats normal = At(0.3, 0.6);
+    define({0, 1, 0, 1}, 2, 2, 4, points);
+    const Floats normal = normal_at(0.3, 0.6);
     EXPECT_NEAR(normal[0], 0, 1e-12) << factor;
     EXPECT_NEAR(normal[1], 0, 1e-12) << factor;
     EXPECT_EQ(normal[2], 1) << factor;
@@ -158,86 +158,86 @@ TEST_F(Normals, TheCommonFactorOfHomogeneousCoordinatesDoesNotMatter) {
 
 TEST_F(Normals, AThinSliverHasOne) {
   for (double thin : {1e-20, 1e-150, 1e-200, 1e-300}) {
-    Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, thin, 0, 1, 0, 0, 2, thin, 0});
-    EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, 1})) << thin;
+    define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, thin, 0, 1, 0, 0, 2, thin, 0});
+    EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1})) << thin;
   }
 }
 
 TEST_F(Normals, OfRationalSurfacesAreThoseOfTheQuotient) {
   // In the plane, with weights: still (0,0,1), though the homogeneous coordinates are no plane.
-  Define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4});
-  EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, 1}));
-  EXPECT_EQ(At(1, 0), (Floats{0, 0, 1}));
+  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 5, 1, 0, 2, 10, 2, 3, 0, 15, 3, 4, 4, 20, 4});
+  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
+  EXPECT_EQ(normal_at(1, 0), (Floats{0, 0, 1}));
   // A quarter of a cylinder around z: radial.
   const double r = std::sqrt(0.5);
-  Define({0, 1, 0, 1}, 3, 2, 4, {1, 0, 0, 1, 1, 0, 3, 1, r, r, 0, r, r, r, 3 * r, r, 0, 1, 0, 1, 0, 1, 3, 1});
+  define({0, 1, 0, 1}, 3, 2, 4, {1, 0, 0, 1, 1, 0, 3, 1, r, r, 0, r, r, r, 3 * r, r, 0, 1, 0, 1, 0, 1, 3, 1});
   for (double u : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const glev_vertex v = OneVertex([&] { glevEvalCoord2d(gl, u, 0.4); });
+    const glev_vertex v = one_vertex([&] { glevEvalCoord2d(gl, u, 0.4); });
     EXPECT_NEAR(v.normal[0], v.position[0] / v.position[3], 2e-7);
     EXPECT_NEAR(v.normal[1], v.position[1] / v.position[3], 2e-7);
     EXPECT_EQ(v.normal[2], 0);
   }
   // All weights negative: the same surface, the same normal.
-  Define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, -1, 0, -1, 0, -1, -1, 0, 0, -1, -1, -1, 0, -1});
-  EXPECT_EQ(At(0.3, 0.6), (Floats{0, 0, 1}));
+  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, -1, 0, -1, 0, -1, -1, 0, 0, -1, -1, -1, 0, -1});
+  EXPECT_EQ(normal_at(0.3, 0.6), (Floats{0, 0, 1}));
 }
 
 TEST_F(Normals, AReversedDomainDoesNotTurnThem) {
   const std::vector<double> plane = {0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0};
   for (const auto& domain :
        {std::array{1.0, 0.0, 0.0, 1.0}, {0, 1, 1, 0}, {1, 0, 1, 0}, {0, 1e-6, 7, -1e6}}) {
-    Define(domain, 2, 2, 3, plane);
-    EXPECT_EQ(At(domain[0], domain[3]), (Floats{0, 0, 1}));
+    define(domain, 2, 2, 3, plane);
+    EXPECT_EQ(normal_at(domain[0], domain[3]), (Floats{0, 0, 1}));
   }
 }
 
 TEST_F(Normals, OverrideTheNormalMapAndBelongToVertex4) {
-  Plane();
+  define_plane();
   const float point[] = {0, 3, 0};
   glevMap2f(gl, GLEV_MAP2_NORMAL, 0, 1, 3, 1, 0, 1, 3, 1, point);
   glevEnable(gl, GLEV_MAP2_NORMAL);
   glevNormal3f(gl, 5, 6, 7);
-  EXPECT_EQ(At(0.5, 0.5), (Floats{0, 0, 1}));
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
   // VERTEX_4 faces along +x
-  Define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1});
-  EXPECT_EQ(At(0.5, 0.5), (Floats{1, 0, 0}));
+  define({0, 1, 0, 1}, 2, 2, 4, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1});
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{1, 0, 0}));
   glevDisable(gl, GLEV_MAP2_VERTEX_4);
-  EXPECT_EQ(At(0.5, 0.5), (Floats{0, 0, 1}));
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
   glevDisable(gl, GLEV_AUTO_NORMAL);
-  EXPECT_EQ(At(0.5, 0.5), (Floats{0, 3, 0}));
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 3, 0}));
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  EXPECT_EQ(At(0.5, 0.5), (Floats{0, 0, 1}));
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{0, 0, 1}));
   glevDisable(gl, GLEV_AUTO_NORMAL);
   glevDisable(gl, GLEV_MAP2_NORMAL);
-  EXPECT_EQ(At(0.5, 0.5), (Floats{5, 6, 7}));
+  EXPECT_EQ(normal_at(0.5, 0.5), (Floats{5, 6, 7}));
 }
 
 TEST_F(Normals, AreNotThereInOneDimension) {
-  Plane();
+  define_plane();
   const float point[] = {1, 2, 3};
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 1, point);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevNormal3f(gl, 5, 6, 7);
-  EXPECT_EQ(Values(OneVertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{5, 6, 7}));
+  EXPECT_EQ(values_of(one_vertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{5, 6, 7}));
   glevMap1f(gl, GLEV_MAP1_NORMAL, 0, 1, 3, 1, point);
   glevEnable(gl, GLEV_MAP1_NORMAL);
-  EXPECT_EQ(Values(OneVertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{1, 2, 3}));
+  EXPECT_EQ(values_of(one_vertex([&] { glevEvalCoord1f(gl, 0.5f); }).normal), (Floats{1, 2, 3}));
 }
 
 TEST_F(Normals, ChangeNothingElse) {
   glevEnable(gl, GLEV_MAP2_COLOR_4);
   glevEnable(gl, GLEV_MAP2_TEXTURE_COORD_2);
   for (int components : {3, 4}) {
-    const std::vector<double> net = Sheet(5, 4, components);
-    Define({0.1, 0.7, 2, -1}, 5, 4, components, net);
+    const std::vector<double> net = sheet(5, 4, components);
+    define({0.1, 0.7, 2, -1}, 5, 4, components, net);
     glevMap2d(gl, GLEV_MAP2_COLOR_4, 0, 1, 16, 3, 0, 1, 4, 4, net.data());
     glevMap2d(gl, GLEV_MAP2_TEXTURE_COORD_2, 0, 1, 2, 3, 0, 1, 6, 4, net.data());
     for (double u : {0.1, 0.33, 0.7, -1.0}) {
       glevEnable(gl, GLEV_AUTO_NORMAL);
-      glev_vertex with = OneVertex([&] { glevEvalCoord2d(gl, u, 0.3); });
+      glev_vertex with = one_vertex([&] { glevEvalCoord2d(gl, u, 0.3); });
       glevDisable(gl, GLEV_AUTO_NORMAL);
-      const glev_vertex without = OneVertex([&] { glevEvalCoord2d(gl, u, 0.3); });
-      EXPECT_NE(Values(with.normal), Values(without.normal));
+      const glev_vertex without = one_vertex([&] { glevEvalCoord2d(gl, u, 0.3); });
+      EXPECT_NE(values_of(with.normal), values_of(without.normal));
       std::copy_n(without.normal, 3, with.normal);
       EXPECT_EQ(std::memcmp(&with, &without, offsetof(glev_vertex, edge_flag) + 1), 0);
     }
@@ -247,25 +247,25 @@ TEST_F(Normals, ChangeNothingElse) {
 TEST_F(Normals, AreZeroWhereThereIsNone) {
   const Floats zero = {0, 0, 0};
   // order 1 in a direction, or both
-  Define({0, 1, 0, 1}, 1, 2, 3, {0, 0, 0, 1, 2, 3});
-  EXPECT_EQ(At(0.5, 0.5), zero);
-  Define({0, 1, 0, 1}, 2, 1, 3, {0, 0, 0, 1, 2, 3});
-  EXPECT_EQ(At(0.5, 0.5), zero);
-  Define({0, 1, 0, 1}, 1, 1, 3, {1, 2, 3});
-  EXPECT_EQ(At(0.5, 0.5), zero);
+  define({0, 1, 0, 1}, 1, 2, 3, {0, 0, 0, 1, 2, 3});
+  EXPECT_EQ(normal_at(0.5, 0.5), zero);
+  define({0, 1, 0, 1}, 2, 1, 3, {0, 0, 0, 1, 2, 3});
+  EXPECT_EQ(normal_at(0.5, 0.5), zero);
+  define({0, 1, 0, 1}, 1, 1, 3, {1, 2, 3});
+  EXPECT_EQ(normal_at(0.5, 0.5), zero);
   // one point everywhere, parallel derivatives
-  Define({0, 1, 0, 1}, 2, 2, 3, {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3});
-  EXPECT_EQ(At(0.5, 0.5), zero);
-  Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2});
-  EXPECT_EQ(At(0.5, 0.5), zero);
+  define({0, 1, 0, 1}, 2, 2, 3, {1, 2, 3, 1, 2, 3, 1, 2, 3, 1, 2, 3});
+  EXPECT_EQ(normal_at(0.5, 0.5), zero);
+  define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 2, 2});
+  EXPECT_EQ(normal_at(0.5, 0.5), zero);
   // an edge that is one point: there, and only there
-  Define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0});
-  EXPECT_EQ(At(0, 0.5), zero);
-  EXPECT_EQ(At(0x1p-30, 0.5), (Floats{0, 0, 1}));
+  define({0, 1, 0, 1}, 2, 2, 3, {0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0});
+  EXPECT_EQ(normal_at(0, 0.5), zero);
+  EXPECT_EQ(normal_at(0x1p-30, 0.5), (Floats{0, 0, 1}));
   // derivatives that overflow
   constexpr double kMost = std::numeric_limits<double>::max();
-  Define({0, 1, 0, 1}, 2, 2, 3, {kMost, 0, 0, -kMost, 1, 0, -kMost, 0, 1, kMost, 1, 1});
-  EXPECT_EQ(At(0, 0), zero);
+  define({0, 1, 0, 1}, 2, 2, 3, {kMost, 0, 0, -kMost, 1, 0, -kMost, 0, 1, kMost, 1, 1});
+  EXPECT_EQ(normal_at(0, 0), zero);
 }
 
 TEST_F(Normals, NeverNaNFromFiniteCoordinates) {
@@ -278,7 +278,7 @@ TEST_F(Normals, NeverNaNFromFiniteCoordinates) {
     return v;
   };
   for (int i = 0; i < 20000; ++i) {
-    const std::array<double, 3> n = glev::UnitNormal(vector(), vector(), vector());
+    const std::array<double, 3> n = glev::unit_normal(vector(), vector(), vector());
     const double length = std::hypot(n[0], n[1], n[2]);
     ASSERT_TRUE(length == 0 || std::fabs(length - 1) < 1e-15) << length << ", seed " << kSeed;
   }
@@ -287,8 +287,10 @@ TEST_F(Normals, NeverNaNFromFiniteCoordinates) {
 TEST_F(Normals, NonFiniteCoordinatesGiveZero) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   for (double bad : {kInf, -kInf, std::nan("")}) {
-    EXPECT_EQ(glev::UnitNormal({0, 0, 0, 1}, {bad, 0, 0, 0}, {0, 1, 0, 0}), (std::array<double, 3>{0, 0, 0}));
-    EXPECT_EQ(glev::UnitNormal({0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, bad, 0}), (std::array<double, 3>{0, 0, 0}));
+    EXPECT_EQ(glev::unit_normal({0, 0, 0, 1}, {bad, 0, 0, 0}, {0, 1, 0, 0}),
+              (std::array<double, 3>{0, 0, 0}));
+    EXPECT_EQ(glev::unit_normal({0, 0, 0, 1}, {1, 0, 0, 0}, {0, 1, bad, 0}),
+              (std::array<double, 3>{0, 0, 0}));
   }
 }
 

@@ -15,26 +15,26 @@ class Numerics : public ContextTest {
  protected:
   Numerics() { glevEnable(gl, GLEV_MAP1_VERTEX_3); }
 
-  void Define(double u1, double u2, const std::vector<double>& points) {
+  void define(double u1, double u2, const std::vector<double>& points) {
     glevMap1d(gl, GLEV_MAP1_TEXTURE_COORD_1, u1, u2, 1, static_cast<int>(points.size()), points.data());
     glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
     u1_ = u1;
     u2_ = u2;
     points_ = points;
   }
-  float At(double u) {
-    return OneVertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0];
+  float evaluate_at(double u) {
+    return one_vertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0];
   }
 
   // The documented bound: (13n + 4) * 2^-53 of the sum of absolute terms, and one rounding to float.
-  void ExpectWithinBound(double u) {
-    const ExactPoint exact = Bezier(u1_, u2_, points_, u);
-    const float got = At(u);
+  void expect_within_bound(double u) {
+    const ExactPoint exact = exact_bezier(u1_, u2_, points_, u);
+    const float got = evaluate_at(u);
     ASSERT_TRUE(std::isfinite(got)) << "u = " << u;
     const double n = static_cast<double>(points_.size()) - 1;
-    const Rational in_double = exact.magnitude * Exactly((13 * n + 4) * 0x1p-53 * (1 + 0x1p-40));
-    const Rational rounding = std::max(abs(Exactly(got)) * Exactly(0x1p-24), Exactly(0x1p-150));
-    EXPECT_LE(abs(Exactly(got) - exact.value), in_double + rounding)
+    const Rational in_double = exact.magnitude * to_rational((13 * n + 4) * 0x1p-53 * (1 + 0x1p-40));
+    const Rational rounding = std::max(abs(to_rational(got)) * to_rational(0x1p-24), to_rational(0x1p-150));
+    EXPECT_LE(abs(to_rational(got) - exact.value), in_double + rounding)
         << "u = " << u << " in [" << u1_ << "," << u2_ << "], order " << points_.size() << ", got " << got
         << ", exact " << static_cast<double>(exact.value) << ", seed " << kSeed;
   }
@@ -46,11 +46,11 @@ class Numerics : public ContextTest {
 
 TEST_F(Numerics, TheOracleKnowsACubic) {
   // B(3,i,1/4) = 27/64, 27/64, 9/64, 1/64
-  const ExactPoint point = Bezier(2, 6, {1, -2, 4, 8}, 3);
+  const ExactPoint point = exact_bezier(2, 6, {1, -2, 4, 8}, 3);
   EXPECT_EQ(point.value, Rational(27 - 54 + 36 + 8, 64));
   EXPECT_EQ(point.magnitude, Rational(27 + 54 + 36 + 8, 64));
-  EXPECT_EQ(Exactly(-0.375), Rational(-3, 8));
-  EXPECT_EQ(Exactly(0x1p-1074), Rational(1, Integer(1) << 1074));
+  EXPECT_EQ(to_rational(-0.375), Rational(-3, 8));
+  EXPECT_EQ(to_rational(0x1p-1074), Rational(1, Integer(1) << 1074));
 }
 
 TEST_F(Numerics, EveryOrderInsideAndOutsideTheDomain) {
@@ -61,10 +61,10 @@ TEST_F(Numerics, EveryOrderInsideAndOutsideTheDomain) {
     const auto [u1, u2] = domains[order % std::size(domains)];
     std::vector<double> points(order);
     for (double& point : points) point = static_cast<float>(value(random_));
-    Define(u1, u2, points);
+    define(u1, u2, points);
     for (double t : {inside(random_), inside(random_), 0.5, 1e-9, 1 - 1e-9})
-      ExpectWithinBound(u1 + t * (u2 - u1));
-    for (double t : {-0.125, 1.125, -1.0 / order, 1 + 1.0 / order}) ExpectWithinBound(u1 + t * (u2 - u1));
+      expect_within_bound(u1 + t * (u2 - u1));
+    for (double t : {-0.125, 1.125, -1.0 / order, 1 + 1.0 / order}) expect_within_bound(u1 + t * (u2 - u1));
   }
 }
 
@@ -73,8 +73,8 @@ TEST_F(Numerics, CancellationStaysWithinTheBound) {
   for (int order : {2, 4, 10, 30, 64}) {
     std::vector<double> points(order);
     for (int i = 0; i < order; ++i) points[i] = i % 2 == 0 ? 1 : -1;
-    Define(0, 1, points);
-    for (double u : {0.5, 0.499, 0.501, 0.4, 0.3, 0.75}) ExpectWithinBound(u);
+    define(0, 1, points);
+    for (double u : {0.5, 0.499, 0.501, 0.4, 0.3, 0.75}) expect_within_bound(u);
   }
 }
 
@@ -84,8 +84,8 @@ TEST_F(Numerics, AnArgumentNextToAnEnd) {
   for (int order : {2, 5, 22, 64}) {
     std::vector<double> points(order);
     for (double& point : points) point = value(random_);
-    Define(0, 1, points);
-    for (double u : {0x1p-53, 0x1p-149, 1 - 0x1p-53, 1 - 1e-12, 1 + 0x1p-52, -1e-30}) ExpectWithinBound(u);
+    define(0, 1, points);
+    for (double u : {0x1p-53, 0x1p-149, 1 - 0x1p-53, 1 - 1e-12, 1 + 0x1p-52, -1e-30}) expect_within_bound(u);
   }
 }
 
@@ -97,21 +97,22 @@ TEST_F(Numerics, TheEndsGiveTheEndPoints) {
         std::vector<double> points(order, order > 2 ? kNaN : 0.0);
         points.front() = end;
         points.back() = -end;
-        Define(u1, u2, points);
+        define(u1, u2, points);
         // 0 is +0 wherever it is the value of a map.
-        const float plus = end + 0.0f, first = At(u1), last = At(u2), minus = -end + 0.0f;
+        const float plus = end + 0.0f, first = evaluate_at(u1), last = evaluate_at(u2), minus = -end + 0.0f;
         EXPECT_EQ(std::memcmp(&first, &plus, sizeof plus), 0) << first << " for " << end;
         EXPECT_EQ(std::memcmp(&last, &minus, sizeof end), 0) << last << " for " << minus;
       }
     }
   }
-  Define(0, 1, {3, 5});
-  EXPECT_EQ(At(-0.0), 3.0f);
+  define(0, 1, {3, 5});
+  EXPECT_EQ(evaluate_at(-0.0), 3.0f);
 }
 
 TEST_F(Numerics, OrderOneIsConstantEverywhere) {
-  Define(2, 5, {0.1});
-  for (double u : {2.0, 5.0, 3.0, -1e30, 1e300, kInfinity, std::nan("")}) EXPECT_EQ(At(u), 0.1f) << u;
+  define(2, 5, {0.1});
+  for (double u : {2.0, 5.0, 3.0, -1e30, 1e300, kInfinity, std::nan("")})
+    EXPECT_EQ(evaluate_at(u), 0.1f) << u;
 }
 
 TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
@@ -120,10 +121,10 @@ TEST_F(Numerics, LargeAndSmallDataOfTheGLRange) {
     for (double scale : {0x1p32, 0x1p-126, 0x1p-149, 0x1p127}) {
       std::vector<double> points(order);
       for (int i = 0; i < order; ++i) points[i] = i % 3 == 0 ? -scale : scale;
-      Define(-0x1p32, 0x1p32, points);
-      for (int i = 0; i < 4; ++i) ExpectWithinBound((2 * inside(random_) - 1) * 0x1p32);
-      Define(1, 1 + 0x1p-23, points);
-      for (int i = 0; i < 4; ++i) ExpectWithinBound(1 + inside(random_) * 0x1p-23);
+      define(-0x1p32, 0x1p32, points);
+      for (int i = 0; i < 4; ++i) expect_within_bound((2 * inside(random_) - 1) * 0x1p32);
+      define(1, 1 + 0x1p-23, points);
+      for (int i = 0; i < 4; ++i) expect_within_bound(1 + inside(random_) * 0x1p-23);
     }
   }
 }
@@ -132,9 +133,9 @@ TEST_F(Numerics, PowersOverflowOnlyIfTheResultDoes) {
   // t^63 is 2^1134 alone, but 2^114 times the control point.
   std::vector<double> points(64);
   points.back() = 0x1p-1020;
-  Define(0, 1, points);
-  EXPECT_EQ(At(0x1p18), 0x1p114f);
-  EXPECT_EQ(At(-0x1p18), -0x1p114f);
+  define(0, 1, points);
+  EXPECT_EQ(evaluate_at(0x1p18), 0x1p114f);
+  EXPECT_EQ(evaluate_at(-0x1p18), -0x1p114f);
 }
 
 TEST_F(Numerics, NearlyAllResultsAreCorrectlyRounded) {
@@ -144,13 +145,13 @@ TEST_F(Numerics, NearlyAllResultsAreCorrectlyRounded) {
   for (int curve = 0; curve < 25; ++curve) {
     std::vector<double> points(4);
     for (double& point : points) point = static_cast<float>(value(random_));
-    Define(0, 1, points);
+    define(0, 1, points);
     for (int i = 0; i < 40; ++i) {
       const auto u = static_cast<float>(inside(random_));
-      const float got = At(u);
-      const Rational exact = Bezier(0, 1, points, u).value, error = abs(Exactly(got) - exact);
+      const float got = evaluate_at(u);
+      const Rational exact = exact_bezier(0, 1, points, u).value, error = abs(to_rational(got) - exact);
       for (float next : {std::nextafter(got, -2.0f), std::nextafter(got, 2.0f)}) {
-        misrounded += abs(Exactly(next) - exact) < error;
+        misrounded += abs(to_rational(next) - exact) < error;
       }
     }
   }
@@ -163,7 +164,7 @@ TEST_F(Numerics, ARationalQuarterCircle) {
   glevMap1d(gl, GLEV_MAP1_VERTEX_4, 0, 1, 4, 3, points);
   glevEnable(gl, GLEV_MAP1_VERTEX_4);
   for (double u = 0; u <= 1; u += 0x1p-6) {
-    const glev_vertex v = OneVertex([&] { glevEvalCoord1d(gl, u); });
+    const glev_vertex v = one_vertex([&] { glevEvalCoord1d(gl, u); });
     EXPECT_NEAR(std::hypot(v.position[0] / v.position[3], v.position[1] / v.position[3]), 1, 2e-7);
   }
 }
@@ -173,14 +174,14 @@ TEST_F(Numerics, ARationalQuarterCircle) {
 TEST(Parameters, RealArguments) {
   const glev::Domain domain = {2, 5};
   using End = glev::Parameter::End;
-  EXPECT_EQ(glev::Locate(domain, 2.0).end, End::kFirst);
-  EXPECT_EQ(glev::Locate(domain, 5.0).end, End::kLast);
-  const glev::Parameter third = glev::Locate(domain, 3.0);
+  EXPECT_EQ(glev::locate(domain, 2.0).end, End::kFirst);
+  EXPECT_EQ(glev::locate(domain, 5.0).end, End::kLast);
+  const glev::Parameter third = glev::locate(domain, 3.0);
   EXPECT_EQ(third.end, End::kNeither);
   EXPECT_EQ(third.t, 1.0 / 3.0);
   EXPECT_EQ(third.s, 2.0 / 3.0);
   // s has its own division: 1 - t would be 0 here
-  EXPECT_EQ(glev::Locate({0, 1}, 1 - 0x1p-53).s, 0x1p-53);
+  EXPECT_EQ(glev::locate({0, 1}, 1 - 0x1p-53).s, 0x1p-53);
 }
 
 TEST(Parameters, GridPointsOfTheDomainItselfAreCorrectlyRounded) {
@@ -189,12 +190,12 @@ TEST(Parameters, GridPointsOfTheDomainItselfAreCorrectlyRounded) {
     const glev::Grid grid = {0.1, 0.7, n};
     for (std::int64_t i : {std::int64_t{1}, std::int64_t{2}, std::int64_t{n / 2}, std::int64_t{n - 1}}) {
       if (i <= 0 || i >= n) continue;
-      const glev::Parameter at = glev::Locate(domain, glev::GridArgument{grid, i});
+      const glev::Parameter at = glev::locate(domain, glev::GridArgument{grid, i});
       EXPECT_EQ(at.t, static_cast<double>(i) / n);
       EXPECT_EQ(at.s, static_cast<double>(n - i) / n);
     }
-    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, 0}).end, glev::Parameter::End::kFirst);
-    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, n}).end, glev::Parameter::End::kLast);
+    EXPECT_EQ(glev::locate(domain, glev::GridArgument{grid, 0}).end, glev::Parameter::End::kFirst);
+    EXPECT_EQ(glev::locate(domain, glev::GridArgument{grid, n}).end, glev::Parameter::End::kLast);
   }
 }
 
@@ -202,9 +203,9 @@ TEST(Parameters, AGridOfEqualEndsIsThatArgument) {
   const glev::Domain domain = {0.1, 0.73};
   for (glev_int n : {1, 3, 7, 10}) {
     for (double u : {0.37, 0.1, 0.73, -5.3}) {
-      const glev::Parameter one = glev::Locate(domain, u);
+      const glev::Parameter one = glev::locate(domain, u);
       for (std::int64_t i = -3; i <= n + 3; ++i) {
-        const glev::Parameter at = glev::Locate(domain, glev::GridArgument{{u, u, n}, i});
+        const glev::Parameter at = glev::locate(domain, glev::GridArgument{{u, u, n}, i});
         EXPECT_TRUE(at.s == one.s && at.t == one.t && at.end == one.end) << i << "/" << n << " of " << u;
       }
     }
@@ -215,15 +216,16 @@ TEST(Parameters, GridPointsOfOtherGridsAreCloseToTheExactPoint) {
   const glev::Domain domain = {2, 5};
   for (const glev::Grid& grid : {glev::Grid{0, 10, 7}, {4.9, 2.2, 13}, {3, 3, 4}}) {
     for (std::int64_t i = -3; i <= grid.segments + 3; ++i) {
-      const glev::Parameter at = glev::Locate(domain, glev::GridArgument{grid, i});
-      const Rational u = Exactly(grid.u1) + (Exactly(grid.u2) - Exactly(grid.u1)) * i / grid.segments;
+      const glev::Parameter at = glev::locate(domain, glev::GridArgument{grid, i});
+      const Rational u =
+          to_rational(grid.u1) + (to_rational(grid.u2) - to_rational(grid.u1)) * i / grid.segments;
       const Rational t = (u - 2) / 3;
-      EXPECT_LE(abs(Exactly(at.t) - t), Exactly(1e-14)) << i;
-      EXPECT_LE(abs(Exactly(at.s) - (1 - t)), Exactly(1e-14)) << i;
+      EXPECT_LE(abs(to_rational(at.t) - t), to_rational(1e-14)) << i;
+      EXPECT_LE(abs(to_rational(at.s) - (1 - t)), to_rational(1e-14)) << i;
     }
-    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, 0}).t, glev::Locate(domain, grid.u1).t);
-    EXPECT_EQ(glev::Locate(domain, glev::GridArgument{grid, grid.segments}).t,
-              glev::Locate(domain, grid.u2).t);
+    EXPECT_EQ(glev::locate(domain, glev::GridArgument{grid, 0}).t, glev::locate(domain, grid.u1).t);
+    EXPECT_EQ(glev::locate(domain, glev::GridArgument{grid, grid.segments}).t,
+              glev::locate(domain, grid.u2).t);
   }
 }
 

@@ -17,33 +17,33 @@ class OrdinaryData : public ContextTest {
 
   // A curve of one component, and the same points as surfaces that are constant in the other direction;
   // expected is the nearest of the exact value.
-  void ExpectNearestCurve(const std::vector<float>& points) {
+  void expect_nearest_curve(const std::vector<float>& points) {
     const int order = static_cast<int>(points.size());
     std::vector<float> twice;
     for (float point : points) twice.insert(twice.end(), {point, point});
     glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, 1, order, points.data());
     glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0, 1, 2, order, 0, 1, 1, 2, twice.data());
-    Enable();
+    enable();
     const std::vector<double> exact(points.begin(), points.end());
     const auto nearest = [&](const GridArgument& at) {
-      return Nearest(ExactValue(exact, {order, 1}, ExactT({0, 1}, at), 0));
+      return nearest_float(exact_value(exact, {order, 1}, exact_t({0, 1}, at), 0));
     };
-    Expect([&](const GridArgument& u, const GridArgument&) { return nearest(u); });
+    expect([&](const GridArgument& u, const GridArgument&) { return nearest(u); });
   }
 
   // A surface of one component, v fastest, and its edge at v = 0 as a curve.
-  void ExpectNearestSurface(const std::vector<float>& points, int n, int m) {
+  void expect_nearest_surface(const std::vector<float>& points, int n, int m) {
     glevMap1f(gl, GLEV_MAP1_TEXTURE_COORD_1, 0, 1, m, n, points.data());
     glevMap2f(gl, GLEV_MAP2_TEXTURE_COORD_1, 0, 1, m, n, 0, 1, 1, m, points.data());
-    Enable();
+    enable();
     const std::vector<double> exact(points.begin(), points.end());
-    Expect([&](const GridArgument& u, const GridArgument& v) {
-      return Nearest(ExactValue(exact, {n, m}, ExactT({0, 1}, u), ExactT({0, 1}, v)));
+    expect([&](const GridArgument& u, const GridArgument& v) {
+      return nearest_float(exact_value(exact, {n, m}, exact_t({0, 1}, u), exact_t({0, 1}, v)));
     });
   }
 
  private:
-  void Enable() {
+  void enable() {
     for (glev_enum target :
          {GLEV_MAP1_VERTEX_3, GLEV_MAP1_TEXTURE_COORD_1, GLEV_MAP2_VERTEX_3, GLEV_MAP2_TEXTURE_COORD_1})
       glevEnable(gl, target);
@@ -51,42 +51,42 @@ class OrdinaryData : public ContextTest {
     glevMapGrid2f(gl, kSegments, 0, 1, 4, 0, 1);
   }
 
-  static std::uint32_t BitsOfFloat(float x) { return std::bit_cast<std::uint32_t>(x); }
+  static std::uint32_t bits_of_float(float x) { return std::bit_cast<std::uint32_t>(x); }
 
   // In all deliveries. At v = 0 the curve is the surface's edge.
   template <class Right>
-  void Expect(const Right& right) {
+  void expect(const Right& right) {
     const Plan curve(gl, 1), surface(gl, 2);
     const std::vector<float> u = {0,    0.5F,     0.25F,        0.375F, 1, 1.0F / 3,
                                   0.1F, 0x1p-20F, 1 - 0x1p-24F, 0.75F,  2, -0.5F},
                              v = {0, 0.5F, 0.1F, 1, 0.75F, 0.3F, 0x1p-12F, 0.5F, 0, 0.25F, 1, 2};
-    const Floats curves = Scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u),
-                 surfaces = Scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    const Floats curves = evaluate_scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, u),
+                 surfaces = evaluate_scattered(surface, GLEV_ATTRIBUTE_TEXCOORD, u, v);
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     for (std::size_t i = 0; i < u.size(); ++i) glevEvalCoord1f(gl, u[i]), glevEvalCoord2f(gl, u[i], v[i]);
     glevEnd(gl);
     for (std::size_t i = 0; i < u.size(); ++i) {
-      const std::uint32_t on_curve = BitsOfFloat(right(glev::At(u[i]), glev::At(0))),
-                          on_surface = BitsOfFloat(right(glev::At(u[i]), glev::At(v[i])));
-      EXPECT_EQ(BitsOfFloat(curves[i]), on_curve) << u[i];
-      EXPECT_EQ(BitsOfFloat(recording.vertices[2 * i].texcoord[0][0]), on_curve) << u[i];
-      EXPECT_EQ(BitsOfFloat(surfaces[i]), on_surface) << u[i] << ", " << v[i];
-      EXPECT_EQ(BitsOfFloat(recording.vertices[2 * i + 1].texcoord[0][0]), on_surface)
+      const std::uint32_t on_curve = bits_of_float(right(glev::argument_at(u[i]), glev::argument_at(0))),
+                          on_surface = bits_of_float(right(glev::argument_at(u[i]), glev::argument_at(v[i])));
+      EXPECT_EQ(bits_of_float(curves[i]), on_curve) << u[i];
+      EXPECT_EQ(bits_of_float(recording.vertices[2 * i].texcoord[0][0]), on_curve) << u[i];
+      EXPECT_EQ(bits_of_float(surfaces[i]), on_surface) << u[i] << ", " << v[i];
+      EXPECT_EQ(bits_of_float(recording.vertices[2 * i + 1].texcoord[0][0]), on_surface)
           << u[i] << ", " << v[i];
     }
-    const Floats row = OfGrid(curve, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments});
-    const Floats mesh = OfGrid(surface, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments, 0, 4});
+    const Floats row = evaluate_grid(curve, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments});
+    const Floats mesh = evaluate_grid(surface, GLEV_ATTRIBUTE_TEXCOORD, {0, kSegments, 0, 4});
     for (int j = 0; j <= 4; ++j) {
       for (int i = 0; i <= kSegments; ++i) {
         const GridArgument at = {{0, 1, kSegments}, i};
         const std::size_t k = static_cast<std::size_t>(j) * (kSegments + 1) + i;
-        EXPECT_EQ(BitsOfFloat(mesh[k]), BitsOfFloat(right(at, {{0, 1, 4}, j}))) << i << ", " << j;
+        EXPECT_EQ(bits_of_float(mesh[k]), bits_of_float(right(at, {{0, 1, 4}, j}))) << i << ", " << j;
       }
     }
     for (int i = 0; i <= kSegments; ++i) {
-      EXPECT_EQ(BitsOfFloat(row[static_cast<std::size_t>(i)]),
-                BitsOfFloat(right({{0, 1, kSegments}, i}, glev::At(0))))
+      EXPECT_EQ(bits_of_float(row[static_cast<std::size_t>(i)]),
+                bits_of_float(right({{0, 1, kSegments}, i}, glev::argument_at(0))))
           << i;
     }
   }
@@ -97,7 +97,7 @@ TEST_F(OrdinaryData, LinesGivenAsCurvesOfHigherDegree) {
     for (auto [first, step] : {std::pair{0.0F, 1.0F}, {-7.0F, 2.0F}, {100.0F, -0.25F}, {0.0F, 0x1p-30F}}) {
       std::vector<float> points;
       for (int i = 0; i < order; ++i) points.push_back(first + static_cast<float>(i) * step);
-      ExpectNearestCurve(points);
+      expect_nearest_curve(points);
     }
   }
 }
@@ -105,17 +105,17 @@ TEST_F(OrdinaryData, LinesGivenAsCurvesOfHigherDegree) {
 TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
   // elevated: R_0, (R_0 + 2 R_1) / 3, (2 R_1 + R_2) / 3, R_2
   for (auto [a, b, c] : {std::array{0.0F, 3.0F, 0.0F}, {3.0F, 6.0F, -9.0F}, {1.0F, -0.5F, 4.0F}})
-    ExpectNearestCurve({a, (a + 2 * b) / 3, (2 * b + c) / 3, c});
-  ExpectNearestCurve({0, 0, 1, 3});  // of 3 t^2
-  ExpectNearestCurve({0, 0, 0, 1, 4, 10});
+    expect_nearest_curve({a, (a + 2 * b) / 3, (2 * b + c) / 3, c});
+  expect_nearest_curve({0, 0, 1, 3});  // of 3 t^2
+  expect_nearest_curve({0, 0, 0, 1, 4, 10});
 }
 
 TEST_F(OrdinaryData, SmallIntegersAndConstants) {
-  ExpectNearestCurve({1, 2, 2, 1});
-  ExpectNearestCurve({1, 3, 3, 1});
-  ExpectNearestCurve({5, 5, 5, 5, 5, 5});
-  ExpectNearestCurve({0.1F, 0.1F, 0.1F});
-  ExpectNearestCurve({0x1p-149F, 0x1p-149F});
+  expect_nearest_curve({1, 2, 2, 1});
+  expect_nearest_curve({1, 3, 3, 1});
+  expect_nearest_curve({5, 5, 5, 5, 5, 5});
+  expect_nearest_curve({0.1F, 0.1F, 0.1F});
+  expect_nearest_curve({0x1p-149F, 0x1p-149F});
 }
 
 TEST_F(OrdinaryData, BicubicPatchesThatAreBilinear) {
@@ -130,21 +130,21 @@ TEST_F(OrdinaryData, BicubicPatchesThatAreBilinear) {
         points.push_back(((3 - u) * ((3 - v) * a + v * b) + u * ((3 - v) * c + v * d)) / 9);
       }
     }
-    ExpectNearestSurface(points, 4, 4);
+    expect_nearest_surface(points, 4, 4);
   }
 }
 
 // V = 0 gives +0, whatever the signs on the way.
 TEST_F(OrdinaryData, ZerosArePositive) {
-  ExpectNearestCurve({-0.0F, -0.0F, -0.0F, -0.0F});
-  ExpectNearestCurve({-0.0F});
-  ExpectNearestCurve({-0.0F, 0, -0.0F});
-  ExpectNearestCurve({-1, 0, 1});
-  ExpectNearestCurve({1, -1, 1, -1});
-  ExpectNearestCurve({-1, 1, -1});  // a double zero at 1/2
-  ExpectNearestCurve({-0.0F, 1, -1, -0.0F});
-  ExpectNearestSurface({-1, 1, 1, -1}, 2, 2);
-  ExpectNearestSurface({-0.0F, -0.0F, -0.0F, -0.0F, -0.0F, -0.0F}, 3, 2);
+  expect_nearest_curve({-0.0F, -0.0F, -0.0F, -0.0F});
+  expect_nearest_curve({-0.0F});
+  expect_nearest_curve({-0.0F, 0, -0.0F});
+  expect_nearest_curve({-1, 0, 1});
+  expect_nearest_curve({1, -1, 1, -1});
+  expect_nearest_curve({-1, 1, -1});  // a double zero at 1/2
+  expect_nearest_curve({-0.0F, 1, -1, -0.0F});
+  expect_nearest_surface({-1, 1, 1, -1}, 2, 2);
+  expect_nearest_surface({-0.0F, -0.0F, -0.0F, -0.0F, -0.0F, -0.0F}, 3, 2);
 }
 
 // 2^128 - 2^103 and beyond is infinite. Only the d form has control points there.
@@ -158,9 +158,10 @@ TEST_F(OrdinaryData, OverflowIsRounding) {
     glevEnable(gl, GLEV_MAP1_VERTEX_3);
     glevMapGrid1d(gl, 4, u, u);
     const Plan curve(gl, 1);
-    EXPECT_EQ(Scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, std::vector<double>{u}), Floats{expected}) << u;
-    EXPECT_EQ(OfGrid(curve, GLEV_ATTRIBUTE_TEXCOORD, {2, 2}), Floats{expected}) << u;
-    EXPECT_EQ(OneVertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0], expected) << u;
+    EXPECT_EQ(evaluate_scattered(curve, GLEV_ATTRIBUTE_TEXCOORD, std::vector<double>{u}), Floats{expected})
+        << u;
+    EXPECT_EQ(evaluate_grid(curve, GLEV_ATTRIBUTE_TEXCOORD, {2, 2}), Floats{expected}) << u;
+    EXPECT_EQ(one_vertex([&] { glevEvalCoord1d(gl, u); }).texcoord[0][0], expected) << u;
   };
   for (double sign : {1.0, -1.0}) {
     const double tie = sign * kThreshold, below = std::nextafter(tie, 0),
@@ -183,23 +184,23 @@ TEST_F(OrdinaryData, OverflowIsRounding) {
 TEST_F(OrdinaryData, SubnormalResults) {
   constexpr float kLeast = std::numeric_limits<float>::denorm_min(),
                   kNormal = std::numeric_limits<float>::min();
-  ExpectNearestCurve({0, kLeast, 0});
-  ExpectNearestCurve({kLeast, 0});  // half of it is a tie, to 0
-  ExpectNearestCurve({-kLeast, 0, -kLeast});
-  ExpectNearestCurve({-kLeast, 0, 0, 0});  // rounds to -0
-  ExpectNearestCurve({kNormal, 0, kNormal, -kNormal});
-  ExpectNearestCurve({1e-40F, 3e-39F, -2e-38F, 1.17e-38F});
-  ExpectNearestCurve({1, 0, 0, 0, 0, 0, 0, 0, 0, 1e-38F});
-  ExpectNearestSurface({1e-38F, -1e-38F, kLeast, kNormal, 1e-37F, -3e-38F, 0, 5e-39F, 0}, 3, 3);
+  expect_nearest_curve({0, kLeast, 0});
+  expect_nearest_curve({kLeast, 0});  // half of it is a tie, to 0
+  expect_nearest_curve({-kLeast, 0, -kLeast});
+  expect_nearest_curve({-kLeast, 0, 0, 0});  // rounds to -0
+  expect_nearest_curve({kNormal, 0, kNormal, -kNormal});
+  expect_nearest_curve({1e-40F, 3e-39F, -2e-38F, 1.17e-38F});
+  expect_nearest_curve({1, 0, 0, 0, 0, 0, 0, 0, 0, 1e-38F});
+  expect_nearest_surface({1e-38F, -1e-38F, kLeast, kNormal, 1e-37F, -3e-38F, 0, 5e-39F, 0}, 3, 3);
 }
 
 TEST_F(OrdinaryData, RandomFloatsOfManyMagnitudes) {
   Chance chance;
   for (int k = 0; k < 20; ++k) {
-    std::vector<float> points = chance.Points(12);
-    for (float& point : points) point = std::ldexp(point, chance.Whole(-140, 126));
-    ExpectNearestSurface(points, 4, 3);
-    ExpectNearestCurve(points);
+    std::vector<float> points = chance.next_points(12);
+    for (float& point : points) point = std::ldexp(point, chance.whole(-140, 126));
+    expect_nearest_surface(points, 4, 3);
+    expect_nearest_curve(points);
   }
 }
 

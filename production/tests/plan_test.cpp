@@ -16,7 +16,7 @@ namespace {
 
 constexpr glev_plan_info kOneDimension = {sizeof(glev_plan_info), 1};
 
-std::vector<float> VerticesOf(const glev_plan* plan, const std::vector<float>& u) {
+std::vector<float> vertices_of(const glev_plan* plan, const std::vector<float>& u) {
   std::vector<float> positions(4 * u.size());
   const glev_output output = {sizeof(glev_output), positions.data(), positions.size() * 4, 16, 4, 0, 0};
   glev_batch batch{};
@@ -38,7 +38,7 @@ class PlanTest : public ContextTest {
     glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
     glevEnable(gl, GLEV_MAP1_VERTEX_3);
   }
-  glev_plan* Create() {
+  glev_plan* create() {
     glev_plan* plan = nullptr;
     EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, &plan), GLEV_SUCCESS);
     return plan;
@@ -49,15 +49,15 @@ class PlanTest : public ContextTest {
 };
 
 TEST_F(PlanTest, KnowsWhatItEvaluates) {
-  glev_plan* plan = Create();
+  glev_plan* plan = create();
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 3u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 0u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 0u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 0u);
   glevReleasePlan(plan);
-  for (const TargetRow& row : TargetRows()) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
+  for (const TargetRow& row : target_rows()) glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
   glevDisable(gl, GLEV_MAP1_TEXTURE_COORD_4);
-  plan = Create();
+  plan = create();
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_VERTEX), 4u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 4u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 3u);
@@ -67,59 +67,59 @@ TEST_F(PlanTest, KnowsWhatItEvaluates) {
 }
 
 TEST_F(PlanTest, IsASnapshotThatOutlivesItsContext) {
-  glev_plan* plan = Create();
-  const std::vector<float> before = VerticesOf(plan, u_);
+  glev_plan* plan = create();
+  const std::vector<float> before = vertices_of(plan, u_);
   const float other[] = {9, 9, 9};
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 3, 4, 3, 1, other);
-  EXPECT_EQ(VerticesOf(plan, u_), before);
+  EXPECT_EQ(vertices_of(plan, u_), before);
   glevDisable(gl, GLEV_MAP1_VERTEX_3);
   glevEnable(gl, GLEV_MAP1_VERTEX_4);
-  EXPECT_EQ(VerticesOf(plan, u_), before);
+  EXPECT_EQ(vertices_of(plan, u_), before);
   glevDestroyContext(gl);
   gl = nullptr;
-  EXPECT_EQ(VerticesOf(plan, u_), before);
+  EXPECT_EQ(vertices_of(plan, u_), before);
   glevReleasePlan(plan);
 }
 
 TEST_F(PlanTest, IsSharedUntilTheStateChanges) {
-  glev_plan* first = Create();
-  glev_plan* second = Create();
+  glev_plan* first = create();
+  glev_plan* second = create();
   EXPECT_EQ(first, second);
   glevColor3f(gl, 0, 0, 0);            // not the plan's business
   glevEnable(gl, GLEV_MAP1_VERTEX_3);  // no change
-  glev_plan* third = Create();
+  glev_plan* third = create();
   EXPECT_EQ(first, third);
   glevEnable(gl, GLEV_MAP1_COLOR_4);
-  glev_plan* fourth = Create();
+  glev_plan* fourth = create();
   EXPECT_NE(first, fourth);
   glevMapGrid2f(gl, 3, 0, 1, 3, 0, 1);  // the other dimension's
   glevEnable(gl, GLEV_MAP2_VERTEX_3);
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  glev_plan* fifth = Create();
+  glev_plan* fifth = create();
   EXPECT_EQ(fourth, fifth);
   glevMapGrid1f(gl, 3, 0, 1);
-  glev_plan* sixth = Create();
+  glev_plan* sixth = create();
   EXPECT_NE(fourth, sixth);
   for (glev_plan* plan : {first, second, third, fourth, fifth, sixth}) glevReleasePlan(plan);
   glevReleasePlan(nullptr);
 }
 
 TEST_F(PlanTest, ReferencesAreCounted) {
-  glev_plan* plan = Create();
-  const std::vector<float> before = VerticesOf(plan, u_);
+  glev_plan* plan = create();
+  const std::vector<float> before = vertices_of(plan, u_);
   glevRetainPlan(plan);
   glevReleasePlan(plan);
   glevDestroyContext(gl);
   gl = nullptr;
-  EXPECT_EQ(VerticesOf(plan, u_), before);
+  EXPECT_EQ(vertices_of(plan, u_), before);
   glevReleasePlan(plan);
 }
 
 TEST_F(PlanTest, MayBeTakenBetweenBeginAndEnd) {
   glevBegin(gl, GLEV_POINTS);
-  glev_plan* plan = Create();
+  glev_plan* plan = create();
   glevEnd(gl);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   glevReleasePlan(plan);
 }
 
@@ -140,10 +140,10 @@ TEST_F(PlanTest, MisuseOfCreate) {
 
 TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 64, points_);
-  glev_plan* plan = Create();
+  glev_plan* plan = create();
   std::vector<float> u(2000);
   for (std::size_t i = 0; i < u.size(); ++i) u[i] = static_cast<float>(i) / 1500.0f;
-  const std::vector<float> alone = VerticesOf(plan, u);
+  const std::vector<float> alone = vertices_of(plan, u);
   std::atomic<int> wrong = 0;
   std::vector<std::thread> threads;
   for (int t = 0; t < 8; ++t) {
@@ -151,7 +151,7 @@ TEST_F(PlanTest, ManyThreadsEvaluateOnePlan) {
     threads.emplace_back([&] {
       for (int round = 0; round < 5; ++round) {
         glevRetainPlan(plan);
-        wrong += VerticesOf(plan, u) != alone;
+        wrong += vertices_of(plan, u) != alone;
         glevReleasePlan(plan);
       }
       glevReleasePlan(plan);
@@ -170,10 +170,10 @@ class MemoryTest : public PlanTest {
  protected:
   MemoryTest() {
     glevDestroyContext(gl);
-    allocator_ = ledger_.Allocator();
+    allocator_ = ledger_.make_allocator();
     info_ = {sizeof(glev_context_info), &allocator_, nullptr};
     EXPECT_EQ(glevCreateContext(&info_, &gl), GLEV_SUCCESS);
-    const glev_sink sink = recording.Sink();
+    const glev_sink sink = recording.make_sink();
     glevSetSink(gl, &sink);
   }
   ~MemoryTest() override {
@@ -188,33 +188,33 @@ class MemoryTest : public PlanTest {
 };
 
 TEST_F(MemoryTest, EverythingComesFromTheAllocatorAndGoesBack) {
-  for (const TargetRow& row : TargetRows()) {
+  for (const TargetRow& row : target_rows()) {
     for (int order : {1, 9, 3, 48}) glevMap1f(gl, GLEV_MAP1_COLOR_4 + row.offset, 0, 1, 4, order, points_);
     glevEnable(gl, GLEV_MAP1_COLOR_4 + row.offset);
-    OneVertex([&] { glevVertex3f(gl, 0, 0, 0); });
+    one_vertex([&] { glevVertex3f(gl, 0, 0, 0); });
   }
   glevEnable(gl, GLEV_AUTO_NORMAL);
-  for (const TargetRow& row : TargetRows()) {
+  for (const TargetRow& row : target_rows()) {
     for (auto [n, m] : {std::pair{1, 1}, {3, 4}, {2, 2}, {1, 16}, {16, 1}}) {
       glevMap2f(gl, GLEV_MAP2_COLOR_4 + row.offset, 0, 1, 4 * m, n, 0, 1, 4, m, points_);
       glevEnable(gl, GLEV_MAP2_COLOR_4 + row.offset);
       glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2);
     }
   }
-  glev_plan* plan = Create();
-  OneVertex([&] { glevEvalCoord1f(gl, 0.5f); });
+  glev_plan* plan = create();
+  one_vertex([&] { glevEvalCoord1f(gl, 0.5f); });
   glevReleasePlan(plan);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   EXPECT_GT(ledger_.requests, 10);
 }
 
 TEST_F(MemoryTest, EvaluationDoesNotAllocate) {
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 8, points_);
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
-  glev_plan* plan = Create();
+  glev_plan* plan = create();
   const int before = ledger_.requests;
-  VerticesOf(plan, u_);
-  for (float u : u_) OneVertex([&] { glevEvalCoord1f(gl, u); });
+  vertices_of(plan, u_);
+  for (float u : u_) one_vertex([&] { glevEvalCoord1f(gl, u); });
   EXPECT_EQ(ledger_.requests, before);
   glevReleasePlan(plan);
 }
@@ -235,38 +235,38 @@ TEST_F(MemoryTest, Map2AndMeshesWithoutMemoryChangeAndDrawNothing) {
   glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 2, 12, 4, 0, 3, 3, 4, points_);
   for (glev_enum cap : {GLEV_MAP1_VERTEX_3, GLEV_MAP2_VERTEX_3, GLEV_AUTO_NORMAL}) glevEnable(gl, cap);
   ledger_.refuse_from = 0;
-  ExpectRefused(GLEV_OUT_OF_MEMORY,
-                [&] { glevMap2f(gl, GLEV_MAP2_VERTEX_3, 5, 6, 3, 60, 5, 6, 3, 2, points_); });
+  expect_rejected(GLEV_OUT_OF_MEMORY,
+                  [&] { glevMap2f(gl, GLEV_MAP2_VERTEX_3, 5, 6, 3, 60, 5, 6, 3, 2, points_); });
   recording = {};
-  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
-  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh1(gl, GLEV_LINE, 0, 2); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
   EXPECT_TRUE(recording.begun.empty());
-  ExpectRefusedInPrimitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); });
+  expect_rejected_in_primitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord2f(gl, 0.5f, 0.5f); });
   ledger_.refuse_from = -1;
-  ExpectAccepted([&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
+  expect_accepted([&] { glevEvalMesh2(gl, GLEV_FILL, 0, 2, 0, 2); });
   EXPECT_EQ(recording.vertices.size(), 12u);
 }
 
 TEST_F(MemoryTest, Map1WithoutMemoryChangesNothing) {
   glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 2, 3, 4, points_);
   ledger_.refuse_from = 0;
-  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
-  ExpectRefused(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_COLOR_4, 5, 6, 4, 2, points_); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
+  expect_rejected(GLEV_OUT_OF_MEMORY, [&] { glevMap1f(gl, GLEV_MAP1_COLOR_4, 5, 6, 4, 2, points_); });
   ledger_.refuse_from = -1;
-  ExpectAccepted([&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
+  expect_accepted([&] { glevMap1f(gl, GLEV_MAP1_VERTEX_3, 5, 6, 3, 60, points_); });
 }
 
 TEST_F(MemoryTest, EvaluationWithoutMemoryForThePlanEmitsNothingAndRecovers) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   ledger_.refuse_from = 0;
-  ExpectRefusedInPrimitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord1f(gl, 0.5f); });
+  expect_rejected_in_primitive(GLEV_OUT_OF_MEMORY, [&] { glevEvalCoord1f(gl, 0.5f); });
   glev_plan* plan = reinterpret_cast<glev_plan*>(this);
   EXPECT_EQ(glevCreatePlan(gl, &kOneDimension, &plan), GLEV_ERROR_OUT_OF_MEMORY);
   EXPECT_EQ(plan, nullptr);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   ledger_.refuse_from = -1;
-  OneVertex([&] { glevEvalCoord1f(gl, 0.5f); });
-  ExpectError(GLEV_NO_ERROR);
+  one_vertex([&] { glevEvalCoord1f(gl, 0.5f); });
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(MemoryTest, AContextWithoutMemoryIsNull) {
@@ -279,15 +279,15 @@ TEST_F(MemoryTest, AContextWithoutMemoryIsNull) {
 TEST_F(MemoryTest, MisuseOfCreateContext) {
   EXPECT_EQ(glevCreateContext(nullptr, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
   glev_context* other = gl;
-  glev_allocator bad = ledger_.Allocator();
+  glev_allocator bad = ledger_.make_allocator();
   const glev_context_info info = {sizeof(glev_context_info), &bad, nullptr};
   bad.allocate = nullptr;
   EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(other, nullptr);
-  bad = ledger_.Allocator();
+  bad = ledger_.make_allocator();
   bad.release = nullptr;
   EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
-  bad = ledger_.Allocator();
+  bad = ledger_.make_allocator();
   bad.size = 8;
   EXPECT_EQ(glevCreateContext(&info, &other), GLEV_ERROR_INVALID_ARGUMENT);
   const glev_context_info small = {sizeof(glev_context_info) - 1, nullptr, nullptr};

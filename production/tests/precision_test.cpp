@@ -17,30 +17,30 @@ struct GivenNet {
   std::array<Domain, 2> domain;
   std::vector<double> points;  // v fastest
 
-  Rational T(int direction, const GridArgument& at) const {
-    return order[direction] == 1 ? Rational(0) : ExactT(domain[direction], at);
+  Rational t_of(int direction, const GridArgument& at) const {
+    return order[direction] == 1 ? Rational(0) : exact_t(domain[direction], at);
   }
-  Rational Value(const std::vector<double>& of, const GridArgument& u, const GridArgument& v) const {
-    const Fraction value = ExactValue(of, order, T(0, u), T(1, v));
+  Rational value_at(const std::vector<double>& of, const GridArgument& u, const GridArgument& v) const {
+    const Fraction value = exact_value(of, order, t_of(0, u), t_of(1, v));
     return {value.numerator, value.denominator};
   }
-  ExactPoint At(const GridArgument& u, const GridArgument& v) const {
+  ExactPoint exact_at(const GridArgument& u, const GridArgument& v) const {
     const auto basis = [&](int direction, const Rational& t) {
       std::vector<Rational> values;
       const int n = order[direction] - 1;
       Rational power = 1;
-      for (const Integer& value : IntegerBasis(t, n + 1)) values.push_back(Rational(value));
+      for (const Integer& value : integer_basis(t, n + 1)) values.push_back(Rational(value));
       for (int i = 0; i < n; ++i) power *= Rational(denominator(t));
       for (Rational& value : values) value /= power;
       return values;
     };
-    return Tensor(basis(0, T(0, u)), basis(1, T(1, v)), points);
+    return tensor(basis(0, t_of(0, u)), basis(1, t_of(1, v)), points);
   }
 };
 
 class Precision : public ContextTest {
  protected:
-  void Define(const GivenNet& net) {
+  void define(const GivenNet& net) {
     const auto& [n, m] = net.order;
     const auto& [u, v] = net.domain;
     glevMap2d(gl, GLEV_MAP2_TEXTURE_COORD_1, u.u1, u.u2, m, n, v.u1, v.u2, 1, m, net.points.data());
@@ -48,19 +48,19 @@ class Precision : public ContextTest {
   }
 
   // The largest error of the mesh in units of the bound of FAST.
-  double WorstOfFast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
-    Define(net);
+  double worst_of_fast(const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
+    define(net);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
     const Plan plan(gl, 2);
-    const Floats got = OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST);
+    const Floats got = evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST);
     double largest = 0, worst = 0;
     for (double point : net.points) largest = std::max(largest, std::fabs(point));
     const double bound = (6 * (net.order[0] + net.order[1] - 2) + 12) * 0x1p-24 * largest;
     std::size_t k = 0;
     for (int j = range.j1; j <= range.j2; ++j) {
       for (int i = range.i1; i <= range.i2; ++i) {
-        const Rational exact = net.Value(net.points, {u, i}, {v, j});
-        const auto error = abs(Exactly(got[k++]) - exact).convert_to<double>();
+        const Rational exact = net.value_at(net.points, {u, i}, {v, j});
+        const auto error = abs(to_rational(got[k++]) - exact).convert_to<double>();
         worst = std::max(worst, largest == 0 ? error * HUGE_VAL : error / bound);
       }
     }
@@ -68,20 +68,20 @@ class Precision : public ContextTest {
   }
 
   // Errors of double results within the bounds stated?
-  void ExpectDouble(const GivenNet& net, const GridArgument& u, const GridArgument& v, double got) {
-    const ExactPoint exact = net.At(u, v);
-    const Rational error = abs(Exactly(got) - exact.value);
+  void expect_double(const GivenNet& net, const GridArgument& u, const GridArgument& v, double got) {
+    const ExactPoint exact = net.exact_at(u, v);
+    const Rational error = abs(to_rational(got) - exact.value);
     if (abs(exact.value) * (Integer(1) << 40) >= exact.magnitude) {
       const auto nearest = std::fabs(exact.value.convert_to<double>());
       const double ulp = std::nextafter(nearest, HUGE_VAL) - nearest;
-      EXPECT_LE(error, Exactly(ulp)) << Show(net, u, v) << " gives " << got;
+      EXPECT_LE(error, to_rational(ulp)) << show(net, u, v) << " gives " << got;
     } else {
       const int units = 64 * (net.order[0] + net.order[1] - 2) + 64;
-      EXPECT_LE(error * (Integer(1) << 105), units * exact.magnitude) << Show(net, u, v) << " gives " << got;
+      EXPECT_LE(error * (Integer(1) << 105), units * exact.magnitude) << show(net, u, v) << " gives " << got;
     }
   }
 
-  static std::string Show(const GivenNet& net, const GridArgument& u, const GridArgument& v) {
+  static std::string show(const GivenNet& net, const GridArgument& u, const GridArgument& v) {
     std::ostringstream out;
     out << std::hexfloat;
     for (int k : {0, 1}) {
@@ -92,9 +92,9 @@ class Precision : public ContextTest {
     return out.str();
   }
 
-  GivenNet ChooseNet(int most_order, const std::array<Domain, 2>& domain) {
-    GivenNet net = {{chance_.Whole(1, most_order), chance_.Whole(1, most_order)}, domain, {}};
-    for (int k = 0; k < net.order[0] * net.order[1]; ++k) net.points.push_back(4 * chance_.Double() - 2);
+  GivenNet choose_net(int most_order, const std::array<Domain, 2>& domain) {
+    GivenNet net = {{chance_.whole(1, most_order), chance_.whole(1, most_order)}, domain, {}};
+    for (int k = 0; k < net.order[0] * net.order[1]; ++k) net.points.push_back(4 * chance_.next_double() - 2);
     return net;
   }
 
@@ -106,16 +106,16 @@ class Precision : public ContextTest {
 TEST_F(Precision, FastMeshesKeepTheirBound) {
   double worst = 0;
   for (int k = 0; k < 120; ++k) {
-    const Domain domain = chance_.OneOf({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}});
-    GivenNet net = ChooseNet(k < 100 ? 6 : 30, {domain, Domain{0, 1}});
+    const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}});
+    GivenNet net = choose_net(k < 100 ? 6 : 30, {domain, Domain{0, 1}});
     // what cancels most, and magnitudes at both ends of what is claimed
     for (std::size_t i = 0; i < net.points.size(); ++i) {
       if (k % 4 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
-      if (k % 4 == 2) net.points[i] = std::ldexp(net.points[i] / 4, chance_.OneOf({80, 79, 20}));
+      if (k % 4 == 2) net.points[i] = std::ldexp(net.points[i] / 4, chance_.one_of({80, 79, 20}));
       if (k % 4 == 3) net.points[i] = std::ldexp(1, -80);
     }
-    const Grid u = chance_.Whole(0, 1) == 1 ? Grid{domain.u1, domain.u2, 23} : Grid{0.01, 0.87, 23};
-    worst = std::max(worst, WorstOfFast(net, u, {0, 1, 5}, {0, 23, 0, 5}));
+    const Grid u = chance_.whole(0, 1) == 1 ? Grid{domain.u1, domain.u2, 23} : Grid{0.01, 0.87, 23};
+    worst = std::max(worst, worst_of_fast(net, u, {0, 1, 5}, {0, 23, 0, 5}));
   }
   EXPECT_LE(worst, 1);
   EXPECT_GT(worst, 0.01);  // it is not correctly rounded
@@ -124,18 +124,18 @@ TEST_F(Precision, FastMeshesKeepTheirBound) {
 // Where the bound would not hold results are correctly rounded.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
-    Define(net);
+    define(net);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
     const Plan plan(gl, 2);
-    EXPECT_EQ(BitsOf(OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
-              BitsOf(OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
+    EXPECT_EQ(bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
+              bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
   };
   const Grid unit = {0, 1, 17};
   for (int k = 0; k < 30; ++k) {
-    GivenNet net = ChooseNet(5, {});
+    GivenNet net = choose_net(5, {});
     net.order[0] = net.order[1] = 4;
-    net.points = ChooseNet(1, {}).points;
-    for (int i = 1; i < 16; ++i) net.points.push_back(chance_.Double());
+    net.points = choose_net(1, {}).points;
+    for (int i = 1; i < 16; ++i) net.points.push_back(chance_.next_double());
     expect_rounded(net, unit, unit, {-1, 17, 0, 17});
     expect_rounded(net, unit, unit, {0, 18, 0, 17});
     expect_rounded(net, unit, unit, {0, 17, -1, 17});
@@ -152,7 +152,7 @@ TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
 }
 
 TEST_F(Precision, FastZeroMapsAreZero) {
-  EXPECT_EQ(WorstOfFast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
+  EXPECT_EQ(worst_of_fast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
 }
 
 // Meshes of three components that lie one behind the other go another way. More columns and rows than it
@@ -168,15 +168,15 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
          {std::pair{1, 1}, {15, 3}, {16, 64}, {17, 65}, {511, 2}, {513, 130}, {1100, 1}}) {
       for (int order = 1; order <= 5; ++order) {
         std::vector<double> points(static_cast<std::size_t>(order) * 4 * 3);
-        for (double& point : points) point = 2 * chance.Double() - 1;
+        for (double& point : points) point = 2 * chance.next_double() - 1;
         glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
         glevEnable(gl, GLEV_MAP2_VERTEX_3);
-        const int first = chance.Whole(0, 3);
-        glevMapGrid2d(gl, columns + 5, 0, chance.Whole(0, 3) == 0 ? 0.75 : 1, rows + 2, 0, 1);
+        const int first = chance.whole(0, 3);
+        glevMapGrid2d(gl, columns + 5, 0, chance.whole(0, 3) == 0 ? 0.75 : 1, rows + 2, 0, 1);
         const Plan plan(gl, 2);
         const Range range = {first, first + columns - 1, 1, rows};
-        const Floats packed = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
-        const Floats apart = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST, kApart, -7.0f);
+        const Floats packed = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
+        const Floats apart = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST, kApart, -7.0f);
         Floats found;
         for (std::size_t i = 0; i < apart.size(); ++i) {
           if (i % kApart < 3)
@@ -184,7 +184,7 @@ TEST(FastMeshes, AreTheSamePackedAndApart) {
           else
             ASSERT_EQ(apart[i], -7);
         }
-        ASSERT_EQ(BitsOf(packed), BitsOf(found))
+        ASSERT_EQ(bits_of(packed), bits_of(found))
             << target << ", order " << order << ", " << columns << " by " << rows;
       }
     }
@@ -200,9 +200,9 @@ TEST(FastMeshes, GoThroughTheirCorners) {
     glev_context* gl = nullptr;
     ASSERT_EQ(glevCreateContext(&info, &gl), GLEV_SUCCESS);
     for (int k = 0; k < 1500; ++k) {
-      const int order = chance.Whole(2, 5), segments = k < 1200 ? k + 1 : chance.Whole(1200, 1 << 21);
+      const int order = chance.whole(2, 5), segments = k < 1200 ? k + 1 : chance.whole(1200, 1 << 21);
       std::vector<float> points(static_cast<std::size_t>(order) * 4 * 3);
-      for (float& point : points) point = static_cast<float>(2 * chance.Double() - 1);
+      for (float& point : points) point = static_cast<float>(2 * chance.next_double() - 1);
       glevMap2f(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order, 0, 1, 3, 4, points.data());
       glevEnable(gl, GLEV_MAP2_VERTEX_3);
       glevMapGrid2d(gl, segments, 0, 1, segments, 0, 1);
@@ -210,10 +210,10 @@ TEST(FastMeshes, GoThroughTheirCorners) {
       const auto expect = [&](int i, int j) {
         const int near = std::min(segments, 40);
         const Range range = i == 0 ? Range{0, near, j, j} : Range{segments - near, segments, j, j};
-        Floats got = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
+        Floats got = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range, GLEV_FAST);
         got.erase(i == 0 ? got.begin() + 3 : got.begin(), i == 0 ? got.end() : got.end() - 3);
         const float* const point = &points[(i == 0 ? 0 : (order - 1) * 12) + (j == 0 ? 0 : 9)];
-        EXPECT_EQ(BitsOf(got), BitsOf(Floats(point, point + 3)))
+        EXPECT_EQ(bits_of(got), bits_of(Floats(point, point + 3)))
             << target << ", order " << order << ", " << segments << " segments, " << i << ", " << j;
       };
       for (const int i : {0, segments}) expect(i, 0), expect(i, segments);
@@ -226,39 +226,42 @@ TEST(FastMeshes, GoThroughTheirCorners) {
 
 TEST_F(Precision, DoubleResultsOfScatteredPointsKeepTheirBound) {
   for (int k = 0; k < 150; ++k) {
-    const Domain domain = chance_.OneOf({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 100.5}});
-    GivenNet net = ChooseNet(k < 130 ? 5 : 16, {domain, Domain{0, 1}});
+    const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-0.3, 0.9}, Domain{100, 100.5}});
+    GivenNet net = choose_net(k < 130 ? 5 : 16, {domain, Domain{0, 1}});
     for (std::size_t i = 0; i < net.points.size(); ++i) {
       if (k % 3 == 1) net.points[i] = i % 2 == 0 ? 1 : -1;
       if (k % 3 == 2) net.points[i] = std::round(net.points[i] * 4);
     }
-    Define(net);
+    define(net);
     const Plan plan(gl, 2);
     std::vector<double> u, v;
     for (int i = 0; i < 12; ++i) {
-      const double t = chance_.OneOf({chance_.Double(), chance_.Double(), 0.5, 1.75, 0x1p-50, 0.0, 1.0});
+      const double t =
+          chance_.one_of({chance_.next_double(), chance_.next_double(), 0.5, 1.75, 0x1p-50, 0.0, 1.0});
       u.push_back(domain.u1 + t * (domain.u2 - domain.u1));
-      v.push_back(chance_.OneOf({chance_.Double(), 0.5, -0.25, 1.0}));
+      v.push_back(chance_.one_of({chance_.next_double(), 0.5, -0.25, 1.0}));
     }
-    const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
-    for (std::size_t i = 0; i < u.size(); ++i) ExpectDouble(net, glev::At(u[i]), glev::At(v[i]), got[i]);
-    EXPECT_EQ(BitsOf(Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST)), BitsOf(got));
+    const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      expect_double(net, glev::argument_at(u[i]), glev::argument_at(v[i]), got[i]);
+    EXPECT_EQ(bits_of(evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v, GLEV_FAST)),
+              bits_of(got));
   }
 }
 
 TEST_F(Precision, DoubleResultsOfMeshesKeepTheirBound) {
   for (int k = 0; k < 60; ++k) {
-    const GivenNet net = ChooseNet(5, {Domain{0, 1}, Domain{-1, 2}});
-    const Grid u = chance_.OneOf({Grid{0, 1, 7}, Grid{1, 0, 7}, Grid{0.1, 0.7, 7}, Grid{-1, 3, 8}}),
-               v = chance_.OneOf({Grid{-1, 2, 3}, Grid{0.2, 1.1, 3}});
-    Define(net);
+    const GivenNet net = choose_net(5, {Domain{0, 1}, Domain{-1, 2}});
+    const Grid u = chance_.one_of({Grid{0, 1, 7}, Grid{1, 0, 7}, Grid{0.1, 0.7, 7}, Grid{-1, 3, 8}}),
+               v = chance_.one_of({Grid{-1, 2, 3}, Grid{0.2, 1.1, 3}});
+    define(net);
     glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
     const Plan plan(gl, 2);
     const Range range = {-1, 9, 0, 3};
-    const std::vector<double> got = OfGrid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
+    const std::vector<double> got = evaluate_grid<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, range);
     for (std::size_t i = 0; i < got.size(); ++i) {
       const auto column = static_cast<int>(i % range.columns()), row = static_cast<int>(i / range.columns());
-      ExpectDouble(net, {u, range.i1 + column}, {v, range.j1 + row}, got[i]);
+      expect_double(net, {u, range.i1 + column}, {v, range.j1 + row}, got[i]);
     }
   }
 }
@@ -268,18 +271,19 @@ TEST_F(Precision, DoubleResultsOfLargeAndSmallMagnitudesKeepTheirBound) {
   for (double scale : {0x1p299, 0x1p-299, 0x1p350, 0x1p-350, 0x1p398, 0x1p-400}) {
     for (bool is_domain : {false, true}) {
       for (int k = 0; k < 12; ++k) {
-        GivenNet net = ChooseNet(4, {});
+        GivenNet net = choose_net(4, {});
         const double width = is_domain ? scale : 1;
         if (is_domain) net.domain[0] = {0, scale};
         for (double& point : net.points) {
           point = is_domain ? point : std::fabs(point) < 0.25 ? 0 : point * scale;
         }
-        Define(net);
+        define(net);
         const Plan plan(gl, 2);
-        const std::vector<double> u = {width * 0.25, width / 3, width * chance_.Double(), width},
-                                  v(4, chance_.Double());
-        const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
-        for (std::size_t i = 0; i < u.size(); ++i) ExpectDouble(net, glev::At(u[i]), glev::At(v[i]), got[i]);
+        const std::vector<double> u = {width * 0.25, width / 3, width * chance_.next_double(), width},
+                                  v(4, chance_.next_double());
+        const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, v);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          expect_double(net, glev::argument_at(u[i]), glev::argument_at(v[i]), got[i]);
       }
     }
   }
@@ -287,10 +291,10 @@ TEST_F(Precision, DoubleResultsOfLargeAndSmallMagnitudesKeepTheirBound) {
 
 TEST_F(Precision, DoubleResultsAreExactWhereDoubleHoldsThem) {
   const GivenNet net = {{4, 1}, {}, {0, 1, 2, 3}};
-  Define(net);
+  define(net);
   const Plan plan(gl, 2);
   const std::vector<double> u = {0, 0.25, 0.5, 0.75, 1, 3, -7};
-  const std::vector<double> got = Scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, u);
+  const std::vector<double> got = evaluate_scattered<double>(plan, GLEV_ATTRIBUTE_TEXCOORD, u, u);
   for (std::size_t i = 0; i < u.size(); ++i)
     EXPECT_EQ(std::bit_cast<std::uint64_t>(got[i]), std::bit_cast<std::uint64_t>(3 * u[i]));
 }

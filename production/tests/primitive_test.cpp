@@ -15,7 +15,7 @@ TEST_F(PrimitiveTest, EveryModeReachesTheSink) {
     glevVertex3f(gl, 1, 2, 3);
     EXPECT_EQ(recording.ended, 0);
     glevEnd(gl);
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
     EXPECT_EQ(recording.begun, std::vector<glev_enum>{mode});
     EXPECT_EQ(recording.vertices.size(), 1u);
     EXPECT_EQ(recording.ended, 1);
@@ -23,11 +23,11 @@ TEST_F(PrimitiveTest, EveryModeReachesTheSink) {
 }
 
 TEST_F(PrimitiveTest, BadModesDoNotBegin) {
-  ExpectRefused(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xF); });
-  ExpectRefused(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xFFFFFFFF); });
-  ExpectRefused(GLEV_INVALID_OPERATION, [&] { glevBegin(gl, 0xE); });
+  expect_rejected(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xF); });
+  expect_rejected(GLEV_INVALID_ENUM, [&] { glevBegin(gl, 0xFFFFFFFF); });
+  expect_rejected(GLEV_INVALID_OPERATION, [&] { glevBegin(gl, 0xE); });
   EXPECT_TRUE(recording.begun.empty());
-  ExpectRefused(GLEV_INVALID_OPERATION, [&] { glevEnd(gl); });
+  expect_rejected(GLEV_INVALID_OPERATION, [&] { glevEnd(gl); });
   EXPECT_EQ(recording.ended, 0);
 }
 
@@ -38,7 +38,7 @@ TEST_F(PrimitiveTest, BeginDoesNotNestAndThePrimitiveGoesOn) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevVertex2f(gl, 2, 2);
   glevEnd(gl);
-  ExpectError(GLEV_INVALID_OPERATION);
+  expect_error(GLEV_INVALID_OPERATION);
   EXPECT_EQ(recording.begun, std::vector<glev_enum>{GLEV_LINES});
   EXPECT_EQ(recording.vertices.size(), 2u);
   EXPECT_EQ(recording.ended, 1);
@@ -61,10 +61,10 @@ TEST_F(PrimitiveTest, VertexForms) {
       {[&] { glevVertex4d(gl, d[0], d[1], d[2], d[3]); }, four},
       {[&] { glevVertex4fv(gl, f); }, four},
       {[&] { glevVertex4dv(gl, d); }, four}};
-  for (const auto& [form, expected] : forms) EXPECT_EQ(Values(OneVertex(form).position), expected);
-  ExpectError(GLEV_NO_ERROR);
-  ExpectRefusedInPrimitive(GLEV_INVALID_VALUE, [&] { glevVertex2fv(gl, nullptr); });
-  ExpectRefusedInPrimitive(GLEV_INVALID_VALUE, [&] { glevVertex3dv(gl, nullptr); });
+  for (const auto& [form, expected] : forms) EXPECT_EQ(values_of(one_vertex(form).position), expected);
+  expect_error(GLEV_NO_ERROR);
+  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevVertex2fv(gl, nullptr); });
+  expect_rejected_in_primitive(GLEV_INVALID_VALUE, [&] { glevVertex3dv(gl, nullptr); });
 }
 
 TEST_F(PrimitiveTest, AVertexCarriesEverythingCurrent) {
@@ -75,15 +75,15 @@ TEST_F(PrimitiveTest, AVertexCarriesEverythingCurrent) {
   for (int unit = 0; unit < 8; ++unit) {
     glevMultiTexCoord4f(gl, GLEV_TEXTURE0 + unit, static_cast<float>(unit), 5, 6, 7);
   }
-  const glev_vertex vertex = OneVertex([&] { glevVertex3f(gl, 7, 8, 9); });
+  const glev_vertex vertex = one_vertex([&] { glevVertex3f(gl, 7, 8, 9); });
   EXPECT_EQ(vertex.size, sizeof(glev_vertex));
-  EXPECT_EQ(Values(vertex.position), (Floats{7, 8, 9, 1}));
-  EXPECT_EQ(Values(vertex.color), (Floats{0.1f, 0.2f, 0.3f, 0.4f}));
-  EXPECT_EQ(Values(vertex.normal), (Floats{1, 2, 3}));
+  EXPECT_EQ(values_of(vertex.position), (Floats{7, 8, 9, 1}));
+  EXPECT_EQ(values_of(vertex.color), (Floats{0.1f, 0.2f, 0.3f, 0.4f}));
+  EXPECT_EQ(values_of(vertex.normal), (Floats{1, 2, 3}));
   EXPECT_EQ(vertex.index, 17);
   EXPECT_EQ(vertex.edge_flag, GLEV_FALSE);
   for (int unit = 0; unit < 8; ++unit) {
-    EXPECT_EQ(Values(vertex.texcoord[unit]), (Floats{static_cast<float>(unit), 5, 6, 7}));
+    EXPECT_EQ(values_of(vertex.texcoord[unit]), (Floats{static_cast<float>(unit), 5, 6, 7}));
   }
 }
 
@@ -94,10 +94,10 @@ TEST_F(PrimitiveTest, CurrentValuesMayChangeBetweenVertices) {
   glevColor3f(gl, 0, 1, 0);
   glevVertex2f(gl, 0, 0);
   glevEnd(gl);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
   ASSERT_EQ(recording.vertices.size(), 2u);
-  EXPECT_EQ(Values(recording.vertices[0].color), (Floats{1, 0, 0, 1}));
-  EXPECT_EQ(Values(recording.vertices[1].color), (Floats{0, 1, 0, 1}));
+  EXPECT_EQ(values_of(recording.vertices[0].color), (Floats{1, 0, 0, 1}));
+  EXPECT_EQ(values_of(recording.vertices[1].color), (Floats{0, 1, 0, 1}));
 }
 
 TEST_F(PrimitiveTest, OutsideBeginAndEndNothingIsEmitted) {
@@ -105,7 +105,7 @@ TEST_F(PrimitiveTest, OutsideBeginAndEndNothingIsEmitted) {
   glevVertex3f(gl, 1, 2, 3);
   glevEvalCoord1f(gl, 0.5f);
   EXPECT_TRUE(recording.vertices.empty());
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 // ---- Sink
@@ -117,7 +117,7 @@ TEST_F(PrimitiveTest, CallbacksAndTheSinkItselfMayBeMissing) {
     glevBegin(gl, GLEV_POINTS);
     glevVertex3f(gl, 1, 2, 3);
     glevEnd(gl);
-    ExpectError(GLEV_NO_ERROR);
+    expect_error(GLEV_NO_ERROR);
   }
   EXPECT_TRUE(recording.begun.empty());
   EXPECT_TRUE(recording.vertices.empty());
@@ -130,24 +130,24 @@ TEST_F(PrimitiveTest, TheSinkIsNotChangedWithinAPrimitive) {
   glevVertex3f(gl, 1, 2, 3);
   glevEnd(gl);
   EXPECT_EQ(recording.vertices.size(), 1u);
-  ExpectError(GLEV_NO_ERROR);
+  expect_error(GLEV_NO_ERROR);
 }
 
 TEST_F(PrimitiveTest, SizesOfStructures) {
   struct Larger {
     glev_sink sink;
     void* later = nullptr;
-  } larger = {recording.Sink()};
+  } larger = {recording.make_sink()};
   larger.sink.size = sizeof(Larger);
   EXPECT_EQ(glevSetSink(gl, &larger.sink), GLEV_SUCCESS);
   larger.later = &larger;
   EXPECT_EQ(glevSetSink(gl, &larger.sink), GLEV_ERROR_INVALID_ARGUMENT);
-  glev_sink smaller = recording.Sink();
+  glev_sink smaller = recording.make_sink();
   smaller.size = sizeof(glev_sink) - 1;
   EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
   smaller.size = 0;
   EXPECT_EQ(glevSetSink(gl, &smaller), GLEV_ERROR_INVALID_ARGUMENT);
-  OneVertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the sink set before still works
+  one_vertex([&] { glevVertex3f(gl, 1, 2, 3); });  // the sink set before still works
 }
 
 TEST_F(PrimitiveTest, CallbacksMayCallWhatIsLegalThere) {
@@ -168,7 +168,7 @@ TEST_F(PrimitiveTest, CallbacksMayCallWhatIsLegalThere) {
   glevVertex3f(gl, 1, 2, 3);
   glevEnd(gl);
   EXPECT_EQ(user.calls, 2);
-  ExpectError(GLEV_INVALID_OPERATION);  // Enable, within the end callback
+  expect_error(GLEV_INVALID_OPERATION);  // Enable, within the end callback
   EXPECT_EQ(glevIsEnabled(gl, GLEV_MAP1_INDEX), GLEV_FALSE);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 class Undecided : public ContextTest {
  protected:
-  static std::uint32_t Bits(float x) { return std::bit_cast<std::uint32_t>(x); }
+  static std::uint32_t float_bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 };
 
 // A cubic with two roots inside the domain and one far outside, next to which the error of double is a unit
@@ -22,27 +22,29 @@ class NextToARootOutside : public Undecided {
   static constexpr double kLength = 0x1p-18;  // of a grid that begins at the root
   static constexpr Range kPoints = {2, 120};
 
-  static std::vector<double> Arguments() {
+  static std::vector<double> undecided_arguments() {
     std::vector<double> arguments;
     for (int i = kPoints.i1; i <= kPoints.i2; ++i) arguments.push_back(10 + i * kLength / kSegments);
     return arguments;
   }
 
-  static void ExpectRight(float got, const Rational& t) {
+  static void expect_right(float got, const Rational& t) {
     const std::vector<double> exact(std::begin(kRoot), std::end(kRoot));
-    EXPECT_EQ(Bits(got), Bits(Nearest(ExactValue(exact, {4, 1}, t, 0)))) << static_cast<double>(t);
+    EXPECT_EQ(float_bits(got), float_bits(nearest_float(exact_value(exact, {4, 1}, t, 0))))
+        << static_cast<double>(t);
   }
-  static void ExpectRightAt(const std::vector<double>& arguments, const Floats& positions) {
+  static void expect_right_at(const std::vector<double>& arguments, const Floats& positions) {
     ASSERT_EQ(positions.size(), 3 * arguments.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i) ExpectRight(positions[3 * i], Exactly(arguments[i]));
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      expect_right(positions[3 * i], to_rational(arguments[i]));
   }
-  static void ExpectRightOnGrid(const Floats& positions) {
+  static void expect_right_on_grid(const Floats& positions) {
     ASSERT_EQ(positions.size(), 3 * kPoints.columns());
     for (int i = kPoints.i1; i <= kPoints.i2; ++i)
-      ExpectRight(positions[3 * static_cast<std::size_t>(i - kPoints.i1)],
-                  10 + Rational(i, kSegments) * Exactly(kLength));
+      expect_right(positions[3 * static_cast<std::size_t>(i - kPoints.i1)],
+                   10 + Rational(i, kSegments) * to_rational(kLength));
   }
-  Floats Recorded() const {
+  Floats recorded_positions() const {
     Floats positions;
     for (const glev_vertex& vertex : recording.vertices)
       positions.insert(positions.end(), vertex.position, vertex.position + 3);
@@ -56,14 +58,14 @@ TEST_F(NextToARootOutside, OnCurves) {
   glevMap1d(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, points.data());
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   glevMapGrid1d(gl, kSegments, 10, 10 + kLength);
-  const std::vector<double> arguments = Arguments();
+  const std::vector<double> arguments = undecided_arguments();
   glevBegin(gl, GLEV_POINTS);
   for (const double u : arguments) glevEvalCoord1d(gl, u);
   glevEnd(gl);
-  ExpectRightAt(arguments, Recorded());
+  expect_right_at(arguments, recorded_positions());
   const Plan plan(gl, 1);
-  ExpectRightAt(arguments, Scattered(plan, GLEV_ATTRIBUTE_VERTEX, arguments));
-  ExpectRightOnGrid(OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, kPoints));
+  expect_right_at(arguments, evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, arguments));
+  expect_right_on_grid(evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, kPoints));
 }
 
 TEST_F(NextToARootOutside, InVOfSurfaces) {
@@ -75,12 +77,12 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
     glevMap2d(gl, GLEV_MAP2_VERTEX_3, 0, 1, 12, order_u, 0, 1, 3, 4, points.data());
     glevEnable(gl, GLEV_MAP2_VERTEX_3);
     glevMapGrid2d(gl, 8, 0, 1, kSegments, 10, 10 + kLength);
-    const std::vector<double> v = Arguments(), u(v.size(), 0.375);
+    const std::vector<double> v = undecided_arguments(), u(v.size(), 0.375);
     recording = {};
     glevBegin(gl, GLEV_POINTS);
     for (std::size_t i = 0; i < v.size(); ++i) glevEvalCoord2d(gl, u[i], v[i]);
     glevEnd(gl);
-    ExpectRightAt(v, Recorded());
+    expect_right_at(v, recorded_positions());
     // Each alone: the first call of a primitive.
     recording = {};
     for (std::size_t i = 0; i < v.size(); ++i) {
@@ -88,10 +90,10 @@ TEST_F(NextToARootOutside, InVOfSurfaces) {
       glevEvalCoord2d(gl, u[i], v[i]);
       glevEnd(gl);
     }
-    ExpectRightAt(v, Recorded());
+    expect_right_at(v, recorded_positions());
     const Plan plan(gl, 2);
-    ExpectRightAt(v, Scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v));
-    ExpectRightOnGrid(OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, Range{3, 3, kPoints.i1, kPoints.i2}));
+    expect_right_at(v, evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, u, v));
+    expect_right_on_grid(evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, Range{3, 3, kPoints.i1, kPoints.i2}));
   }
 }
 
@@ -104,9 +106,11 @@ TEST_F(Undecided, ColumnsOfLongMeshes) {
   glevEnable(gl, GLEV_MAP1_TEXTURE_COORD_1);
   glevMapGrid1f(gl, kSegments, 0, 1);
   const Plan plan(gl, 1);
-  const Floats values = OfGrid(plan, GLEV_ATTRIBUTE_TEXCOORD, Range{0, kSegments});
+  const Floats values = evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, Range{0, kSegments});
   for (int i = 0; i <= kSegments; ++i)
-    EXPECT_EQ(Bits(values[static_cast<std::size_t>(i)]), Bits(static_cast<float>(i * (1 + 0x1p-24)))) << i;
+    EXPECT_EQ(float_bits(values[static_cast<std::size_t>(i)]),
+              float_bits(static_cast<float>(i * (1 + 0x1p-24))))
+        << i;
 }
 
 // t / s to the power of the degree is beyond the range of double, and s to that power underflows.
@@ -118,10 +122,12 @@ TEST_F(Undecided, CurvesOfTheHighestOrderNextToTheirEnd) {
   std::vector<float> u;
   for (int digits = 4; digits <= 24; ++digits) u.push_back(1 - std::ldexp(1.0F, -digits));
   const Plan plan(gl, 1);
-  const Floats values = Scattered(plan, GLEV_ATTRIBUTE_TEXCOORD, u);
+  const Floats values = evaluate_scattered(plan, GLEV_ATTRIBUTE_TEXCOORD, u);
   const std::vector<double> exact(points.begin(), points.end());
   for (std::size_t i = 0; i < u.size(); ++i)
-    EXPECT_EQ(Bits(values[i]), Bits(Nearest(ExactValue(exact, {kMax, 1}, Exactly(u[i]), 0)))) << u[i];
+    EXPECT_EQ(float_bits(values[i]),
+              float_bits(nearest_float(exact_value(exact, {kMax, 1}, to_rational(u[i]), 0))))
+        << u[i];
 }
 
 }  // namespace

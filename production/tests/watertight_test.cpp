@@ -14,7 +14,7 @@ struct SharedEdge {
   bool is_reversed;
 };
 
-std::vector<SharedEdge> AllEdges() {
+std::vector<SharedEdge> all_edges() {
   std::vector<SharedEdge> edges;
   for (bool along : {false, true}) {
     for (bool last : {false, true}) {
@@ -27,10 +27,10 @@ std::vector<SharedEdge> AllEdges() {
 class Watertight : public ContextTest {
  protected:
   // A random patch with this edge.
-  void DefinePatch(const SharedEdge& edge, const std::vector<float>& shared, int other_order) {
+  void define_patch(const SharedEdge& edge, const std::vector<float>& shared, int other_order) {
     const int order = static_cast<int>(shared.size()) / kComponents;
     const int n = edge.is_along_u ? order : other_order, m = edge.is_along_u ? other_order : order;
-    std::vector<float> points = chance_.Points(static_cast<std::size_t>(n) * m * kComponents);
+    std::vector<float> points = chance_.next_points(static_cast<std::size_t>(n) * m * kComponents);
     for (int k = 0; k < order; ++k) {
       const int along = edge.is_reversed ? order - 1 - k : k;
       const int i = edge.is_along_u ? along : edge.is_last ? n - 1 : 0;
@@ -42,26 +42,26 @@ class Watertight : public ContextTest {
   }
 
   // Along the edge in the direction of the shared points, at `parameters` by a batch.
-  Floats OfBatch(const SharedEdge& edge, const std::vector<float>& parameters) {
+  Floats evaluate_batch(const SharedEdge& edge, const std::vector<float>& parameters) {
     const Plan plan(gl, 2);
     std::vector<float> along = parameters;
     if (edge.is_reversed) {
       for (float& t : along) t = 1 - t;  // exact
     }
     const std::vector<float> across(along.size(), edge.is_last ? 1.0F : 0.0F);
-    return edge.is_along_u ? Scattered(plan, GLEV_ATTRIBUTE_VERTEX, along, across)
-                           : Scattered(plan, GLEV_ATTRIBUTE_VERTEX, across, along);
+    return edge.is_along_u ? evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, along, across)
+                           : evaluate_scattered(plan, GLEV_ATTRIBUTE_VERTEX, across, along);
   }
 
   // The same at the points of a grid: cut out of the mesh of the whole patch, and by itself.
-  Floats OfMesh(const SharedEdge& edge, int segments, int other_segments, bool whole) {
+  Floats evaluate_mesh(const SharedEdge& edge, int segments, int other_segments, bool whole) {
     glevMapGrid2f(gl, edge.is_along_u ? segments : other_segments, 0, 1,
                   edge.is_along_u ? other_segments : segments, 0, 1);
     const Plan plan(gl, 2);
     const int across = edge.is_last ? other_segments : 0;
     const int first = whole ? 0 : across, last = whole ? other_segments : across;
     const Range range = edge.is_along_u ? Range{0, segments, first, last} : Range{first, last, 0, segments};
-    const Floats points = OfGrid(plan, GLEV_ATTRIBUTE_VERTEX, range);
+    const Floats points = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range);
     Floats along;
     for (int k = 0; k <= segments; ++k) {
       const int at = edge.is_reversed ? segments - k : k, row = whole ? across : 0;
@@ -72,11 +72,11 @@ class Watertight : public ContextTest {
     return along;
   }
 
-  std::vector<float> SharedPoints(int order) {
-    std::vector<float> shared = chance_.Points(static_cast<std::size_t>(order) * kComponents);
+  std::vector<float> random_shared_points(int order) {
+    std::vector<float> shared = chance_.next_points(static_cast<std::size_t>(order) * kComponents);
     // of all magnitudes, ties and lines now and then
-    for (float& point : shared) point = std::ldexp(point, chance_.OneOf({0, 0, 0, -20, 30}));
-    if (chance_.Whole(0, 3) == 0) {
+    for (float& point : shared) point = std::ldexp(point, chance_.one_of({0, 0, 0, -20, 30}));
+    if (chance_.whole(0, 3) == 0) {
       for (std::size_t k = 0; k < shared.size(); ++k) {
         const std::size_t point = k / kComponents;
         shared[k] = static_cast<float>(point);
@@ -90,30 +90,30 @@ class Watertight : public ContextTest {
 
 TEST_F(Watertight, AlongAllEdgesInBatches) {
   for (int order = 2; order <= 12; ++order) {
-    const std::vector<float> shared = SharedPoints(order);
+    const std::vector<float> shared = random_shared_points(order);
     std::vector<float> parameters = {0, 1, 0.5F, 0.25F, 0x1p-24F, 1 - 0x1p-24F};
-    for (int k = 0; k < 40; ++k) parameters.push_back(chance_.Float());
+    for (int k = 0; k < 40; ++k) parameters.push_back(chance_.next_float());
     Floats expected;
-    for (const SharedEdge& edge : AllEdges()) {
-      DefinePatch(edge, shared, chance_.Whole(1, 12));
-      const Floats got = OfBatch(edge, parameters);
+    for (const SharedEdge& edge : all_edges()) {
+      define_patch(edge, shared, chance_.whole(1, 12));
+      const Floats got = evaluate_batch(edge, parameters);
       if (expected.empty()) expected = got;
-      ASSERT_EQ(BitsOf(got), BitsOf(expected)) << "order " << order;
+      ASSERT_EQ(bits_of(got), bits_of(expected)) << "order " << order;
     }
   }
 }
 
 TEST_F(Watertight, AlongAllEdgesInMeshes) {
   for (int order = 2; order <= 12; ++order) {
-    const std::vector<float> shared = SharedPoints(order);
+    const std::vector<float> shared = random_shared_points(order);
     for (int segments : {1, 2, 3, 7, 16, 33}) {
       Floats expected;
-      for (const SharedEdge& edge : AllEdges()) {
-        DefinePatch(edge, shared, chance_.Whole(1, 12));
+      for (const SharedEdge& edge : all_edges()) {
+        define_patch(edge, shared, chance_.whole(1, 12));
         for (bool whole : {true, false}) {
-          const Floats got = OfMesh(edge, segments, chance_.Whole(1, 9), whole);
+          const Floats got = evaluate_mesh(edge, segments, chance_.whole(1, 9), whole);
           if (expected.empty()) expected = got;
-          ASSERT_EQ(BitsOf(got), BitsOf(expected)) << "order " << order << ", " << segments << " segments";
+          ASSERT_EQ(bits_of(got), bits_of(expected)) << "order " << order << ", " << segments << " segments";
         }
       }
     }
@@ -123,12 +123,12 @@ TEST_F(Watertight, AlongAllEdgesInMeshes) {
 // Where the arguments of a grid are floats, batches have its bits, too.
 TEST_F(Watertight, BetweenBatchesAndMeshes) {
   for (int order = 2; order <= 12; ++order) {
-    const std::vector<float> shared = SharedPoints(order);
+    const std::vector<float> shared = random_shared_points(order);
     std::vector<float> parameters;
     for (int k = 0; k <= 32; ++k) parameters.push_back(static_cast<float>(k) / 32);
-    for (const SharedEdge& edge : AllEdges()) {
-      DefinePatch(edge, shared, 3);
-      ASSERT_EQ(BitsOf(OfMesh(edge, 32, 5, true)), BitsOf(OfBatch(edge, parameters)));
+    for (const SharedEdge& edge : all_edges()) {
+      define_patch(edge, shared, 3);
+      ASSERT_EQ(bits_of(evaluate_mesh(edge, 32, 5, true)), bits_of(evaluate_batch(edge, parameters)));
     }
   }
 }
@@ -137,15 +137,15 @@ TEST_F(Watertight, BetweenBatchesAndMeshes) {
 TEST_F(Watertight, WithCurvesOfTheSharedPoints) {
   glevEnable(gl, GLEV_MAP1_VERTEX_3);
   for (int order = 2; order <= 12; ++order) {
-    const std::vector<float> shared = SharedPoints(order);
+    const std::vector<float> shared = random_shared_points(order);
     glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, kComponents, order, shared.data());
     for (int segments : {16, 21}) {
       glevMapGrid1f(gl, segments, 0, 1);
       const Plan curve(gl, 1);
-      const Floats expected = OfGrid(curve, GLEV_ATTRIBUTE_VERTEX, {0, segments});
-      for (const SharedEdge& edge : AllEdges()) {
-        DefinePatch(edge, shared, chance_.Whole(1, 12));
-        ASSERT_EQ(BitsOf(OfMesh(edge, segments, 4, true)), BitsOf(expected));
+      const Floats expected = evaluate_grid(curve, GLEV_ATTRIBUTE_VERTEX, {0, segments});
+      for (const SharedEdge& edge : all_edges()) {
+        define_patch(edge, shared, chance_.whole(1, 12));
+        ASSERT_EQ(bits_of(evaluate_mesh(edge, segments, 4, true)), bits_of(expected));
       }
     }
   }

@@ -30,8 +30,8 @@ static void look_up(void* command, const char* name) {
 }
 
 static void state(void) {
-  static const unsigned char white[4] = {255, 255, 255, 255};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
+  static const unsigned char kWhite[4] = {255, 255, 255, 255};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kWhite);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   enable(GL_TEXTURE_2D);
   glTexCoord2f(0.25f, 0.5f);

@@ -26,7 +26,7 @@ struct Finished {
   std::string output;  // with errors
 };
 
-Finished Start(const std::string& command) {
+Finished run_shell(const std::string& command) {
   Finished finished;
   FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return finished;
@@ -37,8 +37,8 @@ Finished Start(const std::string& command) {
   return finished;
 }
 
-Printed Play(const std::string& command) {
-  const Finished finished = Start(command);
+Printed play(const std::string& command) {
+  const Finished finished = run_shell(command);
   EXPECT_EQ(finished.status, 0) << command << "\n" << finished.output;
   Printed printed;
   std::string title;
@@ -89,14 +89,14 @@ class Expected {
   Expected(const Expected&) = delete;
   Expected& operator=(const Expected&) = delete;
 
-  std::vector<Vertex> Curve() {
+  std::vector<Vertex> expected_curve() {
     vertices_.clear();
     glevBegin(gl_, GLEV_POINTS);
     for (int i = 0; i < kArguments; ++i) glevEvalCoord1f(gl_, client_argument(i));
     glevEnd(gl_);
     return vertices_;
   }
-  std::vector<Vertex> Surface() {
+  std::vector<Vertex> expected_surface() {
     vertices_.clear();
     glevEvalMesh2(gl_, GLEV_POINT, 0, kSegments, 0, 2);
     return vertices_;
@@ -107,27 +107,27 @@ class Expected {
   std::vector<Vertex> vertices_;
 };
 
-void ExpectOurs(Printed printed) {
+void expect_ours(Printed printed) {
   Expected expected;
-  EXPECT_EQ(printed["curve"], expected.Curve());
-  EXPECT_EQ(printed["surface"], expected.Surface());
-  EXPECT_EQ(printed["listed curve"], expected.Curve());
+  EXPECT_EQ(printed["curve"], expected.expected_curve());
+  EXPECT_EQ(printed["surface"], expected.expected_surface());
+  EXPECT_EQ(printed["listed curve"], expected.expected_curve());
   EXPECT_EQ(printed["current"], (std::vector<Vertex>{{0.25f, 0.5f, 0, 1}, {0.5f, 0.75f, 1, 1}}));
   EXPECT_EQ(printed["error"], std::vector<Vertex>{{}});
 }
 
-TEST(Dropin, Preloaded) { ExpectOurs(Play(kPreload + CLIENT)); }
-TEST(Dropin, CommandsLookedUp) { ExpectOurs(Play(kPreload + CLIENT + " lookup")); }
-TEST(Dropin, LinkedInFront) { ExpectOurs(Play(LINKED_CLIENT)); }
+TEST(Dropin, Preloaded) { expect_ours(play(kPreload + CLIENT)); }
+TEST(Dropin, CommandsLookedUp) { expect_ours(play(kPreload + CLIENT + " lookup")); }
+TEST(Dropin, LinkedInFront) { expect_ours(play(LINKED_CLIENT)); }
 
 // That the values above are not any evaluator's.
 TEST(Dropin, WithoutItTheValuesAreOthers) {
   Expected expected;
-  EXPECT_NE(Play(CLIENT)["curve"], expected.Curve());
+  EXPECT_NE(play(CLIENT)["curve"], expected.expected_curve());
 }
 
 TEST(Dropin, SaysWhatIsMissing) {
-  const Finished finished = Start("GLEVALUATOR_GL=./no-such-library.so " + kPreload + CLIENT);
+  const Finished finished = run_shell("GLEVALUATOR_GL=./no-such-library.so " + kPreload + CLIENT);
   EXPECT_NE(finished.status, 0);
   EXPECT_NE(finished.output.find("GLEVALUATOR_GL"), std::string::npos) << finished.output;
   EXPECT_NE(finished.output.find("no-such-library"), std::string::npos) << finished.output;
@@ -135,7 +135,7 @@ TEST(Dropin, SaysWhatIsMissing) {
 
 // What does not draw is left alone.
 TEST(Dropin, OtherProgramsAreNotDisturbed) {
-  const Finished finished = Start(kPreload + "cat /dev/null");
+  const Finished finished = run_shell(kPreload + "cat /dev/null");
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.output, "");
 }
@@ -144,22 +144,22 @@ TEST(Dropin, OtherProgramsAreNotDisturbed) {
 
 // How far a conforming evaluator may be off for orders n + 1 and m + 1 (m = 0: a curve) and arguments in the
 // domain, for control points of magnitude 1: the first-order part of EV-NUM-ACCURACY and all above.
-double Allowed(int n, int m) {
+double allowed_error(int n, int m) {
   const double eps = 10738.0 / (1 << 30);
   const int k = m > 0 ? n * m + 5 * (n + m) + 4 : 5 * n + 4;
   const double x = k * eps;
   return (1 + x + x * x) * std::pow(1 + 16 * eps, n + m) - 1;
 }
 
-bool IsNear(const Vertex& a, const Vertex& b, double bound) {
+bool is_near(const Vertex& a, const Vertex& b, double bound) {
   for (std::size_t k = 0; k < 4; ++k)
     if (!(std::abs(a[k] - b[k]) <= bound)) return false;
   return true;
 }
 
 // Vertex by vertex in blocks: of a quadrilateral, either diagonal is right.
-void ExpectSame(const std::vector<Vertex>& got, const std::vector<Vertex>& expected, std::size_t block,
-                double bound) {
+void expect_same(const std::vector<Vertex>& got, const std::vector<Vertex>& expected, std::size_t block,
+                 double bound) {
   ASSERT_GT(got.size(), 0u);
   ASSERT_EQ(got.size(), expected.size());
   ASSERT_EQ(got.size() % block, 0u);
@@ -168,14 +168,14 @@ void ExpectSame(const std::vector<Vertex>& got, const std::vector<Vertex>& expec
     const auto last = first + static_cast<std::ptrdiff_t>(block);
     const auto is_in = [&](const Vertex& v, const std::vector<Vertex>& all) {
       return std::any_of(all.begin() + first, all.begin() + last,
-                         [&](const Vertex& other) { return IsNear(v, other, bound); });
+                         [&](const Vertex& other) { return is_near(v, other, bound); });
     };
     ASSERT_TRUE(is_in(got[i], expected)) << i;
     ASSERT_TRUE(is_in(expected[i], got)) << i;
   }
 }
 
-std::string Picture(const std::string& path) {
+std::string read_picture(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
@@ -185,20 +185,20 @@ std::string Picture(const std::string& path) {
 
 class Nurbs : public testing::Test {
  protected:
-  Printed with_ = Play(kPreload + NURBS_CLIENT " " + With());
-  Printed without_ = Play(std::string(NURBS_CLIENT " ") + Without());
-  static std::string With() { return testing::TempDir() + "nurbs-with.ppm"; }
-  static std::string Without() { return testing::TempDir() + "nurbs-without.ppm"; }
+  Printed with_ = play(kPreload + NURBS_CLIENT " " + picture_with());
+  Printed without_ = play(std::string(NURBS_CLIENT " ") + picture_without());
+  static std::string picture_with() { return testing::TempDir() + "nurbs-with.ppm"; }
+  static std::string picture_without() { return testing::TempDir() + "nurbs-without.ppm"; }
 };
 
 TEST_F(Nurbs, VerticesAndPictureOfGlu) {
   // Both may be off; no control point is larger than 1.
-  ExpectSame(with_["curve"], without_["curve"], 1, 2 * Allowed(3, 0));
-  ExpectSame(with_["surface"], without_["surface"], 6, 2 * Allowed(3, 3));
+  expect_same(with_["curve"], without_["curve"], 1, 2 * allowed_error(3, 0));
+  expect_same(with_["surface"], without_["surface"], 6, 2 * allowed_error(3, 3));
   EXPECT_NE(with_["curve"], without_["curve"]);  // it was in effect
   EXPECT_EQ(with_["error"], without_["error"]);
 
-  const std::string with = Picture(With()), without = Picture(Without());
+  const std::string with = read_picture(picture_with()), without = read_picture(picture_without());
   ASSERT_EQ(with.size(), 3u * 256 * 256);
   ASSERT_EQ(without.size(), with.size());
   std::size_t drawn = 0, differing = 0;

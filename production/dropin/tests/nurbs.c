@@ -72,8 +72,8 @@ static int write_picture(const char* path) {
 }
 
 int main(int argc, char** argv) {
-  static const GLfloat material[4] = {0.2f, 0.6f, 0.9f, 1};
-  static const unsigned char white[4] = {255, 255, 255, 255};
+  static const GLfloat kMaterial[4] = {0.2f, 0.6f, 0.9f, 1};
+  static const unsigned char kWhite[4] = {255, 255, 255, 255};
   GLUnurbs* nurbs;
   void* const context = OSMesaCreateContextExt(GL_RGBA, 24, 8, 0, NULL);
   if (argc != 2 || !context || !OSMesaMakeCurrent(context, pixels, GL_UNSIGNED_BYTE, kSide, kSide)) return 2;
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   gluNurbsProperty(nurbs, GLU_U_STEP, 40);
   gluNurbsProperty(nurbs, GLU_V_STEP, 30);
 
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, white);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kWhite);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glEnable(GL_TEXTURE_2D);
   draw_to_feedback("curve", nurbs, curve);
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   glEnable(GL_LIGHT0);
   glEnable(GL_AUTO_NORMAL);
   glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
-  glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, material);
+  glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, kMaterial);
   surface(nurbs);
   glFinish();
   printf("error\n%d\n", glGetError());
