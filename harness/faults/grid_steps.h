@@ -20,9 +20,6 @@ inline Value point(Value i, Value j) { return call(EvalPoint2, {i, j}); }
 // EvalMesh2: the strips of LINE along u and those along v.
 inline const Value kRows = loop(kRow, kJ1, kJ2, surface(GL_LINE, kI1, kI2, kRow, kRow));
 inline const Value kColumns = loop(kColumn, kI1, kI2, surface(GL_LINE, kColumn, kColumn, kJ1, kJ2));
-// The points of POINT, v fastest.
-inline const Value kPointsByColumns =
-    loop(kColumn, kI1, kI2, loop(kRow, kJ1, kJ2, surface(GL_POINT, kColumn, kColumn, kRow, kRow)));
 // A vertex at the origin for each index of u.
 inline Value draw_origins(Value primitive_mode) {
   return primitive(primitive_mode, loop(kColumn, kI1, kI2, call(Vertex4f, {0, 0, 0, 1})));

@@ -5,11 +5,6 @@
 
 #include <evalcts/gl/player.h>
 
-#ifdef __SANITIZE_ADDRESS__
-// Tests of death by a signal only want the signal: the report of GCC 16 on it does not always come to an end.
-extern "C" const char* __asan_default_options() { return "handle_segv=0:handle_sigbus=0"; }
-#endif
-
 namespace evalcts::gl {
 namespace {
 

@@ -12,9 +12,6 @@ Value draw_point(double z) { return primitive(GL_POINTS, call(Vertex3f, {0, 0, z
 
 // --- Feedback mode -----------------------------------------------------------------------------------------
 
-EVALCTS_RULES(FeedbackPointsColumnByColumn, osmesa, must, "EV-FB-POINT",
-              "in feedback mode the points of EvalMesh2 come column by column",
-              instead(EvalMesh2, kMode == GL_POINT && in_feedback(), kPointsByColumns));
 EVALCTS_RULES(FeedbackFirstPointTwice, osmesa, must, "EV-FB-POINT",
               "in feedback mode the first point of EvalMesh1 comes twice",
               before(EvalMesh1, kMode == GL_POINT && in_feedback(), call(EvalMesh1, {GL_POINT, kI1, kI1})));
@@ -22,16 +19,9 @@ EVALCTS_RULES(FeedbackPointsUnclipped, osmesa, must, "EV-FB-POINT",
               "in feedback mode no point of a mesh is clipped",
               around(kMeshes, kMode == GL_POINT && in_feedback(), {call(PushMatrix), call(LoadIdentity)},
                      call(PopMatrix)));
-EVALCTS_RULES(FeedbackColumnsFirst, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh gives its columns before its rows",
-              instead(EvalMesh2, kMode == GL_LINE && in_feedback(), {kColumns, kRows}));
 EVALCTS_RULES(FeedbackLosesLastSegment, osmesa, must, "EV-FB-LINE",
               "in feedback mode the last segment of a LINE mesh of one dimension is missing",
               before(EvalMesh1, kMode == GL_LINE && in_feedback(), set(kI2, kI2 - 1)));
-EVALCTS_RULES(FeedbackSegmentsBackwards, osmesa, must, "EV-FB-LINE",
-              "in feedback mode a LINE mesh of one dimension runs from i2 to i1",
-              instead(EvalMesh1, kMode == GL_LINE && in_feedback(),
-                      primitive(GL_LINE_STRIP, loop(kColumn, kI2, kI1, call(EvalPoint1, {kColumn}), -1))));
 EVALCTS_RULES(FeedbackLosesLastColumn, osmesa, must, "EV-FB-LINE",
               "in feedback mode a LINE mesh lacks its last column",
               instead(EvalMesh2, kMode == GL_LINE && in_feedback(), {kRows, set(kI2, kI2 - 1), kColumns}));

@@ -227,9 +227,6 @@ EVALCTS_RULES(RefusedMeshDrawsWithoutProgram, osmesa, must, "EV-PIPE-INVALIDPROG
 
 // --- Transform feedback ------------------------------------------------------------------------------------
 
-EVALCTS_RULES(RecordedPointsColumnByColumn, osmesa, must, "EV-PIPE-XFB",
-              "transform feedback records the points of EvalMesh2 column by column", note_recording(),
-              instead(EvalMesh2, kMode == GL_POINT && kRecorded, kPointsByColumns));
 EVALCTS_RULES(RecordedCurveBackwards, osmesa, must, "EV-PIPE-XFB",
               "transform feedback records the segments of EvalMesh1 from the last to the first",
               note_recording(),
