@@ -14,6 +14,8 @@
 
 namespace evalcts::suite_map_values {
 
+EVALCTS_LIFTED_SUITE(Map1Values, Map2Values);
+
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
 // All orders of one target in one case: the map is defined anew before each Begin.

@@ -278,7 +278,7 @@ class Relations {
         fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what, failure.what,
                     map.uorder, map.vorder, at.u, at.v, failure.captured, failure.expected);
     t_.fail(std::move(failure),
-            [&] { return gl::to_c(script_, 0, static_cast<int>(script_.commands().size()) - 1); });
+            [&] { return gl::all_calls(script_); });
   }
 
   Test& t_;
