@@ -40,7 +40,7 @@ void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
       vertices.erase(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(count));
     tail.primitives = {{GL_POINTS, vertices}};
     tail.attributes &= kUnit0;
-    const JudgeOptions options{.version = 10 * t.gl().major + t.gl().minor};
+    const JudgeOptions options{.version = t.gl().version_number()};
     const Topology order = with_meshes_in_own_order(last, Topology::points(count), tail, options);
     return judge(last, order, tail, options).mismatches;
   };

@@ -14,6 +14,8 @@
 
 namespace evalcts::suite_map_values {
 
+EVALCTS_LIFTED_SUITE(Map1Values, Map2Values);
+
 // --- One-dimensional maps --------------------------------------------------------------------------------
 
 const auto kEachTarget = combine(visible_targets(kCurves)).by(gl::curve_deliveries());

@@ -249,8 +249,7 @@ class Relations {
     const std::string captured = fmt::format("{:.9g} ({:a})", is, is);
     const std::string message = fmt::format("{}: {} (order {}x{} at u = {}, v = {}) is {}, expected {}", what,
                                             value, map.uorder, map.vorder, at.u, at.v, captured, wanted);
-    t_.fail(failure_of(script_, value, message, wanted, captured),
-            [&] { return gl::to_c(script_, 0, static_cast<int>(script_.commands().size()) - 1); });
+    t_.fail(failure_of(script_, value, message, wanted, captured), [&] { return gl::all_calls(script_); });
   }
 
   Test& t_;

@@ -63,7 +63,7 @@ void fail(Test& t, const gl::Case& c, const std::string& what, const std::string
   failure.expected = fmt::format("{:.9g} ({:a})", expected, expected);
   failure.captured = fmt::format("{:.9g} ({:a})", got, got);
   failure.message = fmt::format("{} is {}, {} {}", what, failure.captured, why, failure.expected);
-  t.fail(std::move(failure), [&c] { return gl::to_c(c, 0, static_cast<int>(c.commands().size()) - 1); });
+  t.fail(std::move(failure), [&c] { return gl::all_calls(c); });
 }
 
 void expect_same(Test& t, const gl::Case& c, std::span<const ObservedVertex> expected,
@@ -143,7 +143,7 @@ EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, quality,
 // --- Magnitudes ------------------------------------------------------------------------------------------
 
 double largest(Test& t, GLenum target) {
-  return std::ldexp(1.0, reference::guaranteed_range(target, 10 * t.gl().major + t.gl().minor));
+  return std::ldexp(1.0, reference::guaranteed_range(target, t.gl().version_number()));
 }
 
 // Points up to the largest that the GL promises to hold for the target, both signs of it among them.

@@ -56,9 +56,9 @@ class Captured final : public Subject {
   void evaluate(GLenum target, const Map& map, std::span<const float> u, std::span<const float> v,
                 std::span<float> results) override {
     const Attributes attribute = attribute_of(target);
-    const Capture* const capture = capture_for(attribute);
+    const Capture& capture = captures_.showing_all(attribute, kPoints);
     const Observation seen =
-        capture->observe(*implementation_, commands_of(target, map, u, v), {attribute, u.size()});
+        capture.observe(*implementation_, commands_of(target, map, u, v), {attribute, u.size()});
     if (seen.error != GL_NO_ERROR)
       throw NotObservable(fmt::format("the commands raised {}", gl::error_name(seen.error)));
     if (seen.overflow || seen.vertex_count() != u.size())
@@ -70,18 +70,10 @@ class Captured final : public Subject {
     for (const ObservedPrimitive& primitive : seen.primitives)
       for (const ObservedVertex& vertex : primitive.vertices)
         next = std::copy_n(values_of(vertex, attribute), map.components, next);
-    used_ = capture->name();
+    used_ = capture.name();
   }
 
  private:
-  const Capture* capture_for(Attributes attribute) {
-    for (std::size_t i = 0; i < captures_.size(); ++i) {
-      const Capture* const capture = captures_.at(i);
-      if (capture != nullptr && (capture->attributes() & attribute) != 0) return capture;
-    }
-    throw NotObservable(fmt::format("no capture shows the {}", describe(attribute)));
-  }
-
   std::unique_ptr<Implementation> implementation_;
   ImplementationInfo info_;
   Captures captures_;

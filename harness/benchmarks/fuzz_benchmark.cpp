@@ -46,7 +46,7 @@ void Judge(benchmark::State& state, const char* name, bool with_lists, bool fres
   }
   Captures captures(*implementation, subject.info);
   subject.captures = &captures;
-  const int max_order = std::clamp(subject.info.max_eval_order, 8, 64);
+  const int max_order = subject.info.max_order();
   std::vector<SpecifiedProgram> programs;
   for (std::uint32_t number = 0; programs.size() < kPrograms; ++number) {
     SpecifiedProgram program =

@@ -1,12 +1,15 @@
 #include <evalcts/capture/capture.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
 #include <iostream>
 
 namespace evalcts {
 
 Attributes Capture::shown_of(Attributes wanted) const {
-  const Attributes shown = wanted & (attributes() | inexact_attributes());
+  const Attributes shown = wanted & this->shown();
   const bool other_normals = wanted & ~shown & (kUnitNormal | kShaderNormal);
   return shown & kAllAttributes & ~(other_normals ? kNormal : 0u);
 }
@@ -22,14 +25,19 @@ std::vector<std::unique_ptr<Capture>> all_captures() {
 
 Captures::Captures(Implementation& implementation, const ImplementationInfo& info,
                    const std::vector<std::string>* names)
-    : implementation_(implementation), info_(info) {
-  for (auto& capture : all_captures())
-    if (!names || std::find(names->begin(), names->end(), capture->name()) != names->end())
-      captures_.push_back({std::move(capture)});
+    : Captures(implementation, info, all_captures()) {
+  if (!names) return;
+  std::erase_if(captures_,
+                [&](const Entry& entry) { return std::ranges::count(*names, entry.capture->name()) == 0; });
 }
 
-const Capture* Captures::at(std::size_t index) {
-  Entry& entry = captures_.at(index);
+Captures::Captures(Implementation& implementation, const ImplementationInfo& info,
+                   std::vector<std::unique_ptr<Capture>> captures)
+    : implementation_(implementation), info_(info) {
+  for (auto& capture : captures) captures_.push_back({std::move(capture)});
+}
+
+const Capture* Captures::proved(Entry& entry) {
   if (!entry.proved && entry.capture) {
     try {
       entry.capture->prove(implementation_, info_);
@@ -43,7 +51,40 @@ const Capture* Captures::at(std::size_t index) {
 }
 
 void Captures::prove_all() {
-  for (std::size_t i = 0; i < size(); ++i) at(i);
+  for (Entry& entry : captures_) proved(entry);
+}
+
+const Capture& Captures::showing_all(Attributes required, PrimitiveKinds kinds) {
+  for (Entry& entry : captures_) {
+    const Capture* const capture = proved(entry);
+    if (capture && capture->takes(kinds) && (capture->attributes() & required) == required) return *capture;
+  }
+  throw NotObservable(fmt::format("no capture of this implementation shows {}", describe(required)));
+}
+
+std::vector<const Capture*> Captures::showing_most(Attributes required, PrimitiveKinds kinds,
+                                                   bool nonpositive_w, std::size_t most) {
+  const Attributes wanted = required & kAllAttributes;
+  std::vector<const Capture*> chosen;
+  Attributes shown = 0;
+  for (Entry& entry : captures_) {
+    if (shown == wanted && chosen.size() >= most) break;  // the next one might have to be proved
+    if (shown == wanted && entry.capture && entry.capture->is_last_resort()) continue;
+    const Capture* const capture = proved(entry);
+    if (!capture || (nonpositive_w && capture->loses_nonpositive_w()) || !capture->takes(kinds)) continue;
+    const Attributes of_this = capture->shown_of(required);
+    if (std::popcount(of_this) > std::popcount(shown)) {
+      chosen = {capture};
+      shown = of_this;
+    } else if (of_this != 0 && (of_this & shown) == shown) {
+      chosen.push_back(capture);
+    }
+  }
+  if (chosen.empty())
+    throw NotObservable(fmt::format("no capture of this implementation shows {}{}", describe(required),
+                                    nonpositive_w ? " of vertices with w <= 0" : ""));
+  if (chosen.size() > most) chosen.resize(most);
+  return chosen;
 }
 
 WrappedCase begin_wrapping(gl::Case prologue, const gl::Case& script) {

@@ -73,9 +73,9 @@ void explain_ambiguity(const Ambiguity& entry) {
 
 void explain_test(const ListedTest& test) {
   std::cout << fmt::format("{} ({})\n", test.name, name_of(test.level));
-  for (const std::string& id : test.requirements)
+  for (const RequirementId& id : test.requirements)
     if (const Requirement* const requirement = catalogue().find(id)) {
-      paragraph(id + ": " + requirement->text);
+      paragraph(id.text() + ": " + requirement->text);
       paragraph("Source: " + requirement->source, 4);
     }
 }

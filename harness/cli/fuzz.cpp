@@ -94,7 +94,8 @@ int fuzz(const FuzzOptions& options) {
   }
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   if (unexpected > 0) return kUnexpected;
-  if (!options.allow_unobserved && warn_if_mostly_unobserved(request.name, hunt.judged, hunt.programs, "programs"))
+  if (!options.allow_unobserved &&
+      warn_if_mostly_unobserved(request.name, hunt.judged, hunt.programs, "programs"))
     return kWrongUse;
   return interrupted ? kWrongUse : kNothingUnexpected;
 }

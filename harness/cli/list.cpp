@@ -85,7 +85,7 @@ int list(const std::string& what, bool as_json) {
       std::cout << to_text(tests);
     else
       for (const ListedTest& test : tests)
-        line(60, test.name, fmt::format("{}", fmt::join(test.requirements, " ")));
+        line(60, test.name, fmt::format("{}", fmt::join(texts_of(test.requirements), " ")));
   }
   return kNothingUnexpected;
 }

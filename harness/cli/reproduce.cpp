@@ -187,9 +187,9 @@ std::string head(const Candidate& failure, const Replayed& replayed, const std::
                                                   text_of(failure.test->verdict).word));
   if (!test.failures.empty()) text += comment("Case: " + test.failures.front().case_identity);
   text += " *\n" + comment(test.message);
-  for (const std::string& id : failure.test->requirements)
+  for (const RequirementId& id : failure.test->requirements)
     if (const Requirement* const requirement = catalogue().find(id))
-      text += " *\n" + comment(fmt::format("{}: {} [{}]", id, requirement->text, requirement->source));
+      text += " *\n" + comment(fmt::format("{}: {} [{}]", id.text(), requirement->text, requirement->source));
   text += " *\n *   " + compile + "\n *\n" +
           comment(
               "Exit code 1: the failure shows; 0: it does not; 2: the program cannot start. The argument, if "

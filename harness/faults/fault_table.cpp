@@ -23,11 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr int kMostDeaths = 20;  // of one run without a fault
 
-// True if a test that names `named` decides `wanted`: the same, or a half of it.
-bool decides(const std::string& named, const std::string& wanted) {
-  return named == wanted || named.starts_with(wanted + "/");
-}
-
 struct CannotTry {
   std::string reason;
 };
@@ -73,7 +68,7 @@ class Trial {
     for (const ListedTest& test : request_.tests)
       if (test.from <= depth && test.level >= level &&
           std::ranges::any_of(test.requirements,
-                              [&](const std::string& named) { return decides(named, requirement); }))
+                              [&](const RequirementId& named) { return named.decides(requirement); }))
         names.push_back(test.name);
     return names;
   }

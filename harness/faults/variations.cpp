@@ -79,10 +79,9 @@ class VariationTrial {
 
   // True if the test names one of the requirements of the fault, or that the variation violates.
   bool is_violated(const ListedFault& fault, const std::string& test) const {
-    return std::ranges::any_of(requirements_.at(test), [&](const std::string& named) {
-      return std::ranges::any_of(fault.requirements, [&](const std::string& wanted) {
-        return named == wanted || named.starts_with(wanted + "/");
-      });
+    return std::ranges::any_of(requirements_.at(test), [&](const RequirementId& named) {
+      return std::ranges::any_of(fault.requirements,
+                                 [&](const std::string& wanted) { return named.decides(wanted); });
     });
   }
 
@@ -150,7 +149,7 @@ class VariationTrial {
 
   const TableRequest& request_;
   std::vector<std::string> all_;  // tests
-  std::map<std::string, std::vector<std::string>> requirements_;
+  std::map<std::string, std::vector<RequirementId>> requirements_;
   std::mutex mutex_;  // for kept_
   std::map<std::string, std::shared_ptr<Kept>> kept_;
 };

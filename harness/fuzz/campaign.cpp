@@ -291,7 +291,7 @@ class Player {
         campaign_(campaign),
         report_(report),
         table_(subject.implementation->create_context()->table()),
-        max_order_(std::clamp(subject.info.max_eval_order, 8, 64)),
+        max_order_(subject.info.max_order()),
         knows_limit_(max_order_ == subject.info.max_eval_order),
         causes_(campaign.known),
         shared_(campaign.fresh_contexts ? nullptr : SharedContext::of(subject)) {

@@ -261,7 +261,7 @@ class Hunter {
     finding.failure.message = fmt::format("{}: {}", how, describe(run.ending));
     finding.failure.expected = "the program is played to its end";
     finding.failure.captured = describe(run.ending);
-    finding.failure.calls = gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1);
+    finding.failure.calls = gl::all_calls(program);
     found(fmt::format("program {}", number), finding);
   }
 
@@ -314,9 +314,7 @@ class Hunter {
         fmt::format("{}\n{}\nexpected {}\ncaptured {}\nrequirement {}\n", cause.cause, failure.message,
                     failure.expected, failure.captured, cause.finding.requirement);
     const gl::Case& program = cause.finding.program;
-    text += fmt::format(
-        "{}\n",
-        fmt::join(gl::to_c(program, 0, static_cast<int>(program.commands().size()) - 1, 1000, 0), "\n"));
+    text += fmt::format("{}\n", fmt::join(gl::all_calls(program, 1000, 0), "\n"));
     write_atomically(fs::path(cause.file).replace_extension(".txt"), text);
     // The C program, as far as there is one for this implementation.
     const fs::path replay = scratch_ / "write.json", events = scratch_ / "write.jsonl";

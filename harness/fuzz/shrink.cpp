@@ -9,6 +9,7 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/tokens.h>
+#include <evalcts/runner/delta_debugging.h>
 
 namespace evalcts::fuzz {
 namespace {
@@ -151,35 +152,22 @@ class Shrinker {
     return true;
   }
 
-  bool attempt_without(std::size_t first, std::size_t count) {
-    std::vector<Command> commands = best_.commands();
-    const auto begin = commands.begin() + static_cast<std::ptrdiff_t>(first);
-    commands.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
-    return attempt(std::move(commands));
-  }
-
-  // Ranges of half the size, a quarter, ..., one; then pairs that only go together (Begin and End, PushAttrib
-  // and PopAttrib, NewList and EndList, a command and the question for its error).
+  // Runs of commands; then pairs that only go together (Begin and End, PushAttrib and PopAttrib, NewList and
+  // EndList, a command and the question for its error).
   bool remove_commands() {
-    bool any = false;
-    for (std::size_t count = std::max<std::size_t>(size() / 2, 1); count > 0 && left_ > 0; count /= 2)
-      for (std::size_t end = size(); end > 0 && left_ > 0;) {
-        const std::size_t first = end > count ? end - count : 0;
-        if (attempt_without(first, end - first)) any = true;
-        end = first;
-        end = std::min(end, size());
-      }
+    const std::size_t before = size();
+    std::vector<Command> all = best_.commands();
+    reduce(all, Direction::kBackwards, [&](const std::vector<Command>& rest) { return attempt(rest); });
     for (std::size_t first = 0; first < size() && left_ > 0; ++first)
       for (const std::size_t second : partners(first)) {
         std::vector<Command> commands = best_.commands();
         commands.erase(commands.begin() + static_cast<std::ptrdiff_t>(second));
         commands.erase(commands.begin() + static_cast<std::ptrdiff_t>(first));
         if (!attempt(std::move(commands))) continue;
-        any = true;
         if (first > 0) --first;
         break;
       }
-    return any;
+    return size() < before;
   }
 
   std::vector<std::size_t> partners(std::size_t first) const {

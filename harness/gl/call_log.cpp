@@ -218,4 +218,8 @@ std::vector<std::string> to_c(const Case& script, int first, int last, std::size
   return lines;
 }
 
+std::vector<std::string> all_calls(const Case& script, std::size_t most_lines, std::size_t most_elements) {
+  return to_c(script, 0, static_cast<int>(script.commands().size()) - 1, most_lines, most_elements);
+}
+
 }  // namespace evalcts::gl

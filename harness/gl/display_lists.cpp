@@ -203,4 +203,8 @@ class ThroughLists {
 
 DeliveredCase through_lists(const Case& script, Lists lists) { return ThroughLists(script, lists).apply(); }
 
+bool uses_lists(const Case& script) {
+  return std::ranges::count(script.commands(), EntryPoint::NewList, &Command::entry) > 0;
+}
+
 }  // namespace evalcts::gl

@@ -55,6 +55,10 @@ Command eval_coord2(double along, bool doubles, bool array_form, bool along_v) {
 
 }  // namespace
 
+GLenum in_two_dimensions(GLenum token) {
+  return token >= kMap1First && token <= kMap1Last ? static_cast<GLenum>(other_dimension(token)) : token;
+}
+
 Case lift(const Case& script, bool along_v) {
   Case lifted(script.identity());
   std::int64_t maps = 0;

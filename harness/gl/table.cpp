@@ -10,10 +10,12 @@ namespace {
 struct Description {
   std::string_view name;
   std::string_view kinds;
+  bool is_of_harness;
 };
 
 constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
-#define GL_ENTRY(name, kinds) {"gl" #name, kinds},
+#define GL_ENTRY(name, kinds) {"gl" #name, kinds, false},
+#define HARNESS_ENTRY(name, kinds) {"gl" #name, kinds, true},
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
 }};
@@ -77,6 +79,8 @@ std::string_view parameter_kinds(EntryPoint entry) {
   return kDescriptions[static_cast<std::size_t>(entry)].kinds;
 }
 
+bool is_of_harness(EntryPoint entry) { return kDescriptions[static_cast<std::size_t>(entry)].is_of_harness; }
+
 bool has(const Table& table, EntryPoint entry) {
   switch (entry) {
 #define GL_ENTRY(name, kinds) \
@@ -115,10 +119,9 @@ Table load_table(std::initializer_list<AddressOf> sources, const Advertised& adv
     return nullptr;
   };
   Table table;
-  // No library has the commands of contexts.h, whatever a get-proc-address function says.
-  const auto is_ours = [](std::string_view name) { return name.ends_with("EVALCTS"); };
-#define GL_ENTRY(name, kinds) \
-  if (!is_ours(#name)) table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name));
+  // No library has the commands of the harness, whatever a get-proc-address function says.
+#define GL_ENTRY(name, kinds) table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name));
+#define HARNESS_ENTRY(name, kinds)
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
   return table;

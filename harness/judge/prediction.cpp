@@ -41,7 +41,7 @@ gl::Case known_commands(const gl::Case& script) {
   std::vector<std::optional<int>> places;  // of all commands, in `known`
   for (gl::Command command : script.commands()) {
     std::optional<int>& place = places.emplace_back();
-    if (gl::name_of(command.entry).ends_with("EVALCTS"))
+    if (gl::is_of_harness(command.entry))
       throw std::logic_error("a case of several contexts has no prediction");
     if (!gl::has(oracle(), command.entry)) continue;
     for (gl::Value& argument : command.arguments)
@@ -105,10 +105,7 @@ Prediction predict(const gl::Case& script, int max_eval_order) {
 }
 
 bool may_raise_an_error(const gl::Case& script, int max_eval_order) {
-  const auto is_ours = [](const gl::Command& command) {
-    return gl::name_of(command.entry).ends_with("EVALCTS");
-  };
-  if (std::ranges::any_of(script.commands(), is_ours)) return true;
+  if (std::ranges::any_of(script.commands(), gl::is_of_harness, &gl::Command::entry)) return true;
   const gl::Case known = known_commands(script);
   reference::Specification specification({.max_eval_order = max_eval_order});
   const gl::Trace trace = play(known, specification);

@@ -15,6 +15,12 @@ constexpr const char* kHalves[] = {"1-D", "2-D"};
 
 bool is_half(const std::string& text) { return std::ranges::count(kHalves, text) > 0; }
 
+// The halves that a test of the requirement decides.
+std::vector<std::string> halves_of(const RequirementId& requirement) {
+  if (requirement.dimension == 0) return {std::begin(kHalves), std::end(kHalves)};
+  return {kHalves[requirement.dimension - 1]};
+}
+
 }  // namespace
 
 const char* name_of(Coverage::State state) {
@@ -26,14 +32,9 @@ std::vector<Coverage> coverage_of(const Catalogue& catalogue, const std::vector<
   std::map<std::string, std::set<std::string>> halves;
   std::map<std::string, std::vector<std::string>> names;
   for (const ListedTest& test : tests)
-    for (const std::string& given : test.requirements) {
-      const auto [id, half] = RequirementId::parse(given);
-      if (half.empty()) {
-        halves[id].insert(std::begin(kHalves), std::end(kHalves));
-      } else {
-        halves[id].insert(half);
-      }
-      names[id].push_back(test.name);
+    for (const RequirementId& named : test.requirements) {
+      for (const std::string& half : halves_of(named)) halves[named.id].insert(half);
+      names[named.id].push_back(test.name);
     }
   std::vector<Coverage> coverage;
   for (const Requirement& requirement : catalogue.requirements) {
@@ -78,12 +79,10 @@ std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<List
     if (!names.insert(name).second) problems.push_back(fmt::format("two tests are called {}", name));
     if (name.find(',') != std::string::npos) problems.push_back(fmt::format("the name {} has a comma", name));
     if (requirements.empty()) problems.push_back(fmt::format("{} names no requirement", name));
-    for (const std::string& given : requirements) {
-      const auto [id, half] = RequirementId::parse(given);
-      if (!catalogue.find(id) || !(half.empty() || is_half(half)))
-        problems.push_back(fmt::format("{} names {}, which does not exist", name, given));
-      for (const char* one : kHalves)
-        if (half.empty() || half == one) decided[id + "/" + one] = name;
+    for (const RequirementId& named : requirements) {
+      if (!catalogue.find(named))
+        problems.push_back(fmt::format("{} names {}, which does not exist", name, named.text()));
+      for (const std::string& half : halves_of(named)) decided[named.id + "/" + half] = name;
     }
   }
   for (const Requirement& requirement : catalogue.requirements)

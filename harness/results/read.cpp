@@ -70,10 +70,15 @@ Accuracy read_accuracy(const JsonObject& in) {
   return out;
 }
 
+std::vector<RequirementId> read_requirements(const JsonObject& in) {
+  const std::vector<std::string> texts = in.texts("requirements");
+  return {texts.begin(), texts.end()};
+}
+
 TestRecord read_test(const JsonObject& in) {
   TestRecord out;
   out.name = in.text("name");
-  out.requirements = in.texts("requirements");
+  out.requirements = read_requirements(in);
   out.level = in.word("level", level_named).value_or(Level::must);
   out.expected_by_baseline = in.boolean("expected_by_baseline");
   out.baseline_reason = in.text("baseline_reason");
@@ -254,7 +259,7 @@ std::optional<std::vector<ListedTest>> parse_tests(const std::string& text) {
     if (!in.has("tests")) return std::nullopt;
     std::vector<ListedTest> tests;
     in.each_object("tests", [&](const JsonObject& test) {
-      tests.push_back({test.text("name"), test.texts("requirements"),
+      tests.push_back({test.text("name"), read_requirements(test),
                        test.word("level", level_named).value_or(Level::must),
                        test.word("from", [](const std::string& word) { return depth_named(word); })
                            .value_or(Depth::quick)});

@@ -61,20 +61,14 @@ Ambiguity read_ambiguity(const JsonObject& in, Ambiguity::Kind kind) {
 
 }  // namespace
 
-RequirementId RequirementId::parse(const std::string& text) {
-  for (const char* half : {"1-D", "2-D"})
-    if (text.ends_with(std::string("/") + half)) return {text.substr(0, text.size() - 4), half};
-  return {text, ""};
-}
-
 const std::string& Ambiguity::text() const {
   for (const std::string* text : {&conflict, &change, &slip})
     if (!text->empty()) return *text;
   return situation;
 }
 
-const Requirement* Catalogue::find(const std::string& id) const {
-  const auto found = std::ranges::find(requirements, RequirementId::parse(id).id, &Requirement::id);
+const Requirement* Catalogue::find(const RequirementId& id) const {
+  const auto found = std::ranges::find(requirements, id.id, &Requirement::id);
   return found == requirements.end() ? nullptr : &*found;
 }
 

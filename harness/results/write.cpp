@@ -57,7 +57,7 @@ json to_json(const Accuracy& accuracy) {
 
 json to_json(const TestRecord& test) {
   json out = {{"name", test.name},
-              {"requirements", test.requirements},
+              {"requirements", texts_of(test.requirements)},
               {"level", name_of(test.level)},
               {"verdict", text_of(test.verdict).word},
               {"message", test.message},
@@ -171,7 +171,7 @@ std::string to_text(const std::vector<ListedTest>& tests) {
   json out = json::array();
   for (const ListedTest& test : tests)
     out.push_back({{"name", test.name},
-                   {"requirements", test.requirements},
+                   {"requirements", texts_of(test.requirements)},
                    {"level", name_of(test.level)},
                    {"from", name_of(test.from)}});
   return dumped({{"tests", out}}, 1);

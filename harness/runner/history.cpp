@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <evalcts/runner/delta_debugging.h>
+
 namespace evalcts {
 namespace {
 
@@ -11,27 +13,17 @@ Tests last(const Tests& tests, std::size_t count) {
   return {tests.end() - static_cast<std::ptrdiff_t>(count), tests.end()};
 }
 
-// Leaves out pieces, large ones first, as long as the rest still shows the failure.
 History without_needless(Tests tests, const HappensAfter& happens_after) {
-  for (std::size_t piece = std::max<std::size_t>(tests.size() / 2, 1);;) {
-    bool shorter = false;
-    for (std::size_t begin = 0; begin < tests.size() && tests.size() > 1;) {
-      const std::size_t end = std::min(begin + piece, tests.size());
-      Tests rest(tests.begin(), tests.begin() + static_cast<std::ptrdiff_t>(begin));
-      rest.insert(rest.end(), tests.begin() + static_cast<std::ptrdiff_t>(end), tests.end());
-      if (rest.empty()) break;  // alone it does not happen
-      const std::optional<bool> happens = happens_after(rest);
-      if (!happens) return {History::Found::shortened, tests};
-      if (*happens) {
-        tests = rest;
-        shorter = true;
-      } else {
-        begin = end;
-      }
-    }
-    if (piece == 1 && !shorter) return {History::Found::shortest, tests};
-    piece = std::max<std::size_t>(std::min(piece, tests.size()) / 2, 1);
-  }
+  bool is_in_time = true;
+  const auto still_happens = [&](const Tests& rest) {
+    if (!is_in_time || rest.empty()) return false;  // without any it does not happen
+    const std::optional<bool> happens = happens_after(rest);
+    is_in_time = happens.has_value();
+    return happens.value_or(false);
+  };
+  bool may_be_shorter = reduce(tests, Direction::kForwards, still_happens);
+  while (may_be_shorter) may_be_shorter = remove_runs(tests, 1, Direction::kForwards, still_happens);
+  return {is_in_time ? History::Found::shortest : History::Found::shortened, tests};
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ class GoogleTestAdapter : public testing::Test {
     }
     TestRecord record;
     record.name = info.full_name();
-    for (const std::string_view id : info.requirements) record.requirements.emplace_back(id);
+    record.requirements = info.requirements;
     record.level = info.level;
     program_.cases_left = chosen_.most_cases;
     program_.records->write(to_line(TestStarted{record.name}));
@@ -138,8 +138,7 @@ class GoogleTestAdapter : public testing::Test {
 std::vector<ListedTest> listed_tests() {
   std::vector<ListedTest> tests;
   for (const TestInfo& info : all_tests())
-    tests.push_back(
-        {info.full_name(), {info.requirements.begin(), info.requirements.end()}, info.level, info.from});
+    tests.push_back({info.full_name(), info.requirements, info.level, info.from});
   return tests;
 }
 
@@ -309,7 +308,7 @@ int play_programs(const Program& program) {
       program.subject.info, program.implementation->create_context()->table(), gl::parse_case(text));
   script.set_identity("program");
   program.records->write(to_line(TestStarted{"program"}));
-  const Specified specified = specify(script, std::clamp(program.subject.info.max_eval_order, 8, 64));
+  const Specified specified = specify(script, program.subject.info.max_order());
   const std::optional<fuzz::Finding> finding =
       fuzz::judge_program(program.subject, script, specified).finding;
   TestRecord record;
@@ -323,9 +322,8 @@ int play_programs(const Program& program) {
 // Plays the case with the vertices that it draws as explicit ones, or, if it draws none, without what would
 // draw them, and without maps and grids. Throws NotObservable if the library survives.
 void play_without_evaluators(const Program& program, const gl::Case& script) {
-  const int max_order = std::clamp(program.subject.info.max_eval_order, 8, 64);
   gl::Case control = script;
-  if (predict(script, max_order).vertex_count() == 0) {
+  if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
     control = gl::Case(script.identity());
     for (const gl::Command& command : script.commands())
       if (!gl::name_of(command.entry).starts_with("glEval")) control.add(command);
@@ -380,8 +378,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
-        program.records->write(to_line(CaseStarted{
-            script.identity(), gl::to_c(script, 0, static_cast<int>(script.commands().size()) - 1)}));
+        program.records->write(to_line(CaseStarted{script.identity(), gl::all_calls(script)}));
     };
     if (answers) {
       answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))

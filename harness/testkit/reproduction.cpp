@@ -67,6 +67,144 @@ std::size_t vertices_in(const std::vector<ObservedPrimitive>& primitives) {
 
 bool same_bits(float a, float b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
+// Finds the answer that a mismatch rests on: changes one recorded answer after the other, until the mismatch
+// is gone.
+class Experiment {
+ public:
+  // `still_fails` judges what an implementation shows of the case.
+  Experiment(const std::vector<Pass>& passes, const Mismatch& mismatch,
+             std::function<bool(Implementation&)> still_fails)
+      : passes_(passes), mismatch_(mismatch), still_fails_(std::move(still_fails)) {
+    check_.accepted = {{mismatch.lowest, mismatch.highest}};
+    check_.what = mismatch.what;
+    check_.expected = mismatch.expected;
+  }
+
+  // None if the mismatch rests on no single answer.
+  std::optional<gl::Check> find_check() {
+    for (check_.pass = 0; check_.pass < passes_.size(); ++check_.pass)
+      if (find_in_pass()) return check_;
+    return std::nullopt;
+  }
+
+ private:
+  using Of = gl::Answer::Of;
+
+  const Pass& pass() const { return passes_[check_.pass]; }
+
+  bool find_in_pass() {
+    switch (mismatch_.of) {
+      case Mismatch::Of::value:
+        return find_emitted_value() || find_element();
+      case Mismatch::Of::error:
+        return find_error();
+      case Mismatch::Of::vertices:
+        return find_count();
+    }
+    return false;
+  }
+
+  bool find_emitted_value() {
+    const float other = other_value();
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < pass().emitted.size(); ++i)
+      for (std::size_t k = 0; k < pass().emitted[i].vertices.size(); ++k)
+        for (std::size_t v = 0; v < gl::kEmittedValues; ++v, ++index) {
+          ObservedVertex vertex = pass().emitted[i].vertices[k];
+          if (same_bits(*value_of(vertex, v), got()) &&
+              decides({Of::emitted_value, {}, index},
+                      [&](Pass& changed) { *value_of(changed.emitted[i].vertices[k], v) = other; }))
+            return true;
+        }
+    return false;
+  }
+
+  bool find_element() {
+    const gl::Trace& trace = pass().trace;
+    for (gl::Ref command{0}; command.index < static_cast<int>(trace.size()); ++command.index) {
+      if (!trace.has_output(command) || trace.type(command) != gl::Scalar::f32) continue;
+      const std::vector<float> values = trace.values<float>(command);
+      for (std::size_t e = 0; e < values.size(); ++e)
+        if (same_bits(values[e], got()) && decides({Of::element, command, e}, [&](Pass& changed) {
+              changed.trace.replace_element(command, e, other_value());
+            }))
+          return true;
+    }
+    return false;
+  }
+
+  bool find_error() {
+    const std::vector<gl::Command>& commands = pass().script.commands();
+    for (gl::Ref command = last_command(); command.index >= 0; --command.index)
+      if (commands[static_cast<std::size_t>(command.index)].entry == gl::EntryPoint::GetError &&
+          static_cast<double>(pass().trace.result(command)) == mismatch_.got &&
+          decides({Of::returned, command, 0, true}, [&](Pass& changed) {
+            changed.trace.replace_result(command, static_cast<std::int64_t>(mismatch_.lowest));
+          }))
+        return true;
+    return false;
+  }
+
+  // The number of vertices: counted here, or something that the capture asked for after the case. How many
+  // values a correct library would answer is the capture's business, so the check asks for a different
+  // answer.
+  bool find_count() {
+    if (!pass().emitted.empty() && mismatch_.got != mismatch_.lowest) {
+      check_.answer = {Of::emitted_vertices};
+      return true;
+    }
+    const gl::Trace& trace = pass().trace;
+    for (gl::Ref command = last_command(); command.index >= 0; --command.index) {
+      const bool array = trace.has_output(command);
+      if (array && (trace.type(command) != gl::Scalar::u32 || trace.capacity(command) != 1)) continue;
+      const std::int64_t answer = array ? trace.values<std::uint32_t>(command)[0] : trace.result(command);
+      const std::int64_t other = answer == 0 ? 13 : 0;
+      if (!decides({Of::returned, command}, [&](Pass& changed) {
+            if (array)
+              changed.trace.replace_element(command, 0, static_cast<double>(other));
+            else
+              changed.trace.replace_result(command, other);
+          }))
+        continue;
+      check_.rule = gl::Check::Rule::unlike;
+      check_.recorded = {command};
+      return true;
+    }
+    return false;
+  }
+
+  gl::Ref last_command() const { return {static_cast<int>(pass().trace.size()) - 1}; }
+  float got() const { return static_cast<float>(mismatch_.got); }
+
+  // A value for which the mismatch would not be there.
+  float other_value() const {
+    const double middle = mismatch_.lowest + (mismatch_.highest - mismatch_.lowest) / 2;
+    if (std::isfinite(middle) && !same_bits(static_cast<float>(middle), got()))
+      return static_cast<float>(middle);
+    return got() == 0.0f ? 1.0f : 0.0f;
+  }
+
+  // True if the mismatch is gone with the answer changed: then it is that of the check.
+  template <class Change>
+  bool decides(const gl::Answer& answer, const Change& change) {
+    std::vector<Pass> changed = passes_;
+    change(changed[check_.pass]);
+    Replay replay(std::move(changed));
+    try {
+      if (still_fails_(replay)) return false;
+    } catch (const std::exception&) {
+      // The capture cannot decode the changed answers.
+    }
+    check_.answer = answer;
+    return true;
+  }
+
+  const std::vector<Pass>& passes_;
+  const Mismatch& mismatch_;
+  std::function<bool(Implementation&)> still_fails_;
+  gl::Check check_;
+};
+
 }  // namespace
 
 class Reproduction::Recorder final : public ImplementationInFront {
@@ -153,105 +291,17 @@ void Reproduction::begin_case() {
   if (!recorder_->frozen()) recorder_->begin_case();
 }
 
-std::optional<gl::Check> Reproduction::check_of(const Mismatch& mismatch,
-                                                const std::function<bool(Implementation&)>& still) const {
+std::optional<gl::Check> Reproduction::check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
+                                                const Rejudge& rejudge) const {
   if (recorder_->frozen()) return std::nullopt;
-  const std::vector<Pass>& passes = recorder_->passes();
-  gl::Check check;
-  check.accepted = {{mismatch.lowest, mismatch.highest}};
-  check.what = mismatch.what;
-  check.expected = mismatch.expected;
-
-  const auto matters = [&](std::size_t pass, const std::function<void(Pass&)>& change) {
-    std::vector<Pass> changed = passes;
-    change(changed[pass]);
-    Replay replay(std::move(changed));
-    try {
-      return !still(replay);
-    } catch (const std::exception&) {
-      return true;  // the capture cannot make sense of it any more
-    }
+  // A vertex may come out several times.
+  const auto times = [&](const std::vector<Mismatch>& mismatches) {
+    return std::ranges::count_if(mismatches, [&](const Mismatch& other) {
+      return other.what == mismatch.what && other.captured == mismatch.captured;
+    });
   };
-  const auto found = [&](std::size_t pass, gl::Answer answer) {
-    check.pass = pass;
-    check.answer = answer;
-    return check;
-  };
-  using Of = gl::Answer::Of;
-
-  if (mismatch.of == Mismatch::Of::value) {
-    const auto got = static_cast<float>(mismatch.got);
-    const double middle = mismatch.lowest + (mismatch.highest - mismatch.lowest) / 2;
-    const auto other = std::isfinite(middle) && !same_bits(static_cast<float>(middle), got)
-                           ? static_cast<float>(middle)
-                       : got == 0.0f ? 1.0f
-                                     : 0.0f;
-    for (std::size_t p = 0; p < passes.size(); ++p) {
-      std::size_t vertex_index = 0;
-      for (std::size_t i = 0; i < passes[p].emitted.size(); ++i)
-        for (std::size_t k = 0; k < passes[p].emitted[i].vertices.size(); ++k, ++vertex_index)
-          for (std::size_t v = 0; v < gl::kEmittedValues; ++v) {
-            ObservedVertex vertex = passes[p].emitted[i].vertices[k];
-            if (!same_bits(*value_of(vertex, v), got)) continue;
-            if (matters(p, [&](Pass& pass) { *value_of(pass.emitted[i].vertices[k], v) = other; }))
-              return found(p, {Of::emitted_value, {}, vertex_index * gl::kEmittedValues + v});
-          }
-      for (int c = 0; c < static_cast<int>(passes[p].trace.size()); ++c) {
-        const gl::Ref command{c};
-        if (!passes[p].trace.has_output(command) || passes[p].trace.type(command) != gl::Scalar::f32)
-          continue;
-        const std::vector<float> values = passes[p].trace.values<float>(command);
-        for (std::size_t e = 0; e < values.size(); ++e)
-          if (same_bits(values[e], got) &&
-              matters(p, [&](Pass& pass) { pass.trace.replace_element(command, e, other); }))
-            return found(p, {Of::element, command, e});
-      }
-    }
-    return std::nullopt;
-  }
-
-  if (mismatch.of == Mismatch::Of::error) {
-    for (std::size_t p = 0; p < passes.size(); ++p)
-      for (int c = static_cast<int>(passes[p].trace.size()) - 1; c >= 0; --c) {
-        const gl::Ref command{c};
-        if (passes[p].script.commands()[static_cast<std::size_t>(c)].entry != gl::EntryPoint::GetError ||
-            static_cast<double>(passes[p].trace.result(command)) != mismatch.got)
-          continue;
-        if (matters(p, [&](Pass& pass) {
-              pass.trace.replace_result(command, static_cast<std::int64_t>(mismatch.lowest));
-            }))
-          return found(p, {Of::returned, command, 0, true});
-      }
-    return std::nullopt;
-  }
-
-  // The number of vertices: counted here, or something that the capture asked for after the case. How many
-  // values a right library would answer is the capture's business, so a different answer is all that can be
-  // asked for.
-  for (std::size_t p = 0; p < passes.size(); ++p) {
-    if (!passes[p].emitted.empty() && mismatch.got != mismatch.lowest)
-      return found(p, {Of::emitted_vertices});
-    for (int c = static_cast<int>(passes[p].trace.size()) - 1; c >= 0; --c) {
-      const gl::Ref command{c};
-      const gl::Trace& trace = passes[p].trace;
-      const bool array = trace.has_output(command);
-      if (array && (trace.type(command) != gl::Scalar::u32 || trace.capacity(command) != 1)) continue;
-      const std::int64_t answer = array ? trace.values<std::uint32_t>(command)[0] : trace.result(command);
-      const std::int64_t other = answer == 0 ? 13 : 0;
-      if (!matters(p, [&](Pass& pass) {
-            if (array) {
-              pass.trace.replace_element(command, 0, static_cast<double>(other));
-            } else {
-              pass.trace.replace_result(command, other);
-            }
-          }))
-        continue;
-      check.rule = gl::Check::Rule::unlike;
-      check.recorded = {command};
-      return found(p, {Of::returned, command});
-    }
-  }
-  return std::nullopt;
+  const auto still_fails = [&](Implementation& replay) { return times(rejudge(replay)) == times(all); };
+  return Experiment(recorder_->passes(), mismatch, still_fails).find_check();
 }
 
 void Reproduction::failed(const Failure& failure, const std::optional<gl::Check>& decided) {

@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-Lines lines_of(const Case& script) { return to_c(script, 0, static_cast<int>(script.commands().size()) - 1); }
+Lines lines_of(const Case& script) { return all_calls(script); }
 Lines through(const Case& script, Lists lists) { return lines_of(through_lists(script, lists).script); }
 
 // Five commands that are compiled, one that is not, one that is.

@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-Lines calls_of(const Case& script) { return to_c(script, 0, static_cast<int>(script.commands().size()) - 1); }
+Lines calls_of(const Case& script) { return all_calls(script); }
 
 TEST(ExplicitVertices, StandInThePlaceOfEveryEvaluation) {
   Case c("curve");

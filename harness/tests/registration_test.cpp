@@ -26,7 +26,10 @@ EVALCTS_TEST(Sample, Expanded, must, "EV-A", combine(kSizes).expand([](const Siz
   return std::vector<Size>{{"again", size.value + 1}};
 }))
 (Test&, const Size&, const Size& more) { played_so_far += std::to_string(more.value) + " "; };
-EVALCTS_TEST(Sample, Map1Delivered, must, "EV-MAP1-BEZIER", by(gl::curve_deliveries()))(Test&){};
+EVALCTS_LIFTED_SUITE(Curves, Surfaces);
+EVALCTS_TEST(Curves, Delivered, must, "EV-MAP1-BEZIER", "EV-A", "EV-B/1-D",
+             combine(std::vector<GLenum>{GL_MAP1_INDEX}).by(gl::curve_deliveries()))
+(Test&, GLenum){};
 
 std::vector<TestInfo> named(const std::string& start) {
   std::vector<TestInfo> found;
@@ -55,7 +58,7 @@ std::string played(const std::vector<TestInfo>& tests) {
 TEST(Registration, OfATestWithoutParameters) {
   const std::vector<TestInfo> plain = named("Plain");
   ASSERT_EQ(plain.size(), 1u);
-  EXPECT_EQ(plain[0].requirements, (std::vector<std::string_view>{"EV-A", "EV-B/1-D"}));
+  EXPECT_EQ(plain[0].requirements, (std::vector<RequirementId>{"EV-A", "EV-B/1-D"}));
   EXPECT_EQ(plain[0].level, Level::quality);
   EXPECT_EQ(plain[0].from, Depth::quick);
   EXPECT_EQ(played(plain), "plain ");
@@ -81,14 +84,18 @@ TEST(Registration, ExpandsEachCombination) {
 
 TEST(Registration, OneTestForEachDelivery) {
   const std::vector<gl::Delivery> deliveries = gl::curve_deliveries();
-  const std::vector<TestInfo> tests = named("Map");
-  ASSERT_EQ(tests.size(), deliveries.size());
+  const std::vector<TestInfo>& tests = all_tests();
   for (const gl::Delivery& delivery : deliveries) {
-    const std::string name = (delivery.lifted ? "Map2Delivered" : "Map1Delivered") +
-                             (delivery.name.empty() ? "" : "/" + delivery.name);
-    const auto found = std::ranges::find(tests, name, &TestInfo::name);
+    const std::string name =
+        (delivery.lifted ? "Surfaces.Delivered/MAP2_INDEX/" : "Curves.Delivered/MAP1_INDEX/") + delivery.name;
+    const auto found = std::ranges::find(tests, name, &TestInfo::full_name);
     ASSERT_NE(found, tests.end()) << name;
-    EXPECT_EQ(found->requirements.front(), delivery.lifted ? "EV-MAP2-BEZIER" : "EV-MAP1-BEZIER") << name;
+    std::vector<RequirementId> requirements = found->requirements;
+    if (delivery.lists != gl::Lists::none) requirements.pop_back();
+    EXPECT_EQ(texts_of(requirements), delivery.lifted
+                                          ? (std::vector<std::string>{"EV-MAP2-BEZIER", "EV-B/2-D"})
+                                          : (std::vector<std::string>{"EV-MAP1-BEZIER", "EV-A", "EV-B/1-D"}))
+        << name;
     if (delivery.is_plain()) {
       EXPECT_EQ(found->from, Depth::quick) << name;
     }

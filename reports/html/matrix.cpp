@@ -75,7 +75,7 @@ Matrix matrix(const std::vector<Row>& rows, const std::vector<Column>& columns, 
     std::vector<std::string> seen;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (!row.outcomes[i]) continue;
-      for (const std::string& id : row.outcomes[i]->requirements) {
+      for (const std::string& id : texts_of(row.outcomes[i]->requirements)) {
         Line& line = lines[id];
         line.cells.resize(columns.size());
         line.cells[i].add(*row.outcomes[i]);

@@ -218,7 +218,7 @@ data test(const Row& row, const std::vector<const Change*>& changes, const std::
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const TestRecord* outcome = row.outcomes[i];
     if (!outcome) continue;
-    for (const std::string& id : outcome->requirements) {
+    for (const std::string& id : texts_of(outcome->requirements)) {
       if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
     }
     all_pass = all_pass && outcome->verdict == Verdict::kPass;

@@ -42,7 +42,7 @@ std::string details(const TestRecord& test) {
     if (!value.empty()) out += fmt::format("{}: {}\n", label, value);
   };
   line("message", test.message);
-  line("requirements", join(test.requirements, ", "));
+  line("requirements", join(texts_of(test.requirements), ", "));
   line("level", name_of(test.level));
   line("baseline", test.baseline_reason);
   if (test.failed_cases && test.cases)

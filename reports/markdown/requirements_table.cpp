@@ -51,8 +51,8 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
   std::map<std::string, std::vector<Tally>> tallies;
   for (std::size_t i = 0; i < columns.size(); ++i)
     for (const TestRecord& test : columns[i].record.tests)
-      for (const std::string& id : test.requirements) {
-        std::vector<Tally>& row = tallies[id];
+      for (const RequirementId& id : test.requirements) {
+        std::vector<Tally>& row = tallies[id.text()];
         row.resize(columns.size());
         row[i].add(test);
       }

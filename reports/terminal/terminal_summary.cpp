@@ -70,7 +70,7 @@ class Screen {
 // One test of each requirement first, then the second of each, and so on: more tests of one requirement tell
 // little that is new.
 std::vector<const TestRecord*> one_of_each(const std::vector<const TestRecord*>& worst_first) {
-  std::map<std::vector<std::string>, std::size_t> seen;
+  std::map<std::vector<RequirementId>, std::size_t> seen;
   std::vector<std::pair<std::size_t, const TestRecord*>> order;
   for (const TestRecord* test : worst_first) order.emplace_back(seen[test->requirements]++, test);
   std::stable_sort(order.begin(), order.end(),
@@ -113,11 +113,11 @@ std::string comparison(const Failure& failure, const TestRecord& test) {
 // "EV-MAP1-COPY: the text of the requirement... [GL 2.1 5.1]" in one line.
 std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   if (test.requirements.empty()) return "no requirement recorded";
-  const std::string& id = test.requirements.front();
+  const std::string id = test.requirements.front().text();
   std::string others;
   if (test.requirements.size() > 1) others = fmt::format(" (and {} more)", test.requirements.size() - 1);
   const Requirement* requirement = catalogue.find(id);
-  if (!requirement) return join(test.requirements, ", ");
+  if (!requirement) return join(texts_of(test.requirements), ", ");
   const std::string source =
       requirement->source.empty() ? "" : " [" + cut(requirement->source, kMostOfSource) + "]";
   const std::string head = "  why: " + id + others + ": ";

@@ -45,7 +45,7 @@ TEST(RunResult, ReadsEveryField) {
   ASSERT_EQ(record.tests.size(), 11u);
   const TestRecord& test = record.tests[1];
   EXPECT_EQ(test.name, "Map1Values.Bezier/TEXTURE_COORD_1/d");
-  EXPECT_EQ(test.requirements, (std::vector<std::string>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
+  EXPECT_EQ(test.requirements, (std::vector<RequirementId>{"EV-MAP1-BEZIER", "EV-MAP1-DOMAIN"}));
   EXPECT_EQ(test.level, Level::must);
   EXPECT_EQ(test.verdict, Verdict::kFail);
   EXPECT_EQ(test.cases, 12u);

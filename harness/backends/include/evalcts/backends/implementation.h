@@ -1,6 +1,7 @@
 // Implementations: what can be judged, how its library is loaded and how a context of it is made.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -125,6 +126,13 @@ struct ImplementationInfo {
   bool shares_state = false;               // what one context sets is set in the next one, too
   std::optional<Declaration> declaration;  // of an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
+
+  // An order that has to be accepted, as large as possible: MAX_EVAL_ORDER up to 64, or 8 if the
+  // implementation claims less (EV-INIT-MAXORDER is a test of its own) or does not answer.
+  int max_order() const { return std::clamp(max_eval_order, 8, 64); }
+
+  // 10 * major + minor.
+  int version_number() const { return 10 * major + minor; }
 
   bool at_least(int wanted_major, int wanted_minor) const {
     return major > wanted_major || (major == wanted_major && minor >= wanted_minor);

@@ -37,6 +37,9 @@ class Capture {
   // (Observation::color_error); valid after prove().
   virtual Attributes inexact_attributes() const { return 0; }
 
+  // All attributes that observations show, exact or not; valid after prove().
+  Attributes shown() const { return attributes() | inexact_attributes(); }
+
   // Those of the wanted attributes of a vertex that observations show, exact or not. A kind of normals
   // (kUnitNormal, kShaderNormal) that is wanted but not shown leaves no normals.
   Attributes shown_of(Attributes wanted) const;
@@ -62,17 +65,23 @@ class Capture {
 // Sink, TransformFeedback, FeedbackBuffer, Pixels, in order of preference.
 std::vector<std::unique_ptr<Capture>> all_captures();
 
-// The captures of an implementation in order of preference, each proved when it is first asked for: a proof
-// plays many cases, and most tests need one capture only.
+// The captures of an implementation in order of preference, and the choice among them. Each is proved when it
+// is first considered: a proof plays many cases, and most tests need one capture only.
 class Captures {
  public:
   // `names`: those that may be used; all where it is null. Both references must outlive the object.
   Captures(Implementation& implementation, const ImplementationInfo& info,
            const std::vector<std::string>* names = nullptr);
+  Captures(Implementation& implementation, const ImplementationInfo& info,
+           std::vector<std::unique_ptr<Capture>> captures);
 
   std::size_t size() const { return captures_.size(); }
-  // Null where it cannot be used, which standard output is told once.
-  const Capture* at(std::size_t index);
+  // The first capture that shows all of these attributes exactly. Throws NotObservable.
+  const Capture& showing_all(Attributes required, PrimitiveKinds kinds);
+  // The capture that shows most of the required attributes, and up to `most` - 1 more that show at least the
+  // same. With `nonpositive_w` only captures that do not lose such vertices. Throws NotObservable.
+  std::vector<const Capture*> showing_most(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
+                                           std::size_t most);
   // For an implementation that will soon have no room for a proof.
   void prove_all();
 
@@ -81,6 +90,8 @@ class Captures {
     std::unique_ptr<Capture> capture;
     bool proved = false;
   };
+  // Null if it cannot be used, which is written to standard output once.
+  const Capture* proved(Entry& entry);
 
   Implementation& implementation_;
   const ImplementationInfo& info_;

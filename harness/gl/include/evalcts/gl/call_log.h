@@ -33,5 +33,8 @@ std::string quoted(const std::string& text);
 // counted.
 std::vector<std::string> to_c(const Case& script, int first, int last, std::size_t most_lines = 60,
                               std::size_t most_elements = 64);
+// The same for all commands.
+std::vector<std::string> all_calls(const Case& script, std::size_t most_lines = 60,
+                                   std::size_t most_elements = 64);
 
 }  // namespace evalcts::gl

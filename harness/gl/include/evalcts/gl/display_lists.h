@@ -26,4 +26,7 @@ struct DeliveredCase {
 // draws is drawn twice by `repeated`; everything else is the same for every way.
 DeliveredCase through_lists(const Case& script, Lists lists);
 
+// True if the case makes a display list.
+bool uses_lists(const Case& script);
+
 }  // namespace evalcts::gl

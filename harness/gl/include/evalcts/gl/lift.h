@@ -13,6 +13,9 @@ namespace evalcts::gl {
 // What has no counterpart (grids, queries of maps) stays as it is.
 Case lift(const Case& script, bool along_v);
 
+// The MAP2 target for a MAP1 target; any other token stays as it is.
+GLenum in_two_dimensions(GLenum token);
+
 inline constexpr double kAcross = 0.375;
 
 }  // namespace evalcts::gl

@@ -42,6 +42,9 @@ std::string_view name_of(EntryPoint entry);
 // One letter for each parameter, see entry_points.def.
 std::string_view parameter_kinds(EntryPoint entry);
 
+// True for a command that acts on the contexts of a case (contexts.h, requests.h) and that no GL has.
+bool is_of_harness(EntryPoint entry);
+
 // True where the table has an address for the command.
 bool has(const Table& table, EntryPoint entry);
 

@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/requirement_id.h>
+
 namespace evalcts {
-
-// A requirement or one half of it: "EV-MAP1-COPY", "EV-API-ENTRY/1-D".
-struct RequirementId {
-  std::string id;
-  std::string half;  // "1-D", "2-D", or empty for the whole requirement
-
-  static RequirementId parse(const std::string& text);
-};
 
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
@@ -41,8 +35,8 @@ struct Catalogue {
   std::vector<Requirement> requirements;
   std::vector<Ambiguity> ambiguities;  // contradictions first
 
-  // The requirement, or the one that "ID/1-D" is a half of; null if there is none.
-  const Requirement* find(const std::string& id) const;
+  // The requirement, or the one that `id` is a half of; null if there is none.
+  const Requirement* find(const RequirementId& id) const;
   const Ambiguity* find_ambiguity(const std::string& id) const;
   // The ambiguities with more than one accepted reading.
   std::vector<const Ambiguity*> interpretations() const;

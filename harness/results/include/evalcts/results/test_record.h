@@ -9,14 +9,15 @@
 
 #include <evalcts/results/accuracy.h>
 #include <evalcts/results/depth.h>
+#include <evalcts/results/requirement_id.h>
 #include <evalcts/results/verdict.h>
 
 namespace evalcts {
 
 // A test as the suite program lists it, known without a run.
 struct ListedTest {
-  std::string name;                       // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
-  std::vector<std::string> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
+  std::string name;  // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
+  std::vector<RequirementId> requirements;
   Level level = Level::must;
   Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
 };
@@ -44,7 +45,7 @@ struct Repetition {
 
 struct TestRecord {
   std::string name;
-  std::vector<std::string> requirements;
+  std::vector<RequirementId> requirements;
   Level level = Level::must;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line

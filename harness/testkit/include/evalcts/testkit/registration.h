@@ -11,14 +11,13 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <evalcts/gl/delivery.h>
+#include <evalcts/results/requirement_id.h>
 #include <evalcts/testkit/test.h>
 
 namespace evalcts {
@@ -27,29 +26,25 @@ namespace evalcts {
 struct TestInfo {
   std::string suite;
   std::string name;
-  std::vector<std::string_view> requirements;  // IDs; "ID/1-D" or "ID/2-D" for one half of a requirement
+  std::vector<RequirementId> requirements;
   Level level;
   std::function<void(Test&)> body;
   Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
 
   std::string full_name() const { return suite + "." + name; }
-
-  // The same test through the delivery: its name ends in the delivery's. Lifted to two dimensions, it bears
-  // the names and decides the requirements of two dimensions.
-  TestInfo by(const gl::Delivery& delivery) const;
-
- private:
-  void lift();
 };
 
 // All tests, in the order of their names.
 const std::vector<TestInfo>& all_tests();
 
-// The name of a parameter in the names of tests: "MAP1_VERTEX_3" for a token, otherwise its member `name`.
-std::string parameter_name(GLenum token);
+// The name of a parameter in the names of tests about maps of this dimension: "MAP1_VERTEX_3" for a token,
+// which in two dimensions becomes "MAP2_VERTEX_3", otherwise its member `name`.
+std::string parameter_name(GLenum token, int dimension);
 template <class Parameter>
 requires requires(const Parameter& p) { p.name; }
-std::string parameter_name(const Parameter& parameter) { return std::string(parameter.name); }
+std::string parameter_name(const Parameter& parameter, int /*dimension*/) {
+  return std::string(parameter.name);
+}
 
 // Combinations of parameters, in order, and the deliveries that each goes through.
 template <class... P>
@@ -114,9 +109,20 @@ inline Parameters<> by(std::vector<gl::Delivery> deliveries) {
 // What EVALCTS_TEST makes: `declaration << body` registers the tests.
 struct Registration {};
 
-// For the class below: `bodies`, one for each parameter name; an empty name stands for a test without.
+// A test with one combination of its parameters.
+struct Variant {
+  std::array<std::string, 2> names;  // of the parameters, in one dimension and in two; empty: no parameters
+  std::function<void(Test&)> body;
+};
 Registration register_tests(const TestInfo& info, const std::vector<gl::Delivery>& deliveries,
-                            std::vector<std::pair<std::string, std::function<void(Test&)>>> bodies);
+                            std::vector<Variant> variants);
+
+// The tests of the suite `of_one` that are lifted to two dimensions belong to the suite `of_two`. Tests of
+// any other suite stay in it.
+Registration lift_suite(const char* of_one, const char* of_two);
+#define EVALCTS_LIFTED_SUITE(of_one, of_two)                              \
+  [[maybe_unused]] static const ::evalcts::Registration of_one##_lifted = \
+      ::evalcts::lift_suite(#of_one, #of_two)
 
 template <class... P>
 class TestDeclaration {
@@ -126,16 +132,20 @@ class TestDeclaration {
 
   template <class Body>
   Registration operator<<(Body body) const {
-    std::vector<std::pair<std::string, std::function<void(Test&)>>> bodies;
+    std::vector<Variant> variants;
     for (const auto& combination : parameters_.combinations()) {
-      std::string name;
-      std::apply([&](const P&... p) { ((name += (name.empty() ? "" : "/") + parameter_name(p)), ...); },
-                 combination);
-      bodies.emplace_back(name, [body, combination](Test& t) {
+      Variant& variant = variants.emplace_back();
+      for (const int dimension : {1, 2}) {
+        std::string& name = variant.names[static_cast<std::size_t>(dimension) - 1];
+        std::apply(
+            [&](const P&... p) { ((name += (name.empty() ? "" : "/") + parameter_name(p, dimension)), ...); },
+            combination);
+      }
+      variant.body = [body, combination](Test& t) {
         std::apply([&](const P&... p) { body(t, p...); }, combination);
-      });
+      };
     }
-    return register_tests(info_, parameters_.deliveries(), std::move(bodies));
+    return register_tests(info_, parameters_.deliveries(), std::move(variants));
   }
 
  private:

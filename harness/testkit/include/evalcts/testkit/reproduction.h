@@ -27,12 +27,12 @@ class Reproduction {
   // A new case of the test: what was played before has nothing to do with it.
   void begin_case();
 
-  // The check behind a mismatch that a capture showed. Which answer it rests on is found by experiment:
-  // `still` observes and judges the case once more, on an implementation that gives the recorded answers with
-  // one of them changed, and says whether the same mismatch is there. Empty where no single answer is behind
-  // it.
-  std::optional<gl::Check> check_of(const Mismatch& mismatch,
-                                    const std::function<bool(Implementation&)>& still) const;
+  // The check behind one of `all` mismatches that a capture showed. Which answer it rests on is found by
+  // experiment: `rejudge` observes and judges the case once more, on an implementation that gives the
+  // recorded answers with one of them changed. None if no single answer is behind it.
+  using Rejudge = std::function<std::vector<Mismatch>(Implementation&)>;
+  std::optional<gl::Check> check_of(const Mismatch& mismatch, const std::vector<Mismatch>& all,
+                                    const Rejudge& rejudge) const;
 
   // The first failure ends the recording.
   // `check`: what decides it; missing if that is a comparison of the test's own.

@@ -3,27 +3,22 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
-#include <map>
-#include <memory>
 #include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include <evalcts/backends/implementation.h>
 #include <evalcts/capture/varyings.h>
 #include <evalcts/gl/case.h>
 #include <evalcts/gl/check.h>
 #include <evalcts/gl/delivery.h>
-#include <evalcts/gl/player.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
-#include <evalcts/judge/topology.h>
-#include <evalcts/results/depth.h>
 #include <evalcts/results/test_record.h>
+#include <evalcts/testkit/list_control.h>
+#include <evalcts/testkit/played.h>
+#include <evalcts/testkit/subject.h>
 
 namespace evalcts {
 
@@ -33,89 +28,14 @@ struct NotSupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-class Reproduction;
-
-// How captures, by name, take primitives apart, by their modes and numbers of vertices.
-using KnownTopologies = std::map<std::pair<std::string, Shape>, Topology>;
-
-// What all tests of a process are run against.
-struct Subject {
-  Implementation* implementation = nullptr;
-  ImplementationInfo info;
-  Captures* captures = nullptr;
-  Depth depth = Depth::full;
-  std::uint32_t seed = 1;
-  std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name
-  std::function<void(const gl::Case&)> before_case;  // may be empty
-  Reproduction* reproduction = nullptr;              // where a C program of the first failure is wanted
-  std::shared_ptr<KnownTopologies> topologies = std::make_shared<KnownTopologies>();
-};
-
-class Test;
-
-// A case that was played without a capture, and the checks on what it answered. Each check that does not hold
-// is recorded with the case's calls and does not stop the test.
-class Played {
- public:
-  // `trace` is that of the case as it was delivered.
-  Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace);
-
-  // The answers to the commands of the case as it was written.
-  const gl::Trace& trace() const { return trace_; }
-
-  // GetError gave one of these. The message says "missing error" or "spurious error".
-  void expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed);
-  void expect_no_error(gl::Ref get_error) { expect_error(get_error, {GL_NO_ERROR}); }
-  // A returned value (IsEnabled, ...).
-  void expect_result(gl::Ref command, std::int64_t expected);
-  // The query wrote exactly these values (as numbers, -0 equal to +0) and nothing behind them.
-  template <class T>
-  void expect_values(gl::Ref query, const std::vector<T>& expected) {
-    check_values(query, {expected.begin(), expected.end()}, 0);
-  }
-  // The same with a relative tolerance: what a query may lose in conversion.
-  template <class T>
-  void expect_values_near(gl::Ref query, const std::vector<T>& expected, double relative) {
-    check_values(query, {expected.begin(), expected.end()}, relative);
-  }
-  // The query left its array alone.
-  void expect_nothing_written(gl::Ref query);
-  // Two queries gave the same answer, bit for bit.
-  void expect_same(gl::Ref before, gl::Ref after);
-  // Anything else: `captured` and `expected` are for the reader.
-  void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
-              const std::string& captured);
-
- private:
-  void check_values(gl::Ref query, const std::vector<double>& expected, double relative);
-  std::vector<double> written_values(gl::Ref query) const;
-  // `check`: what a C program can decide.
-  void fail(gl::Check check, const std::string& message, const std::string& expected,
-            const std::string& captured);
-
-  gl::Ref as_delivered(gl::Ref command) const {
-    return {delivered_.positions.at(static_cast<std::size_t>(command.index))};
-  }
-  // Throws NotObservable if the command is a query that the implementation does not answer.
-  void require_answer(gl::Ref query) const;
-  const gl::Command& command(gl::Ref written) const {
-    return delivered_.script.commands().at(static_cast<std::size_t>(as_delivered(written).index));
-  }
-
-  Test& test_;
-  gl::DeliveredCase delivered_;
-  gl::Trace trace_;
-};
-
 // Handed to the body of each test.
 class Test {
  public:
-  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record) {}
+  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record), lists_(subject) {}
 
   const ImplementationInfo& gl() const { return subject_.info; }
-  // An order that has to be accepted, as large as possible: MAX_EVAL_ORDER up to 64, or 8 if the
-  // implementation claims less (EV-INIT-MAXORDER is a test of its own) or does not answer.
-  int max_order() const;
+  // An order that has to be accepted, as large as possible (see ImplementationInfo).
+  int max_order() const { return gl().max_order(); }
   // The order beyond which all are rejected. Throws NotObservable if MAX_EVAL_ORDER is not answered: then it
   // may be any from 8 on.
   int order_limit() const;
@@ -183,39 +103,32 @@ class Test {
   void run(const std::function<void(Test&)>& body);
 
  private:
-  friend class Played;
   gl::DeliveredCase begin_case(const gl::Case& script);
+  const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
+  void note_capture(const Capture& capture);
+
+  // What one capture shows of a case.
+  struct Look {
+    const Capture* capture;
+    Topology topology;
+    Observation observation;
+  };
+  JudgeOptions options_for(const gl::Case& script, const Capture& capture, Attributes required) const;
+  std::vector<Look> look_at(const gl::Case& script, const Prediction& prediction, Attributes required,
+                            std::size_t most_vertices);
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       bool measured);
-  bool cross_checked(const Prediction& prediction) const;
-  // The first capture that shows all of these attributes exactly. Throws NotObservable.
-  const Capture& capture_for(Attributes required, PrimitiveKinds kinds) const;
-  // The capture that shows most of the required attributes, and up to `most` - 1 more that show the same.
-  // Throws NotObservable.
-  std::vector<const Capture*> captures_showing(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
-                                               std::size_t most) const;
-  void note_capture(const Capture& capture);
   // A failure for each mismatch that `judge` finds in what the capture saw of the case.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
                  const Observation& seen, const OwnJudge& judge);
-  Topology topology_of(const Prediction& prediction, const Capture& capture) const;
-
-  // A case that was observed through display lists.
-  struct Listed {
-    gl::Case script;
-    const Capture* capture;
-    Attributes judged;
-  };
-  void note_lists(const gl::Case& script, const Capture& capture, Attributes judged);
-  void require_lists_of_vertices(const Listed& listed) const;
 
   const Subject& subject_;
   TestRecord& record_;
   bool judges_order_of_meshes_ = false;
-  std::optional<gl::Delivery> delivery_;
+  gl::Delivery delivery_;
   bool lists_used_ = false;
-  std::optional<Listed> lists_in_doubt_;  // until explicit vertices come right out of them
-  Attributes unobserved_ = 0;             // of those that the test is about
+  ListControl lists_;
+  Attributes unobserved_ = 0;  // of those that the test is about
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;
 };

@@ -1,0 +1,173 @@
+#include <evalcts/testkit/played.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/tokens.h>
+#include <evalcts/testkit/test.h>
+
+namespace evalcts {
+namespace {
+
+// As many digits as tell the value, which may be a float, from all others of its type.
+std::string shortest(double value) {
+  const auto single = static_cast<float>(value);
+  // Integers to the last digit; their shortest form as floats would end in zeros.
+  if (value == std::trunc(value) && std::abs(value) < 0x1p53) return fmt::format("{:.0f}", value + 0.0);
+  return static_cast<double>(single) == value ? fmt::format("{}", single) : fmt::format("{}", value);
+}
+
+std::string list(const std::vector<double>& values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size() && i < 16; ++i) text += (i ? ", " : "") + shortest(values[i]);
+  if (values.size() > 16) text += fmt::format(", ... ({} values)", values.size());
+  return "{" + text + "}";
+}
+
+gl::Check at_most_written(gl::Ref query, std::size_t count) {
+  return {.answer = {.of = gl::Answer::Of::written, .command = query},
+          .accepted = {{0.0, static_cast<double>(count)}}};
+}
+
+std::vector<double> all_values(const gl::Trace& trace, gl::Ref query) {
+  const auto as = [&]<class T>(T) {
+    const std::vector<T> values = trace.values<T>(query);
+    return std::vector<double>(values.begin(), values.end());
+  };
+  switch (trace.type(query)) {
+    case gl::Scalar::f32:
+      return as(GLfloat());
+    case gl::Scalar::f64:
+      return as(GLdouble());
+    case gl::Scalar::i32:
+      return as(GLint());
+    case gl::Scalar::u32:
+      return as(GLuint());
+    case gl::Scalar::u8:
+      return as(GLubyte());
+    default:
+      throw std::logic_error("no query writes this type");
+  }
+}
+
+}  // namespace
+
+Played::Played(Test& test, gl::DeliveredCase delivered, const gl::Trace& trace)
+    : test_(test), delivered_(std::move(delivered)), trace_(trace.of(delivered_.positions)) {}
+
+void Played::fail(gl::Check check, const std::string& message, const std::string& expected,
+                  const std::string& captured) {
+  const gl::Case& script = delivered_.script;
+  Failure failure;
+  failure.case_identity = script.identity();
+  failure.message = message;
+  failure.what = std::string(gl::name_of(command(check.answer.command).entry));
+  // From here on as the C program counts.
+  check.answer.command = as_delivered(check.answer.command);
+  if (check.other.index >= 0) check.other = as_delivered(check.other);
+  for (gl::Ref& recorded : check.recorded) recorded = as_delivered(recorded);
+  const gl::Ref asked = check.answer.command;
+  failure.expected = check.expected = expected;
+  failure.captured = captured;
+  test_.fail(
+      std::move(failure), [&] { return gl::to_c(script, 0, asked.index); }, check);
+}
+
+void Played::expect_error(gl::Ref get_error, std::initializer_list<GLenum> allowed) {
+  const GLenum got = trace_.error(get_error);
+  if (std::find(allowed.begin(), allowed.end(), got) != allowed.end()) return;
+  if (get_error.index > 0) require_answer({get_error.index - 1});
+  std::string expected;
+  for (const GLenum error : allowed) expected += (expected.empty() ? "" : " or ") + gl::error_name(error);
+  const std::string captured = gl::error_name(got);
+  // The command that the question was about is the one before GetError.
+  const gl::Command& subject = command({std::max(get_error.index - 1, 0)});
+  const bool none_allowed = *allowed.begin() == GL_NO_ERROR;
+  const char* kind = none_allowed ? "spurious error" : got == GL_NO_ERROR ? "missing error" : "wrong error";
+  gl::Check check{.answer = {.of = gl::Answer::Of::returned, .command = get_error, .is_error = true}};
+  for (const GLenum error : allowed) check.accepted.emplace_back(error, error);
+  fail(std::move(check),
+       fmt::format("{}: after {} glGetError gives {}, expected {}", kind, gl::to_c(subject, 4), captured,
+                   expected),
+       expected, captured);
+}
+
+void Played::expect_result(gl::Ref asked, std::int64_t expected) {
+  const std::int64_t got = trace_.result(asked);
+  if (got == expected) return;
+  fail({.answer = {.of = gl::Answer::Of::returned, .command = asked},
+        .accepted = {{static_cast<double>(expected), static_cast<double>(expected)}}},
+       fmt::format("{} returns {}, expected {}", gl::to_c(command(asked), 4), got, expected),
+       std::to_string(expected), std::to_string(got));
+}
+
+std::vector<double> Played::written_values(gl::Ref query) const {
+  std::vector<double> values = all_values(trace_, query);
+  values.resize(std::min(values.size(), trace_.written(query)));
+  return values;
+}
+
+void Played::require_answer(gl::Ref query) const {
+  const gl::Command& asked = command(query);
+  if (asked.entry != gl::EntryPoint::GetBooleanv && asked.entry != gl::EntryPoint::GetIntegerv &&
+      asked.entry != gl::EntryPoint::GetFloatv && asked.entry != gl::EntryPoint::GetDoublev)
+    return;
+  const auto name = static_cast<GLenum>(std::get<std::int64_t>(asked.arguments.at(0)));
+  if (test_.gl().refused_queries.contains(name))
+    throw NotObservable(fmt::format("the query of {} is rejected", gl::token_name(name)));
+}
+
+void Played::check_values(gl::Ref query, const std::vector<double>& expected, double relative) {
+  require_answer(query);
+  const std::vector<double> all = all_values(trace_, query);
+  const std::size_t written = trace_.written(query);
+  const std::string call = gl::to_c(command(query), 4);
+  const std::size_t compared = std::min(all.size(), expected.size());
+  std::size_t i = 0;  // the first that is wrong
+  while (i < compared &&
+         (all[i] == expected[i] || std::abs(all[i] - expected[i]) <= relative * std::abs(expected[i])))
+    ++i;
+  if (written > expected.size()) {
+    fail(at_most_written(query, expected.size()),
+         fmt::format("{} writes {} values, expected {}", call, written, expected.size()), list(expected),
+         list(written_values(query)));
+  } else if (i < expected.size()) {
+    const double margin = relative * std::abs(expected[i]);
+    fail({.answer = {.of = gl::Answer::Of::element, .command = query, .element = i},
+          .accepted = {{expected[i] - margin, expected[i] + margin}}},
+         fmt::format("{} answers {}, expected {}", call, list(written_values(query)), list(expected)),
+         list(expected), list(written_values(query)));
+  }
+}
+
+void Played::expect_nothing_written(gl::Ref query) {
+  if (trace_.written(query) == 0) return;
+  fail(at_most_written(query, 0),
+       fmt::format("{} writes to its array in spite of the error", gl::to_c(command(query), 4)),
+       "nothing written", list(written_values(query)));
+}
+
+void Played::expect_same(gl::Ref before, gl::Ref after) {
+  if (trace_.same(before, trace_, after)) return;
+  const auto answer = [&](gl::Ref query) {
+    return trace_.has_output(query) ? list(written_values(query)) : std::to_string(trace_.result(query));
+  };
+  const std::string was = answer(before), is = answer(after);
+  fail({.rule = gl::Check::Rule::same, .answer = {.command = after}, .other = before},
+       fmt::format("{} answered {} before and answers {} now", gl::to_c(command(after), 4), was, is), was,
+       is);
+}
+
+void Played::expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,
+                    const std::string& captured) {
+  if (holds) return;
+  require_answer(command);
+  fail({.rule = gl::Check::Rule::unlike, .answer = {.command = command}, .recorded = {command}}, message,
+       expected, captured);
+}
+
+}  // namespace evalcts
