@@ -517,8 +517,9 @@ TEST_F(CommandLine, ContextNone) {
 
 // An evaluator that is not a GL: what it declares is judged, the rest is not supported.
 TEST_F(CommandLine, SinkIsJudgedByWhatItDeclares) {
-  const Outcome outcome = evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick",
-                                   "--output", folder_.string()});
+  const Outcome outcome =
+      evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick", "--output",
+               folder_.string(), "--filter", "Map1*:Precedence*:Api.VectorForm/*:Api.EntryPoint/*Map1*"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   const json result = results("bezier");
   EXPECT_EQ(as_text(result["implementation"]["renderer"]), "Bezier example");
@@ -538,14 +539,15 @@ TEST_F(CommandLine, SinkIsJudgedByWhatItDeclares) {
 
 TEST_F(CommandLine, SmallestSinkPassesAndItsWrongTwinFails) {
   const auto run = [&](const char* library, const char* name) {
-    return evalcts({"run", "--library", library, "--name", name, "--output", folder_.string()});
+    return evalcts(
+        {"run", "--library", library, "--name", name, "--allow-unobserved", "--output", folder_.string()});
   };
   const Outcome right = run(SMALLEST_SINK, "smallest");
   EXPECT_EQ(right.code, 0) << right.text;
-  EXPECT_GT(results("smallest")["summary"].value("pass", 0), 50) << right.text;
+  EXPECT_GT(results("smallest")["summary"].value("pass", 0), 10) << right.text;
   const Outcome wrong = run(WRONG_SINK, "wrong");
   EXPECT_EQ(wrong.code, 1) << wrong.text;
-  EXPECT_EQ(as_text(test_named(results("wrong"), "Map1Values.Domains/MAP1_VERTEX_3/EvalCoord1f")["verdict"]),
+  EXPECT_EQ(as_text(test_named(results("wrong"), "Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f")["verdict"]),
             "fail");
 }
 

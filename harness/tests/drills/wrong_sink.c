@@ -1,4 +1,6 @@
 /* The smallest sink with a mistake: maps have the domain 0 to 1, whatever is given. */
+#include <evalcts_sink.h>
+
 #define evalcts_sink_open open_right_sink
 #include "../../examples/smallest_sink.c"
 #undef evalcts_sink_open
