@@ -21,7 +21,7 @@ Catalogue requirements(const std::map<std::string, std::string>& undecidable = {
 const std::map<std::string, std::string> kInvisible = {{"1-D", "nobody can see it"},
                                                        {"2-D", "nobody can see it"}};
 
-std::vector<ListedTest> tests(const std::vector<std::string>& decided) { return {{"T.t", decided}}; }
+std::vector<ListedTest> tests(const std::vector<RequirementId>& decided) { return {{"T.t", decided}}; }
 
 TEST(Coverage, StatesOfARequirement) {
   EXPECT_EQ(coverage_of(requirements(), tests({"A"}))[0].state, State::kDecided);
