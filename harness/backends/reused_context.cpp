@@ -32,8 +32,8 @@ void for_each_unit(Case& c, const ImplementationInfo& info, Commands commands) {
   }
 }
 
-// GL 2.1 §5.1: order 1, domain [0,1] and the attribute's constant (table 5.1 and the text below it). The memory is
-// roomier than the map: a library that reads too much is judged by the tests, not here.
+// GL 2.1 §5.1: order 1, domain [0,1] and the attribute's constant (table 5.1 and the text below it). The
+// memory is roomier than the map: a library that reads too much is judged by the tests, not here.
 std::vector<GLfloat> initial_control_point(GLenum target) {
   std::vector<GLfloat> point;
   switch (target) {

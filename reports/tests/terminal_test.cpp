@@ -123,7 +123,8 @@ TEST(Terminal, TellsFlakesApart) {
   record["confirmed_by_group"] = 100;
   const std::string text = terminal_of(record, nullptr, false, false);
   EXPECT_TRUE(contains(text, "\nfail     Theme.Rule/0 (flake: pass when played again), u=1\n")) << text;
-  EXPECT_TRUE(contains(text, "100 unexpected failures had another of the same kind played again instead\n")) << text;
+  EXPECT_TRUE(contains(text, "100 unexpected failures had another of the same kind played again instead\n"))
+      << text;
   EXPECT_TRUE(contains(junit_of(record), "flake: pass when played again"));
 }
 
