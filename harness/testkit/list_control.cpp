@@ -19,20 +19,39 @@ void ListControl::set_observed(const gl::Case& script, const Capture& capture, A
 void ListControl::require_explicit_vertices() {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
   if (!observed) return;
-  const auto& [script, capture, judged] = *observed;
-  const gl::Case control = gl::with_explicit_vertices(script);
-  const Prediction prediction = predict(control, subject_.info.max_order());
-  const PrimitiveKinds kinds = kinds_of(prediction);
-  if (!capture->takes(kinds)) return;
-  const Topology topology = subject_.topologies->find(prediction, *capture, *subject_.implementation);
-  const Observation seen =
-      capture->observe(*subject_.implementation, control, {judged, most_vertices_of(prediction) + 8, kinds});
-  const std::vector<Mismatch> mismatches =
-      judge(prediction, topology, seen, {.attributes = judged, .version = subject_.info.version_number()})
-          .mismatches;
-  if (!mismatches.empty())
+  const std::optional<Seen> seen = observe_explicit(observed->script, *observed->capture, observed->judged);
+  if (!seen) return;
+  const std::vector<Mismatch> wrong = mismatches(*seen, observed->judged);
+  if (!wrong.empty())
     throw NotObservable("pipeline: in display lists explicit vertices go wrong, too: " +
-                        mismatches.front().message);
+                        wrong.front().message);
+}
+
+Attributes ListControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
+  const std::optional<Seen> seen = observe_explicit(script, capture, capture.shown());
+  Attributes lost = 0;
+  for (Attributes attribute = 1; seen && attribute <= kAllAttributes; attribute <<= 1)
+    if ((attribute & kAllAttributes & capture.shown()) && !mismatches(*seen, attribute).empty())
+      lost |= attribute;
+  return lost;
+}
+
+std::optional<ListControl::Seen> ListControl::observe_explicit(const gl::Case& script, const Capture& capture,
+                                                               Attributes judged) const {
+  const gl::Case control = gl::with_explicit_vertices(script);
+  Prediction prediction = predict(control, subject_.info.max_order());
+  const PrimitiveKinds kinds = kinds_of(prediction);
+  if (!capture.takes(kinds)) return std::nullopt;
+  Topology topology = subject_.topologies->find(prediction, capture, *subject_.implementation);
+  Observation observation =
+      capture.observe(*subject_.implementation, control, {judged, most_vertices_of(prediction) + 8, kinds});
+  return Seen{std::move(prediction), std::move(topology), std::move(observation)};
+}
+
+std::vector<Mismatch> ListControl::mismatches(const Seen& seen, Attributes judged) const {
+  return judge(seen.prediction, seen.topology, seen.observation,
+               {.attributes = judged, .version = subject_.info.version_number()})
+      .mismatches;
 }
 
 }  // namespace evalcts

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <evalcts/capture/capture.h>
 #include <evalcts/gl/case.h>
+#include <evalcts/judge/judge.h>
 #include <evalcts/testkit/subject.h>
 
 namespace evalcts {
@@ -19,6 +21,10 @@ class ListControl {
   // Another case begins.
   void clear() { observed_.reset(); }
 
+  // Returns the attributes of explicit vertices that come out wrong in place of those that the case
+  // evaluates: what the capture or the rest of the pipeline loses.
+  Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
+
   // The observed case, if there is one, has failed. Throws NotObservable if its display lists are the root
   // cause; plays the control once only.
   void require_explicit_vertices();
@@ -29,6 +35,16 @@ class ListControl {
     const Capture* capture;
     Attributes judged;
   };
+
+  struct Seen {
+    Prediction prediction;
+    Topology topology;
+    Observation observation;
+  };
+  // The case with explicit vertices; empty if the capture does not take its primitives.
+  std::optional<Seen> observe_explicit(const gl::Case& script, const Capture& capture,
+                                       Attributes judged) const;
+  std::vector<Mismatch> mismatches(const Seen& seen, Attributes judged) const;
 
   const Subject& subject_;
   std::optional<Observed> observed_;
