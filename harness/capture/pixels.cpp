@@ -1,8 +1,8 @@
 // Pixels: for an implementation with neither feedback mode nor transform feedback. Each vertex is drawn as a
-// large point in the middle of the window; a row of pixels shows one vertex, because its stencil values let
-// only that point pass, and a column shows half of one component, because a fragment shader writes 16 of its
-// bits as colour. -0 comes back as 0, subnormals may; NaN and infinities are told from numbers if the shader
-// can.
+// large point in the middle of the viewport. A part of a row of pixels shows one vertex, because its stencil
+// values let only that point pass, and a pixel shows half of one component, because a fragment shader writes
+// 16 of its bits as colour. -0 comes back as 0, subnormals may; NaN and infinities are told from numbers if
+// the shader can.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -174,9 +174,13 @@ class Windows {
     std::vector<const gl::Command*>* list = nullptr;  // being compiled
     double window = 0, last = 0;
     bool in_order = true;
+    int depth = 0;  // of lists, to which GL sets a limit as well
     const std::function<void(const gl::Command&)> execute = [&](const gl::Command& command) {
-      if (command.entry == gl::EntryPoint::CallList)
+      if (command.entry == gl::EntryPoint::CallList && depth < 64) {
+        ++depth;
         for (const gl::Command* called : lists[integer(command, 0)]) execute(*called);
+        --depth;
+      }
       if (command.entry == gl::EntryPoint::MultiTexCoord1f) window = std::get<float>(command.arguments[1]);
       if (vertices_of(command) == 0) return;
       in_order = in_order && window >= last;
