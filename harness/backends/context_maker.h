@@ -15,7 +15,7 @@ inline constexpr int kFramebufferSide = 64;
 class ContextMaker {
  public:
   virtual ~ContextMaker() = default;
-  // As CProgram::context has it.
+  // The name of this kind of contexts in CProgram::context.
   virtual std::string kind() const = 0;
   // A fresh context, current. No other exists but where makes_several(). Throws CannotStart.
   virtual void* create() = 0;

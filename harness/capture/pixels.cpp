@@ -207,8 +207,8 @@ class Windows {
   std::size_t count_ = 1;
 };
 
-// Drawn after the case: it has to come out as the vertex behind those of the case. If it does not, the case
-// has changed something that pixels depend on.
+// The explicit vertex that is drawn after the case. It has to come out behind the vertices of the case; if it
+// does not, the case has changed state that pixels depend on.
 const ObservedVertex& witness() {
   static const ObservedVertex vertex = [] {
     ObservedVertex v;
