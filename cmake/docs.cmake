@@ -8,3 +8,16 @@ if(TARGET drill_layer AND NOT EVALCTS_SANITIZE AND NOT EVALCTS_COVERAGE)
   add_test(NAME docs.commands COMMAND ${check_docs} commands ${PROJECT_SOURCE_DIR} $<TARGET_FILE:evalcts> $<TARGET_FILE:drill_layer>)
   set_tests_properties(docs.commands PROPERTIES LABELS gl TIMEOUT 1800 RUN_SERIAL ON SKIP_RETURN_CODE 77)
 endif()
+
+add_test(NAME docs.comments COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_comments.py ${PROJECT_SOURCE_DIR}
+                                    ${CMAKE_CURRENT_LIST_DIR}/comment_maxima.txt)
+set_tests_properties(docs.comments PROPERTIES LABELS script SKIP_RETURN_CODE 77)
+
+# Spelling in prose and comments, except names that the dictionary takes for mistakes.
+find_program(EVALCTS_CODESPELL codespell)
+if(EVALCTS_CODESPELL)
+  add_test(NAME docs.spelling WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c "git -c safe.directory='*' ls-files -z \
+'*.md' '*.txt' '*.cpp' '*.h' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts ':!suites/baselines/*-signatures.txt' \
+| xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether")
+  set_tests_properties(docs.spelling PROPERTIES LABELS script)
+endif()

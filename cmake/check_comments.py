@@ -1,0 +1,97 @@
+"""Counts comments that cannot be understood without the code below them because they begin with a bare interrogative or
+preposition, such as "Whether it is set" or "Of the map." CONTRIBUTING.md has the rule.
+usage: check_comments.py CHECKOUT MAXIMA
+
+MAXIMA has a line "ROOM COUNT" for each room. A room above its maximum fails the test and its comments are listed. A room below
+its maximum is reported, so that the maximum can be lowered."""
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+# A comment never begins with one of these, even if it has a verb: a noun phrase or a condition with "if" says the same.
+INTERROGATIVES = {"What", "Whatever", "Whether", "Where", "Wherever", "Who", "Whoever", "Whose", "Whom", "How", "Which", "Those", "Of"}
+# A comment may begin with one of these if a sentence follows.
+PREPOSITIONS = {"For", "With", "Without", "From", "To", "In", "By", "At", "On", "Into", "Upon", "Under", "Behind", "Beside", "That"}
+# "As long as it holds, ..." is a sentence; "As the functions above." is not.
+AS = re.compile(r"As (?!long as |soon as |in |of |a result|if )")
+# A word that may be a verb. It is better to miss a fragment than to reject a sentence, so all words in -s and -ed are verbs.
+VERB = re.compile(r"\b(?:\w+s|\w+ed|have|do|can|could|may|might|must|shall|should|will|would|need|cannot|were|come|came|go|went|"
+                  r"give|gave|take|took|make|made|hold|held|lie|lay|get|got|put|set|let|stay|stand|say|call|use|add|lose|lost|"
+                  r"keep|kept|read|write|return|become|became|draw|mean|begin|end|fail|pass|run|leave|left|see|throw)\b")
+
+
+def is_fragment(text):
+    """True if the text of a comment begins as above."""
+    word = re.match(r"\w+", text)
+    if not word:
+        return False
+    if word[0] in INTERROGATIVES or AS.match(text):
+        # A question is one.
+        return not re.match(r"[^.:;]*\?", text)
+    sentence = re.split(r"[.;:](?:\s|$)", text, 1)[0]
+    return word[0] in PREPOSITIONS and not VERB.search(sentence[word.end():])
+
+
+def comments(text, is_c):
+    """Yields the line and the text of each comment that has lines of its own; adjacent lines are one comment."""
+    lines = text.splitlines()
+    i = 0
+    while i < len(lines):
+        start = i
+        if is_c and (opening := re.match(r"\s*/\*+\s*", lines[i])):
+            while "*/" not in lines[i] and i + 1 < len(lines):
+                i += 1
+            body = " ".join(re.sub(r"^\s*\*", "", line) for line in lines[start:i + 1])[opening.end():]
+            yield start + 1, " ".join(body.replace("*/", "").split())
+        elif re.match(r"\s*//" if is_c else r"\s*#(?!!)", lines[i]):
+            body = []
+            while i < len(lines) and (found := re.match(r"\s*(?://+!?<?|#+)(.*)" if is_c else r"\s*#+(.*)", lines[i])):
+                if is_c and not lines[i].lstrip().startswith("//"):
+                    break
+                body.append(found[1])
+                i += 1
+            i -= 1
+            yield start + 1, " ".join(" ".join(body).split())
+        i += 1
+
+
+def room_of(path):
+    parts = path.parts
+    return "/".join(parts[:2]) if parts[0] == "harness" and len(parts) > 2 else parts[0] if len(parts) > 1 else "top"
+
+
+def main():
+    root, maxima_file = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    maxima = {room: int(count) for room, count in re.findall(r"^(\S+) (\d+)$", maxima_file.read_text(), re.M)}
+    listed = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root,
+                            capture_output=True, text=True)
+    if listed.returncode:
+        print("not a git checkout: nothing is counted")
+        return 77
+    found = collections.defaultdict(list)
+    for name in sorted(filter(None, listed.stdout.split("\0"))):
+        path = pathlib.Path(name)
+        is_c = path.suffix in (".cpp", ".h", ".c", ".def")
+        is_script = path.suffix in (".py", ".sh", ".cmake") or path.name in ("CMakeLists.txt", "evalcts")
+        if not (is_c or is_script) or not (root / path).is_file():
+            continue
+        for line, text in comments((root / path).read_text(errors="replace"), is_c):
+            if is_fragment(text):
+                found[room_of(path)].append(f"{name}:{line}: {text[:100]}")
+    failed = False
+    for room in sorted(set(maxima) | set(found)):
+        count, most = len(found[room]), maxima.get(room, 0)
+        if count > most:
+            failed = True
+            print(f"{room}: {count} comments begin with a bare interrogative or preposition, at most {most} are allowed:")
+            print("\n".join("  " + place for place in found[room]))
+        elif count < most:
+            print(f"{room}: {count}; lower its maximum, {most}, in {maxima_file.name}")
+    print(f"{sum(map(len, found.values()))} comments")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
