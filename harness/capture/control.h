@@ -1,4 +1,4 @@
-// The control that each capture has to reproduce before it is trusted: explicit vertices with known values.
+// The control that each capture must reproduce before it is used: explicit vertices with known values.
 #pragma once
 
 #include <optional>
@@ -18,20 +18,20 @@ struct ControlOptions {
   bool unclamped_color = false;  // include colours outside [0,1]
 };
 
-// Points with awkward but ordinary values: both signs, many magnitudes, full significands. No -0, no
-// subnormal and no non-finite values, which feedback need not preserve.
+// Makes a control of points with finite normal values: both signs, many magnitudes, full significands. It has
+// no -0, subnormal or non-finite values, which feedback need not preserve.
 Control make_control(const ControlOptions& options);
 
-// Empty if the observation reproduces the control bit for bit in the given attributes (unit 0 only),
-// otherwise what is wrong.
+// Returns an empty string if the observation reproduces the control bit for bit in the given attributes (unit
+// 0 only), otherwise a description of the difference.
 std::string compare(const Control& control, const Observation& observation, Attributes attributes);
 
-// Plays the control through the capture. Empty if it came back unchanged, otherwise what is wrong. Throws as
-// Capture::observe does.
+// Plays the control through the capture. Returns an empty string if it came back unchanged, otherwise a
+// description of the difference. Throws the exceptions of Capture::observe.
 std::string try_control(const Capture& capture, Implementation& implementation, const ControlOptions& options,
                         Attributes attributes);
 
-// Returns those of the attributes that the capture reproduces; none if it does not work at all.
+// Returns the subset of the attributes that the capture reproduces; 0 if it does not work at all.
 Attributes confirm_attributes(const Capture& capture, Implementation& implementation,
                               const ControlOptions& options, Attributes attributes);
 

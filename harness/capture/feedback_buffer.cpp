@@ -11,8 +11,8 @@ namespace {
 
 enum class TextureCoordinatesHold { texture, position, normal };
 
-// x = y = z = 0 for every vertex, so that nothing is clipped. With w kept, vertices with w < 0 still are;
-// with w = 0 too, none is where the library takes the degenerate point at its word.
+// Returns a projection to x = y = z = 0, so that no vertex is clipped. If w is kept, vertices with w < 0 are
+// still clipped. If w becomes 0, none is clipped, provided that the library accepts the degenerate point.
 std::vector<GLfloat> collapsing_projection(bool keep_w) {
   std::vector<GLfloat> matrix(16, 0.0f);
   if (keep_w) matrix[15] = 1.0f;
@@ -99,7 +99,7 @@ class FeedbackBuffer final : public Capture {
     if (wanted & kPosition) pass(TextureCoordinatesHold::position, kPosition);
     if (wanted & (kNormal | kUnitNormal)) pass(TextureCoordinatesHold::normal, kNormal | kUnitNormal);
     if (!observation) throw NotObservable("feedback mode shows nothing of units 1 and up");
-    // A control asks for what is not proved yet. Of anything else that came along nothing is known.
+    // A control wants attributes that are not proved yet. Other attributes are not known to be right.
     observation->attributes &= attributes_ | inexact_attributes() | wanted;
     observation->clamped_colors = !unclamp_;
     observation->color_error = color_error_.value_or(0);
@@ -109,7 +109,7 @@ class FeedbackBuffer final : public Capture {
  private:
   Observation play_pass(Implementation& implementation, const gl::Case& script, TextureCoordinatesHold hold,
                         std::size_t most_vertices) const {
-    // x y z w, R G B A, s t r q, and a token; a polygon of three or more vertices has a number, too.
+    // Each vertex takes x y z w, R G B A, s t r q and a token; a polygon adds its number of vertices.
     const std::size_t room = (most_vertices + 1) * 13;
     gl::Case prologue = setup(hold, keep_w_, unclamp_);
     const gl::Ref buffer = prologue.FeedbackBuffer(room, GL_4D_COLOR_TEXTURE, gl::out<GLfloat>(room));
@@ -132,7 +132,7 @@ class FeedbackBuffer final : public Capture {
     return observation;
   }
 
-  // Primitives that are whole; a buffer that was too small may end within one.
+  // Decodes the complete primitives; a buffer that was too small may end inside one.
   static void decode(const std::vector<GLfloat>& values, std::size_t count, TextureCoordinatesHold hold,
                      Observation& observation) {
     for (std::size_t i = 0; i < count;) {
@@ -175,7 +175,8 @@ class FeedbackBuffer final : public Capture {
     return vertex;
   }
 
-  // Passes replay the same case; where they do not even agree on the primitives, nothing can be said.
+  // Adds the attributes of one pass to another. All passes replay the same case, so that their primitives
+  // must agree.
   static void merge(Observation& whole, const Observation& pass, Attributes gives) {
     const char* const kDiffer = "two feedback passes over the same commands gave different primitives";
     if (whole.primitives.size() != pass.primitives.size()) throw NotObservable(kDiffer);

@@ -1,8 +1,8 @@
 // Pixels: for an implementation with neither feedback mode nor transform feedback. Each vertex is drawn as a
 // large point in the middle of the viewport. A part of a row of pixels shows one vertex, because its stencil
 // values let only that point pass, and a pixel shows half of one component, because a fragment shader writes
-// 16 of its bits as colour. -0 comes back as 0, subnormals may; NaN and infinities are told from numbers if
-// the shader can.
+// 16 of its bits as colour. -0 comes back as 0, and subnormals may. NaN and infinities are distinguished from
+// finite numbers if the shader can do so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,9 +52,10 @@ void main() {{
                      place, kSide);
 }
 
-// The order of the components is that of `decode`. Multiplications by powers of two bring a magnitude into
-// [1,2); the bits follow from its floors. Blue is 1 for each vertex, so that pixels without a vertex are told
-// from zeros. All constants have few digits, because layers print them anew.
+// Writes half of one component into the pixel; the order of the components is that of `decode`.
+// Multiplications by powers of two bring the magnitude into [1,2), and floors give its bits. Blue is 1 for
+// each vertex, which distinguishes zeros from pixels without a vertex. All constants have few digits, because
+// layers reprint them.
 std::string fragment_shader() {
   std::string powers =
       "  float down1 = 0.5, down2 = 0.25, down4 = 0.0625, up1 = 2.0, up2 = 4.0, up4 = 16.0;\n";
@@ -107,7 +108,7 @@ std::int64_t integer(const gl::Command& command, std::size_t argument) {
   return number ? *number : 0;
 }
 
-// The number of vertices that the command draws by itself.
+// Returns the number of vertices that the command draws by itself.
 std::size_t vertices_of(const gl::Command& command) {
   const auto count = [&](std::size_t first) {
     return static_cast<std::size_t>(
@@ -121,12 +122,12 @@ std::size_t vertices_of(const gl::Command& command) {
   return 0;
 }
 
-// A case of many vertices in windows, which are seen one after the other: coordinates of texture unit 1 that
-// are set between its commands number them.
+// Splits a case with many vertices into windows that are captured one after the other. Texture coordinates of
+// unit 1, set between the commands, hold the number of the window.
 class Windows {
  public:
-  // One window if the case does not allow for more: because it sets those coordinates itself, or because
-  // lists draw the windows in another order.
+  // Makes one window if the case sets the texture coordinates of unit 1 itself or its lists draw the windows
+  // in another order.
   explicit Windows(const gl::Case& script) : script_(script) {
     if (!split() || !are_in_order()) {
       script_ = script;
@@ -207,8 +208,8 @@ class Windows {
   std::size_t count_ = 1;
 };
 
-// The explicit vertex that is drawn after the case. It has to come out behind the vertices of the case; if it
-// does not, the case has changed state that pixels depend on.
+// The explicit vertex that is drawn after the case. If it is not captured after the vertices of the case, the
+// case has changed state that pixels depend on.
 const ObservedVertex& witness() {
   static const ObservedVertex vertex = [] {
     ObservedVertex v;
@@ -241,13 +242,13 @@ bool is_witness(const ObservedVertex& vertex) {
 struct Picture {
   std::vector<GLubyte> bytes;
 
-  // The first pixel of a vertex.
+  // Returns the first pixel of a vertex.
   const GLubyte* at(std::size_t vertex) const {
     return &bytes[4 * (vertex % kSide * kSide + vertex / kSide * kColumns)];
   }
 };
 
-// A float whose bits two neighbouring pixels show.
+// Returns the float whose bits two neighbouring pixels show.
 float decode(const GLubyte* pixel) {
   const std::uint32_t bits = static_cast<std::uint32_t>(pixel[0]) << 24 |
                              static_cast<std::uint32_t>(pixel[1]) << 16 |
@@ -314,8 +315,8 @@ class Pixels final : public Capture {
     vertices.insert(vertices.end(), seen.begin(), seen.end() - 1);
   }
 
-  // Appends the vertices of the window that come as the `first` and following ones, up to `count`. Returns
-  // the error of the case.
+  // Appends up to `count` vertices of the window, starting with the vertex `first`. Returns the error of the
+  // case.
   GLenum play_pass(Implementation& implementation, const Windows& windows, std::size_t window,
                    std::size_t first, std::size_t count, std::vector<ObservedVertex>& vertices) const {
     const std::unique_ptr<Context> context = implementation.create_context();

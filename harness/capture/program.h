@@ -1,4 +1,4 @@
-// Shaders of captures: made in the prologue of a case, or kept by a context that is used again.
+// Shader programs of captures: made in the prologue of a case, or kept by a context that several cases share.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,8 @@ class UsedProgram {
   // `context` must outlive the object.
   UsedProgram(gl::Case& prologue, Context& context, const ProgramSource& source);
 
-  // After the case: throws NotObservable if the program does not link, lets the context keep it otherwise.
+  // Must be called after the case. Throws NotObservable if the program does not link; otherwise the context
+  // keeps it.
   void require_linked(const gl::Trace& trace) const;
 
  private:

@@ -1,4 +1,4 @@
-// Vertices straight out of an evaluator in this process.
+// Captures vertices directly from an evaluator in this process.
 #include <optional>
 
 #include "control.h"
@@ -21,7 +21,7 @@ class Sink final : public Capture {
     try {
       wrong = try_control(*this, implementation, {true, true}, attributes_);
     } catch (const gl::MissingEntryPoint&) {
-      // An evaluator without explicit vertices: nothing lies between it and us that could change them.
+      // The evaluator has no explicit vertices. There is no pipeline that could change the emitted ones.
     }
     if (!wrong.empty()) keep_what_is_confirmed(implementation, wrong);
   }
@@ -60,7 +60,7 @@ class Sink final : public Capture {
     }
     if (confirmed == 0) throw NotObservable(wrong);
     if (confirmed & kNormal) confirmed |= kUnitNormal;
-    // The control is of unit 0.
+    // The control uses texture unit 0; other units are taken to behave alike.
     if (confirmed & kTextureCoordinate0) confirmed |= offered & kTextureCoordinatesOther;
     attributes_ = confirmed;
   }

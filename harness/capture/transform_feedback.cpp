@@ -1,5 +1,6 @@
-// A vertex shader copies the built-in attributes to varyings, transform feedback records them. A vertex
-// shader changes AUTO_NORMAL (EV-AUTON-SHADER), nothing else of evaluation.
+// Captures vertices by transform feedback: a vertex shader copies the built-in attributes to varyings, which
+// are recorded. A vertex shader changes the effect of AUTO_NORMAL (EV-AUTON-SHADER) and nothing else of
+// evaluation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,8 +68,8 @@ class TransformFeedback final : public Capture {
   }
 
  private:
-  // Mesa drops the built-in functions of GLSL with the last context that has compiled a shader; making them
-  // again takes a third of the time of a case. One context stays, therefore; nothing is drawn on it.
+  // Keeps one idle context with a compiled shader. Mesa frees the built-in functions of GLSL with the last
+  // context that has compiled a shader, and making them again takes a third of the time of a case.
   void stay_warm(Implementation& implementation) {
     idle_ = implementation.create_beside();
     if (!idle_) return;

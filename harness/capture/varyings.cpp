@@ -19,7 +19,7 @@ std::size_t vertices_of_recorded(PrimitiveKinds kind) { return kind == kPoints ?
 
 RecordedVaryings record_varyings(Implementation& implementation, const VaryingShader& shader,
                                  const gl::Case& script, PrimitiveKind kind, std::size_t most_vertices) {
-  // One primitive more than expected, to see that more came.
+  // There is room for one primitive more than expected, which shows an overflow.
   const std::size_t room = most_vertices + vertices_of_recorded(kind);
   const std::size_t bytes = room * shader.floats * sizeof(GLfloat);
 

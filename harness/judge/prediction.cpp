@@ -17,7 +17,8 @@ bool may_be_anything(const reference::Component& component) {
   return std::holds_alternative<reference::Sample>(component) && !reference::must_applies(component);
 }
 
-// Apart from the context of an implementation under test, which may be the same class.
+// The specification that predicts. It is separate from the current context of an implementation under test,
+// which may be a Specification as well.
 struct Oracle {
   static inline thread_local reference::Specification* current = nullptr;
 };
@@ -35,7 +36,7 @@ gl::Trace play(const gl::Case& script, reference::Specification& specification,
   return trace;
 }
 
-// The commands that the specification has.
+// Returns the commands of a case that the specification supports.
 gl::Case known_commands(const gl::Case& script) {
   gl::Case known;
   std::vector<std::optional<int>> places;  // of all commands, in `known`

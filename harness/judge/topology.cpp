@@ -16,7 +16,8 @@
 namespace evalcts {
 namespace {
 
-// How many of n vertices a primitive uses: what is left over at its end is ignored (GL 2.1 section 2.6.1).
+// Returns how many of n vertices a primitive uses; an incomplete rest at its end is ignored (GL 2.1 section
+// 2.6.1).
 std::size_t used_vertices(GLenum mode, std::size_t n) {
   switch (mode) {
     case GL_POINTS:
@@ -135,7 +136,8 @@ namespace {
 
 using Quad = std::array<std::size_t, 4>;  // vertices of the case, in the order of its winding
 
-// Appends those of a primitive of quads whose first vertex has the number `first`; false where it has others.
+// Appends the quads of a primitive whose first vertex has the index `first`. Returns false if the primitive
+// does not consist of quads.
 bool append_quads(const reference::Primitive& primitive, std::size_t first, std::vector<Quad>& quads) {
   const std::size_t used = used_vertices(primitive.mode, primitive.vertices.size());
   if (primitive.mode == GL_QUADS) {
@@ -148,7 +150,7 @@ bool append_quads(const reference::Primitive& primitive, std::size_t first, std:
   return true;
 }
 
-// None where something other than quads is drawn.
+// Returns the quads of a prediction, or nothing if it has other primitives.
 std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
   std::vector<Quad> quads;
   std::size_t first = 0;
@@ -159,7 +161,7 @@ std::optional<std::vector<Quad>> quads_of(const Prediction& prediction) {
   return quads;
 }
 
-// How far what came out is from a vertex of the case: near zero where it is that vertex.
+// Distance between a captured vertex and a predicted vertex: near zero if they are the same vertex.
 class Distance {
  public:
   Distance(const Prediction& prediction, const Observation& observation)
@@ -205,7 +207,7 @@ struct Match {
   std::vector<std::size_t> vertices;
 };
 
-// The corners turned so that they fit best.
+// Matches captured vertices with the corners of a polygon, rotated to the best fit.
 Match turned(const Distance& distance, std::vector<std::size_t> corners,
              const std::vector<ObservedVertex>& seen) {
   Match best;
@@ -234,7 +236,7 @@ Match two_triangles(const Distance& distance, const Quad& q, const std::vector<O
   return best;
 }
 
-// What comes out at once: a point, a line or a polygon.
+// A captured point, line or polygon.
 struct Piece {
   GLenum mode;
   std::vector<ObservedVertex> vertices;
@@ -252,7 +254,7 @@ std::vector<Piece> pieces_of(const Observation& observation) {
   return pieces;
 }
 
-// The pieces of a mesh by the topology, by their vertices, and whether they have been found.
+// A point, line or polygon of a mesh that must be captured, and whether it has been found.
 struct ExpectedPiece {
   GLenum mode;
   std::vector<std::size_t> vertices;
@@ -271,8 +273,8 @@ std::vector<ExpectedPiece> pieces_of(const Topology& topology, const std::vector
   return pieces;
 }
 
-// What came out next has to be one of the expected, which is not found yet: the nearest one. Lines may go
-// either way.
+// Assigns each captured piece, in order, to the nearest expected piece that has not been found yet. Lines may
+// have either direction.
 class MeshMatch {
  public:
   MeshMatch(const Distance& distance, const std::vector<Piece>& seen) : distance_(distance), seen_(seen) {}

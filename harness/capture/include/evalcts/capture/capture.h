@@ -1,5 +1,5 @@
-// Captures: ways to see what an evaluator emitted. A capture wraps a case in commands of its own, plays it in
-// a fresh context (once for each pass that it needs) and decodes what came back.
+// Captures: ways to observe the vertices that an evaluator emits. A capture wraps a case in commands of its
+// own, plays it in a fresh context, once for each pass that it needs, and decodes the output.
 #pragma once
 
 #include <memory>
@@ -13,11 +13,11 @@
 
 namespace evalcts {
 
-// What is asked of a capture.
+// Requirements of an observation.
 struct Wanted {
-  Attributes attributes = 0;       // to be observed at least
-  std::size_t most_vertices = 0;   // as they come out; where more come, Observation::overflow is set
-  PrimitiveKinds kinds = kPoints;  // that the case draws
+  Attributes attributes = 0;       // attributes to observe; more may be observed
+  std::size_t most_vertices = 0;   // largest number of captured vertices; more set Observation::overflow
+  PrimitiveKinds kinds = kPoints;  // kinds of primitives that the case draws
 };
 
 class Capture {
@@ -25,64 +25,66 @@ class Capture {
   virtual ~Capture() = default;
   virtual std::string name() const = 0;
 
-  // Proves itself on a control of explicit Vertex, Color, Normal and TexCoord commands, and learns what it
-  // can see of this implementation. Throws NotObservable if it cannot be used. To be called once, before
-  // observe().
+  // Tests the capture on a control of explicit Vertex, Color, Normal and TexCoord commands, and determines
+  // which attributes it can observe on this implementation. Throws NotObservable if the capture cannot be
+  // used. Must be called once, before observe().
   virtual void prove(Implementation& implementation, const ImplementationInfo& info) = 0;
 
-  // The attributes that it reproduces bit for bit; valid after prove().
+  // Attributes that the capture reproduces bit for bit; valid after prove().
   virtual Attributes attributes() const = 0;
 
-  // Further attributes, which it reproduces up to an error that observations state
-  // (Observation::color_error); valid after prove().
+  // Further attributes, reproduced up to an error that each observation states (Observation::color_error);
+  // valid after prove().
   virtual Attributes inexact_attributes() const { return 0; }
 
   // All attributes that observations show, exact or not; valid after prove().
   Attributes shown() const { return attributes() | inexact_attributes(); }
 
-  // Those of the wanted attributes of a vertex that observations show, exact or not. A kind of normals
-  // (kUnitNormal, kShaderNormal) that is wanted but not shown leaves no normals.
+  // Returns the subset of the wanted attributes that observations show, exact or not. If a kind of normals
+  // (kUnitNormal, kShaderNormal) is wanted but not shown, the result has no normals.
   Attributes shown_of(Attributes wanted) const;
 
-  // Whether vertices with w <= 0 are lost on the way; valid after prove().
+  // True if vertices with w <= 0 are lost; valid after prove().
   virtual bool loses_nonpositive_w() const { return false; }
 
-  // Whether vertices whose position is no number, or beyond float, may be lost on the way.
+  // True if vertices whose position is NaN or exceeds the range of float may be lost.
   virtual bool loses_vertices_beyond_float() const { return false; }
 
-  // True if it is used only for what no other capture shows: it is slow, and its control is the weakest.
+  // True if the capture is used only for attributes that no other capture shows, because it is slow and has
+  // the weakest control.
   virtual bool is_last_resort() const { return false; }
 
-  // Whether it can see a case that draws these kinds of primitives.
+  // True if the capture can observe cases that draw these kinds of primitives.
   virtual bool takes(PrimitiveKinds) const { return true; }
 
-  // Plays the case and returns what came out, with at least the wanted attributes. Throws NotObservable, and
-  // whatever gl::play throws.
+  // Plays the case and returns its output with at least the wanted attributes. Throws NotObservable, and all
+  // exceptions of gl::play.
   virtual Observation observe(Implementation& implementation, const gl::Case& script,
                               const Wanted& wanted) const = 0;
 };
 
-// Sink, TransformFeedback, FeedbackBuffer, Pixels, in order of preference.
+// Returns new captures in order of preference: sink, transform feedback, feedback buffer, pixels.
 std::vector<std::unique_ptr<Capture>> all_captures();
 
-// The captures of an implementation in order of preference, and the choice among them. Each is proved when it
-// is first considered: a proof plays many cases, and most tests need one capture only.
+// Chooses among the captures of an implementation. Each capture is proved when it is first considered,
+// because a proof plays many cases and most tests need only one capture.
 class Captures {
  public:
-  // `names`: those that may be used; all where it is null. Both references must outlive the object.
+  // `names`: names of the captures that may be used; null: all. Both references must outlive the object.
   Captures(Implementation& implementation, const ImplementationInfo& info,
            const std::vector<std::string>* names = nullptr);
   Captures(Implementation& implementation, const ImplementationInfo& info,
            std::vector<std::unique_ptr<Capture>> captures);
 
   std::size_t size() const { return captures_.size(); }
-  // The first capture that shows all of these attributes exactly. Throws NotObservable.
+  // Returns the first capture that shows all of these attributes exactly. Throws NotObservable.
   const Capture& showing_all(Attributes required, PrimitiveKinds kinds);
-  // The capture that shows most of the required attributes, and up to `most` - 1 more that show at least the
-  // same. With `nonpositive_w` only captures that do not lose such vertices. Throws NotObservable.
+  // Returns the capture that shows most of the required attributes, and up to `most` - 1 others that show at
+  // least the same attributes. `nonpositive_w` excludes captures that lose vertices with w <= 0. Throws
+  // NotObservable.
   std::vector<const Capture*> showing_most(Attributes required, PrimitiveKinds kinds, bool nonpositive_w,
                                            std::size_t most);
-  // For an implementation that will soon have no room for a proof.
+  // Proves all captures at once, before a case leaves the implementation no memory for a proof.
   void prove_all();
 
  private:
@@ -90,7 +92,7 @@ class Captures {
     std::unique_ptr<Capture> capture;
     bool proved = false;
   };
-  // Null if it cannot be used, which is written to standard output once.
+  // Returns the proved capture, or null if it cannot be used; the reason is printed to standard output once.
   const Capture* proved(Entry& entry);
 
   Implementation& implementation_;
@@ -103,8 +105,8 @@ std::unique_ptr<Capture> make_transform_feedback();
 std::unique_ptr<Capture> make_feedback_buffer();
 std::unique_ptr<Capture> make_pixels();
 
-// A script behind a capture's prologue, with GetError between them and after it: what the capture itself
-// raises is not the script's. Epilogues are added to `commands`.
+// A script after a capture's prologue, with GetError between them and after the script, so that errors of the
+// capture are not taken for errors of the script. The capture appends its epilogue to `commands`.
 struct WrappedCase {
   gl::Case commands;
   gl::Ref error_before;  // GetError after the prologue

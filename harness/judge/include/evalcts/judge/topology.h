@@ -1,6 +1,6 @@
-// How primitives are taken apart on their way to a capture: into separate lines, triangles or polygons, in
-// an order and by diagonals that are the implementation's own. It is learned from explicit vertices, so that
-// only what evaluation adds is judged.
+// Topology: how an implementation splits primitives into separate lines, triangles or polygons on their way
+// to a capture. The order and the diagonals are the implementation's choice. They are learned from explicit
+// vertices, so that only the effect of evaluation is judged.
 #pragma once
 
 #include <optional>
@@ -14,41 +14,45 @@
 
 namespace evalcts {
 
-// The primitives that come out: mode and number of vertices. Points that follow each other are one.
+// The captured primitives: mode and number of vertices of each. Consecutive points form one entry.
 using Shape = std::vector<std::pair<GLenum, std::size_t>>;
 Shape shape_of(const Observation& observation);
 std::string describe(const Shape& shape);  // "8 vertices", "3 LINES and 1 POLYGON of 4 vertices"
 
 struct Topology {
   Shape shape;
-  std::vector<std::size_t> vertices;  // which vertex of the case each one is that comes out
+  std::vector<std::size_t> vertices;  // for each captured vertex, its index in the case
 
-  // What draws only points comes out as it is.
+  // The topology of `count` points, which are never split.
   static Topology points(std::size_t count);
   bool only_points() const;
 };
 
 PrimitiveKinds kinds_of(const Prediction& prediction);
 
-// The most vertices that can come out: triangles of a strip share none.
+// Returns the largest possible number of captured vertices, which counts each triangle of a strip separately.
 std::size_t most_vertices_of(const Prediction& prediction);
 
-// The primitives of the prediction with explicit vertices, each of which has its number as x and s.
+// Returns a case that draws the predicted primitives with explicit vertices; the index of each vertex is its
+// x and its s coordinate.
 gl::Case explicit_primitives(const Prediction& prediction);
 
-// Reads the numbers back. Empty where they do not come back, or where a vertex of a complete primitive is
-// missing: then the implementation does not draw such primitives at all, evaluated or not.
+// Reads the topology from the captured output of explicit_primitives(). Returns nothing if the indices do not
+// come back or a vertex of a complete primitive is missing: the implementation then does not draw such
+// primitives at all, evaluated or explicit.
 std::optional<Topology> read_topology(const Prediction& prediction, const Observation& observation);
 
-// The same for a case of quads only (QUADS, QUAD_STRIP) by what came out itself: quads in their order, each
-// whole or as two triangles by either diagonal, turned any way but not over. An implementation may draw them
-// so whatever it does with explicit quads (U-FEEDBACK-DECOMP). Empty where something else came out.
+// Finds the topology of a case that draws only quads (QUADS, QUAD_STRIP) by matching its own captured output:
+// quads in order, each whole or as two triangles along either diagonal, starting at any corner with the same
+// orientation. An implementation may split evaluated quads differently from explicit ones
+// (U-FEEDBACK-DECOMP). Returns nothing if the output is different.
 std::optional<Topology> match_quads(const Prediction& prediction, const Observation& observation);
 
-// The same for a case with EvalMesh2: each of its meshes has the points, lines or polygons of `topology`, but
-// in an order of its own, and lines may go either way. An implementation that draws a mesh in another order
-// than the text has it is wrong (EV-MESH2-POINT, EV-MESH2-LINE, EV-MESH2-FILL), yet the vertices may be
-// right. Quads are matched as above. Empty where something else came out, or where no mesh is drawn.
+// Finds the topology of a case with EvalMesh2 by matching its captured output: each mesh has the points,
+// lines or polygons of `topology` in any order, and lines may have either direction. Drawing a mesh in
+// another order than the text prescribes is an error (EV-MESH2-POINT, EV-MESH2-LINE, EV-MESH2-FILL), but its
+// vertices may still be right. Quads are matched as by match_quads(). Returns nothing if the output is
+// different or no mesh is drawn.
 std::optional<Topology> match_meshes(const Prediction& prediction, const Topology& topology,
                                      const Observation& observation);
 
