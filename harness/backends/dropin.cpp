@@ -1,4 +1,5 @@
-// production/dropin: the evaluators of this project before those of a GL.
+// The drop-in library (production/dropin) as an implementation: the evaluators of this project in front of a
+// GL.
 #include <cstdlib>
 #include <filesystem>
 
@@ -10,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside this program's libraries where it is installed, in its own folder in a build.
+// Returns the drop-in library: installed, in the folder of libraries; in a build, in its own folder.
 std::string built_library() {
   const char* const name = "libglevaluator_dropin.so.0";
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
@@ -23,7 +24,7 @@ std::string built_library() {
 
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library) {
   const std::string in_front = library.empty() ? built_library() : library;
-  // It is opened here, not loaded before the GL: it has to be told what that is.
+  // The drop-in library is opened with dlopen, not preloaded, so the environment names the GL behind it.
   const auto in_front_of = [&](const char* gl, std::unique_ptr<ContextMaker> (*make)(const std::string&)) {
     setenv("GLEVALUATOR_GL", gl, 0);
     return make_gl_library(name, make(in_front), "");

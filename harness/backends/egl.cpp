@@ -1,4 +1,4 @@
-// EGL without a window system.
+// Contexts of EGL without a window system.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -17,7 +17,7 @@
 namespace evalcts {
 namespace {
 
-// All of EGL 1.4 that is needed. Only the types of the header's declarations are used.
+// The functions of EGL 1.4 that are used. Only the types of the header's declarations are used.
 // (clang-format 14 never comes to an end with such lists.)
 // clang-format off
 #define EGL_FUNCTIONS(X)                                                           \
@@ -79,14 +79,14 @@ bool has_word(const char* words, const std::string& wanted) {
   return false;
 }
 
-// A display that might do.
+// A display that may give a context.
 struct Candidate {
   std::string name;
   EGLenum platform;  // EGL_NONE: eglGetDisplay
   void* native;
 };
 
-// The commands with which a context gets something to draw to.
+// The commands that make a framebuffer object for a context.
 // clang-format off
 #define FRAMEBUFFER_COMMANDS(X)                                                    \
   X(GenFramebuffers) X(BindFramebuffer) X(GenRenderbuffers) X(BindRenderbuffer)    \
@@ -129,7 +129,8 @@ class EglContexts final : public ContextMaker {
   }
 
   std::string kind() const override { return opengl() ? "egl" : "egl-gles2"; }
-  // A layer over OpenGL ES keeps the names of its objects, and knows nothing of contexts: there is only one.
+  // There is only one context for a layer over OpenGL ES, because a layer keeps the names of its objects and
+  // does not notice another context.
   void* create() override {
     if (opengl()) return make(EGL_NO_CONTEXT, attributes_);
     if (!only_) only_.reset(make(EGL_NO_CONTEXT, attributes_));
@@ -159,8 +160,8 @@ class EglContexts final : public ContextMaker {
 
   void* exported(const char* command) override { return library_.exported(command); }
 
-  // Another library's commands may belong to other contexts than this EGL's: they are the last resort, for an
-  // EGL whose eglGetProcAddress need not know the commands of GL 1.x.
+  // Commands of other libraries are the last resort, because they may not belong to this EGL's contexts. They
+  // are needed if eglGetProcAddress does not return the commands of GL 1.x.
   void* address_of(const char* command) override {
     if (!knows_all_commands_)
       for (const char* name : {"libOpenGL.so.0", "libGL.so.1"}) {
@@ -181,7 +182,8 @@ class EglContexts final : public ContextMaker {
     EGLSurface surface = EGL_NO_SURFACE;
   };
 
-  // EGL 1.5, or EGL_KHR_create_context and EGL_KHR_create_context_no_error with the same values.
+  // Returns context attributes of EGL 1.5, or of EGL_KHR_create_context and EGL_KHR_create_context_no_error,
+  // which have the same values.
   std::vector<EGLint> attributes_of(GLuint kind) const {
     if (!opengl()) throw CannotStart("OpenGL ES has no such kinds of contexts");
     std::vector<EGLint> attributes = {
@@ -239,8 +241,8 @@ class EglContexts final : public ContextMaker {
     return made.release();
   }
 
-  // For a display that the library under test has terminated: a layer may look at it when it is loaded, and
-  // clean up.
+  // Initialises the display again after the library under test has terminated it, as a layer may do when it
+  // is loaded.
   bool initialize_again() {
     return egl_.Initialize(display_, nullptr, nullptr) &&
            egl_.BindAPI(opengl() ? EGL_OPENGL_API : EGL_OPENGL_ES_API) && choose_config();
@@ -280,7 +282,7 @@ class EglContexts final : public ContextMaker {
     }
     if (platform == EglPlatform::any) {
       const Candidate usual{"default display", EGL_NONE, nullptr};
-      // Whoever sets EGL_PLATFORM means the default display.
+      // EGL_PLATFORM selects the default display, which is then tried first.
       found.insert(std::getenv("EGL_PLATFORM") ? found.begin() : found.end(), usual);
     }
     return found;
@@ -304,7 +306,7 @@ class EglContexts final : public ContextMaker {
     return get ? get(candidate.platform, candidate.native, nullptr) : EGL_NO_DISPLAY;
   }
 
-  // False where there is none.
+  // Chooses a configuration. Returns false if there is none.
   bool choose_config() {
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
                              opengl() ? EGL_OPENGL_BIT : EGL_OPENGL_ES2_BIT,
@@ -325,7 +327,7 @@ class EglContexts final : public ContextMaker {
     return count > 0;
   }
 
-  // Everything up to one context that is made and destroyed again.
+  // Opens the display, and makes and destroys one context.
   void open(const Candidate& candidate) {
     display_ = display_of(candidate);
     if (display_ == EGL_NO_DISPLAY) throw failure("the display");
@@ -341,9 +343,9 @@ class EglContexts final : public ContextMaker {
     const char* extensions = egl_.QueryString(display_, EGL_EXTENSIONS);
     knows_all_commands_ = is_1_5 || has_word(extensions, "EGL_KHR_get_all_proc_addresses") ||
                           client_has("EGL_KHR_client_get_all_proc_addresses");
-    // A framebuffer object only where there are no surfaces: NVIDIA's driver (580) loses that of a context
-    // without a surface when other contexts have been current. What makes contexts of OpenGL ES for another
-    // library need not know such objects at all.
+    // A framebuffer object is used only if there are no surfaces: NVIDIA's driver (580) loses the one of a
+    // context without a surface after other contexts have been current. Contexts of OpenGL ES for another
+    // library need not support framebuffer objects.
     surfaceless_ = false;
     if (!choose_config() && opengl() && has_word(extensions, "EGL_KHR_surfaceless_context")) {
       surfaceless_ = true;
@@ -351,7 +353,7 @@ class EglContexts final : public ContextMaker {
     }
     if (!config_) throw CannotStart("no configuration is made for OpenGL");
 
-    // Without attributes comes the highest version with everything of 1.0 in it, and so with evaluators.
+    // Without attributes, EGL creates the highest version that includes GL 1.0, and so evaluators.
     attributes_ = {EGL_NONE};
     if (!opengl()) attributes_ = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
     try {
@@ -383,8 +385,9 @@ class EglContexts final : public ContextMaker {
 #undef X
   }
 
-  // Without a complete framebuffer every Begin raises INVALID_FRAMEBUFFER_OPERATION. The objects die with the
-  // context. Viewport and scissor box of a context without a surface start empty.
+  // Binds a complete framebuffer object, without which every Begin raises INVALID_FRAMEBUFFER_OPERATION. The
+  // objects are destroyed with the context. Viewport and scissor box of a context without a surface are
+  // initially empty.
   void bind_framebuffer() {
     if (!gl_.GetError) load_framebuffer_commands();
     GLuint framebuffer = 0;

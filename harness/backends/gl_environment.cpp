@@ -68,14 +68,15 @@ std::string value_of(const char* variable) {
   return value ? value : "";
 }
 
-// Drivers that put their name into GL_RENDERER, those that run on the processor first.
+// Drivers whose name is part of GL_RENDERER; the first kSoftware of them run on the processor.
 constexpr std::array<std::string_view, 7> kNamed = {"llvmpipe", "softpipe", "swr",   "zink",
                                                     "d3d12",    "virgl",    "svga3d"};
 constexpr std::size_t kSoftware = 3;
 
 bool is_named(std::string_view driver) { return std::ranges::find(kNamed, driver) != kNamed.end(); }
 
-// "zink Vulkan 1.3(llvmpipe (LLVM 15.0.6, 256 bits))" is zink: the first name counts.
+// Returns the driver that a renderer string names. The first name counts: "zink Vulkan 1.3(llvmpipe
+// (LLVM 15.0.6, 256 bits))" is zink.
 std::string_view driver_in(const std::string& renderer) {
   std::string lower = renderer;
   std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -19,7 +19,7 @@ class NoContexts final : public ContextMaker {
   std::string library() const override { return {}; }
 };
 
-// A context, and those that a case has made beside it.
+// A context, and the contexts that a case has made beside it.
 class MadeContext final : public Context {
  public:
   MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)
@@ -44,7 +44,7 @@ class MadeContext final : public Context {
     maker_.make_current(handle_);
   }
 
-  // The commands of gl/contexts.h.
+  // Implements the commands of gl/contexts.h.
   static void other(GLuint number) {
     of_the_case_->make_current(number, gl::EntryPoint::OtherContextEVALCTS,
                                [](ContextMaker& maker) { return maker.create(); });
@@ -75,7 +75,7 @@ class MadeContext final : public Context {
     }
   }
 
-  // Those of gl/requests.h.
+  // Implement the commands of gl/requests.h.
   static void record_requests() { of_the_case_->maker_.record_requests(); }
   static GLsizei recorded_requests(GLsizei size, GLubyte* requests) {
     const std::vector<unsigned char> all = of_the_case_->maker_.recorded_requests();
@@ -134,7 +134,7 @@ class GlLibrary final : public Implementation {
   }
 
  private:
-  // A layer may look for the context below it when it is loaded.
+  // Loads the library. A context is current then, because a layer may look for the context below it.
   void load() {
     if (library_.empty()) {
       const auto exported = [this](const char* command) { return contexts_->exported(command); };
@@ -142,7 +142,7 @@ class GlLibrary final : public Implementation {
       table_ = gl::load_table({exported, address_of}, advertised_by({exported, address_of}));
     } else {
       const SharedLibrary library(library_);
-      // What it merely depends on is not under test.
+      // Only symbols of the library itself are used, because its dependencies are not under test.
       const auto exported = [&](const char* command) { return library.exported(command); };
       table_ = gl::load_table({exported}, advertised_by({exported}));
       library_ = library.path();
@@ -160,7 +160,7 @@ class GlLibrary final : public Implementation {
     loaded_ = true;
   }
 
-  // Of the current context.
+  // Returns the version and the extensions of the current context.
   static gl::Advertised advertised_by(std::initializer_list<gl::AddressOf> sources) {
     const auto find = [&]<class Command>(Command*& command, const char* name) {
       for (const gl::AddressOf& source : sources)

@@ -1,4 +1,4 @@
-// GLX: contexts under an X server, that of DISPLAY or one of our own.
+// Contexts of GLX under an X server: that of DISPLAY, or one that this process starts.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,14 +16,14 @@
 #include "x_recorder.h"
 #include "x_server.h"
 
-// Last: it has macros for everyday words. Only the types of its declarations are used.
+// Included last, because Xlib defines common words as macros. Only the types of the declarations are used.
 #include <GL/glx.h>
 #undef DefaultScreen
 
 namespace evalcts {
 namespace {
 
-// All of Xlib and GLX 1.3 that is needed.
+// The functions of Xlib and GLX 1.3 that are used.
 // (clang-format 14 never comes to an end with such lists.)
 // clang-format off
 #define XLIB_FUNCTIONS(X)                                                               \
@@ -77,7 +77,7 @@ SharedLibrary usual(const char* name, const char* package, const std::string& in
   }
 }
 
-// Errors of the X protocol come to functions of the process. The usual ones end it.
+// Handlers of X protocol errors, which are global to the process. The default handlers end the process.
 namespace errors {
 
 decltype(Xlib::GetErrorText) get_text = nullptr;
@@ -182,7 +182,8 @@ class GlxContexts final : public ContextMaker {
     if (made->surface != None) glx_.DestroyPbuffer(display_, made->surface);
   }
 
-  // It knows them all. What libGL exports says less: libglvnd's has names that the driver lacks.
+  // glXGetProcAddressARB returns all commands. The exports of libGL prove less, because libglvnd exports
+  // names that the driver lacks.
   void* address_of(const char* command) override {
     return reinterpret_cast<void*>(glx_.GetProcAddressARB(reinterpret_cast<const GLubyte*>(command)));
   }
@@ -221,7 +222,7 @@ class GlxContexts final : public ContextMaker {
     return attributes;
   }
 
-  // Up to one context that is made, answers, and is destroyed again.
+  // Connects to a server, and makes and destroys one context that must answer queries.
   void open() {
     const char* given = std::getenv("DISPLAY");
     if (given && *given) connect(given);
@@ -230,8 +231,8 @@ class GlxContexts final : public ContextMaker {
       start_server("");
       return prove();
     }
-    // Where Xvfb is linked to libglvnd, its GL commands go nowhere: its contexts are Mesa's, of which
-    // libglvnd has not been told. Those of libOSMesa go to Mesa's contexts.
+    // The GL commands of an Xvfb that is linked to libglvnd have no effect, because its contexts are Mesa's
+    // and are not known to libglvnd. The commands of libOSMesa reach Mesa's contexts.
     start_server("libOSMesa.so.8");
     try {
       prove();
@@ -248,14 +249,14 @@ class GlxContexts final : public ContextMaker {
     if (!display_) throw CannotStart(fmt::format("Xvfb, display {}, lets nobody in", server_->display()));
   }
 
-  // Recorded where rendering is indirect and the server is on this machine and lets us in that way.
+  // Connects to a server, through a recorder if rendering is indirect and the server is on this machine.
   void connect(const std::string& server) {
     if (!direct_) {
       try {
         recorder_.emplace(server);
         display_ = xlib_.OpenDisplay(recorder_->display().c_str());
       } catch (const CannotStart&) {
-        // It goes without.
+        // The connection is made without a recorder.
       }
       if (display_) return;
       recorder_.reset();
@@ -298,7 +299,7 @@ class GlxContexts final : public ContextMaker {
   }
 
   void choose_configuration(const std::string& where) {
-    // Single-buffered, Mesa would show each flush, on a surface that shows nothing (BadMatch).
+    // Mesa would present a single-buffered surface at each flush, which fails with BadMatch for a pbuffer.
     const int wanted[] = {GLX_RENDER_TYPE,
                           GLX_RGBA_BIT,
                           GLX_DRAWABLE_TYPE,
@@ -330,7 +331,7 @@ class GlxContexts final : public ContextMaker {
                       where));
   }
 
-  // What of the least that a context has to answer it does not; empty: nothing.
+  // Returns the first basic query that the context does not answer; empty if it answers all.
   std::string silence_of_context() {
     const GLubyte* version =
         reinterpret_cast<decltype(&::glGetString)>(address_of("glGetString"))(GL_VERSION);
@@ -347,7 +348,7 @@ class GlxContexts final : public ContextMaker {
     return answer == points ? "" : "glGetMapfv does not give back what glMap1f was given";
   }
 
-  // What the client has to send has been sent and answered.
+  // Waits until all requests of the client have been sent and answered.
   void synchronize() {
     reinterpret_cast<decltype(&::glFinish)>(address_of("glFinish"))();
     xlib_.Sync(display_, False);

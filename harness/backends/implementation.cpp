@@ -136,8 +136,8 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
         library, version));
   if (missing > 0 || !table.GetError) return;  // half of an implementation is judged to the end
 
-  // Any answer will do here: what is wrong with it is for the tests to say. The memory is roomier than the
-  // map, so that a library which reads too much is judged, too.
+  // Any answer is enough here, because the tests judge whether it is right. The memory is larger than the
+  // map, so that a library that reads too much can be judged as well.
   gl::Case probe;
   probe.Map1f(GL_MAP1_VERTEX_4, 0.0f, 1.0f, 4, 2, std::vector<float>(256, 0.75f));
   const gl::Ref error = probe.GetError();
@@ -151,7 +151,8 @@ void require_an_effect(const gl::Table& table, const std::string& library, const
                     version, gl::error_name(trace.error(error))));
 }
 
-// True if state survives its context, as in a layer with one state for all of them, or without any contexts.
+// Returns true if state survives its context, as in a layer with one state for all contexts, or without
+// contexts.
 bool state_survives_context(Implementation& implementation) {
   constexpr GLint kSegments = 7;
   constexpr GLenum kMap = GL_MAP1_NORMAL;

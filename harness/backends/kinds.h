@@ -1,4 +1,4 @@
-// The implementations that are no GL library; implementation.cpp chooses between all.
+// Implementations that are not GL libraries. implementation.cpp chooses among all kinds.
 #pragma once
 
 #include <memory>
@@ -8,13 +8,13 @@
 
 namespace evalcts {
 
-// The executable specification and the production evaluator, both in this process.
+// Open the executable specification and the production evaluator, both in this process.
 std::unique_ptr<Implementation> open_reference();
 std::unique_ptr<Implementation> open_production();
-// The drop-in library, `library` or that of this build where empty, in front of libOSMesa, libEGL or libGL.
-// Throws CannotStart.
+// Opens the drop-in library in front of libOSMesa, libEGL or libGL. `library`: its path; empty: that of this
+// build. Throws CannotStart.
 std::unique_ptr<Implementation> open_dropin(const std::string& name, const std::string& library);
-// A shared library that fills in evalcts_sink.h. Throws CannotStart.
+// Opens a sink, a shared library that implements evalcts_sink.h. Throws CannotStart.
 std::unique_ptr<Implementation> open_sink(const std::string& path);
 
 }  // namespace evalcts

@@ -10,7 +10,7 @@
 namespace evalcts {
 namespace {
 
-// From Mesa's osmesa.h, which the suite does not need to build.
+// Declarations of Mesa's osmesa.h, repeated so that the header is not needed to build.
 using OSMesaContext = void*;
 using CreateContext = OSMesaContext (*)(GLenum format, OSMesaContext share);
 using CreateContextExt = OSMesaContext (*)(GLenum format, GLint depth, GLint stencil, GLint accumulation,
@@ -49,7 +49,7 @@ class OSMesaContexts final : public ContextMaker {
   void* create_of_kind(GLuint kind) override {
     const auto create = library_.find_as<CreateContextAttribs>("OSMesaCreateContextAttribs");
     if (!create || kind != EVALCTS_CORE_PROFILE) return ContextMaker::create_of_kind(kind);
-    // Names and values of GL/osmesa.h, which is not everywhere.
+    // Attributes with the values of GL/osmesa.h, which is not installed everywhere.
     const int attributes[] = {0x22 /* FORMAT */,
                               GL_RGBA,
                               0x30 /* DEPTH_BITS */,

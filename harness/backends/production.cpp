@@ -134,7 +134,7 @@ gl::Table bind_functions() {
   return table;
 }
 
-// A context, and those that a case has made beside it. They have nothing to share.
+// A context, and the contexts that a case has made beside it. They share no objects.
 class ProductionContext final : public Context {
  public:
   explicit ProductionContext(const gl::Table& table) : table_(table) { switch_to(0); }
@@ -149,7 +149,7 @@ class ProductionContext final : public Context {
   bool has_sink() const override { return true; }
   std::vector<ObservedPrimitive> take_emitted() override { return std::exchange(emitted_, {}); }
 
-  // The command of gl/contexts.h.
+  // Implements the command of gl/contexts.h.
   static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:

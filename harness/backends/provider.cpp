@@ -1,4 +1,4 @@
-// Contexts from a shared library of the user's.
+// Contexts from a provider, a shared library of the user.
 #include <evalcts_provider.h>
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// The executable specification as an implementation: each emitted value is the exact one, correctly rounded.
+// The executable specification as an implementation: each emitted value is the exact value, correctly
+// rounded.
 #include <reference/specification.h>
 
 #include <cstdlib>
@@ -29,14 +30,14 @@ ObservedVertex rounded(const reference::Vertex& vertex) {
   return out;
 }
 
-// EVALCTS_MAX_EVAL_ORDER in the environment: the specification with another MAX_EVAL_ORDER. With the least
-// that the GL allows every test has to pass, too.
+// Returns MAX_EVAL_ORDER, which the environment variable EVALCTS_MAX_EVAL_ORDER can change. Every test must
+// pass with the smallest value that the GL allows, too.
 int max_eval_order() {
   const char* const wanted = std::getenv("EVALCTS_MAX_EVAL_ORDER");
   return wanted ? std::atoi(wanted) : reference::kMaxOrder;
 }
 
-// A context, and those that a case has made beside it.
+// A context, and the contexts that a case has made beside it.
 class ReferenceContext final : public Context {
  public:
   explicit ReferenceContext(const gl::Table& table) : table_(table) { switch_to(0); }
@@ -56,7 +57,7 @@ class ReferenceContext final : public Context {
     return primitives;
   }
 
-  // The command of gl/contexts.h.
+  // Implements the command of gl/contexts.h.
   static void other(GLuint number) { of_the_case_->switch_to(number); }
 
  private:

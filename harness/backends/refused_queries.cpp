@@ -18,7 +18,7 @@ constexpr GLenum kQueried[] = {GL_MAX_EVAL_ORDER,     GL_CURRENT_COLOR,
                                GL_POINT_SIZE,         GL_LINE_WIDTH,
                                GL_FOG_MODE,           GL_VIEWPORT};
 
-// The state of the one context that is played on.
+// The state of the filter, which is global because the commands have no other argument.
 struct Filter {
   static inline gl::Table inner;
   static inline std::set<GLenum> names;

@@ -16,14 +16,14 @@ using gl::EntryPoint;
 
 // --- restoring commands, by theme --------------------------------------------------------------------------
 //
-// State is set by the plain commands and not saved by PushAttrib: a case that fills the attribute stack would
+// State is set by plain commands and not saved by PushAttrib: a case that fills the attribute stack would
 // find a level less, a capture that relies on saved state would see another history, and PopAttrib is itself
-// something to judge, with the evaluators in its EVAL_BIT. So whoever lets a case set something new adds the
-// command that takes it back to the theme here; entry points that an implementation lacks are left out.
+// under test, with the evaluators in its EVAL_BIT. If a case sets new state, the command that restores it
+// must be added to its theme here. Entry points that an implementation lacks are left out.
 
 constexpr GLenum unit_token(int unit) { return GL_TEXTURE0 + static_cast<GLenum>(unit); }
 
-// For each texture unit, unit 0 last: Map1 and Map2 accept no other (GL 2.1 §5.1).
+// Records commands for each texture unit, unit 0 last, because Map1 and Map2 accept no other (GL 2.1 §5.1).
 template <class Commands>
 void for_each_unit(Case& c, const ImplementationInfo& info, Commands commands) {
   for (int unit = std::max(info.texture_units, 1) - 1; unit >= 0; --unit) {
@@ -32,8 +32,9 @@ void for_each_unit(Case& c, const ImplementationInfo& info, Commands commands) {
   }
 }
 
-// GL 2.1 §5.1: order 1, domain [0,1] and the attribute's constant (table 5.1 and the text below it). The
-// memory is roomier than the map: a library that reads too much is judged by the tests, not here.
+// Returns the control point of the initial map, which has order 1, domain [0,1] and the attribute's constant
+// (GL 2.1 §5.1, table 5.1 and the text below it). The memory is larger than the map, because a library that
+// reads too much is judged by the tests, not here.
 std::vector<GLfloat> initial_control_point(GLenum target) {
   std::vector<GLfloat> point;
   switch (target) {
@@ -83,8 +84,8 @@ void current_values(Case& c, const ImplementationInfo& info) {
   c.SecondaryColor3f(0, 0, 0);
   c.FogCoordf(0);
   for (GLuint i = 1; i < 16; ++i) c.VertexAttrib4f(i, 0, 0, 0, 1);  // 0 is a vertex
-  // Through identity matrices this corner is the window position (0,0,0,1), with the current values above.
-  // (Its eye distance is 1 and not 0; nothing asks for it.)
+  // Identity matrices transform this corner to the window position (0,0,0,1), with the current values above.
+  // Its eye distance is 1 and not 0, which no test queries.
   c.RasterPos3f(-1, -1, -1);
 }
 
@@ -97,7 +98,8 @@ void client_arrays(Case& c, const ImplementationInfo&) {
   c.TexCoordPointer(4, GL_FLOAT, 0, nullptr);
 }
 
-// After `transformation`: positions, directions and planes are multiplied by the modelview matrix.
+// Must follow `transformation`, because positions, directions and planes are multiplied by the modelview
+// matrix.
 void lighting_and_fog(Case& c, const ImplementationInfo&) {
   using Values = std::vector<GLfloat>;
   c.Disable(GL_LIGHTING);
@@ -170,7 +172,7 @@ void transformation(Case& c, const ImplementationInfo& info) {
   c.LoadIdentity();
 }
 
-// After `transformation`: a plane is multiplied by the modelview matrix on its way in.
+// Must follow `transformation`, because a plane is multiplied by the modelview matrix when it is set.
 void textures(Case& c, const ImplementationInfo& info) {
   constexpr std::array<std::pair<GLenum, GLenum>, 4> kCoordinates = {{{GL_S, GL_TEXTURE_GEN_S},
                                                                       {GL_T, GL_TEXTURE_GEN_T},
@@ -233,7 +235,7 @@ void pixel_store(Case& c, const ImplementationInfo&) {
   c.PixelStorei(GL_PACK_ALIGNMENT, 4);
 }
 
-// Programs and modes first, evaluators last: nothing of what comes before may be seen by them.
+// The themes in order: programs and modes first, evaluators last, so that earlier state does not affect them.
 constexpr void (*kThemes[])(Case&, const ImplementationInfo&) = {
     feedback, programs_and_buffers, client_arrays,  transformation, textures, lighting_and_fog,
     pipeline, pixel_store,          current_values, evaluators,
@@ -241,7 +243,7 @@ constexpr void (*kThemes[])(Case&, const ImplementationInfo&) = {
 
 // --- what a case leaves behind -----------------------------------------------------------------------------
 
-// What is left open is closed by its counterpart, as often as it was opened.
+// A command that opens something, and the command that closes it as often as it was opened.
 struct Pair {
   EntryPoint open, close;
 };
@@ -252,7 +254,7 @@ constexpr Pair kPairs[] = {{EntryPoint::Begin, EntryPoint::End},
                            {EntryPoint::NewList, EntryPoint::EndList},
                            {EntryPoint::PushAttrib, EntryPoint::PopAttrib}};
 
-// What the played cases have left behind that no constant command takes back.
+// Objects and open constructs that the played cases left behind, which no constant list of commands removes.
 class Remains {
  public:
   void add(const Case& script, const gl::Trace& trace) {
@@ -273,7 +275,7 @@ class Remains {
       if (command.entry == EntryPoint::GenBuffers) written(buffers_);
       if (command.entry == EntryPoint::GenQueries) written(queries_);
       if (command.entry == EntryPoint::GenFramebuffers) written(framebuffers_);
-      // Textures, assembly programs and lists are made by names of one's own choice.
+      // Textures, assembly programs and lists come into existence with names that the case chooses.
       const auto given = [&](std::size_t argument, std::set<GLuint>& names) {
         if (const auto* name = std::get_if<std::int64_t>(&command.arguments[argument]))
           names.insert(static_cast<GLuint>(*name));
@@ -290,7 +292,8 @@ class Remains {
     return c;
   }
 
-  // To be played when nothing is bound any more.
+  // Returns the commands that delete all objects except the kept programs. No object may be bound when they
+  // are played.
   Case deleting(const std::map<std::string, GLuint>& kept) const {
     Case c;
     for (const GLuint program : programs_)
@@ -327,7 +330,8 @@ class Remains {
       lists_;
 };
 
-// Nothing here uses the result of another command, so that commands can be left out.
+// Returns the commands that the table supports. They can be left out one by one, because no command here uses
+// the result of another.
 Case available(const Case& commands, const gl::Table& table) {
   Case c;
   for (const gl::Command& command : commands.commands())
@@ -345,7 +349,7 @@ class Shared {
     table_.CopyContextEVALCTS = nullptr;
     table_.RecordRequestsEVALCTS = nullptr;
     table_.RecordedRequestsEVALCTS = nullptr;
-    // Its initial value is the size of a window that only the implementation knows.
+    // The initial viewport is the size of a window that only the implementation knows.
     if (gl::has(context_->table(), EntryPoint::Viewport)) {
       Case question;
       const gl::Ref viewport = question.GetIntegerv(GL_VIEWPORT, gl::out<GLint>(4));

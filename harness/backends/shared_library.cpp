@@ -21,7 +21,7 @@ const link_map* map_of(void* handle) {
   return dlinfo(handle, RTLD_DI_LINKMAP, &map) == 0 ? map : nullptr;
 }
 
-// Files for this machine begin like the file of this program itself.
+// The beginning of an ELF file. Libraries for this machine begin like the file of this program.
 using ElfHead = std::array<unsigned char, 20>;
 
 ElfHead head_of(const std::string& file) {
@@ -54,7 +54,8 @@ std::string machine_name(const ElfHead& head) {
   }
 }
 
-// Returns why the file at a path cannot be a library for this process; empty if nothing speaks against it.
+// Returns the reason for which the file at a path cannot be a library for this process; empty if there is
+// none.
 std::string problem_of_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -70,7 +71,8 @@ std::string problem_of_file(const std::string& path) {
   return {};
 }
 
-// Returns what is wrong, and what to do, about a name that dlopen rejects with the message `loader`.
+// Returns a message with the problem and its solution for a name that dlopen rejects with the message
+// `loader`.
 std::string explain(const std::string& name, const std::string& loader) {
   const bool is_path = name.find('/') != std::string::npos;
   if (is_path)

@@ -8,20 +8,20 @@ namespace evalcts {
 
 class SharedLibrary {
  public:
-  // `name`: a path or a soname. `in_front`: another one, whose own symbols come before those of this one, as
-  // if it had been loaded first (LD_PRELOAD); empty: none. Throws CannotStart with the loader's own words.
+  // `name`: a path or a soname. `in_front`: another library whose symbols precede those of this one, as if it
+  // had been loaded first (LD_PRELOAD); empty: none. Throws CannotStart with the loader's message.
   explicit SharedLibrary(const std::string& name, const std::string& in_front = "");
 
-  // A symbol of the library or of one that it depends on; null where there is none.
+  // Returns a symbol of the library or of a dependency; null if there is none.
   void* find(const char* symbol) const;
   template <class Function>
   Function find_as(const char* symbol) const {
     return reinterpret_cast<Function>(find(symbol));
   }
-  // A symbol of the library itself.
+  // Returns a symbol of the library itself; null if there is none.
   void* exported(const char* symbol) const;
 
-  // The file that was loaded; where there is one in front, that.
+  // Returns the loaded file, or the library in front if there is one.
   std::string path() const;
 
  private:

@@ -1,4 +1,4 @@
-// Evaluators that are not a GL, from a shared library of the user's.
+// Sinks: evaluators that are not a GL, from a shared library of the user.
 #include <evalcts_sink.h>
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@ static_assert(EVALCTS_SINK_POSITION == kPosition && EVALCTS_SINK_COLOR == kColor
               EVALCTS_SINK_NORMAL == kNormal && EVALCTS_SINK_TEXCOORD == kTextureCoordinate0 &&
               EVALCTS_SINK_TEXCOORD_OTHER == kTextureCoordinatesOther && EVALCTS_SINK_ALL == kAllAttributes);
 
-// The sink and the receiver of its context, for the commands that evalcts supplies: they have no other
-// argument.
+// The sink and the receiver of its context. They are global because the commands that evalcts supplies have
+// no argument for them.
 const evalcts_sink* described = nullptr;
 const evalcts_receiver* receiving = nullptr;
 

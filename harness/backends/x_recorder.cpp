@@ -46,12 +46,13 @@ class Descriptor {
   int number_;
 };
 
-// Xlib finds a server by its number, and some Xlibs in the file system only.
+// Returns the path of a server's socket. Xlib finds a server by its number, and some versions of Xlib look
+// only in the file system.
 std::string socket_of(int number) { return "/tmp/.X11-unix/X" + std::to_string(number); }
 
 Descriptor new_socket() { return Descriptor(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)); }
 
-// A leading '@' stands for the null byte of a name that is in no file system.
+// Fills in a socket address. A leading '@' of the name stands for the null byte of an abstract address.
 bool fill_in(sockaddr_un& address, socklen_t& length, const std::string& name) {
   address = {};
   address.sun_family = AF_UNIX;
@@ -95,7 +96,7 @@ class XRecorder::Pump {
       remove_socket();
       fail();
     }
-    // Signals are for the threads of the suite.
+    // The threads of the suite handle signals, so this thread blocks them.
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -133,7 +134,7 @@ class XRecorder::Pump {
     if (has_socket_.exchange(false)) unlink(socket_of(number_).c_str());
   }
 
-  // Whether there is something to read; false: it is time to end.
+  // Waits until there is something to read. Returns false when the thread must end.
   bool wait_for(std::array<pollfd, 3>& events, nfds_t count) const {
     events[0] = {wake_.get(), POLLIN, 0};
     while (poll(events.data(), count, -1) < 0)
@@ -148,7 +149,7 @@ class XRecorder::Pump {
     const Descriptor client(accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     listener_ = Descriptor();
     remove_socket();
-    // As Xlib does: the abstract name first.
+    // The abstract address is tried first, as in Xlib.
     Descriptor server = connect_to("@" + server_socket_);
     if (!server) server = connect_to(server_socket_);
     if (!client || !server) return;
@@ -161,7 +162,8 @@ class XRecorder::Pump {
     }
   }
 
-  // What can be read at once, with the descriptors that come with it. False: a side has hung up.
+  // Forwards the available bytes with their file descriptors. Returns false if a side has closed the
+  // connection.
   bool pass_on(int from, int to, bool keep) {
     std::array<unsigned char, 1 << 16> data;
     alignas(cmsghdr) std::array<char, CMSG_SPACE(kMostDescriptors * sizeof(int))> control;
@@ -214,7 +216,7 @@ class XRecorder::Pump {
 };
 
 XRecorder::XRecorder(const std::string& server) {
-  // ":1", "unix:1", ":1.0"
+  // Accepted forms are ":1", "unix:1" and ":1.0".
   const std::size_t colon = server.starts_with("unix:") ? 4 : 0;
   int number = -1;
   const char* const end = server.data() + server.size();

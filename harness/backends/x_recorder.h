@@ -1,4 +1,4 @@
-// Stands between a client and its X server and keeps what the client sends.
+// Records the requests that an X client sends to its server.
 #pragma once
 
 #include <memory>
@@ -7,25 +7,25 @@
 
 namespace evalcts {
 
-// For one connection to a server on this machine. A thread passes on all bytes and file descriptors, both
-// ways, until either side hangs up; the other is hung up on then.
+// A proxy for one connection to a server on this machine. A thread forwards all bytes and file descriptors in
+// both directions until either side closes the connection, and then closes the other.
 class XRecorder {
  public:
-  // `server`: its display, ":1" or "unix:1.0". Throws CannotStart where it is no such name, or no socket can
-  // be made for the client.
+  // `server`: the display of the server, such as ":1" or "unix:1.0". Throws CannotStart if the name has
+  // another form, or no socket can be made for the client.
   explicit XRecorder(const std::string& server);
   ~XRecorder();
   XRecorder(const XRecorder&) = delete;
   XRecorder& operator=(const XRecorder&) = delete;
 
-  // For XOpenDisplay, once.
+  // Returns the display name for XOpenDisplay, which may be used once.
   const std::string& display() const { return display_; }
 
-  // Keeps what is sent from now on. To be called when the server has answered the last request (XSync): then
-  // the first byte kept begins a request.
+  // Starts to record. Must be called when the server has answered the last request (XSync), so that the first
+  // recorded byte begins a request.
   void record();
-  // The requests since then of the extension with this major opcode, whole (X11 protocol, section 1 and
-  // BIG-REQUESTS). Called after XSync, too; nothing is kept any more.
+  // Stops recording and returns the complete requests of the extension with this major opcode (X11 protocol,
+  // section 1 and BIG-REQUESTS). Must be called after XSync as well.
   std::vector<unsigned char> take(unsigned char major_opcode);
 
  private:

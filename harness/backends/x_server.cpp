@@ -34,7 +34,7 @@ std::string text_of(int file) {
   return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-// A line of it, empty where nothing comes in time.
+// Reads a line from the pipe. Returns an empty string if none arrives in time.
 std::string line_from(int pipe) {
   std::string line;
   const auto deadline = steady_clock::now() + kStart;
@@ -50,7 +50,7 @@ std::string line_from(int pipe) {
   }
 }
 
-// What is done between fork and exec, or without exec: only what is safe there.
+// The functions below run between fork and exec, or without exec, and use only async-signal-safe calls.
 
 [[noreturn]] void become_server(char* const* command, char* const* environment, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -62,11 +62,11 @@ std::string line_from(int pipe) {
   _exit(kNoProgram);
 }
 
-// Between suite and server: told to end when the suite ends, it ends the server. A server that clients have
-// brought into a loop is deaf to SIGTERM, and leaves its socket behind when it is killed.
+// Runs the guardian, a process between suite and server, which ends the server when the suite ends. A server
+// that clients have brought into a loop ignores SIGTERM, and leaves its socket behind when it is killed.
 [[noreturn]] void become_guardian(char* const* command, char* const* environment, pid_t parent, int input,
                                   int log, const int* number) {
-  // A group of its own: neither Ctrl-C nor the killing of a hung suite reaches it.
+  // The guardian has its own session, so that neither Ctrl-C nor the kill of a hung suite reaches it.
   setsid();
   sigset_t told;
   sigemptyset(&told);
@@ -144,7 +144,7 @@ XServer::XServer(const std::string& preload) {
 
 XServer::~XServer() { end(); }
 
-// Says why it did not start, where it did not.
+// Ends the server. Returns the reason if it did not start.
 std::string XServer::end() {
   std::string reason = "no process can be started for Xvfb";
   if (guardian_ > 0) {

@@ -1,4 +1,4 @@
-// An X server of this process's own, for machines without one.
+// Starts an X server for this process, on machines without one.
 #pragma once
 
 #include <sys/types.h>
@@ -7,19 +7,19 @@
 
 namespace evalcts {
 
-// Xvfb, found in PATH, on the first display that is free, with indirect GLX. It ends with this object, with
-// its last client, and with the thread that made it, however that ends and whatever has become of the server:
-// neither process nor socket is left behind.
+// Runs Xvfb from PATH on the first free display, with indirect GLX. The server ends with this object, with
+// its last client, or with the thread that started it, however that thread ends. Neither process nor socket
+// is left behind, even if the server hangs.
 class XServer {
  public:
-  // `preload`: a library that the server loads before its own; empty: none. Returns once clients can connect.
+  // `preload`: a library that the server loads before its own; empty: none. Returns when clients can connect.
   // Throws CannotStart.
   explicit XServer(const std::string& preload);
   ~XServer();
   XServer(const XServer&) = delete;
   XServer& operator=(const XServer&) = delete;
 
-  // For XOpenDisplay: ":1".
+  // Returns the display name for XOpenDisplay, such as ":1".
   const std::string& display() const { return display_; }
 
  private:
@@ -27,7 +27,7 @@ class XServer {
 
   pid_t guardian_ = -1;
   int log_ = -1;
-  int* number_ = nullptr;  // of the display; shared with the guardian
+  int* number_ = nullptr;  // number of the display; shared with the guardian
   std::string display_;
 };
 

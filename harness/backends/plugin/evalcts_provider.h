@@ -1,10 +1,11 @@
-/* A provider of contexts: what evalcts asks of a window system.
+/* A provider: it makes GL contexts for evalcts.
  *
- * With it, evalcts judges a GL on a window system, a platform or a device that it knows nothing of:
+ * With a provider, evalcts judges a GL on a window system, platform or device that it does not support
+ * itself:
  *
  *   cc -shared -fPIC -I FOLDER_OF_THIS_HEADER -o provider.so provider.c -ldl
  *   evalcts run --context ./provider.so
- *   evalcts run --context ./provider.so --library ./libmygl.so    (commands from there, contexts from here)
+ *   evalcts run --context ./provider.so --library ./libmygl.so    (commands of the library)
  *
  * The provider is a shared library that exports evalcts_provider_open(). harness/examples/osmesa_provider.c
  * is a whole one. */
@@ -18,30 +19,32 @@ extern "C" {
 #define EVALCTS_PROVIDER_VERSION 1
 
 typedef struct evalcts_provider {
-  /* EVALCTS_PROVIDER_VERSION as it was when the provider was built. */
+  /* The EVALCTS_PROVIDER_VERSION that the provider was built with. */
   unsigned int version;
 
-  /* Makes a context in its initial state and makes it current in the calling thread. A compatibility context:
-   * a core profile has no evaluators. Where drawing needs it, a framebuffer of some size comes with it,
-   * complete, RGBA with depth and stencil (64 x 64 will do), and the viewport covers it. Returns what
-   * destroy() is to get, or null where it failed; error() then says why. Never called while another context
-   * exists, but thousands of times in one process. */
+  /* Creates a compatibility context in its initial state (a core profile has no evaluators) and makes it
+   * current in the calling thread. If drawing needs a framebuffer, the context has a complete one, RGBA with
+   * depth and stencil (64 x 64 is enough), which the viewport covers. Returns the argument for destroy(), or
+   * null if it fails; error() then returns the reason. Called thousands of times in one process, but never
+   * while another context exists. */
   void* (*create)(void);
 
-  /* Destroys the context, which is current, and leaves none current. What is not freed here adds up. */
+  /* Destroys the current context and leaves none current. Must free everything, because it is called
+   * thousands of times. */
   void (*destroy)(void* context);
 
-  /* The address of a GL command ("glMap1f"), or null where there is none. Called while the first context is
-   * current; the address holds for all contexts. May be null itself where commands always come from
-   * --library. */
+  /* Returns the address of a GL command ("glMap1f"), or null if there is none. Called while the first context
+   * is current; the address must be valid for all contexts. This pointer may be null if --library supplies
+   * all commands. */
   void* (*get_address)(const char* command);
 
-  /* Why the last create() failed, and what to do about it. May be null. */
+  /* Returns the reason for which the last create() failed, and what to do about it. The pointer may be null.
+   */
   const char* (*error)(void);
 } evalcts_provider;
 
-/* Called once, from the thread that calls everything else. What it returns stays valid until the process
- * ends. Null: the provider cannot be used. */
+/* Returns the provider, which must stay valid until the process ends, or null if it cannot be used. Called
+ * once, from the thread that calls everything else. */
 __attribute__((visibility("default"))) const evalcts_provider* evalcts_provider_open(void);
 
 #ifdef __cplusplus

@@ -1,14 +1,14 @@
-/* An evaluator that is not a GL, judged by evalcts.
+/* A sink: an evaluator that is not a GL and is judged by evalcts.
  *
- * It is built into a shared library that exports evalcts_sink_open(): commands under the names that they have
- * in GL, as many as there are, and vertices handed over one by one.
+ * It is a shared library that exports evalcts_sink_open(). It provides any number of commands under their GL
+ * names and hands its vertices over one by one.
  *
  *   cc -shared -fPIC -I FOLDER_OF_THIS_HEADER -o mine.so mine.c
  *   evalcts run --library ./mine.so
  *   evalcts fuzz --library ./mine.so
  *
  * The sink declares its commands, targets, largest order and attributes. A test that needs anything else is
- * not-observable; everything that is declared is judged. harness/examples/smallest_sink.c has two dozen
+ * not-supported; everything that is declared is judged. harness/examples/smallest_sink.c has two dozen
  * lines, harness/examples/bezier_sink.c has several targets. */
 #ifndef EVALCTS_SINK_H
 #define EVALCTS_SINK_H
@@ -19,22 +19,22 @@ extern "C" {
 
 #define EVALCTS_SINK_VERSION 2
 
-/* Where the evaluator hands its primitives over; belongs to evalcts and lives as long as the context. */
+/* The receiver of the evaluator's primitives. It belongs to evalcts and lives as long as the context. */
 typedef struct evalcts_receiver {
   void* user; /* first argument of the functions below */
 
-  /* What Begin and End do; mode: GL_POINTS (0) to GL_POLYGON (9). */
+  /* Open and close a primitive, as Begin and End do. mode: GL_POINTS (0) to GL_POLYGON (9). */
   void (*begin)(void* user, unsigned int mode);
   void (*end)(void* user);
 
-  /* A vertex as EvalCoord or Vertex emits it, between begin() and end(). normal has three components, the
-   * others four; texcoord has `units` rows. All are copied. Null for an attribute that
-   * evalcts_sink::attributes does not name. */
+  /* Receives a vertex that EvalCoord or Vertex emits, between begin() and end(). normal has three components,
+   * the others have four; texcoord has `units` rows. The arrays are copied. An attribute that
+   * evalcts_sink::attributes does not name is null. */
   void (*vertex)(void* user, const float* position, const float* color, const float* normal,
                  const float (*texcoord)[4], unsigned int units);
 } evalcts_receiver;
 
-/* The attributes of a vertex, as a set. */
+/* Attributes of a vertex; a set is their sum. */
 #define EVALCTS_SINK_POSITION 1u
 #define EVALCTS_SINK_COLOR 2u
 #define EVALCTS_SINK_NORMAL 4u
@@ -48,45 +48,44 @@ typedef struct evalcts_sink_command {
   void (*function)(void);
 } evalcts_sink_command;
 
-/* The row of the function Map1f: EVALCTS_SINK_COMMAND(Map1f). */
+/* Row of the table for a function with the name of its command: EVALCTS_SINK_COMMAND(Map1f). */
 #define EVALCTS_SINK_COMMAND(function) \
   { "gl" #function, (void (*)(void))function }
 
 typedef struct evalcts_sink {
-  /* EVALCTS_SINK_VERSION as it was when the library was built. */
+  /* The EVALCTS_SINK_VERSION that the library was built with. */
   unsigned int version;
 
-  /* EVALCTS_SINK_POSITION and so on: what vertex() is given. */
+  /* The attributes that vertex() receives, a sum of EVALCTS_SINK_POSITION and so on. */
   unsigned int attributes;
 
-  /* The commands that exist, ended by a null name. Begin and End, which open and close primitives of the
-   * receiver, and GetString are supplied if they are missing. If there are Color4f, Normal3f, TexCoord4f and
-   * Vertex4f, evalcts first makes sure that known vertices come through unchanged. Without GetError, errors
-   * are not judged. */
+  /* The supported commands, terminated by a null name. If Begin, End (which open and close primitives of the
+   * receiver) or GetString is missing, evalcts supplies it. If Color4f, Normal3f, TexCoord4f and Vertex4f
+   * exist, evalcts first checks that known vertices come through unchanged. Without GetError, errors are not
+   * judged. */
   const evalcts_sink_command* commands;
 
-  /* Called at the start of each case, thousands of times in one process: sets the initial state of GL.
-   * Vertices go to the receiver until the next call. Returns null, or the reason why it cannot. */
+  /* Sets the initial state of GL. Called at the start of each case, thousands of times in one process.
+   * Vertices go to the receiver until the next call. Returns null, or the reason for a failure. */
   const char* (*reset)(const evalcts_receiver* receiver);
 
-  /* The maps that commands take (GL_MAP1_VERTEX_3), and GL_AUTO_NORMAL if there are automatic normals; ended
-   * by 0. Null: all of them. */
+  /* The supported map targets (GL_MAP1_VERTEX_3), and GL_AUTO_NORMAL if automatic normals are supported;
+   * terminated by 0. Null: all of them. */
   const unsigned int* targets;
 
-  /* The largest order of a map; 0: the answer to GetIntegerv of GL_MAX_EVAL_ORDER, or 8. */
+  /* The largest supported order of a map. 0: the answer of GetIntegerv to GL_MAX_EVAL_ORDER, or 8. */
   int max_order;
 
-  /* For the report; null: unknown. */
+  /* Vendor and name of the evaluator in the report; null: unknown. */
   const char* vendor;
   const char* name;
 
-  /* The version of GL whose evaluators these are: commands and rules of later versions are not asked for.
-   * Null: "1.1". */
+  /* The GL version of these evaluators. Commands and rules of later versions are not tested. Null: "1.1". */
   const char* gl_version;
 } evalcts_sink;
 
-/* Called once, from the thread that calls everything else. What it returns stays valid until the process
- * ends. Null: the library cannot be used. */
+/* Returns the sink, which must stay valid until the process ends, or null if the library cannot be used.
+ * Called once, from the thread that calls everything else. */
 __attribute__((visibility("default"))) const evalcts_sink* evalcts_sink_open(void);
 
 #ifdef __cplusplus

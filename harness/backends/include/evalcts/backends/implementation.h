@@ -1,4 +1,4 @@
-// Implementations: what can be judged, how its library is loaded and how a context of it is made.
+// Implementations: the GL libraries and evaluators that can be judged, with their loading and their contexts.
 #pragma once
 
 #include <algorithm>
@@ -17,60 +17,60 @@
 
 namespace evalcts {
 
-// The implementation cannot be judged; the message says why and what to do.
+// Thrown if the implementation cannot be judged; the message states the reason and what to do.
 struct CannotStart : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A context, current from its creation on. Destroying it leaves no context current.
+// A context, which is current from its creation. Destroying it leaves no context current.
 class Context {
  public:
   virtual ~Context() = default;
   virtual const gl::Table& table() const = 0;
-  // Plays the case on this context; every case of a test or capture goes through here.
+  // Plays the case on this context. Every case of a test or capture is played by this function.
   virtual gl::Trace play(const gl::Case& script) { return gl::play(script, table()); }
-  // Programs that captures keep, by their source, in a context that many cases share; null in any other.
+  // Returns the shader programs that captures keep, by their source, in a context that many cases share; null
+  // in other contexts.
   virtual std::map<std::string, GLuint>* kept_programs() { return nullptr; }
-  // Of a context of create_beside(): makes it current again, when no other one is in use.
+  // Makes a context of create_beside() current again. No other context is in use then.
   virtual void make_current() {}
-  // Whether vertices come straight out of the evaluator (implementations in this process).
+  // True if take_emitted() returns vertices directly from the evaluator (implementations in this process).
   virtual bool has_sink() const { return false; }
-  // What of a vertex comes out there.
+  // Returns the attributes of the vertices of take_emitted().
   virtual Attributes emitted_attributes() const { return kAllAttributes; }
-  // The primitives emitted since the last call; meaningful where has_sink().
+  // Returns the primitives emitted since the last call, if has_sink().
   virtual std::vector<ObservedPrimitive> take_emitted() { return {}; }
 };
 
-// What an evaluator that is not a GL says that it has, besides commands. Cases that use anything else are not
-// played.
+// Features, besides commands, that an evaluator that is not a GL declares. Cases that use other features are
+// not played.
 struct Declaration {
-  std::set<GLenum> targets;  // maps, and GL_AUTO_NORMAL; empty: all
-  GLint max_order = 0;       // 0: as GL_MAX_EVAL_ORDER says
+  std::set<GLenum> targets;  // map targets and GL_AUTO_NORMAL; empty: all
+  GLint max_order = 0;       // 0: the answer to GL_MAX_EVAL_ORDER
 };
-// Returns what the command uses without its being declared ("GL_MAP1_COLOR_4", "order 9"); empty if it uses
-// nothing of that kind.
+// Returns the undeclared feature that the command uses ("GL_MAP1_COLOR_4", "order 9"), or an empty string.
 std::string undeclared_part(const Declaration& declaration, const gl::Command& command);
 
 class Implementation {
  public:
   virtual ~Implementation() = default;
   virtual std::string name() const = 0;
-  // The file that the entry points come from; empty for those built in.
+  // Returns the file of the entry points; empty for built-in implementations.
   virtual std::string library() const { return {}; }
-  // What makes the contexts, for a C program (see CProgram::context), and the file that does if it is not
-  // library().
+  // Return the kind of contexts for a C program (see CProgram::context), and the file that makes them if it
+  // is not library().
   virtual std::string context_kind() const { return name(); }
   virtual std::string context_library() const { return {}; }
-  // Throws CannotStart.
+  // Creates a fresh context. Throws CannotStart.
   virtual std::unique_ptr<Context> create_context() = 0;
-  // A context that may live beside those of create_context(), and is current after its creation; null where
-  // there can be no such.
+  // Creates a context that may exist beside those of create_context() and is current after its creation.
+  // Returns null if this is not supported.
   virtual std::unique_ptr<Context> create_beside() { return nullptr; }
-  // Null for a GL, which has everything of its version.
+  // Returns the declared features; null for a GL, which supports everything of its version.
   virtual const Declaration* declaration() const { return nullptr; }
 };
 
-// An implementation in front of another one: what is not overridden is the other's.
+// An implementation that wraps another one and forwards the functions that are not overridden.
 class ImplementationInFront : public Implementation {
  public:
   explicit ImplementationInFront(Implementation& inner) : inner_(inner) {}  // must outlive the object
@@ -94,28 +94,28 @@ class ImplementationInFront : public Implementation {
 struct ImplementationOptions {
   std::string name = {};     // see implementation_kinds(); empty: guessed from the library
   std::string library = {};  // shared library instead of the usual one; empty: the usual one
-  // What makes the contexts, in the place of `name`: one of context_names(), or the path of a shared library
-  // that fills in evalcts_provider.h. With `library` all commands come from there. Empty: as usual.
+  // Maker of the contexts, instead of that of `name`: one of context_names(), or the path of a provider
+  // (evalcts_provider.h). If `library` is set, all commands come from it. Empty: the usual maker.
   std::string context = {};
 };
 
 struct ImplementationKind {
   std::string name;
   std::string what;
-  std::string package;  // the distribution's package that it needs; empty: none
-  bool by_default;      // of `evalcts run`
+  std::string package;  // Debian package that it needs; empty: none
+  bool by_default;      // true if `evalcts run` judges it by default
 };
 
-// All that open_implementation knows.
+// Returns all kinds that open_implementation() supports.
 const std::vector<ImplementationKind>& implementation_kinds();
 
-// The contexts that ImplementationOptions::context can name.
+// Returns the names that ImplementationOptions::context accepts.
 const std::vector<std::string>& context_names();
 
-// Loads the library where there is one. Throws CannotStart.
+// Opens an implementation and loads its library, if it has one. Throws CannotStart.
 std::unique_ptr<Implementation> open_implementation(const ImplementationOptions& options);
 
-// What an implementation says of itself, asked for in a fresh context.
+// The answers of an implementation to queries about itself in a fresh context.
 struct ImplementationInfo {
   std::string name, library, vendor, renderer, version;
   int major = 0, minor = 0;
@@ -123,15 +123,15 @@ struct ImplementationInfo {
   GLint texture_units = 1;
   std::set<std::string> extensions;
   std::set<GLenum> refused_queries;        // see refused_queries.h
-  bool shares_state = false;               // what one context sets is set in the next one, too
-  std::optional<Declaration> declaration;  // of an implementation that is not a GL
+  bool shares_state = false;               // state that one context sets is visible in the next one
+  std::optional<Declaration> declaration;  // set for an implementation that is not a GL
   bool no_error = false;  // a no-error context (KHR_no_error): what would raise an error is undefined
 
-  // An order that has to be accepted, as large as possible: MAX_EVAL_ORDER up to 64, or 8 if the
-  // implementation claims less (EV-INIT-MAXORDER is a test of its own) or does not answer.
+  // Returns the largest order that must be accepted: MAX_EVAL_ORDER up to 64, or 8 if the implementation
+  // returns less (which EV-INIT-MAXORDER tests) or does not answer.
   int max_order() const { return std::clamp(max_eval_order, 8, 64); }
 
-  // 10 * major + minor.
+  // Returns 10 * major + minor.
   int version_number() const { return 10 * major + minor; }
 
   bool at_least(int wanted_major, int wanted_minor) const {
@@ -139,7 +139,8 @@ struct ImplementationInfo {
   }
 };
 
-// Asks, and proves that evaluators have an effect at all: an address is no proof. Throws CannotStart.
+// Queries the implementation and checks that evaluators have an effect, because an address alone proves
+// nothing. Throws CannotStart.
 ImplementationInfo inquire(Implementation& implementation);
 
 }  // namespace evalcts

@@ -1,5 +1,5 @@
-// Queries that an implementation does not answer. An error that they leave behind would be taken for that of
-// the command under test.
+// Queries that an implementation rejects. They are left out, because their errors would be taken for errors
+// of the command under test.
 #pragma once
 
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace evalcts {
 
-// Returns the names, among those of state outside evaluators that tests query, and MAX_EVAL_ORDER, that raise
-// an error in GetFloatv in a fresh context.
+// Returns the names for which GetFloatv raises an error in a fresh context, among MAX_EVAL_ORDER and the
+// names of state outside evaluators that tests query.
 std::set<GLenum> find_refused_queries(Implementation& implementation);
 
-// The implementation without these queries: outside Begin and End, GetBooleanv, GetIntegerv, GetFloatv and
-// GetDoublev of one of the names do nothing. At most one such implementation at a time.
+// Wraps an implementation so that outside Begin and End, GetBooleanv, GetIntegerv, GetFloatv and GetDoublev
+// of one of the names do nothing. At most one such implementation may exist at a time.
 std::unique_ptr<Implementation> without_queries(std::unique_ptr<Implementation> inner,
                                                 const std::set<GLenum>& names);
 
