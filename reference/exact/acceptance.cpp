@@ -10,14 +10,14 @@
 namespace evalcts::reference {
 namespace {
 
-// Curve and surface as one: a curve is a surface of order 1 in v.
+// The common form of curves and surfaces: a curve is a surface of order 1 in v.
 struct Problem {
   Net net;
   Direction u, v;
   bool single;  // all inputs are representable in single precision
 };
 
-// The v of a curve: any value does, as the curve does not depend on it.
+// Returns the v of a curve, which may be any value, because the curve does not depend on it.
 const Argument& no_argument() {
   static const Argument zero = Argument::coordinate(0);
   return zero;
@@ -28,7 +28,7 @@ Surface as_surface(const Curve& curve) {
 }
 
 Problem problem(const Surface& surface, const Argument& u, const Argument& v) {
-  // Checks everything that can be wrong, before anything is computed.
+  // All arguments are checked before the computation.
   Net net = integer_net(surface);
   homogenise(u, surface.u1, surface.u2);
   homogenise(v, surface.v1, surface.v2);
@@ -40,14 +40,14 @@ Problem problem(const Surface& surface, const Argument& u, const Argument& v) {
   return p;
 }
 
-// max|R|
+// Returns max|R|.
 Rational largest(const Net& net) {
   Integer most = 0;
   for (const Integer& value : net.values) most = std::max<Integer>(most, abs(value));
   return Rational(most, 1, net.exponent);
 }
 
-// SUM C(n,i) * C(m,j) * max(1,|R_ij|)
+// Returns SUM C(n,i) * C(m,j) * max(1,|R_ij|).
 Rational binomial_sum(const Net& net) {
   Rational sum;
   for (int i = 0; i < net.rows; ++i) {

@@ -41,7 +41,7 @@ struct BernsteinForm::Data {
   Data(const Surface& surface, bool curve);
 
   Evaluation evaluate_generally(const Argument& u, const Argument& v) const;
-  // The sum, and what to divide it by; none where the numbers are too long for it.
+  // Computes the sum and returns its divisor, or nothing if the numbers are too long.
   template <bool magnitude>
   std::optional<Power> sum_of(const Argument& u, const Argument& v, ShortSum& sum) const;
   template <typename Float>

@@ -1,4 +1,4 @@
-// Integers seen as strings of binary digits.
+// Doubles and integers as binary digits.
 #pragma once
 
 #include <reference/rational.h>
@@ -8,19 +8,19 @@
 
 namespace evalcts::reference {
 
-// significand * 2^exponent with an odd significand, or 0 * 2^0.
+// The number significand * 2^exponent with an odd significand, or 0 * 2^0.
 struct Binary {
   std::int64_t significand;
   int exponent;
 };
 
-// Throws std::domain_error if x is not finite.
+// Decomposes a double. Throws std::domain_error if x is not finite.
 Binary decompose(double x);
 
-// The least exponent of the numbers that are not zero; 0 if all are.
+// Returns the smallest exponent of the nonzero numbers; 0 if all are zero.
 int common_exponent(std::span<const Binary> numbers);
 
-// The number of zero bits below the lowest one of |x|; 0 for zero.
+// Returns the number of trailing zero bits of |x|; 0 for zero.
 unsigned trailing_zeros(const Integer& x);
 
 }  // namespace evalcts::reference

@@ -11,7 +11,7 @@ namespace {
 bool overflows(const Rational& x) { return std::isinf(round_to_float(x)); }
 bool is_subnormal(double x) { return x != 0 && abs(Rational(x)) < smallest_normal(); }
 
-// Of a grid: du, and whether its rounding can be seen.
+// Return du of a grid, and true for a grid point that the rounding of du affects.
 Rational step(const Argument& u) {
   return (Rational(u.last()) - Rational(u.first())) / Rational(u.segments());
 }

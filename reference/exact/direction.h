@@ -1,21 +1,22 @@
-// One direction of a map as the acceptance bound sees it: section 0.5 of the requirements.
+// One direction of a map in the acceptance bound (section 0.5 of the requirements).
 #pragma once
 
 #include <reference/acceptance.h>
 
 namespace evalcts::reference {
 
-// The smallest normal number of single precision.
+// Returns the smallest normal number of single precision.
 Rational smallest_normal();
 
-// Whether x is representable in single precision, and whether all control values are.
+// Return true if x, or all control values, are representable in single precision.
 bool is_single(double x);
 bool points_are_single(const Surface& surface);
 
-// K of a surface of degrees n and m: so many times eps is what the operations on the control values may add.
+// Returns K of a surface of degrees n and m: the operations on the control values may add an error of K *
+// eps.
 int operations(int n, int m, bool single);
 
-// The degree, domain and argument.
+// The degree, domain and argument in one direction.
 struct Direction {
   int degree;
   double u1, u2;
@@ -25,20 +26,20 @@ struct Direction {
   Rational t() const;      // |t|
   Rational s() const;      // |s|
 
-  // Whether domain and argument are representable in single precision.
+  // Returns true if domain and argument are representable in single precision.
   bool is_single() const;
 
-  // The absolute error of t and s that is not a multiple of them. `single`: all inputs, the control values
-  // included, are representable in single precision.
+  // Returns tau, the absolute part of the error of t and s. `single`: all inputs, including the control
+  // values, are representable in single precision.
   Rational tau(bool single) const;
-  // T and S, which |t| and |s| become through errors.
+  // Return T and S, the upper bounds of |t| and |s| with their errors.
   Rational widened_t(bool single) const;
   Rational widened_s(bool single) const;
 
-  // (|t| + |s|)^n, the sum of the magnitudes of the Bernstein polynomials.
+  // Returns (|t| + |s|)^n, the sum of the magnitudes of the Bernstein polynomials.
   Rational growth() const;
 
-  // What must_applies() in acceptance.h says of a domain and an argument.
+  // Returns true if domain and argument satisfy the conditions of must_applies() in acceptance.h.
   bool must_applies() const;
 };
 

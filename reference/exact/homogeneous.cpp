@@ -29,7 +29,7 @@ Integer scaled(const Binary& x, int exponent) {
   return integer;
 }
 
-// Any sum, its positive and its negative terms apart: value and magnitude come out of one pass.
+// A sum with separate positive and negative terms, so that one pass gives value and magnitude.
 struct Parts {
   Integer positive, negative;  // both >= 0
 };
@@ -106,7 +106,7 @@ Homogeneous homogenise(const Argument& u, double u1, double u2) {
     t.b.backend().negate();
     t.c.backend().negate();
   }
-  // a + b = c, so what divides a and b divides c.
+  // Common divisors of a and b divide c, because a + b = c.
   const unsigned zeros = t.a.is_zero()   ? trailing_zeros(t.b)
                          : t.b.is_zero() ? trailing_zeros(t.a)
                                          : std::min(trailing_zeros(t.a), trailing_zeros(t.b));

@@ -18,11 +18,11 @@ struct Homogeneous {
   Integer a, b, c;
 };
 
-// The normalised coordinate of u in the domain. Throws std::domain_error if u1 = u2 or something is not
-// finite.
+// Returns the normalised coordinate of u in the domain. Throws std::domain_error if u1 = u2 or a number is
+// not finite.
 Homogeneous homogenise(const Argument& u, double u1, double u2);
 
-// t and s over a common denominator; both >= 0.
+// Returns t and s, both >= 0, over a common denominator.
 Homogeneous homogenise(const Rational& t, const Rational& s);
 
 // The control values of a curve (columns = 1) or surface as integers: R_ij = values[i * columns + j] *
@@ -33,21 +33,22 @@ struct Net {
   std::int64_t exponent;
 };
 
-// Throw std::invalid_argument for a bad order, std::domain_error for a control value that is not finite.
+// Return the control values as integers. Throw std::invalid_argument for an invalid order, std::domain_error
+// for a non-finite control value.
 Net integer_net(const Curve& curve);
 Net integer_net(const Surface& surface);
 
-// The net of R_(i+1)j - R_ij, and of R_i(j+1) - R_ij.
+// Return the nets of R_(i+1)j - R_ij and of R_i(j+1) - R_ij.
 Net differences_u(const Net& net);
 Net differences_v(const Net& net);
 
-// |R_ij|.
+// Returns the net of |R_ij|.
 Net magnitudes(Net net);
 
 Evaluation bernstein_sum(const Net& net, const Homogeneous& u);
 Evaluation bernstein_sum(const Net& net, const Homogeneous& u, const Homogeneous& v);
 
-// C(n,i) for 0 <= i <= n < kMaxOrder.
+// Returns C(n,i) for 0 <= i <= n < kMaxOrder.
 std::uint64_t binomial(int n, int i);
 
 }  // namespace evalcts::reference

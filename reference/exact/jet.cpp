@@ -9,7 +9,7 @@ namespace {
 
 using Integers = std::vector<Integer>;
 
-// C(n,i) * a^i * b^(n-i), that is c^n times the Bernstein polynomials.
+// Returns C(n,i) * a^i * b^(n-i), which is c^n times the Bernstein polynomials.
 Integers bernstein_weights(const Homogeneous& t, int n) {
   Integers weights(n + 1);
   Integer power = 1;
@@ -37,7 +37,7 @@ Integers differences(const Integer* values, int count) {
   return result;
 }
 
-// The weights of a map of degree n and of its derivative, and what they are multiples of.
+// The weights of a map of degree n and of its derivative, with their common factors.
 struct Basis {
   int degree;
   Integers value, derivative;

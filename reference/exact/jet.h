@@ -7,15 +7,16 @@
 
 namespace evalcts::reference {
 
-// The derivatives are those with respect to the normalised coordinates.
+// A value and its derivatives with respect to the normalised coordinates.
 struct Jet {
   Rational value, u, v;
 };
 
-// Of each component. Throws as the functions of normal.h do.
+// Returns the jet of each component. Throws the exceptions of normal.h.
 std::vector<Jet> jets(VertexSurface surface, const Argument& u, const Argument& v);
 
-// a = p_u and b = p_v; for four components a = w * p_u - w_u * p, which is w^2 * q_u, and b likewise.
+// Returns a = p_u and b = p_v; for four components, a = w * p_u - w_u * p, which is w^2 * q_u, and b
+// likewise.
 Tangents cleared_tangents(const std::vector<Jet>& jets);
 
 Vector cross(const Vector& a, const Vector& b);

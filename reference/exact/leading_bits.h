@@ -1,4 +1,4 @@
-// Rounding of what has just been computed, without making a Rational of it.
+// Rounding of computed natural numbers, without a Rational.
 #pragma once
 
 #include <reference/rational.h>
@@ -7,17 +7,17 @@
 
 namespace evalcts::reference {
 
-// As round_to_float() and round_to_double(); Float is one of the two.
+// Same as round_to_float() for Float = float, and round_to_double() for Float = double.
 template <typename Float>
 Float round_to(const Rational& x);
 
 // The highest 64 bits of a natural number that is not zero.
 struct LeadingBits {
   std::uint64_t bits;  // the highest one is set
-  bool more;           // lower bits, that are cut off here, are not all zero
+  bool more;           // the truncated lower bits are not all zero
 };
 
-// +-(bits + something below 1 if there is more) * 2^exponent, rounded in the same way.
+// Rounds +-(bits + f) * 2^exponent in the same way, where f = 0, or 0 < f < 1 if `more`.
 template <typename Float>
 Float round_leading(bool negative, const LeadingBits& leading, std::int64_t exponent);
 

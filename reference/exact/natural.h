@@ -1,5 +1,4 @@
-// Natural numbers of bounded size that live on the stack: what a Bernstein sum needs of arithmetic, and no
-// more.
+// Natural numbers of bounded size on the stack, with the arithmetic of Bernstein sums.
 #pragma once
 
 #include <reference/rational.h>
@@ -14,8 +13,8 @@ namespace evalcts::reference {
 
 class Natural {
  public:
-  // Enough for the numerator of a surface of the orders 64 x 64 with coordinates of 62 bits and control
-  // values of 63, and for a carry.
+  // Number of limbs for the numerator of a surface of orders 64 x 64 with coordinates of 62 bits and control
+  // values of 63 bits, and a carry.
   static constexpr int kCapacity = 132;
   using Limb = std::uint64_t;
   using TwoLimbs = unsigned __int128;
@@ -73,7 +72,7 @@ class Natural {
     for (int k = 0; k < y.size_; ++k) add_product(x, y.limbs_[k], k);
   }
 
-  // The difference of two numbers, as a magnitude; true if a < b.
+  // Computes the magnitude of a - b. Returns true if a < b.
   static bool subtract(const Natural& a, const Natural& b, Natural& difference) {
     const bool less = is_less(a, b);
     const Natural& large = less ? b : a;
@@ -90,7 +89,7 @@ class Natural {
     return less;
   }
 
-  // Not for zero. *this is about bits * 2^(bits() - 64).
+  // Returns the leading bits; *this is about bits * 2^(bits() - 64). Must not be called for zero.
   LeadingBits leading_bits() const {
     const int zeros = std::countl_zero(limbs_[size_ - 1]);
     Limb leading = limbs_[size_ - 1] << zeros;

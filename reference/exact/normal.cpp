@@ -13,7 +13,7 @@ Vector operator/(Vector vector, const Rational& divisor) {
   return vector;
 }
 
-// w^2, which cleared_tangents() are multiples of.
+// Returns w^2, the factor of the cleared_tangents().
 Rational cleared_factor(const std::vector<Jet>& jets) {
   if (jets.size() == 3) return 1;
   const Rational& w = jets[3].value;

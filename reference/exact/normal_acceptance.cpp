@@ -184,8 +184,8 @@ double size(const Vector& m) { return std::hypot(m[0].to_double(), m[1].to_doubl
 
 bool is_between(double x, double low, double high) { return low <= x && x <= high; }
 
-// What is met on the way has to be of a size that single precision squares without loss: before and after the
-// division by w, with derivatives in t or in u. (That bounds |w| too: w^4 is their ratio.)
+// Returns true if single precision can square the intermediate values without loss, before and after the
+// division by w, with derivatives in t or in u. (This bounds |w| as well, because w^4 is their ratio.)
 bool sizes_are_ordinary(const Estimates& a, double u_width, const Estimates& b, double v_width, double m,
                         double w) {
   const auto all_within = [](const Estimates& tangent, double limit) {

@@ -31,7 +31,7 @@ Aligned align(const Rational& a, const Rational& b) {
   return aligned;
 }
 
-// 10^n for any n.
+// Returns 10^n for any n.
 Rational power_of_ten(std::int64_t n) {
   const Rational power = pow(Rational(10), static_cast<unsigned>(std::abs(n)));
   return n < 0 ? 1 / power : power;

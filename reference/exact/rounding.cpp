@@ -10,7 +10,7 @@
 namespace evalcts::reference {
 namespace {
 
-// |x| * 2^-exponent to the nearest integer, ties to even.
+// Returns |x| * 2^-exponent rounded to the nearest integer, ties to even.
 Integer round_scaled(const Rational& x, std::int64_t exponent) {
   const std::int64_t shift = x.exponent() - exponent;
   Integer numerator = abs(x.numerator());
@@ -33,7 +33,7 @@ Integer round_scaled(const Rational& x, std::int64_t exponent) {
   return quotient;
 }
 
-// The exponent of a unit in the last place of numbers from 2^magnitude on.
+// Returns the exponent of a unit in the last place of numbers in [2^magnitude, 2^(magnitude + 1)).
 template <typename Float>
 std::int64_t unit_in_the_last_place(std::int64_t magnitude) {
   using Limits = std::numeric_limits<Float>;

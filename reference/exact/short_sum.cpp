@@ -31,7 +31,7 @@ std::optional<std::int64_t> scaled(const Binary& x, int exponent, int bits) {
   return x.significand * (std::int64_t{1} << shift);
 }
 
-// Whether a^i * b^(n-i) is negative, if it is not zero.
+// Returns true if a^i * b^(n-i) is negative, provided that it is not zero.
 bool is_negative(const ShortHomogeneous& t, int n, int i) {
   return (t.a < 0 && i % 2 != 0) != (t.b < 0 && (n - i) % 2 != 0);
 }
@@ -49,7 +49,7 @@ void sum_row(const SignedTwoLimbs* terms, int count, const ShortHomogeneous& t, 
     sum.negative.multiply(by_b);
     power.multiply(by_a);
   };
-  // Horner's scheme: power = a^i. Two terms a step where they fit into one.
+  // Horner's scheme with power = a^i. A step adds two terms if their product fits into one limb.
   int i = 0;
   if (pairs && (a | b) >> 32 == 0) {
     for (; i + 1 < count; i += 2) {

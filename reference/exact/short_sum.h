@@ -1,5 +1,5 @@
-// Bernstein sums over numbers that are short, as those of ordinary data are: the same as in homogeneous.h, in
-// natural numbers on the stack.
+// Bernstein sums over short numbers, as in ordinary data: the sums of homogeneous.h in natural numbers on the
+// stack.
 #pragma once
 
 #include <reference/bernstein.h>
@@ -18,7 +18,8 @@ struct ShortHomogeneous {
   std::int64_t a, b, c;
 };
 
-// As homogenise(); none where the numbers are longer. Throws std::domain_error if something is not finite.
+// Same as homogenise(), but returns nothing if the numbers are longer. Throws std::domain_error if a number
+// is not finite.
 std::optional<ShortHomogeneous> homogenise_short(const Argument& u, double u1, double u2);
 
 // C(m,j) * R_ij for rows of m + 1 control values, row by row; for a single column C(n,i) * R_i.
@@ -29,21 +30,21 @@ struct ShortTerms {
   bool pairs;    // they are below 2^94, so that two of them, times 32 bits each, can be added
 };
 
-// R_ij = points[i * columns + j]; none where the R_ij, as integers times a power of two, are longer than 63
-// bits. Throws std::domain_error if a value is not finite.
+// Returns the terms for R_ij = points[i * columns + j], or nothing if the R_ij, as integers times a power of
+// two, are longer than 63 bits. Throws std::domain_error if a value is not finite.
 std::optional<ShortTerms> short_terms(std::span<const double> points, int rows, int columns);
 
-// A sum, its positive and its negative terms apart.
+// A sum with separate positive and negative terms.
 struct ShortSum {
   Natural positive, negative;
 };
 
-// SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. `magnitude`: positive + negative is the sum
-// of the magnitudes; without it only the difference of the two means anything.
+// Computes SUM C(n,i) * a^i * b^(n-i) * R_i over a single row or column. With `magnitude`, positive +
+// negative is the sum of the magnitudes; without it, only their difference has a meaning.
 template <bool magnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& t, ShortSum& sum);
 
-// The same over the tensor product of both directions.
+// Computes the sum over the tensor product of both directions.
 template <bool magnitude>
 void short_sum(const ShortTerms& terms, const ShortHomogeneous& u, const ShortHomogeneous& v, ShortSum& sum);
 

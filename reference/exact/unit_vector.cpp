@@ -1,4 +1,5 @@
-// m/|m| without m/|m|: the square of a component is rational, and what has to be known follows from squares.
+// Rounding and comparison of m/|m| by squares: the square of each component is rational, so no root is
+// approximated.
 #include <reference/normal.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ void check_bits(int bits) {
   if (bits < 0) throw std::invalid_argument("a negative number of bits");
 }
 
-// floor(2^bits * sqrt(x)) and whether that is exact.
+// The value floor(2^bits * sqrt(x)), and a flag for an exact root.
 struct Root {
   Integer floor;
   bool exact;
@@ -42,7 +43,7 @@ Interval enclose_root(const Rational& x, std::int64_t bits) {
   return {Rational(root.floor, 1, -bits), Rational(root.exact ? root.floor : root.floor + 1, 1, -bits)};
 }
 
-// Each component of m/|m| to the nearest.
+// Returns each component of m/|m|, rounded to nearest.
 template <typename Float>
 std::array<Float, 3> rounded_to(const Vector& m) {
   using Limits = std::numeric_limits<Float>;
@@ -55,7 +56,7 @@ std::array<Float, 3> rounded_to(const Vector& m) {
     const std::int64_t twice_magnitude = floor_log2(ratio);
     const std::int64_t magnitude = (twice_magnitude - (twice_magnitude & 1)) / 2;
     const std::int64_t unit = std::max<std::int64_t>(magnitude - (Limits::digits - 1), kLowest);
-    // One bit more than there is room for decides, as there are no ties.
+    // One extra bit decides the rounding, because there are no ties.
     const Integer halves = scaled_root(ratio, 1 - unit).floor;
     const auto significand = static_cast<Float>(static_cast<std::uint64_t>((halves + 1) >> 1));
     result[c] =
@@ -64,16 +65,17 @@ std::array<Float, 3> rounded_to(const Vector& m) {
   return result;
 }
 
-// x * |x|, which orders numbers as x does.
+// Returns x * |x|, which has the same order as x.
 Rational signed_square(const Rational& x) { return x * abs(x); }
 
-// A number sign * sqrt(square / scale), where the scale is told apart.
+// A number sign * sqrt(square / scale). The scale is a separate argument of the functions below.
 struct SignedRoot {
   int sign;
   Rational square;
 };
 
-// Whether |a - b| <= bound, where a^2 = a.square / a_scale and b^2 = b.square / b_scale. That is
+// Returns true if |a - b| <= bound, where a^2 = a.square / a_scale and b^2 = b.square / b_scale. This is
+// equivalent to
 //   a^2 + b^2 - bound^2 <= 2ab,
 // and both sides keep their order when squared with their signs.
 bool differ_at_most(const SignedRoot& a, const Rational& a_scale, const SignedRoot& b,
@@ -85,7 +87,8 @@ bool differ_at_most(const SignedRoot& a, const Rational& a_scale, const SignedRo
 
 SignedRoot signed_root(const Rational& x) { return {x.sign(), x * x}; }
 
-// Whether each component of g / sqrt(scale) lies within `bound` of that of m/|m| or, maybe, of -m/|m|.
+// Returns true if each component of g / sqrt(scale) lies within `bound` of that of m/|m| or, with
+// `either_sign`, of -m/|m|.
 bool components_within(const Vector& g, const Rational& scale, const Vector& m, const Rational& bound,
                        bool either_sign) {
   const Rational m_scale = nonzero_squared_length(m);

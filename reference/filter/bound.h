@@ -10,19 +10,19 @@ inline constexpr int kSumError = 4;          // of a sum, relative to the sum of
 inline constexpr int kGridError = 17;        // of a and b at a point of a grid, see there
 inline constexpr double kTiny = 0x1p-700;    // all that underflow can do
 
-// THETA.
+// Returns THETA.
 constexpr int polynomial_error(int n, int m) {
   return kCoefficientError + kProductError * (n + m + 2) + kSumError * (n + m);
 }
 
-// Where the filter says nothing.
+// Limits beyond which the filter gives an infinite error.
 inline constexpr double kLargestGrowth = 0x1p300;  // of the powers in E, without M
 inline constexpr double kLargestTau = 0x1p-60;
 inline constexpr double kLargestArgument = 0x1p600;
 inline constexpr int kLargestDomainExponent = 500;  // of |D| and 1/|D|
 inline constexpr int kLargestScale = 900;           // of |q|
 
-// What moves a computed number outward by more than the roundings of its computation.
+// Relative increments that exceed the rounding errors of a computed number, to move it outward.
 inline constexpr double kBoundRoundings = 0x1p-30;   // of the bound
 inline constexpr double kGrowthRoundings = 0x1p-48;  // of (|a| + |b|)/c
 inline constexpr double kSumRoundings = 0x1p-51;     // of one sum

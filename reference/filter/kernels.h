@@ -1,4 +1,4 @@
-// Double-double evaluation of many arguments at a time, for the best instruction set of the machine.
+// Double-double evaluation of many arguments at a time, with the best instruction set of the machine.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ struct DoubleDouble {
   double high, low;
 };
 
-// One direction of a map as PROOF.md has it.
+// The quantities of PROOF.md for one direction of a map.
 struct DirectionPlan {
   int degree;
-  bool applies;  // domain and grid are such that the filter says something
-  // Of coordinates: the domain, and sign(D) * 2^-k.
+  bool applies;  // domain and grid are within the limits of the filter
+  // The domain, and sign(D) * 2^-k, for coordinates.
   double first, last, scale;
   bool is_grid;
   DoubleDouble delta, alpha, beta;
@@ -31,20 +31,20 @@ struct KernelPlan {
   double scale;                            // 2^q
 };
 
-// All arrays of the kernels have room for a multiple of kLanes values, which all are computed.
+// The arrays of the kernels have room for a multiple of kLanes values, all of which are computed.
 inline constexpr std::size_t kLanes = 8;
 inline constexpr std::size_t round_up_to_lanes(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-// The sum of the plan, without 2^q, and its bound.
+// The sums of the plan, without the factor 2^q, and their bounds.
 struct EnclosureArrays {
   double *high, *low, *error;
 };
 void enclose_kernel(const KernelPlan& plan, const double* u, const double* v, std::size_t count,
                     const EnclosureArrays& results);
 
-// The enclosures times 2^q rounded to binary32 and binary64; decided: 1.0 or 0.0.
+// Round the enclosures times 2^q to binary32 and binary64. `decided`: 1.0 or 0.0.
 void to_float_kernel(const EnclosureArrays& enclosures, double scale, std::size_t count, float* results,
                      double* decided);
 void to_double_kernel(const EnclosureArrays& enclosures, double scale, std::size_t count, double* results,

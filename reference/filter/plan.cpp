@@ -18,10 +18,10 @@ double upward(const Rational& x) {
   return Rational(nearest) < x ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
 }
 
-// k with 2^(k-1) <= |x| < 2^k; x is not zero.
+// Returns k with 2^(k-1) <= |x| < 2^k; x must not be zero.
 std::int64_t binade(const Rational& x) { return floor_log2(x) + 1; }
 
-// c = 2^-k * |D|.
+// Returns c = 2^-k * |D|.
 Rational scaled_width(double first, double last) {
   const Rational width = abs(Rational(last) - Rational(first));
   return width * Rational::power_of_two(-binade(width));

@@ -8,7 +8,7 @@
 namespace evalcts::reference {
 namespace {
 
-// Calls f(curve, u) or f(surface, u, v), as the map of the sample has one dimension or two.
+// Calls f(curve, u) or f(surface, u, v), depending on the dimension of the sample's map.
 template <typename F>
 auto with_polynomial(const Sample& sample, F&& f) {
   const Map& map = *sample.map;
@@ -22,7 +22,7 @@ bool is_finite(const AutomaticNormal& normal) {
          normal.u.is_finite() && normal.v.is_finite();
 }
 
-// What holds for a value given as it is.
+// Returns the acceptance of an explicit value, whose bounds are zero.
 Acceptance plain(float value) { return {value, abs(Rational(value)), 0, 0, true}; }
 
 int degree(const Sample& sample) { return sample.map->u.order - 1 + sample.map->v.order - 1; }

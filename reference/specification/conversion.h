@@ -5,11 +5,11 @@
 
 namespace evalcts::reference {
 
-// A value given to a d command, as single-precision state keeps it: correctly rounded, infinite beyond the
+// Returns a double argument as it is kept in single-precision state: correctly rounded, infinite beyond the
 // range.
 GLfloat to_single(GLdouble value);
 
-// Answers of queries. A value too large for the type becomes the nearest that the type can represent.
+// Convert answers of queries. A value beyond the range of the type becomes the nearest representable value.
 GLboolean to_boolean(GLdouble value);  // zero is FALSE, all else TRUE
 GLfloat to_float(GLdouble value);
 GLint to_integer(GLdouble value);             // rounded to nearest, ties to even; NaN gives 0

@@ -1,5 +1,4 @@
-// Display lists (GL 2.1 section 5.4). What is not compiled here is executed at once: NewList, EndList,
-// GenLists, IsList, DeleteLists.
+// Display lists (GL 2.1 section 5.4). NewList, EndList, GenLists, IsList and DeleteLists are never compiled.
 
 #include <reference/specification.h>
 #include <algorithm>
@@ -23,21 +22,21 @@ GLuint element(const void* lists, std::ptrdiff_t i) {
   return static_cast<GLuint>(static_cast<const T*>(lists)[i]);
 }
 
-// A float is truncated; one far from every name may give any.
+// Truncates a float. A float outside the range of names may give any name.
 template <>
 GLuint element<GLfloat>(const void* lists, std::ptrdiff_t i) {
   const double value = static_cast<const GLfloat*>(lists)[i];
   return static_cast<GLuint>(static_cast<std::int64_t>(std::fmax(-0x1p32, std::fmin(value, 0x1p32))));
 }
 
-// The first byte counts most.
+// Returns an element of several bytes, the most significant byte first.
 GLuint element_of_bytes(const void* lists, std::ptrdiff_t i, int size) {
   GLuint value = 0;
   for (int byte = 0; byte < size; ++byte) value = 256 * value + element<GLubyte>(lists, i * size + byte);
   return value;
 }
 
-// The i-th offset, modulo 2^32.
+// Returns the i-th offset, modulo 2^32.
 GLuint offset(GLenum type, const void* lists, std::ptrdiff_t i) {
   switch (type) {
     case GL_BYTE:
@@ -76,8 +75,8 @@ void Specification::NewList(GLuint list, GLenum mode) {
   construction_ = Construction{list, mode, {}};
 }
 
-// Between an executed Begin and its End too this is an error (P-glNewList; it is not on the list of section
-// 2.6.3): the list stays open. A Begin that is only compiled leaves the context outside.
+// EndList raises an error between an executed Begin and its End, too, and leaves the list open (P-glNewList;
+// the list of section 2.6.3 does not mention it). A compiled Begin does not count.
 void Specification::EndList() {
   if (refused({{inside(), GL_INVALID_OPERATION}, {!construction_, GL_INVALID_OPERATION}})) return;
   Construction complete = *std::exchange(construction_, std::nullopt);
@@ -103,7 +102,7 @@ void Specification::execute(const std::vector<GLuint>& names) {
   permitted_errors_ = std::move(errors);
 }
 
-// No list has the name 0, which therefore does nothing either (P-glCallList).
+// CallList(0) has no effect, because no list has the name 0 (P-glCallList).
 void Specification::CallList(GLuint list) {
   if (compiled(&Specification::CallList, list)) return;
   refused({});

@@ -8,7 +8,7 @@
 namespace evalcts::reference {
 namespace {
 
-// Puts the components of the evaluated map over the first components of the attribute.
+// Replaces the first components of an attribute by those of the evaluated map.
 template <std::size_t size>
 void evaluate_into(std::array<Component, size>& attribute, const std::shared_ptr<const Map>& map,
                    const Argument& u, const std::optional<Argument>& v) {
@@ -33,9 +33,9 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   const auto position = effective_map(dimension, {GL_MAP1_VERTEX_4, GL_MAP1_VERTEX_3});
   if (!position || !inside()) return;
 
-  // As if the command that matches each map were issued, the vertex last, but in a copy of the current values
-  // that only this vertex sees (EV-COORD-ASIF, EV-CUR-*). The position is (0,0,0,1) so far: VERTEX_3 leaves w
-  // at 1.
+  // The effect is that of the command that corresponds to each map, the vertex last, on a copy of the current
+  // values that is used for this vertex only (EV-COORD-ASIF, EV-CUR-*). The initial position is (0,0,0,1), so
+  // VERTEX_3 leaves w at 1.
   Vertex vertex = current_vertex();
   if (const auto color = effective_map(dimension, {GL_MAP1_COLOR_4})) {
     evaluate_into(vertex.color, color, u, v);
@@ -46,7 +46,8 @@ void Specification::eval_coord(const Argument& u, const std::optional<Argument>&
   } else if (const auto normal = effective_map(dimension, {GL_MAP1_NORMAL})) {
     evaluate_into(std::get<0>(vertex.normal), normal, u, v);
   }
-  // The most coordinates win (EV-PREC-TEX); unit 0 only (EV-ATTR-UNIT0); the others as TexCoord sets them.
+  // The map with the most coordinates has precedence (EV-PREC-TEX), for unit 0 only (EV-ATTR-UNIT0). Missing
+  // coordinates have the values that TexCoord sets.
   if (const auto texture = effective_map(dimension, {GL_MAP1_TEXTURE_COORD_4, GL_MAP1_TEXTURE_COORD_3,
                                                      GL_MAP1_TEXTURE_COORD_2, GL_MAP1_TEXTURE_COORD_1})) {
     vertex.texture_coordinate[0] = {0.0f, 0.0f, 0.0f, 1.0f};

@@ -12,7 +12,7 @@ struct Kind {
   std::array<double, 4> initial_point;
 };
 
-// In the order of the tokens (EV-INIT-COEFF-*).
+// The rows of the table in the order of the tokens (EV-INIT-COEFF-*).
 constexpr std::array<Kind, kMapKinds> kKinds{{
     {4, {1, 1, 1, 1}},  // COLOR_4
     {1, {1}},           // INDEX
@@ -25,7 +25,7 @@ constexpr std::array<Kind, kMapKinds> kKinds{{
     {4, {0, 0, 0, 1}},  // VERTEX_4
 }};
 
-// The row of a target of either dimension; null for anything else.
+// Returns the row of a target of either dimension; null for other values.
 const Kind* kind(GLenum target) {
   if (is_map1_target(target)) return &kKinds[target - GL_MAP1_COLOR_4];
   if (is_map2_target(target)) return &kKinds[target - GL_MAP2_COLOR_4];

@@ -17,10 +17,10 @@ bool is_texture_unit(GLenum texture) {
   return texture >= GL_TEXTURE0 && texture < GL_TEXTURE0 + kTextureUnits;
 }
 
-// A size of an array that any answer fits in.
+// A size that is sufficient for every answer.
 constexpr GLsizei kAnySize = std::numeric_limits<GLsizei>::max();
 
-// The answer to a query of a map; empty if `query` is not the name of one.
+// Returns the answer to a query of a map; empty if `query` does not name one.
 std::vector<double> answer_of_map(const Map& map, GLenum query) {
   using Values = std::vector<double>;
   const auto& [target, u, v, points] = map;
@@ -37,7 +37,7 @@ std::vector<double> answer_of_map(const Map& map, GLenum query) {
   }
 }
 
-// A value of the state as the answer to a query of type T; `normalized` for colours and normals.
+// Converts a state value to the answer of a query of type T. `normalized`: for colours and normals.
 template <typename T>
 T convert(double value, bool normalized);
 template <>
@@ -283,7 +283,7 @@ void Specification::get_map(GLenum target, GLenum query, GLsizei size, T* v) {
       v == nullptr) {
     return;
   }
-  // GetMapiv rounds colours and normals like everything else (C-GETMAPIV-NORM).
+  // GetMapiv rounds colours and normals like other values (C-GETMAPIV-NORM).
   std::ranges::transform(values, v, [](double value) { return convert<T>(value, false); });
 }
 

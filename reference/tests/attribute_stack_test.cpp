@@ -66,7 +66,7 @@ void change_everything(Specification& gl) {
   gl.ListBase(33);
 }
 
-// Which groups a mask brings back after everything was changed.
+// A group of state, and the mask bits that restore it.
 struct Group {
   const char* name;
   State (*state)(Specification&);

@@ -22,7 +22,7 @@ Ball ball(const Rational& x) {
   return x.exponent() < 0 ? Ball(quotient / power) : Ball(quotient * power);
 }
 
-// Whether x may be in the interval, and the interval says more than 2^-600 of its scale.
+// Expects that the interval contains x and is not wider than 2^-600 of its scale.
 void expect_in(const Ball& interval, const Rational& x, const Ball& scale) {
   const Ball difference = interval - ball(x);
   ASSERT_LE(lower(difference), 0);

@@ -203,7 +203,7 @@ TEST(NormalAcceptance, IsAMustOnlyForOrdinarySizes) {
   // EV-AUTON-UNIT
   EXPECT_TRUE(must(square<3>(0.01f)));
   EXPECT_TRUE(must(square<3>(1000)));
-  // With w^4, and without.
+  // The limits hold with the factor w^4 and without it.
   EXPECT_TRUE(must(square<4>(1, 0x1p8)));
   EXPECT_FALSE(must(square<4>(1, 0x1.1p8)));
   EXPECT_TRUE(must(square<4>(1, -0x1p-8)));
@@ -281,7 +281,7 @@ TEST(NormalAcceptance, StopsJudgingWhereTheRequirementsDo) {
   EXPECT_GT(not_judged, 10);
 }
 
-// What an implementation might do, exactly but for the last rounding.
+// A normal by a wrong method, exact except for the last rounding.
 struct Wrong {
   Floats normal;
   const char* what;
@@ -336,7 +336,7 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   EXPECT_TRUE(direction_is_within(wrongs[2].normal, m, strict, false));
   EXPECT_FALSE(direction_is_within(wrongs[1].normal, m, must, true));
 
-  // As a vector: |q_u x q_v|, not that of the homogeneous coordinates.
+  // The vector has the length |q_u x q_v|, not that of the homogeneous coordinates.
   ASSERT_TRUE(acceptance.vector_bound);
   const Vector exact = normal_vector(surface, u, v);
   const auto vector_accepted = [&](const Vector& got) {
@@ -351,7 +351,7 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   EXPECT_FALSE(vector_accepted({right[0], right[1], right[2]}));
 }
 
-// Where nothing cancels the strict bound tells one part in a hundred.
+// The strict bound detects an error of one part in a hundred if there is no cancellation.
 TEST(NormalAcceptance, BitesOnBenignPatches) {
   for (const double u : {0.0, 0.25, 0.5, 1.0}) {
     for (const double v : {0.0, 0.75, 1.0}) {

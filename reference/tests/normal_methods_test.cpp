@@ -80,7 +80,7 @@ RealVector run_unit(Arithmetic& a, const NormalCase& c, const NormalMethod& how)
   return unit_by(a, how.unit, run(a, c, how, false));
 }
 
-// To the nearest long double, or so.
+// Converts to a long double, within about one ULP.
 long double real(const Rational& x) {
   const double high = x.to_double();
   return high + static_cast<long double>((x - Rational(high)).to_double());
@@ -111,7 +111,7 @@ std::string in_words(const NormalCase& c, const NormalMethod& how) {
          std::to_string(static_cast<int>(how.tangent));
 }
 
-// What was seen, and that enough of it was judged.
+// Counts of all and of judged results, and the largest error.
 struct Statistics {
   int judged = 0, all = 0;
   double worst = 0;

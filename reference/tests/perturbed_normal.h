@@ -11,11 +11,11 @@
 
 namespace evalcts::reference {
 
-// How the derivative of a curve comes about: a curve of degree n - 1 over differences, the difference of two
+// Method for the derivative of a curve: a curve of degree n - 1 over differences, the difference of two
 // curves of degree n - 1 (the last step of de Casteljau), or the sum over differences of Bernstein
 // polynomials.
 enum class Slope { kOfDifferences, kOfLastStep, kOfWeights };
-// What is multiplied crosswise.
+// The factors of the cross product.
 enum class Tangent {
   kCleared,             // w*p_u - w_u*p
   kClearedFused,        // the same with fused operations

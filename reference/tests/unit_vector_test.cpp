@@ -117,7 +117,7 @@ TEST(RoundedUnitVector, IsTheNearestFloat) {
       const Decimal exact = decimal(m[c]) / decimal_length(m);
       ASSERT_EQ(rounded[c], exact.convert_to<float>()) << exact;
       subnormal += rounded[c] != 0 && std::fabs(rounded[c]) < std::numeric_limits<float>::min();
-      // What is rounded to zero keeps its sign, zero is +0.
+      // A component that is rounded to zero keeps its sign, and zero is +0.
       ASSERT_EQ(std::signbit(rounded[c]), m[c].sign() < 0);
     }
   }
@@ -165,7 +165,7 @@ TEST(RoundedUnitVector, DecidesNearlyTiedCases) {
   }
 }
 
-// By the enclosure: both its ends round to the same binary64, once it is narrow enough.
+// Both ends of a sufficiently narrow enclosure round to the same binary64, which is the expected value.
 TEST(RoundedUnitVectorToDouble, IsTheNearestToTheEnclosure) {
   std::mt19937_64 generator = make_generator();
   for (int repetition = 0; repetition < 500; ++repetition) {

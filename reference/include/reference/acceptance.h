@@ -1,11 +1,11 @@
-// How far from the exact value a result may be: section 0.5 of the requirements, in exact rational
-// arithmetic.
+// Acceptance: the largest permitted distance of a result from the exact value, by section 0.5 of the
+// requirements, in exact rational arithmetic.
 //
-// The GL promises that a single floating-point operation is good to about one part in 10^5. The acceptance
-// interval holds every result that any usual order of evaluation can give under that promise.
+// The GL promises that a single floating-point operation is accurate to about one part in 10^5. The
+// acceptance interval contains every result that any usual order of evaluation can give under that promise.
 //
 // Notation of section 0.5: eps = 10738 * 2^-30, D = u2 - u1, t = (u - u1)/D, s = (u2 - u)/D, n = order - 1, m
-// = vorder - 1. Functions throw as those of bernstein.h do.
+// = vorder - 1. Functions throw the exceptions of bernstein.h.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,20 @@
 
 namespace evalcts::reference {
 
-// The relative error that the GL allows a single operation, just above 1e-5.
+// Returns the relative error that the GL allows a single operation, just above 1e-5.
 Rational epsilon();
 
-// The largest magnitude that the GL promises to represent, as a power of two: 2^32, or 2^10 for colours and,
-// before GL 2.0, texture coordinates (EV-NUM-RANGE-POS, EV-NUM-RANGE-COLOR).
+// Exponents of the largest magnitude that the GL promises to represent: 2^32, or 2^10 for colours and, before
+// GL 2.0, texture coordinates (EV-NUM-RANGE-POS, EV-NUM-RANGE-COLOR).
 inline constexpr int kFullRange = 32;
 inline constexpr int kReducedRange = 10;
 
-// Accept a result `got` if |got - exact| <= this bound.
-// 1-D: A*W(T,S) - W(|t|,|s|) + U; 2-D: the same with W over the tensor product.
+// Returns the bound such that a result `got` is accepted if |got - exact| <= bound. 1-D: A*W(T,S) -
+// W(|t|,|s|) + U; 2-D: the same with W over the tensor product.
 Rational acceptance_bound(const Curve& curve, const Argument& u);
 Rational acceptance_bound(const Surface& surface, const Argument& u, const Argument& v);
 
-// Whether the bound is a "must" here; elsewhere any result will do:
+// Returns true if the bound is a "must"; otherwise any result is accepted. The conditions are:
 //   2^-60 <= |D| <= 2^60 and no domain end subnormal in single precision, in each direction;
 //   (|t| + |s|)^n * max|R| <= 2^range (2-D: both factors);
 //   every input is below overflow in single precision (U-OVERFLOW), and the domain ends differ there
@@ -35,19 +35,19 @@ Rational acceptance_bound(const Surface& surface, const Argument& u, const Argum
 bool must_applies(const Curve& curve, const Argument& u, int range = kFullRange);
 bool must_applies(const Surface& surface, const Argument& u, const Argument& v, int range = kFullRange);
 
-// What good single precision does: 2^-24 * 2*(n + 2) * magnitude, where magnitude = S0 = SUM |B_i| * |R_i|
-// and `degree` is n, for a surface n + m.
+// Returns the error bound of good single precision, 2^-24 * 2*(n + 2) * magnitude, where magnitude = S0 = SUM
+// |B_i| * |R_i| and `degree` is n, or n + m for a surface.
 Rational quality_bound(int degree, const Rational& magnitude);
 
-// K * eps * magnitude, which is never above the acceptance bound (A >= 1 + K*eps, T >= |t|, S >= |s|): a
-// result within it needs no full bound. For a curve vdegree is 0 and K = 5*n + 4; for a surface K = n*m +
-// 5*(n + m) + 4.
+// Returns K * eps * magnitude, a lower bound of the acceptance bound (A >= 1 + K*eps, T >= |t|, S >= |s|). A
+// result within it is accepted without computing the full bound. For a curve vdegree is 0 and K = 5*n + 4;
+// for a surface K = n*m + 5*(n + m) + 4.
 Rational acceptance_bound_below(int udegree, int vdegree, const Rational& magnitude);
 
-// |got - exact| <= bound. -0 counts as +0; infinity and NaN are never within.
+// Returns |got - exact| <= bound. -0 counts as +0; infinity and NaN are never within.
 bool is_within(float got, const Rational& exact, const Rational& bound);
 
-// Everything about one value at once.
+// The exact value, the bounds and the conditions for one value.
 struct Acceptance {
   Rational exact;
   Rational magnitude;
@@ -61,9 +61,9 @@ struct Acceptance {
 Acceptance acceptance(const Curve& curve, const Argument& u, int range = kFullRange);
 Acceptance acceptance(const Surface& surface, const Argument& u, const Argument& v, int range = kFullRange);
 
-// The bound of x/w where only the judge divides, from the exact values x and w and their bounds:
-// q + 4*eps*(|x/w| + q) with q = (x_bound + |x/w| * w_bound)/(|w| - w_bound).
-// None (not judged) if w_bound >= |w|/2.
+// Returns the bound of x/w from the exact values x and w and their bounds, for captures whose values the
+// judge divides: q + 4*eps*(|x/w| + q) with q = (x_bound + |x/w| * w_bound)/(|w| - w_bound). Returns nothing
+// (not judged) if w_bound >= |w|/2.
 std::optional<Rational> quotient_bound(const Rational& x, const Rational& x_bound, const Rational& w,
                                        const Rational& w_bound);
 

@@ -5,9 +5,9 @@
 // with 0^0 = 1, for any finite u, inside the domain or not (EV-MAP1-BEZIER, EV-MAP1-ZEROPOW, EV-MAP1-DOMAIN,
 // EV-MAP1-EXTRAPOLATE), and the tensor product of two of them for surfaces (EV-MAP2-BEZIER).
 //
-// Every function here throws std::invalid_argument if an order is outside 1..kMaxOrder, and std::domain_error
-// if a domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite; is_finite()
-// tells beforehand.
+// Every function throws std::invalid_argument if an order is outside 1..kMaxOrder, and std::domain_error if a
+// domain is empty (u1 = u2) or an argument, a domain end or a control value is not finite; is_finite() checks
+// the latter.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ inline constexpr int kMaxOrder = 64;
 // exact.
 struct Curve {
   const double* points;
-  std::ptrdiff_t stride;  // values between the beginnings of two control points
+  std::ptrdiff_t stride;  // distance between consecutive control points, in values
   int order;              // 1..kMaxOrder
   double u1, u2;          // the domain; u1 > u2 is legal, u1 = u2 is not
 };
@@ -36,25 +36,25 @@ struct Surface {
   double u1, u2, v1, v2;
 };
 
-// The value at which a map is evaluated: a coordinate as EvalCoord gives it, or a point of a grid (MapGrid
-// with EvalPoint or EvalMesh), which need not be a floating-point number.
+// The argument at which a map is evaluated: a coordinate of EvalCoord, or a grid point of EvalPoint or
+// EvalMesh, which need not be a floating-point number.
 class Argument {
  public:
-  // The real number u. Any double; see is_finite().
+  // Returns the argument u, which may be any double; see is_finite().
   static Argument coordinate(double u);
-  // The real number i * (g2 - g1) / n + g1, which is exactly g1 at i = 0 and exactly g2 at i = n
+  // Returns the argument i * (g2 - g1) / n + g1, which is exactly g1 at i = 0 and exactly g2 at i = n
   // (EV-POINT-EXACT-0, EV-POINT-EXACT-N). g1 = g2 and any i are legal. Throws std::invalid_argument if n <=
   // 0.
   static Argument grid(std::int64_t i, std::int64_t n, double g1, double g2);
 
   bool is_finite() const;
-  // Throws std::domain_error if not finite.
+  // Returns the argument as a rational number. Throws std::domain_error if it is not finite.
   Rational value() const;
 
   bool is_grid() const { return segments_ != 0; }
-  // As given to coordinate().
+  // The argument of coordinate().
   double coordinate() const { return first_; }
-  // As given to grid().
+  // The arguments of grid().
   std::int64_t index() const { return index_; }
   std::int64_t segments() const { return segments_; }
   double first() const { return first_; }
@@ -66,20 +66,21 @@ class Argument {
 
   std::int64_t index_;
   std::int64_t segments_;  // 0 for a coordinate
-  double first_, last_;    // both the coordinate itself for a coordinate
+  double first_, last_;    // both equal the coordinate for a coordinate
 };
 
-// Whether all control values and domain ends are finite.
+// Returns true if all control values and domain ends are finite.
 bool is_finite(const Curve& curve);
 bool is_finite(const Surface& surface);
 
-// The value and S0 = SUM |B_i(t)| * |R_i|, the sum of the magnitudes of its terms (2-D: over all i, j).
+// A value and its magnitude S0 = SUM |B_i(t)| * |R_i|, the sum of the magnitudes of its terms (2-D: over all
+// i, j).
 struct Evaluation {
   Rational value;
   Rational magnitude;
 };
 
-// Both in one pass, for little more than the price of one.
+// Returns value and magnitude in one pass, which costs little more than one of them.
 Evaluation evaluate_with_magnitude(const Curve& curve, const Argument& u);
 Evaluation evaluate_with_magnitude(const Surface& surface, const Argument& u, const Argument& v);
 
@@ -89,9 +90,9 @@ Rational evaluate(const Surface& surface, const Argument& u, const Argument& v);
 Rational magnitude(const Curve& curve, const Argument& u);
 Rational magnitude(const Surface& surface, const Argument& u, const Argument& v);
 
-// Derivatives with respect to the normalised coordinates t = (u - u1)/(u2 - u1) and (v - v1)/(v2 - v1) (the
-// literal reading of the AUTO_NORMAL rule, see U-AUTON-REVSIGN); divide by u2 - u1 for the derivative in u.
-// Order 1 gives zero.
+// Return derivatives with respect to the normalised coordinates t = (u - u1)/(u2 - u1) and (v - v1)/(v2 - v1)
+// (the literal reading of the AUTO_NORMAL rule, see U-AUTON-REVSIGN); divide by u2 - u1 for the derivative in
+// u. Order 1 gives zero.
 Rational derivative(const Curve& curve, const Argument& u);
 Rational derivative_u(const Surface& surface, const Argument& u, const Argument& v);
 Rational derivative_v(const Surface& surface, const Argument& u, const Argument& v);

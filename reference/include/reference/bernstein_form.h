@@ -1,14 +1,14 @@
-// One component of a map, prepared for exact evaluation at many arguments: the functions of bernstein.h,
-// which make one of these each time.
+// One component of a map, prepared for exact evaluation at many arguments. The functions of bernstein.h
+// construct a BernsteinForm for each call.
 //
-// Integers are what makes it fast: with t = a/c, 1 - t = b/c and control values scaled to integers R_i the
-// value is
+// Evaluation is fast because it uses integers: with t = a/c, 1 - t = b/c and control values scaled to
+// integers R_i, the value is
 //
 //   SUM C(n,i) * a^i * b^(n-i) * R_i / c^n,
 //
-// and neither sum nor powers know a fraction. Where a, b, c fit in 62 bits and the R_i in 63, as those of
-// ordinary data do, all of it is done in natural numbers of bounded size on the stack, and a power of two c
-// (the domain [0,1]) makes rounding a matter of shifting.
+// and neither the sum nor the powers contain fractions. If a, b, c fit in 62 bits and the R_i in 63, as for
+// ordinary data, the sum is computed in natural numbers of bounded size on the stack. If c is a power of two,
+// as for the domain [0,1], the result is rounded by shifting.
 #pragma once
 
 #include <memory>
@@ -27,12 +27,12 @@ class BernsteinForm {
   BernsteinForm& operator=(BernsteinForm&&) noexcept;
   ~BernsteinForm();
 
-  // As the functions of bernstein.h. A curve does not look at v. Throw std::domain_error if an argument is
-  // not finite. Const member functions may be called from several threads at once.
+  // Same as the functions of bernstein.h. A curve ignores v. Throw std::domain_error if an argument is not
+  // finite. Const member functions may be called from several threads at once.
   Rational evaluate(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
   Evaluation evaluate_with_magnitude(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
 
-  // round_to_float(evaluate(u, v)) and round_to_double(evaluate(u, v)) by a shorter way.
+  // Return round_to_float(evaluate(u, v)) and round_to_double(evaluate(u, v)), computed without a Rational.
   float to_float(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
   double to_double(const Argument& u, const Argument& v = Argument::coordinate(0)) const;
 

@@ -1,5 +1,5 @@
-// What the executable specification emits. Evaluated values are symbolic: which component of which map at
-// which argument. Whoever judges them decides what to compute, lazily and exactly.
+// The vertices that the executable specification emits. Evaluated values are symbolic: a component of a map
+// and an argument. Their exact values are computed when they are needed.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace evalcts::reference {
 
 inline constexpr int kTextureUnits = 8;
 
-// One component of a map, evaluated.
+// One component of a map, evaluated at an argument.
 struct Sample {
   std::shared_ptr<const Map> map;
   int component;
@@ -24,12 +24,12 @@ struct Sample {
   std::optional<Argument> v;  // for two-dimensional maps
 };
 
-// A value given as it is, or a sample. Values given to d commands (Vertex3d) are rounded to single precision
-// first: the GL keeps current values in that precision and promises no more of a vertex (GL 2.1 section
-// 2.1.1).
+// An explicit value, or a sample. Arguments of commands with double parameters (Vertex3d) are rounded to
+// single precision, because the GL keeps current values in that precision and promises no more for a vertex
+// (GL 2.1 section 2.1.1).
 using Component = std::variant<float, Sample>;
 
-// The normal that AUTO_NORMAL generates: of the surface of a two-dimensional vertex map.
+// The normal that AUTO_NORMAL generates from a two-dimensional vertex map.
 struct AutomaticNormal {
   std::shared_ptr<const Map> map;
   Argument u, v;
@@ -42,38 +42,39 @@ struct Vertex {
   std::array<Component, 4> color;     // R, G, B, A, not clamped (EV-ATTR-COLOR-CLAMP)
   Normal normal;                      // x, y, z
   std::array<std::array<Component, 4>, kTextureUnits> texture_coordinate;  // s, t, r, q of each unit
-  Component index;  // colour index; in RGBA mode nothing that is drawn depends on it (EV-ATTR-INDEX-RGBA)
+  Component index;  // colour index, which has no effect in RGBA mode (EV-ATTR-INDEX-RGBA)
   bool edge_flag;
 };
 
 struct Primitive {
-  GLenum mode;  // as given to Begin
+  GLenum mode;  // the argument of Begin
   std::vector<Vertex> vertices;
-  std::size_t mesh = 0;  // which EvalMesh2 drew it, counted from 1; 0: none
+  std::size_t mesh = 0;  // number of the EvalMesh2 that drew it, from 1; 0: none
 };
 
-// Whether the component has an exact value: a finite float, or a sample whose data and arguments are finite.
-// The other functions below throw std::domain_error where it has none, except rounded().
+// Returns true if the component has an exact value: a finite float, or a sample whose data and arguments are
+// finite. The functions below, except rounded(), throw std::domain_error if it has none.
 bool is_finite(const Component& component);
 
 Rational exact(const Component& component);
-// For a plain float the magnitude is its absolute value.
+// Returns the exact value and its magnitude, which is the absolute value for an explicit float.
 Evaluation exact_with_magnitude(const Component& component);
 
-// The correctly rounded value; a plain float is itself. NaN for a sample without an exact value.
+// Returns the correctly rounded value; an explicit float is returned unchanged. NaN for a sample without an
+// exact value.
 float rounded(const Component& component);
-// An automatic normal has unit length, as without a vertex shader; NaN where there is none: data that is not
-// finite, parallel derivatives, w = 0.
+// Returns the rounded normal. An automatic normal has unit length, as without a vertex shader, or is NaN if
+// it does not exist: non-finite data, parallel derivatives, w = 0.
 std::array<float, 3> rounded(const Normal& normal);
 
-// Section 0.5 of the requirements, as in acceptance.h; `range` as there. A plain float has the bounds zero
-// and always is a must.
+// Same as in acceptance.h (section 0.5 of the requirements). For an explicit float, the bounds are zero and
+// always a must.
 Rational acceptance_bound(const Component& component);
 bool must_applies(const Component& component, int range = kFullRange);
 Rational quality_bound(const Component& component);
 Acceptance acceptance(const Component& component, int range = kFullRange);
 
-// The same for an automatic normal. None where it has no finite data.
+// The same for an automatic normal. Returns nothing if its data is not finite.
 std::optional<NormalAcceptance> acceptance(const AutomaticNormal& normal, int range = kFullRange);
 
 }  // namespace evalcts::reference

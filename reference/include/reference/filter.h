@@ -1,7 +1,8 @@
-// The exact route for bulk work: an enclosure in double-double arithmetic first, with a proven bound
-// (reference/filter/PROOF.md), many arguments at a time, and exact integers where the bound cannot decide.
+// Correctly rounded evaluation for bulk work. An enclosure in double-double arithmetic with a proven bound
+// (reference/filter/PROOF.md) is computed for many arguments at a time. If the bound cannot decide, exact
+// integers are used.
 //
-// A map has the same meaning as in bernstein.h, and so have arguments, inside the domain or not. Constructors
+// Maps and arguments, inside or outside the domain, have the same meaning as in bernstein.h. Constructors
 // throw std::invalid_argument if an order is outside 1..kMaxOrder, std::domain_error if a domain is empty or
 // a domain end or control value is not finite. Const member functions may be called from several threads at
 // once.
@@ -19,15 +20,14 @@
 
 namespace evalcts::reference {
 
-// The value V lies in |V - (high + low)| <= error. An infinite error says nothing, neither do high and low
-// then.
+// An enclosure of a value V: |V - (high + low)| <= error. If the error is infinite, high and low have no
+// meaning.
 struct Enclosure {
   double high, low;
   double error;
 };
 
-// Many arguments along one direction: coordinates, or indices of the points of a grid (Argument::grid()), as
-// doubles.
+// Many arguments along one direction: coordinates, or indices of grid points (Argument::grid()) as doubles.
 struct Arguments {
   struct Grid {
     std::int64_t segments;
@@ -37,7 +37,7 @@ struct Arguments {
   std::optional<Grid> grid = std::nullopt;
 };
 
-// One component of a map.
+// The filter for one component of a map.
 class Filter {
  public:
   explicit Filter(const Curve& curve);
@@ -46,13 +46,13 @@ class Filter {
   Filter& operator=(Filter&&) noexcept;
   ~Filter();
 
-  // One enclosure for each pair of values. A curve does not look at v. An argument that is not finite makes
-  // an infinite error. Throw std::invalid_argument if the sizes differ (v: of surfaces), or if a grid has
-  // less than one segment.
+  // Computes one enclosure for each pair of arguments. A curve ignores v. A non-finite argument gives an
+  // infinite error. Throws std::invalid_argument if the sizes differ (v: for surfaces), or if a grid has less
+  // than one segment.
   void enclose(const Arguments& u, const Arguments& v, std::span<Enclosure> results) const;
 
-  // The correctly rounded values, as far as the enclosures decide them. decided[k] is 1 or 0; results[k]
-  // means nothing where it is 0. Throws as enclose() does.
+  // Compute the correctly rounded values that the enclosures decide. decided[k] is 1, or 0 if results[k] has
+  // no meaning. Throw the exceptions of enclose().
   void to_float(const Arguments& u, const Arguments& v, std::span<float> results,
                 std::span<std::uint8_t> decided) const;
   void to_double(const Arguments& u, const Arguments& v, std::span<double> results,
@@ -63,17 +63,17 @@ class Filter {
   std::unique_ptr<const Plan> plan_;
 };
 
-// The filter and the exact route behind it: round_to_float() and round_to_double() of each value.
+// The filter with the exact method behind it: round_to_float() and round_to_double() of each value.
 class CorrectlyRounded {
  public:
   explicit CorrectlyRounded(const Curve& curve);
   explicit CorrectlyRounded(const Surface& surface);
 
-  // Return how many values the exact route had to decide. Throw as Filter does, and std::domain_error if an
-  // argument is not finite.
+  // Return the number of values that the exact method decided. Throw the exceptions of Filter, and
+  // std::domain_error if an argument is not finite.
   std::size_t to_float(const Arguments& u, const Arguments& v, std::span<float> results) const;
   std::size_t to_double(const Arguments& u, const Arguments& v, std::span<double> results) const;
-  // Of curves.
+  // The same for curves, which have no v.
   std::size_t to_float(const Arguments& u, std::span<float> results) const {
     return to_float(u, {}, results);
   }
@@ -86,9 +86,9 @@ class CorrectlyRounded {
   BernsteinForm exact_;
 };
 
-// The instruction sets that the filter can use here, the best one first, by Highway's names; the one to use
-// from now on (an empty name: the best), for tests and benchmarks. Throws std::invalid_argument if it is not
-// one of them.
+// For tests and benchmarks. filter_targets() returns Highway's names of the instruction sets that the filter
+// can use on this machine, the best one first. use_filter_target() selects one of them; an empty name selects
+// the best. Throws std::invalid_argument for any other name.
 std::vector<std::string> filter_targets();
 void use_filter_target(const std::string& name);
 

@@ -1,4 +1,4 @@
-// An evaluator map as the GL keeps it: nine kinds of data in one and in two dimensions (GL 2.1 table 5.1).
+// Evaluator maps as GL state: nine kinds of data in one and in two dimensions (GL 2.1 table 5.1).
 #pragma once
 
 #include <GL/gl.h>
@@ -15,15 +15,17 @@ inline constexpr int kMapKinds = 9;
 bool is_map1_target(GLenum target);
 bool is_map2_target(GLenum target);
 
-// k, the number of values of one control point (EV-MAP1-K, EV-MAP2-K); 0 if `target` is not a map target.
+// Returns k, the number of values of one control point (EV-MAP1-K, EV-MAP2-K); 0 if `target` is not a map
+// target.
 int values_per_point(GLenum target);
 
-// The power of two that bounds the magnitudes which a GL of that version (10 * major + minor) promises to
-// represent for the data of the target: kReducedRange for colours, before GL 2.0 for texture coordinates too,
-// else kFullRange.
+// Returns the exponent of the largest magnitude that a GL of the version (10 * major + minor) promises to
+// represent for data of the target: kReducedRange for colours and, before GL 2.0, texture coordinates;
+// otherwise kFullRange.
 int guaranteed_range(GLenum target, int version);
 
-// Immutable once it is in a context, so that a redefinition never changes what was emitted before it.
+// An evaluator map. It is immutable once it is in a context, so that a redefinition does not change emitted
+// vertices.
 struct Map {
   struct Direction {
     int order = 1;
@@ -32,9 +34,9 @@ struct Map {
   };
 
   GLenum target;
-  Direction u, v;  // v of a one-dimensional map stays as it is here
-  // Packed, without the padding of the caller's strides: component c of R_ij is points[(i * v.order + j) * k
-  // + c], which is the order in which GetMap returns them (C-COEFF-ORDER).
+  Direction u, v;  // v of a one-dimensional map keeps the values above
+  // Control points without the padding of the caller's strides: component c of R_ij is points[(i * v.order +
+  // j) * k + c]. GetMap returns them in this order (C-COEFF-ORDER).
   std::vector<double> points;
 
   bool is_two_dimensional() const { return is_map2_target(target); }
@@ -46,8 +48,8 @@ struct Map {
   std::vector<Surface> surfaces() const;  // of all components
 };
 
-// The map that a new context holds for the target: order 1, domain (0,1), one constant control point
-// (EV-INIT-*). `target` must be one of the 18.
+// Returns the map of a new context for the target: order 1, domain (0,1), one constant control point
+// (EV-INIT-*). `target` must be one of the 18 map targets.
 Map initial_map(GLenum target);
 
 }  // namespace evalcts::reference

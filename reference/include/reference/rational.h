@@ -1,8 +1,8 @@
 // Exact rational numbers for the oracle.
 //
-// A value is numerator / denominator * 2^exponent. Numerator and denominator are odd (or the numerator zero)
-// but not otherwise reduced: the greatest common divisor is what makes ordinary rationals slow, and the
-// powers of two, which are what binary floating-point data is full of, cost a shift.
+// A value is numerator / denominator * 2^exponent. Numerator and denominator are odd (or the numerator is
+// zero) and not reduced otherwise, because computing greatest common divisors makes ordinary rationals slow.
+// Powers of two, which are frequent in floating-point data, cost only a shift.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -23,7 +23,7 @@ class Rational {
   // The integer itself.
   template <std::integral T>
   Rational(T value) : Rational(Integer(value)) {}
-  // The number that `value` stands for, exactly; -0 is 0. Throws std::domain_error if it is not finite.
+  // The exact value of a double; -0 is 0. Throws std::domain_error if it is not finite.
   Rational(double value);
   Rational(long double) = delete;
   // numerator / denominator * 2^exponent, any signs. Throws std::domain_error if the denominator is zero.
@@ -48,10 +48,10 @@ class Rational {
   // Throws std::domain_error if `other` is zero.
   Rational& operator/=(const Rational& other);
 
-  // The nearest binary64, ties to even; infinity beyond its range. For statistics and reports.
+  // Returns the nearest binary64, ties to even; infinity beyond its range. Used in statistics and reports.
   double to_double() const;
 
-  // By value: 2/6 equals 1/3.
+  // Compare values: 2/6 equals 1/3.
   friend bool operator==(const Rational& a, const Rational& b);
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
@@ -70,14 +70,15 @@ Rational operator*(Rational a, const Rational& b);
 Rational operator/(Rational a, const Rational& b);
 
 Rational abs(Rational x);
-// x^n; x^0 is 1, also for x = 0.
+// Returns x^n; x^0 is 1, also for x = 0.
 Rational pow(const Rational& x, unsigned n);
 
-// floor(log2 |x|). Throws std::domain_error if x is zero.
+// Returns floor(log2 |x|). Throws std::domain_error if x is zero.
 std::int64_t floor_log2(const Rational& x);
 
-// Text for reports: 17 significant decimal digits and, in parentheses, a hexadecimal float of 41 significant
-// bits, both rounded to nearest, without trailing zeros: "0.33333333333333333 (0x1.5555555555p-2)".
+// Returns a text for reports: 17 significant decimal digits and, in parentheses, a hexadecimal float of 41
+// significant bits, both rounded to nearest, without trailing zeros: "0.33333333333333333
+// (0x1.5555555555p-2)".
 std::string describe(const Rational& x);
 
 // Writes describe(x).

@@ -1,12 +1,13 @@
-// The executable specification: the evaluator state machine of the GL, to be read beside the specification.
-// One object is one context in RGBA mode; a copy of it is a second context in the same state.
+// The executable specification: the evaluator state machine of the GL, written to be read beside the
+// specification. An object is a context in RGBA mode, and a copy is a second context in the same state.
 //
-// The methods are the GL commands without their prefix. No argument value makes one throw or misbehave, but
-// pointers must point to the storage that the command is entitled to; where the GL defines nothing for a null
-// pointer (U-NULL) the command does nothing. Commands that the GL does not allow between Begin and End raise
-// INVALID_OPERATION there (GL 2.1 section 2.6.3). A command that raises an error has no other effect (GL 2.1
-// section 2.5). While a display list is under construction, a command goes into it instead of being executed,
-// or (COMPILE_AND_EXECUTE) as well, unless it is one that the GL always executes at once (section 5.4).
+// The methods are the GL commands without their prefix. All argument values are valid for a call, except that
+// pointers must point to the storage that the command may access; if the GL does not define the effect of a
+// null pointer (U-NULL), the command does nothing. Commands that the GL does not allow between Begin and End
+// raise INVALID_OPERATION there (GL 2.1 section 2.6.3). A command that raises an error has no other effect
+// (GL 2.1 section 2.5). While a display list is under construction, commands are compiled into it and not
+// executed, or (COMPILE_AND_EXECUTE) executed as well. Commands that the GL never compiles are executed at
+// once (section 5.4).
 #pragma once
 
 #include <GL/gl.h>
@@ -35,12 +36,12 @@ class Specification {
         kMaxOrder;  // 8..kMaxOrder (EV-INIT-MAXORDER); values outside are brought to the nearer end
   };
 
-  // A new context, in the initial state of the GL (EV-INIT-*).
+  // Makes a context in the initial state of the GL (EV-INIT-*).
   Specification();
   explicit Specification(const Options& options);
 
-  // Maps (section 5.1). Either form copies the points during the call (EV-MAP1-COPY), and reads none if an
-  // argument is wrong. GetnMap writes nothing and raises INVALID_OPERATION if the answer has more than
+  // Maps (section 5.1). Both forms copy the points during the call (EV-MAP1-COPY), and read none if an
+  // argument is invalid. GetnMap writes nothing and raises INVALID_OPERATION if the answer has more than
   // `size` bytes (GL 4.5 section 21.1.1).
   void Map1f(GLenum target, GLfloat u1, GLfloat u2, GLint stride, GLint order, const GLfloat* points);
   void Map1d(GLenum target, GLdouble u1, GLdouble u2, GLint stride, GLint order, const GLdouble* points);
@@ -71,11 +72,11 @@ class Specification {
   const GLubyte* GetString(GLenum name);
   GLenum GetError();
 
-  // Nothing is ever pending (section 5.5).
+  // No commands are ever pending (section 5.5).
   void Flush();
   void Finish();
 
-  // Display lists (section 5.4). A call executes what the list holds, and so takes the time of that.
+  // Display lists (section 5.4). A call takes the time of all commands in the list.
   void NewList(GLuint list, GLenum mode);
   void EndList();
   void CallList(GLuint list);
@@ -85,11 +86,11 @@ class Specification {
   GLboolean IsList(GLuint list);
   void DeleteLists(GLuint list, GLsizei range);
 
-  // The attribute stack (section 6.1.14); a bit whose group has no state here saves nothing.
+  // The attribute stack (section 6.1.14). A bit whose group has no state here saves nothing.
   void PushAttrib(GLbitfield mask);
   void PopAttrib();
 
-  // Evaluation (section 5.1). Outside Begin/End nothing comes of it, as with Vertex (U-OUTSIDE-VERTEX).
+  // Evaluation (section 5.1). It has no effect outside Begin/End, as Vertex (U-OUTSIDE-VERTEX).
   void EvalCoord1f(GLfloat u);
   void EvalCoord1d(GLdouble u);
   void EvalCoord1fv(const GLfloat* u);
@@ -99,8 +100,8 @@ class Specification {
   void EvalCoord2fv(const GLfloat* u);
   void EvalCoord2dv(const GLdouble* u);
 
-  // Grids (section 5.1), and what is evaluated at their points. Arguments are the real numbers i*du + u1, the
-  // ends exact. Time and memory of a mesh are those of its index range.
+  // Grids and evaluation at grid points (section 5.1). Arguments are the real numbers i*du + u1, exact at
+  // both ends. Time and memory of a mesh are proportional to its index range.
   void MapGrid1f(GLint un, GLfloat u1, GLfloat u2);
   void MapGrid1d(GLint un, GLdouble u1, GLdouble u2);
   void MapGrid2f(GLint un, GLfloat u1, GLfloat u2, GLint vn, GLfloat v1, GLfloat v2);
@@ -110,7 +111,7 @@ class Specification {
   void EvalMesh1(GLenum mode, GLint i1, GLint i2);
   void EvalMesh2(GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2);
 
-  // Begin/End and the commands that give vertices and current values (sections 2.6, 2.7).
+  // Begin/End, vertices and current values (sections 2.6, 2.7).
   void Begin(GLenum mode);
   void End();
 
@@ -183,19 +184,19 @@ class Specification {
   void EdgeFlagv(const GLboolean* flag);
   void ActiveTexture(GLenum texture);
 
-  // What is not the GL's:
+  // The functions below are not GL commands.
 
-  // The primitives completed since the last call, one for each Begin/End pair, empty ones and those of meshes
-  // included. A primitive that is still open stays and is delivered after its End.
+  // Returns the primitives completed since the last call, one for each Begin/End pair, including empty
+  // primitives and those of meshes. A primitive that is still open is returned after its End.
   std::vector<Primitive> take_primitives();
 
-  // Whether a primitive is open: between Begin and End.
+  // Returns true between Begin and End, when a primitive is open.
   bool inside() const { return open_.has_value(); }
 
-  // Every error code that the last command was free to raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the one that it
-  // did raise first; empty if it raised none. For CallList and CallLists, those of all commands in the lists:
-  // an implementation may keep several until they are asked for. GetError reports the first error since the
-  // last GetError.
+  // Returns every error code that the last command may raise (EV-MAP-ERR-ANY, U-WHICH-ERROR), the raised one
+  // first; empty if it raised none. CallList and CallLists return the codes of all commands in the lists,
+  // because an implementation may record several until they are queried. GetError returns the first error
+  // since the last GetError.
   const std::vector<GLenum>& permitted_errors() const { return permitted_errors_; }
 
  private:
@@ -219,7 +220,7 @@ class Specification {
   struct Grids {
     GridDirection map1_u, map2_u, map2_v;
   };
-  // What the attribute stack can save; map contents are not part of it (EV-ATTRIB-NOMAPS).
+  // The state that the attribute stack can save. Map contents are not part of it (EV-ATTRIB-NOMAPS).
   struct Attributes {
     Enables enables;
     Grids grids;
@@ -231,16 +232,16 @@ class Specification {
     GLbitfield mask;
     Attributes values;
   };
-  // A call of a method with its arguments, and with copies of what they point to.
+  // A call of a method with its arguments and copies of the memory that they point to.
   using Command = std::function<void(Specification&)>;
   using DisplayList = std::vector<Command>;
-  // Between NewList and EndList.
+  // The display list between NewList and EndList.
   struct Construction {
     GLuint name;
     GLenum mode;
     DisplayList list;
   };
-  // One reason to refuse a command.
+  // A condition under which a command is rejected, and the error that it raises.
   struct Objection {
     bool applies;
     GLenum error;
@@ -250,7 +251,7 @@ class Specification {
   static constexpr int kMaxListNesting = 64;
   static constexpr std::size_t kMaxAttribStackDepth = 16;
 
-  // The answer to a query, before conversion to the type that was asked for (GL 2.1 section 6.1.2).
+  // The answer to a query, before conversion to the queried type (GL 2.1 section 6.1.2).
   struct Answer {
     enum class Kind {
       kBoolean,
@@ -261,12 +262,12 @@ class Specification {
     std::vector<double> values;
   };
 
-  // The place of a map target among the MAP1 targets followed by the MAP2 targets.
+  // Returns the index of a map target in maps_.
   static std::size_t slot(GLenum target);
 
-  // Begins every command that a list can hold: puts it into the list under construction, if there is one.
-  // True if that is all (COMPILE); otherwise the command goes on and is executed. Of a list that is called
-  // meanwhile the call is put in, not what it executes.
+  // Called first by every command that a list can contain: appends the command to the list under
+  // construction, if there is one. Returns true if the command must not be executed (COMPILE). Commands that
+  // a called list executes are not appended, because the list contains the call.
   template <typename... Parameters>
   bool compiled(void (Specification::*command)(Parameters...),
                 std::type_identity_t<Parameters>... arguments) {
@@ -276,8 +277,8 @@ class Specification {
     return construction_->mode == GL_COMPILE;
   }
   static bool any_applies(const Objections& objections);
-  // Raises the error of the first objection that applies; false if none does. Begins the execution of every
-  // command.
+  // Raises the error of the first objection that applies. Returns false if none applies. Called at the start
+  // of the execution of every command.
   bool refused(const Objections& objections);
 
   template <typename T>
@@ -285,33 +286,32 @@ class Specification {
   template <typename T>
   void map2(GLenum target, T u1, T u2, GLint ustride, GLint uorder, T v1, T v2, GLint vstride, GLint vorder,
             const T* points);
-  // Map1 and Map2 with their points read: with the objections to their arguments, and the map if there are
-  // none.
+  // Completes Map1 and Map2: `objections` are those to their arguments, `map` is the new map if none applies.
   void define(Objections objections, std::shared_ptr<const Map> map);
   template <typename T>
   void get_map(GLenum target, GLenum query, GLsizei size, T* v);
   template <typename T>
   void get(GLenum pname, T* params);
   std::optional<Answer> answer(GLenum pname) const;
-  // The state of an enable; none if `cap` is not the name of one.
+  // Returns the state of an enable, or nothing if `cap` does not name one.
   std::optional<bool> enabled(GLenum cap) const;
   void set_enabled(GLenum cap, bool enabled);
 
-  // CallLists with its offsets read.
+  // Completes CallLists with the offsets that it has read.
   void call_lists(Objections objections, std::vector<GLuint> offsets);
-  // Executes lists one after the other, names without a list left out.
+  // Executes lists in order. Names without a list are skipped.
   void execute(const std::vector<GLuint>& names);
 
-  // The map that generates one kind of data in one dimension (1 or 2): the first enabled one of those named,
-  // which are in order of precedence (EV-PREC-*) and named by their MAP1 targets; null if none is.
+  // Returns the map that generates one kind of data in one dimension (1 or 2): the first enabled map of
+  // `targets`, which are MAP1 targets in order of precedence (EV-PREC-*). Returns null if none is enabled.
   std::shared_ptr<const Map> effective_map(int dimension, std::initializer_list<GLenum> targets) const;
-  // EvalCoord1 (without v) or EvalCoord2.
+  // Evaluates as EvalCoord1 (without v) or EvalCoord2 does.
   void eval_coord(const Argument& u, const std::optional<Argument>& v);
   void eval_point(std::int64_t i);
   void eval_point(std::int64_t i, std::int64_t j);
-  // MapGrid1 and MapGrid2: new values of one direction or two.
+  // Sets new grids of one or two directions, for MapGrid1 and MapGrid2.
   void map_grid(std::initializer_list<std::pair<GridDirection*, GridDirection>> directions);
-  // Begin(mode), the vertices, End. `mesh`: see Primitive.
+  // Draws Begin(mode), the vertices, and End. `mesh`: see Primitive.
   template <typename Vertices>
   void draw(GLenum mode, std::size_t mesh, Vertices vertices);
 
@@ -320,7 +320,7 @@ class Specification {
   void normal(double x, double y, double z);
   void texture_coordinate(GLenum texture, double s, double t, double r, double q);
   void index(double c);
-  // A vertex at the origin with all current values.
+  // Returns a vertex at the origin with all current values.
   Vertex current_vertex() const;
 
   int max_eval_order_;
@@ -329,10 +329,10 @@ class Specification {
   std::vector<SavedAttributes> attribute_stack_;
   std::map<GLuint, DisplayList> lists_;
   std::optional<Construction> construction_;
-  int list_depth_ = 0;             // how many lists are being executed, one called by the other
-  std::optional<Primitive> open_;  // between Begin and End
+  int list_depth_ = 0;             // number of nested lists that are being executed
+  std::optional<Primitive> open_;  // the primitive between Begin and End
   std::vector<Primitive> completed_;
-  std::size_t meshes_ = 0;  // EvalMesh2 so far
+  std::size_t meshes_ = 0;  // number of EvalMesh2 commands so far
   GLenum error_ = GL_NO_ERROR;
   std::vector<GLenum> permitted_errors_;
 };
