@@ -180,14 +180,17 @@ bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const De
   const auto [n, m] = map.surface.degree;
   for (int k = 0; k < kComponents; ++k) {
     const double largest = map.component[k].largest;
-    if (largest != 0 && !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
     if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
+    if (largest == 0) continue;
+    // No unit: places in such a domain overflow or underflow.
+    const bool has_bound = std::isfinite(map.component[k].unit);
+    if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
   }
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
                      j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
-  if (n > 0 && !(is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, i2))) return false;
-  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
+  if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
+  if (!is_inside(domain_v, range.v, range.j1) || !is_inside(domain_v, range.v, j2)) return false;
 
   const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
   double* const t = scratch;
