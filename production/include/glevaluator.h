@@ -620,8 +620,10 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  * FAST: of what a map gives, each component of a float result differs from the exact value V by at most
  *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the
  * largest magnitude of that component of a control point, as long as that is between 2^-80 and 2^80;
- * otherwise, and outside the domain, it is the correctly rounded one. Corners of the domain are control
- * points. Automatic normals, tangents and double results are the same in both. */
+ * otherwise, and outside the domain, it is the correctly rounded one. So are the values on the boundary of
+ * the domain: patches that share the control points of an edge meet there without a crack, whatever their
+ * orders, directions, domains and numbers of segments. Automatic normals, tangents and double results are the
+ * same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Where one attribute goes: element i is `components` values at data + i*stride bytes; in a mesh of two
