@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "models.h"
 #include "side.h"
 
 namespace evalcts::bench {
@@ -147,7 +148,41 @@ void add_order() {
   }
 }
 
+// The basis at the points of the grid is computed once, like a plan. With a map it is computed each time.
+template <int kOrder>
+PatchSide patch_side(const Model& model, bool with_map) {
+  const auto points = static_cast<std::size_t>(model.segments) + 1;
+  struct Places {
+    std::vector<float> u;
+    std::vector<std::array<float, kOrder>> v;
+  };
+  const auto place = [points](Places& places) {
+    for (std::size_t i = 0; i < points; ++i) {
+      places.u[i] = static_cast<float>(i) / static_cast<float>(points - 1);
+      places.v[i] = basis<kOrder>(places.u[i]);
+    }
+  };
+  Places known = {std::vector<float>(points), std::vector<std::array<float, kOrder>>(points)};
+  place(known);
+  return [&model, with_map, place, places = std::move(known)](std::size_t patch, float* results) mutable {
+    if (with_map) place(places);
+    for (const std::array<float, kOrder>& weights : places.v) {
+      float curve[kOrder * 3];
+      contract<kOrder, 3>(model.patches[patch].data(), weights, curve);
+      evaluate<kOrder, 3>(curve, places.u.data(), places.u.size(), results);
+      results += places.u.size() * 3;
+    }
+  };
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
+  for (const Model& model : models()) {
+    for (const bool with_map : {false, true}) {
+      add(model, with_map ? "constant_order_with_map" : kSide, [&model, with_map] {
+        return model.order == 2 ? patch_side<2>(model, with_map) : patch_side<4>(model, with_map);
+      });
+    }
+  }
   add_order<4, 3>();
   add_order<4, 4>();
   add_order<8, 4>();

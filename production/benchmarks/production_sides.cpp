@@ -1,11 +1,13 @@
 // The evaluator of this project, on each instruction set that it can use here.
 #include <glevaluator.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "immediate.h"
+#include "models.h"
 #include "side.h"
 
 namespace evalcts::bench {
@@ -103,6 +105,188 @@ MeshSide side(const Mesh& mesh, const char* target, glev_precision precision) {
   };
 }
 
+// ---- Models
+
+void define(const Context& context, const Model& model, std::size_t patch) {
+  const glev_int order = model.order;
+  glevMap2f(context.get(), GLEV_MAP2_VERTEX_3, 0, 1, 3, order, 0, 1, 3 * order, order,
+            model.patches[patch].data());
+}
+
+Context make_context(const char* target, const Model& model) {
+  Context context = make_context(target);
+  glevMapGrid2f(context.get(), model.segments, 0, 1, model.segments, 0, 1);
+  glevEnable(context.get(), GLEV_MAP2_VERTEX_3);
+  require(glevGetError(context.get()) == GLEV_NO_ERROR, "the grid is refused");
+  return context;
+}
+
+void evaluate(const Plan& plan, const Model& model, glev_precision precision,
+              std::vector<unsigned char>& scratch, float* results) {
+  const glev_output vertex = output(results, model.points_of_patch(), 3, 0, 3);
+  glev_mesh mesh = {};
+  mesh.size = sizeof mesh;
+  mesh.i2 = mesh.j2 = model.segments;
+  mesh.precision = precision;
+  mesh.outputs.vertex = &vertex;
+  if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &mesh));
+  mesh.scratch = scratch.data();
+  mesh.scratch_size = scratch.size();
+  require(glevEvaluateMesh(plan.get(), &mesh), "glevEvaluateMesh fails");
+}
+
+PatchSide side(const Model& model, const char* target, glev_precision precision) {
+  std::vector<Plan> plans;
+  const Context context = make_context(target, model);
+  for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
+    define(context, model, patch);
+    plans.push_back(make_plan(context, 2));
+  }
+  return [&model, precision, plans, scratch = std::vector<unsigned char>()](std::size_t patch,
+                                                                            float* results) mutable {
+    evaluate(plans[patch], model, precision, scratch, results);
+  };
+}
+
+PatchSide side_with_map(const Model& model, const char* target) {
+  return [&model, context = make_context(target, model), scratch = std::vector<unsigned char>()](
+             std::size_t patch, float* results) mutable {
+    define(context, model, patch);
+    evaluate(make_plan(context, 2), model, GLEV_CORRECTLY_ROUNDED, scratch, results);
+  };
+}
+
+// ---- Maps and plans, without evaluation. Items are plans.
+
+Measured plans(const char* target, int order, bool grid_alone) {
+  std::vector<float> points;
+  for (int i = 0; i < order * order * 3; ++i)
+    points.push_back(static_cast<float>((i * 7919) % 1000003) / 1000003.0F - 0.5F);
+  const Context context = make_context(target);
+  glevEnable(context.get(), GLEV_MAP2_VERTEX_3);
+  const auto define_map = [context, order, points] {
+    glevMap2f(context.get(), GLEV_MAP2_VERTEX_3, 0, 1, 3, order, 0, 1, 3 * order, order, points.data());
+  };
+  define_map();
+  return {[context, define_map, grid_alone, segments = 0]() mutable {
+            segments = segments % 64 + 1;
+            if (!grid_alone) define_map();
+            if (grid_alone) glevMapGrid2f(context.get(), segments, 0, 1, segments, 0, 1);
+            const glev_plan_info info = {sizeof info, 2};
+            glev_plan* plan = nullptr;
+            require(glevCreatePlan(context.get(), &info, &plan), "no plan");
+            glevReleasePlan(plan);
+          },
+          1};
+}
+
+// ---- Doubles and tangents
+
+struct DoubleOutputs {
+  std::vector<double> memory;
+  std::vector<unsigned char> scratch;
+};
+
+// What of a mesh: vertices as doubles, or the tangents u and v as floats or doubles.
+enum class Wanted { kDoubles, kTangents, kDoubleTangents };
+
+Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
+  const Mesh& mesh = *std::ranges::find_if(
+      meshes(), [](const Mesh& m) { return m.order == 4 && m.ring != m.rows && !m.normals; });
+  constexpr int kRows = 4;
+  const Plan plan = make_plan(make_context(target, mesh), 2);
+  const std::size_t points = static_cast<std::size_t>(mesh.columns) * kRows;
+  const auto room = std::make_shared<DoubleOutputs>();
+  room->memory.resize(6 * points);
+  const auto run = [&mesh, plan, wanted, precision, room, points] {
+    const bool is_double = wanted != Wanted::kTangents;
+    const std::size_t size = is_double ? sizeof(double) : sizeof(float);
+    const auto output_at = [&](std::size_t first) -> glev_output {
+      return {sizeof(glev_output),
+              reinterpret_cast<unsigned char*>(room->memory.data()) + first * size,
+              3 * points * size,
+              3 * size,
+              3,
+              static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
+              0};
+    };
+    const glev_output first = output_at(0), second = output_at(3 * points);
+    glev_mesh batch = {};
+    batch.size = sizeof batch;
+    batch.i2 = mesh.columns - 1;
+    batch.j1 = 100;
+    batch.j2 = batch.j1 + kRows - 1;
+    batch.precision = precision;
+    if (wanted == Wanted::kDoubles) {
+      batch.outputs.vertex = &first;
+    } else {
+      batch.outputs.tangent_u = &first;
+      batch.outputs.tangent_v = &second;
+    }
+    if (room->scratch.empty()) room->scratch.resize(glevGetMeshScratchSize(plan.get(), &batch));
+    batch.scratch = room->scratch.data();
+    batch.scratch_size = room->scratch.size();
+    require(glevEvaluateMesh(plan.get(), &batch), "glevEvaluateMesh fails");
+  };
+  run();
+  return {run, static_cast<std::int64_t>(points)};
+}
+
+// `count` arguments of a curve of order 4 at a time, to doubles or floats.
+Measured batches_of(const char* target, std::size_t count, bool is_double) {
+  const Curve& curve = curves().front();
+  const Plan plan = make_plan(make_context(target, curve), 1);
+  const auto memory = std::make_shared<std::vector<double>>(3 * count);
+  return {[&curve, plan, count, is_double, memory, first = std::size_t{0}]() mutable {
+            const std::size_t size = is_double ? sizeof(double) : sizeof(float);
+            const glev_output vertex = {sizeof vertex,
+                                        memory->data(),
+                                        memory->size() * sizeof(double),
+                                        3 * size,
+                                        3,
+                                        static_cast<glev_enum>(is_double ? GLEV_DOUBLE : GLEV_FLOAT),
+                                        0};
+            glev_batch batch = {};
+            batch.size = sizeof batch;
+            batch.count = count;
+            batch.type = GLEV_FLOAT;
+            batch.u = {curve.u.data() + first, count * sizeof(float), sizeof(float)};
+            batch.outputs.vertex = &vertex;
+            require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+            first = (first + count) % (curve.u.size() - count + 1);
+          },
+          static_cast<std::int64_t>(count)};
+}
+
+// Scattered points of a bicubic surface.
+Measured scattered(const char* target, glev_precision precision) {
+  const Mesh& surface = called_surface();
+  const std::vector<float>& u = called_curve().u;
+  const Plan plan = make_plan(make_context(target, surface), 2);
+  return {[&u, plan, precision] {
+            const glev_output vertex = output(results(), u.size(), 3, 0, 3);
+            glev_batch batch = {};
+            batch.size = sizeof batch;
+            batch.count = u.size() / 2;
+            batch.type = GLEV_FLOAT;
+            batch.precision = precision;
+            batch.u = {u.data(), u.size() * sizeof(float), sizeof(float)};
+            batch.v = {u.data() + u.size() / 2, u.size() / 2 * sizeof(float), sizeof(float)};
+            batch.outputs.vertex = &vertex;
+            require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
+          },
+          static_cast<std::int64_t>(u.size() / 2)};
+}
+
+// EvalMesh2 of a bicubic patch with 64 segments to a sink.
+Measured mesh_to_sink(const char* target) {
+  const Context context = make_context(target, called_surface());
+  const glev_sink sink = storing_sink();
+  require(glevSetSink(context.get(), &sink), "the sink is refused");
+  glevMapGrid2f(context.get(), 63, 0, 1, 63, 0, 1);
+  return {[context] { glevEvalMesh2(context.get(), GLEV_POINT, 0, 63, 0, 63); }, 64 * 64};
+}
+
 Context between_begin_and_end(const Context& context) {
   const glev_sink sink = storing_sink();
   require(glevSetSink(context.get(), &sink), "the sink is refused");
@@ -125,6 +309,30 @@ void add_target(const char* target) {
     if (mesh.ring != mesh.rows && !mesh.normals)
       add_mesh(mesh, std::string("production_fast/") + target, GLEV_FAST);
   }
+  for (const Model& model : models()) {
+    add(model, name, [&model, target] { return side(model, target, GLEV_CORRECTLY_ROUNDED); });
+    add(model, std::string("production_fast/") + target,
+        [&model, target] { return side(model, target, GLEV_FAST); });
+    add(model, std::string("production_with_map/") + target,
+        [&model, target] { return side_with_map(model, target); });
+  }
+  const auto add_work = [&](const std::string& work, const auto& prepare) {
+    add(work + "/" + name, prepare);
+  };
+  add_work("Plan/bicubic", [target] { return plans(target, 4, false); });
+  add_work("Plan/order:64", [target] { return plans(target, 64, false); });
+  add_work("Plan/grid_alone", [target] { return plans(target, 4, true); });
+  add_work("Double/mesh", [target] { return mesh_of(target, Wanted::kDoubles, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Double/curve", [target] { return batches_of(target, 1024, true); });
+  add_work("Tangents/float", [target] { return mesh_of(target, Wanted::kTangents, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Tangents/fast", [target] { return mesh_of(target, Wanted::kTangents, GLEV_FAST); });
+  add_work("Tangents/double",
+           [target] { return mesh_of(target, Wanted::kDoubleTangents, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Batch/count:1", [target] { return batches_of(target, 1, false); });
+  add_work("Batch/count:8", [target] { return batches_of(target, 8, false); });
+  add_work("Scattered/bicubic", [target] { return scattered(target, GLEV_CORRECTLY_ROUNDED); });
+  add_work("Scattered/fast", [target] { return scattered(target, GLEV_FAST); });
+  add_work("Sink/mesh", [target] { return mesh_to_sink(target); });
   add_curve_calls(name, [target] {
     const Context context = between_begin_and_end(make_context(target, called_curve()));
     return [context] { call_curve([&context](float u) { glevEvalCoord1f(context.get(), u); }); };

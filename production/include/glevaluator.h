@@ -7,14 +7,18 @@
  *      profile) says, errors included. Vertices come out through a sink: three callbacks.
  *   2. Batches. A glev_plan is an immutable snapshot of what the enabled maps of a context evaluate to;
  *      glevEvaluate runs arrays of arguments, glevEvaluateMesh points of the grid through it into memory of
- * the caller, glevGetIndices says how these make primitives.
+ *      the caller, glevGetIndices says how these make primitives.
  *
  * Conventions
  *   - C99 and C++. No globals: everything hangs on a context or a plan.
  *   - A context belongs to one thread at a time. A plan may be used by any number of threads at once.
- *   - Handles must not be null unless a function says so. All other pointers may be null only where stated,
- *     but null never crashes: GL-named calls record INVALID_VALUE (the GL leaves null undefined), the others
- *     return GLEV_ERROR_INVALID_ARGUMENT.
+ *   - A null context or plan is undefined behaviour, as in any call of a method, except that DestroyContext
+ *     and ReleasePlan ignore it, Evaluate and EvaluateMesh return INVALID_ARGUMENT, and GetMeshScratchSize
+ *     returns 0. Any other pointer that is null where this is not allowed is an error: GL-named calls record
+ *     INVALID_VALUE (the GL leaves null undefined), the others return GLEV_ERROR_INVALID_ARGUMENT.
+ *   - Infinities and NaN are legal control points, domain ends, grid ends and arguments, and no error by
+ *     themselves. A component of a result that depends on one is unspecified: any float, infinity or NaN. A
+ *     component of a control point has no influence on the other components.
  *   - Structures begin with `size`; set it to sizeof of the structure. That is how later versions can add
  *     members. A structure larger than the library knows is accepted if the unknown rest is zero.
  *   - Counts and byte strides are size_t; what GL types as GLint or GLenum keeps GL's type.
@@ -262,7 +266,7 @@ GLEV_API glev_enum glevGetError(glev_context* context);
  * double, values of the f form exactly as given. u1 > u2 is legal.
  * INVALID_ENUM: target is not one of the nine MAP1 names.
  * INVALID_VALUE: order < 1, order > MAX_EVAL_ORDER (64), stride < number of values of a control point,
- *   u1 = u2, points null.
+ *   u1 = u2 (infinities of one sign are equal, NaN is equal to nothing), points null.
  * INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not TEXTURE0.
  * OUT_OF_MEMORY: nothing changed. */
 GLEV_API void glevMap1f(glev_context* context, glev_enum target, glev_float u1, glev_float u2,
@@ -277,7 +281,7 @@ GLEV_API void glevMap1d(glev_context* context, glev_enum target, glev_double u1,
  * legal.
  * INVALID_ENUM: target is not one of the nine MAP2 names.
  * INVALID_VALUE: an order < 1 or > MAX_EVAL_ORDER (64), a stride < number of values of a control point,
- *   u1 = u2, v1 = v2, points null.
+ *   u1 = u2, v1 = v2 (as for Map1), points null.
  * INVALID_OPERATION: between Begin and End; ACTIVE_TEXTURE is not TEXTURE0.
  * OUT_OF_MEMORY: nothing changed. */
 GLEV_API void glevMap2f(glev_context* context, glev_enum target, glev_float u1, glev_float u2,
@@ -321,9 +325,14 @@ GLEV_API glev_boolean glevIsEnabled(glev_context* context, glev_enum cap);
  * VERTEX_4 wins over VERTEX_3, and the TEXTURE_COORD map with most values over the others; missing values are
  * (0,0,0,1)'s. What has no enabled map comes from the current values. With no vertex map of that dimension
  * enabled nothing at all happens.
- * Each result is computed in double and rounded once to float; at the ends of the domain it is the control
- * point there exactly, and along an edge of a MAP2 map it has the bits of the MAP1 map of the control points
- * along that edge. Any argument is legal. Ignored between End and Begin (undefined in the GL).
+ * Each component is correctly rounded: the exact value of the polynomial at the exact argument, rounded once
+ * to float, to nearest, ties to even, beyond the range to infinity; the value 0 gives +0, another value that
+ * rounds to zero keeps its sign. So it is the control point at an end of the domain, and along an edge of a
+ * MAP2 map it has the bits of the MAP1 map of the control points along that edge. Any argument is legal.
+ * That takes time without a bound that is small: a component whose value is next to the midpoint of two
+ * floats is decided by integers, in microseconds at ordinary orders, but in up to a second for order 64 x 64
+ * and doubles of all magnitudes; so in up to four seconds for VERTEX_4. AUTO_NORMAL below is not correctly
+ * rounded. Ignored between End and Begin (undefined in the GL).
  * INVALID_VALUE: u null (v forms).
  * OUT_OF_MEMORY: no vertex emitted; only in the first call after a change of maps, enables or the grid.
  *
@@ -620,8 +629,10 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  * FAST: of what a map gives, each component of a float result differs from the exact value V by at most
  *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the
  * largest magnitude of that component of a control point, as long as that is between 2^-80 and 2^80;
- * otherwise, and outside the domain, it is the correctly rounded one. Corners of the domain are control
- * points. Automatic normals, tangents and double results are the same in both. */
+ * otherwise, and outside the domain, it is the correctly rounded one. So are the values on the boundary of
+ * the domain: patches that share the control points of an edge meet there without a crack, whatever their
+ * orders, directions, domains and numbers of segments. Automatic normals, tangents and double results are the
+ * same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
 /* Where one attribute goes: element i is `components` values at data + i*stride bytes; in a mesh of two
@@ -685,7 +696,8 @@ typedef struct glev_batch {
 
 /* Evaluates the maps of a plan at each argument. Unlike in the GL, no vertex map is needed for the others to
  * be evaluated. Everything is checked before anything is written. With count 0 nothing is read or written,
- * and all data may be null. Returns SUCCESS or INVALID_ARGUMENT: a null pointer, a wrong size, type, stride,
+ * and all data may be null. A batch whose six outputs are all null is legal, writes nothing, and is checked
+ * like any other. Returns SUCCESS or INVALID_ARGUMENT: a null pointer, a wrong size, type, stride,
  * precision or number of components. NO_MAP: an output for an attribute without a map. BUFFER_TOO_SMALL: a
  * data_size. OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one
  * block is recognised if the strides are equal; with different strides the blocks must be apart. */
@@ -705,7 +717,10 @@ typedef struct glev_mesh {
 } glev_mesh;
 
 /* The bytes of scratch memory that glevEvaluateMesh needs for the columns, i1 to i2, of this mesh: evaluation
- * never allocates. 0 for a mesh that it refuses. May be 0. */
+ * never allocates. More than 0 for every legal mesh, one without points included. 0 if the plan or the mesh
+ * is null, its size is wrong, precision is none of the two, or j1 or j2 is not 0 in one dimension:
+ * glevEvaluateMesh returns INVALID_ARGUMENT then. The outputs, scratch and scratch_size of the mesh are not
+ * looked at. */
 GLEV_API size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* mesh);
 
 /* Evaluates the maps of a plan at points of its grid. Values, checks and results as glevEvaluate; scratch

@@ -141,8 +141,7 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
     if (!std::isfinite(error)) return false;
   }
   const auto [domain_u, domain_v] = map.surface.domain;
-  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
-                     j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
+  const std::int64_t i2 = range.last_column(), j2 = range.last_row();
   if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
   if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
 
@@ -156,6 +155,14 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
       evaluate_centred_rows<kComponents, 3>};
   kOf[n - 1](map, range, to, x);
   return true;
+}
+
+// Correctly rounded.
+template <int kComponents>
+void evaluate_exact_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                         double* scratch) {
+  if (evaluate_centred_mesh<kComponents>(map, range, to, scratch)) return;
+  evaluate_rounded_mesh<kComponents>(map, range, to, scratch);
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "binomials.h"
+#include "centred_mesh-inl.h"
 #include "mesh-inl.h"
 #include "sequence-inl.h"
 
@@ -62,8 +63,7 @@ HWY_INLINE void compute_fast_row(const PreparedMap& map, const MeshRange& range,
 
 // Fast meshes of low degree in u, by Horner's rule in x = t - s. The coefficients are at most 5 max|R|
 // together, those of degree 3, and cost 5 units of 2^-24 max|R|, x 3, and the sums 7.5, twice that without
-// fused operations; so the bound of GLEV_FAST, 6 n + 12, is kept. Ends of the domain, where neighbours meet,
-// are taken from the control points.
+// fused operations; so the bound of GLEV_FAST, 6 n + 12, is kept.
 constexpr int kMaxFastDegree = 3;
 
 // x of the columns. `t` and `s` are room for them.
@@ -92,18 +92,15 @@ HWY_NOINLINE inline void compute_fast_places(const Domain& domain, const MeshRan
   }
 }
 
-// A row: its coefficients, four floats for each power of x, after which vectors may read on, and its ends.
-// The same, but for signs, from either side.
+// A row: its coefficients, four floats for each power of x, after which vectors may read on.
 template <int kComponents, int kDegree>
 struct FastRowOfPowers {
   float power[4 * (kDegree + 1) + kFloatLanes];
-  float first[kComponents], last[kComponents];
 
   // The points are four values each, times the binomials.
   HWY_INLINE void set(const double* points) {
     for (int k = 0; k < kComponents; ++k, ++points) {
       const double a = points[0], z = points[4 * kDegree], ends = a + z, slope = z - a;
-      first[k] = static_cast<float>(a), last[k] = static_cast<float>(z);
       double of[kDegree + 1];
       if constexpr (kDegree == 1) {
         of[0] = ends / 2, of[1] = slope / 2;
@@ -137,13 +134,8 @@ void evaluate_fast_powers(const PreparedMap& map, const MeshRange& range, const 
       row[r].set(points);
     }
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
-      const float* const column = x + c0;
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
-      sequence.repeat(column, columns, places);
-      const auto is_end = [&](std::size_t c) { return std::fabs(column[c]) == 1; };
-      std::size_t head = 0, tail = columns;
-      while (head < columns && is_end(head)) ++head;
-      while (tail > head && is_end(tail - 1)) --tail;
+      sequence.repeat(x + c0, columns, places);
       for (std::size_t r = 0; r < rows; ++r) {
         hn::Vec<Floats> power[kDegree + 1][kPeriod];
         for (int i = 0; i <= kDegree; ++i) {
@@ -161,33 +153,32 @@ void evaluate_fast_powers(const PreparedMap& map, const MeshRange& range, const 
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
         float* const out = is_packed<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
         in_groups<kGroup>(count, out, evaluate);
-        const auto take_end = [&](std::size_t end) {
-          std::memcpy(out + end * kComponents, column[end] < 0 ? row[r].first : row[r].last,
-                      kComponents * sizeof(float));
-        };
-        for (std::size_t end = 0; end < head; ++end) take_end(end);
-        for (std::size_t end = tail; end < columns; ++end) take_end(end);
         if (out == values) scatter<kComponents>(values, columns, to, data);
       }
     }
   }
 }
 
-// False, and nothing done, where the bound of GLEV_FAST is not kept: outside the domain and for extreme maps.
+// The inside of a fast mesh. False, and nothing done, where the bound of GLEV_FAST is not kept: outside the
+// domain and for extreme maps.
 template <int kComponents>
-bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
-                        double* scratch) {
+bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                          double* scratch) {
   const auto [n, m] = map.surface.degree;
   for (int k = 0; k < kComponents; ++k) {
     const double largest = map.component[k].largest;
-    if (largest != 0 && !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
     if (map.component[k].kind == PreparedComponent::Kind::kUnclaimed) return false;
+    if (largest == 0) continue;
+    // No unit: places in such a domain overflow or underflow.
+    const bool has_bound = std::isfinite(map.component[k].unit);
+    if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
   }
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
-  const std::int64_t i2 = range.i1 + static_cast<std::int64_t>(range.columns) - 1,
-                     j2 = range.j1 + static_cast<std::int64_t>(range.rows) - 1;
-  if (n > 0 && !(is_inside(domain_u, range.u, range.i1) && is_inside(domain_u, range.u, i2))) return false;
-  if (m > 0 && !(is_inside(domain_v, range.v, range.j1) && is_inside(domain_v, range.v, j2))) return false;
+  const std::int64_t i2 = range.last_column(), j2 = range.last_row();
+  // All columns or rows at one argument, which may be on the boundary.
+  if (range.u.u1 == range.u.u2 || range.v.u1 == range.v.u2) return false;
+  if (!is_inside(domain_u, range.u, range.i1) || !is_inside(domain_u, range.u, i2)) return false;
+  if (!is_inside(domain_v, range.v, range.j1) || !is_inside(domain_v, range.v, j2)) return false;
 
   const std::size_t padded = (range.columns + kFloatStep - 1) / kFloatStep * kFloatStep;
   double* const t = scratch;
@@ -241,6 +232,75 @@ bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const De
       scatter<kComponents>(values, std::min(kFloatStep, range.columns - c), to, data + c * to.stride);
     }
   }
+  return true;
+}
+
+// The curve of a map at the first or last end of the domain of u, as a map of its own in u.
+inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred) {
+  const auto [n, m] = map.surface.degree;
+  const int values = (m + 1) * map.surface.components;
+  PreparedMap edge = map;
+  edge.surface.degree = {m, 0};
+  edge.surface.domain = {map.surface.domain[1], Domain{}};
+  edge.surface.scaled += is_last ? n * values : 0;
+  for (int k = 0; k < map.surface.components; ++k) {
+    PreparedComponent& component = edge.component[k];
+    const auto [columns, rows] = component.lowest.order;
+    component.lowest.points += is_last ? (columns - 1) * rows : 0;
+    component.lowest.order = {rows, 1};
+    component.lowest.domain = edge.surface.domain;
+    if (component.kind == PreparedComponent::Kind::kLine) component.kind = PreparedComponent::Kind::kGeneral;
+  }
+  if (map.centred == nullptr) return edge;
+  // At x = -1 or 1. The error of the test, which is that of the whole map, contains these roundings.
+  for (int j = 0; j < values; ++j) {
+    double sum = map.centred[n * values + j];
+    for (int i = n - 1; i >= 0; --i) sum = (is_last ? sum : -sum) + map.centred[i * values + j];
+    centred[j] = sum;
+  }
+  edge.centred = centred;
+  return edge;
+}
+
+// Neighbours meet without a crack if points on the boundary of the domain depend on nothing but the value
+// there: they are correctly rounded.
+template <int kComponents>
+HWY_NOINLINE void round_boundary(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                                 double* scratch) {
+  const auto end_at = [&](int direction, const GridArgument& argument) {
+    return locate(map.surface.domain[direction], argument).end;
+  };
+  const bool is_curve = to.row_stride == 0;  // whose boundary is its ends
+  for (const std::size_t row : {std::size_t{0}, range.rows - 1}) {
+    if (is_curve || end_at(1, range.v_of(row)) == Parameter::End::kNeither) continue;
+    MeshRange one = range;
+    one.j1 += static_cast<std::int64_t>(row);
+    one.rows = 1;
+    evaluate_exact_mesh<kComponents>(map, one, {to.data + row * to.row_stride, to.stride, 0, to.components},
+                                     scratch);
+  }
+  for (const std::size_t column : {std::size_t{0}, range.columns - 1}) {
+    const Parameter::End end = end_at(0, range.u_of(column));
+    if (end == Parameter::End::kNeither) continue;
+    constexpr std::size_t kRows = 2 * kStep;
+    HWY_ALIGN double own_scratch[kRows * (kMaxOrder + 2)];
+    double centred[4 * (kMaxCentredDegree + 1)];
+    const PreparedMap edge = edge_of(map, end == Parameter::End::kLast, centred);
+    MeshRange part = {range.v, {}, range.j1, 0, 0, 1};
+    for (std::size_t row = 0; row < range.rows; row += kRows, part.i1 += kRows) {
+      part.columns = std::min(kRows, range.rows - row);
+      std::byte* const data = to.data + column * to.stride + row * to.row_stride;
+      evaluate_exact_mesh<kComponents>(edge, part, {data, to.row_stride, 0, to.components}, own_scratch);
+    }
+  }
+}
+
+// False, and nothing done, where FAST promises correctly rounded points.
+template <int kComponents>
+bool evaluate_fast_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                        double* scratch) {
+  if (!evaluate_fast_inside<kComponents>(map, range, to, scratch)) return false;
+  round_boundary<kComponents>(map, range, to, scratch);
   return true;
 }
 

@@ -39,8 +39,7 @@ void evaluate_mesh_of(const PreparedMap& map, const MeshRange& range, bool fast,
                       std::byte* scratch) {
   auto* const doubles = reinterpret_cast<double*>(scratch);
   if (fast && evaluate_fast_mesh<kComponents>(map, range, to, doubles)) return;
-  if (evaluate_centred_mesh<kComponents>(map, range, to, doubles)) return;
-  evaluate_rounded_mesh<kComponents>(map, range, to, doubles);
+  evaluate_exact_mesh<kComponents>(map, range, to, doubles);
 }
 
 void evaluate_curve(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to) {

@@ -35,6 +35,8 @@ struct MeshRange {
 
   GridArgument u_of(std::size_t column) const { return {u, i1 + static_cast<std::int64_t>(column)}; }
   GridArgument v_of(std::size_t row) const { return {v, j1 + static_cast<std::int64_t>(row)}; }
+  std::int64_t last_column() const { return i1 + static_cast<std::int64_t>(columns) - 1; }
+  std::int64_t last_row() const { return j1 + static_cast<std::int64_t>(rows) - 1; }
 };
 
 // The position at real arguments that are no subnormal numbers, in whatever environment without traps, of

@@ -234,6 +234,29 @@ TEST_F(Misuse, OfMeshes) {
   EXPECT_EQ(glevGetMeshScratchSize(curve, &mesh), 0u);
 }
 
+// 0 means refusal alone.
+TEST_F(Misuse, ScratchOfAMeshWithoutPointsIsNotZero) {
+  const Plan curve(gl, 1);
+  glev_mesh mesh = {sizeof mesh, 3, 0, 0, 0, GLEV_FAST, {}, nullptr, 0};
+  EXPECT_NE(glevGetMeshScratchSize(curve, &mesh), 0u);
+  EXPECT_EQ(glevEvaluateMesh(curve, &mesh), GLEV_SUCCESS);
+  EXPECT_EQ(glevGetMeshScratchSize(nullptr, &mesh), 0u);
+  EXPECT_EQ(glevEvaluateMesh(nullptr, &mesh), GLEV_ERROR_INVALID_ARGUMENT);
+  EXPECT_EQ(glevGetMeshScratchSize(curve, nullptr), 0u);
+}
+
+// Without outputs a batch is checked like any other and writes nothing.
+TEST_F(Misuse, BatchesWithoutOutputsAreLegal) {
+  const Plan curve(gl, 1);
+  const float u[] = {0, 1};
+  glev_batch batch = {sizeof batch, 2, GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, {u, sizeof u, sizeof *u}, {}, {}};
+  EXPECT_EQ(glevEvaluate(curve, &batch), GLEV_SUCCESS);
+  batch.u.data_size = sizeof *u;
+  EXPECT_EQ(glevEvaluate(curve, &batch), GLEV_ERROR_BUFFER_TOO_SMALL);
+  batch.u.data = nullptr;
+  EXPECT_EQ(glevEvaluate(curve, &batch), GLEV_ERROR_INVALID_ARGUMENT);
+}
+
 TEST_F(Misuse, OfRowStrides) {
   const auto ask = [&](std::size_t row_stride) {
     return [row_stride](Call& call) {

@@ -151,6 +151,37 @@ TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   }
 }
 
+// An argument outside the domain is outside in a direction of order 1 as well.
+TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainOfOrderOne) {
+  for (int k = 0; k < 60; ++k) {
+    const int across = k % 2;  // the direction of order 1
+    GivenNet net = {{4, 4}, {}, {}};
+    net.order[across] = 1;
+    for (int i = 0; i < 4; ++i) net.points.push_back(chance_.next_double() - 0.5);
+    const Grid beyond = {-0.25, chance_.one_of({0.75, 1.25}), 8}, unit = {0, 1, 27};
+    const Grid &u = across == 0 ? beyond : unit, &v = across == 0 ? unit : beyond;
+    define(net);
+    glevMapGrid2d(gl, u.segments, u.u1, u.u2, v.segments, v.u1, v.u2);
+    const Plan plan(gl, 2);
+    const Range range = {0, u.segments, 0, v.segments};
+    ASSERT_EQ(bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range, GLEV_FAST)),
+              bits_of(evaluate_grid(plan, GLEV_ATTRIBUTE_TEXCOORD, range)));
+  }
+}
+
+// Domains and grids near the largest double.
+TEST_F(Precision, FastKeepsItsBoundInHugeDomains) {
+  for (const double size : {0x1p899, 0x1p901, 1e300, 0x1p1000, 0x1p1022}) {
+    for (int k = 0; k < 8; ++k) {
+      const Domain domain = chance_.one_of({Domain{0, size}, Domain{-size, size}, Domain{-size, size / 2}});
+      const GivenNet net = choose_net(5, {domain, domain});
+      const Grid u = chance_.one_of({Grid{domain.u1, domain.u2, 9}, Grid{0, size / 4, 9}, Grid{0, 1, 9}}),
+                 v = chance_.one_of({Grid{domain.u1, domain.u2, 5}, Grid{0, size / 4, 5}, Grid{0, 1, 5}});
+      EXPECT_LE(worst_of_fast(net, u, v, {0, 9, 0, 5}), 1) << size;
+    }
+  }
+}
+
 TEST_F(Precision, FastZeroMapsAreZero) {
   EXPECT_EQ(worst_of_fast({{4, 4}, {}, std::vector<double>(16)}, {0, 1, 9}, {0, 1, 9}, {0, 9, 0, 9}), 0);
 }

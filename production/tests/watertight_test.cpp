@@ -54,14 +54,15 @@ class Watertight : public ContextTest {
   }
 
   // The same at the points of a grid: cut out of the mesh of the whole patch, and by itself.
-  Floats evaluate_mesh(const SharedEdge& edge, int segments, int other_segments, bool whole) {
+  Floats evaluate_mesh(const SharedEdge& edge, int segments, int other_segments, bool whole,
+                       glev_precision precision = GLEV_CORRECTLY_ROUNDED) {
     glevMapGrid2f(gl, edge.is_along_u ? segments : other_segments, 0, 1,
                   edge.is_along_u ? other_segments : segments, 0, 1);
     const Plan plan(gl, 2);
     const int across = edge.is_last ? other_segments : 0;
     const int first = whole ? 0 : across, last = whole ? other_segments : across;
     const Range range = edge.is_along_u ? Range{0, segments, first, last} : Range{first, last, 0, segments};
-    const Floats points = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range);
+    const Floats points = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, range, precision);
     Floats along;
     for (int k = 0; k <= segments; ++k) {
       const int at = edge.is_reversed ? segments - k : k, row = whole ? across : 0;
@@ -106,17 +107,50 @@ TEST_F(Watertight, AlongAllEdgesInBatches) {
 TEST_F(Watertight, AlongAllEdgesInMeshes) {
   for (int order = 2; order <= 12; ++order) {
     const std::vector<float> shared = random_shared_points(order);
-    for (int segments : {1, 2, 3, 7, 16, 33}) {
+    for (int segments : {1, 2, 3, 7, 16, 33, 75}) {
       Floats expected;
       for (const SharedEdge& edge : all_edges()) {
         define_patch(edge, shared, chance_.whole(1, 12));
         for (bool whole : {true, false}) {
-          const Floats got = evaluate_mesh(edge, segments, chance_.whole(1, 9), whole);
-          if (expected.empty()) expected = got;
-          ASSERT_EQ(bits_of(got), bits_of(expected)) << "order " << order << ", " << segments << " segments";
+          for (const glev_precision precision : {GLEV_CORRECTLY_ROUNDED, GLEV_FAST}) {
+            const Floats got = evaluate_mesh(edge, segments, chance_.whole(1, 9), whole, precision);
+            if (expected.empty()) expected = got;
+            ASSERT_EQ(bits_of(got), bits_of(expected))
+                << "order " << order << ", " << segments << " segments, precision " << precision;
+          }
         }
       }
     }
+  }
+}
+
+// Neighbours of other orders and numbers of segments meet at the arguments that they share.
+TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
+  for (int k = 0; k < 200; ++k) {
+    const int order = chance_.whole(2, 8);
+    std::vector<float> shared(static_cast<std::size_t>(order) * kComponents);
+    // Multiples of the order with few bits, so that the elevated points are floats.
+    for (float& point : shared) point = static_cast<float>(order * chance_.whole(-30000, 30000));
+    std::vector<float> elevated(shared.size() + kComponents);
+    for (int i = 0; i <= order; ++i) {
+      for (int c = 0; c < kComponents; ++c) {
+        const auto at = [&](int j) { return j < 0 || j >= order ? 0 : shared[j * kComponents + c]; };
+        elevated[i * kComponents + c] =
+            (static_cast<float>(i) * at(i - 1) + static_cast<float>(order - i) * at(i)) /
+            static_cast<float>(order);
+      }
+    }
+    const int segments = chance_.whole(1, 40), factor = chance_.whole(2, 5);
+    const SharedEdge edge = chance_.one_of(all_edges()), other = chance_.one_of(all_edges());
+    define_patch(edge, shared, chance_.whole(1, 6));
+    const Floats coarse = evaluate_mesh(edge, segments, 5, true, GLEV_FAST);
+    define_patch(other, elevated, chance_.whole(1, 6));
+    const Floats fine = evaluate_mesh(other, segments * factor, 3, true, GLEV_FAST);
+    Floats found;
+    for (int i = 0; i <= segments; ++i)
+      found.insert(found.end(), fine.begin() + static_cast<std::ptrdiff_t>(i) * factor * kComponents,
+                   fine.begin() + (static_cast<std::ptrdiff_t>(i) * factor + 1) * kComponents);
+    ASSERT_EQ(bits_of(coarse), bits_of(found)) << "order " << order << ", " << segments << " segments";
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -107,6 +108,8 @@ void Filter::enclose(const Arguments& u, const Arguments& v, std::span<Enclosure
                             result.low = enclosures->low[k] * scale;
                             // What the scaling of the three may lose by underflow.
                             result.error = enclosures->error[k] * scale + 0x1p-1070;
+                            if (!std::isfinite(result.high))
+                              result = {0, 0, std::numeric_limits<double>::infinity()};
                           }
                         });
 }

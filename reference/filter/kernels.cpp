@@ -3,6 +3,7 @@
 
 #include <reference/filter.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -23,13 +24,6 @@ using Vector = hn::Vec<Tag>;
 
 constexpr Tag kTag;
 
-#undef EVALCTS_HAS_FMA
-#if (HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2) || HWY_ARCH_ARM_A64
-#define EVALCTS_HAS_FMA 1
-#else
-#define EVALCTS_HAS_FMA 0
-#endif
-
 // A vector of double-doubles.
 struct Pair {
   Vector high, low;
@@ -48,7 +42,7 @@ HWY_INLINE Pair fast_two_sum(Vector x, Vector y) {
 
 HWY_INLINE Pair two_product(Vector x, Vector y) {
   const Vector product = hn::Mul(x, y);
-#if EVALCTS_HAS_FMA
+#if HWY_NATIVE_FMA
   return {product, hn::MulSub(x, y, product)};
 #else
   // Veltkamp's splitting and Dekker's product.
@@ -63,6 +57,14 @@ HWY_INLINE Pair two_product(Vector x, Vector y) {
   rest = hn::Add(rest, hn::Mul(a.low, b.high));
   return {product, hn::Add(rest, hn::Mul(a.low, b.low))};
 #endif
+}
+
+// True if two_product is exact here. A MulSub that rounds twice, which Highway has where fused operations are
+// switched off, would leave out the low part.
+inline bool has_exact_products() {
+  static const volatile double number = 1 + 0x1p-30;  // not known to the compiler
+  const Vector x = hn::Set(kTag, number);
+  return hn::AllTrue(kTag, hn::Eq(two_product(x, x).low, hn::Set(kTag, 0x1p-60)));
 }
 
 HWY_INLINE Pair add(const Pair& x, const Pair& y) {
@@ -155,6 +157,10 @@ HWY_INLINE Vector if_or_infinite(Mask condition, Vector x) {
 
 void Enclose(const KernelPlan& plan, const double* HWY_RESTRICT u, const double* HWY_RESTRICT v,
              std::size_t count, const EnclosureArrays& results) {
+  if (!has_exact_products()) {
+    std::fill_n(results.error, round_up_to_lanes(count), std::numeric_limits<double>::infinity());
+    return;
+  }
   const int n = plan.u.degree, m = plan.v.degree;
   const Vector theta = hn::Set(kTag, polynomial_error(n, m) * kUnitSquared);
   for (std::size_t k = 0; k < count; k += hn::Lanes(kTag)) {

@@ -292,6 +292,20 @@ TEST_P(FilterOf, SaysNothingOfWhatIsNotFinite) {
   EXPECT_EQ(enclosures[0].error, infinity);
 }
 
+// Far outside the domain a value may be beyond the range of binary64, though its enclosure without the scale
+// is not.
+TEST_P(FilterOf, SaysNothingOfValuesBeyondTheRange) {
+  const double points[] = {0, 0x1p+890};
+  const std::vector<double> coordinates{0.5, 0x1p+100, 0x1p+200, -0x1p+200};
+  std::vector<Enclosure> enclosures(coordinates.size());
+  Filter(Curve{points, 1, 2, 0, 1}).enclose({coordinates}, {}, enclosures);
+  for (int k : {0, 1}) {
+    EXPECT_EQ(enclosures[k].high, coordinates[k] * 0x1p+890);
+    EXPECT_LT(enclosures[k].error, enclosures[k].high);
+  }
+  for (int k : {2, 3}) EXPECT_EQ(enclosures[k].error, std::numeric_limits<double>::infinity());
+}
+
 TEST_P(FilterOf, RefusesWrongSizes) {
   const double points[] = {5, 6};
   const Curve line{points, 1, 2, 0, 1};

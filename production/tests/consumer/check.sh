@@ -14,6 +14,15 @@ cmake --install "$build" --component glevaluator_runtime --prefix "$work/runtime
 
 cmake --install "$build" --component glevaluator --prefix "$work/installed" >/dev/null
 [[ $fortran == OFF ]] || cmake --install "$build" --component glevaluator_fortran --prefix "$work/installed" >/dev/null
+# The commands of the README install that and nothing else.
+mkdir "$work/documented"
+grep '^cmake --install' "$examples/../README.md" |
+  sed -e "s|build/release|$build|" -e "s|PREFIX|$work/documented|" >"$work/documented.sh"
+[[ -s $work/documented.sh ]] || fail "the README says no commands to install"
+[[ $fortran == ON ]] || sed -i '/glevaluator_fortran/d' "$work/documented.sh"
+bash -e "$work/documented.sh" >/dev/null
+diff <(cd "$work/installed" && find . | sort) <(cd "$work/documented" && find . | sort) ||
+  fail "the commands of the README install something else"
 mkdir "$work/elsewhere"
 prefix=$work/elsewhere/moved
 mv "$work/installed" "$prefix"

@@ -1,0 +1,102 @@
+#include "models.h"
+
+#include <random>
+
+#include "float_horner.h"
+
+extern "C" {
+#include "examples/teapot_patches.h"
+}
+
+namespace evalcts::bench {
+namespace {
+
+constexpr int kRandomPatches = 256;
+
+std::vector<std::vector<float>> teapot() {
+  std::vector<std::vector<float>> patches;
+  for (int i = 0; i < TEAPOT_PATCHES; ++i) {
+    float points[4][4][3];
+    teapot_patch(i, points);
+    patches.emplace_back(&points[0][0][0], &points[0][0][0] + 48);
+  }
+  return patches;
+}
+
+// In [-1,1]: floats, or multiples of 2^-bits.
+std::vector<std::vector<float>> random_patches(int order, int count, int bits) {
+  std::mt19937 generator(3);
+  std::vector<std::vector<float>> patches(static_cast<std::size_t>(count));
+  for (auto& patch : patches) {
+    for (int i = 0; i < order * order * 3; ++i) {
+      const double unit = 2 * (static_cast<double>(generator()) / 4294967296.0) - 1;
+      patch.push_back(bits == 0 ? static_cast<float>(unit)
+                                : static_cast<float>(static_cast<int>(unit * (1 << bits))) /
+                                      static_cast<float>(1 << bits));
+    }
+  }
+  return patches;
+}
+
+Model make_model(const std::string& kind, int order, int segments, std::vector<std::vector<float>> patches) {
+  return {"Model/" + kind + "/segments:" + std::to_string(segments), order, segments, std::move(patches)};
+}
+
+std::vector<Model> all_models() {
+  std::vector<Model> result;
+  for (const int segments : {4, 8, 10, 16, 32, 64})
+    result.push_back(make_model("teapot", 4, segments, teapot()));
+  for (const int segments : {7, 8, 64})
+    result.push_back(make_model("random", 4, segments, random_patches(4, kRandomPatches, 0)));
+  result.push_back(make_model("dyadic", 4, 8, random_patches(4, 32, 24)));
+  result.push_back(make_model("bilinear", 2, 8, random_patches(2, 32, 0)));
+  return result;
+}
+
+[[maybe_unused]] const bool kRegistered = [] {
+  for (const Model& model : models()) {
+    add(model, "float_Horner", [&model]() -> PatchSide {
+      return [&model](std::size_t patch, float* results) {
+        const auto scale = 1 / static_cast<float>(model.segments);
+        for (int j = 0; j <= model.segments; ++j) {
+          for (int i = 0; i <= model.segments; ++i, results += 3)
+            horner_surface(model.patches[patch].data(), model.order, model.order, 3,
+                           static_cast<float>(i) * scale, static_cast<float>(j) * scale, results);
+        }
+      };
+    });
+  }
+  return true;
+}();
+
+}  // namespace
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> kAll = all_models();
+  return kAll;
+}
+
+void add(const Model& model, const std::string& side, std::function<PatchSide()> prepare) {
+  add(model.name + "/" + side, [&model, prepare = std::move(prepare)]() -> Measured {
+    const PatchSide made = prepare();
+    std::vector<float> expected(model.points_of_patch() * 3);
+    for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
+      made(patch, results());
+      for (int j = 0; j <= model.segments; ++j) {
+        for (int i = 0; i <= model.segments; ++i)
+          horner_surface(model.patches[patch].data(), model.order, model.order, 3,
+                         static_cast<float>(i) / static_cast<float>(model.segments),
+                         static_cast<float>(j) / static_cast<float>(model.segments),
+                         &expected[static_cast<std::size_t>(j * (model.segments + 1) + i) * 3]);
+      }
+      check_agreement({results(), expected.size()}, expected,
+                      tolerance_for(model.order, model.patches[patch]));
+    }
+    const auto all = [&model, made] {
+      for (std::size_t patch = 0; patch < model.patches.size(); ++patch) made(patch, results());
+    };
+    return {all, static_cast<std::int64_t>(model.patches.size() * model.points_of_patch())};
+  });
+}
+
+}  // namespace evalcts::bench

@@ -1,0 +1,28 @@
+// The models that people have: short decimal or dyadic coordinates, symmetric, drawn with few segments.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "side.h"
+
+namespace evalcts::bench {
+
+// Patches over [0,1] x [0,1], each drawn with the same number of segments in both directions.
+struct Model {
+  std::string name;
+  int order, segments;                      // of both directions
+  std::vector<std::vector<float>> patches;  // control point (i, j), i along u, begins at (j * order + i) * 3
+
+  std::size_t points_of_patch() const { return static_cast<std::size_t>(segments + 1) * (segments + 1); }
+};
+
+const std::vector<Model>& models();
+
+// All points of one patch.
+using PatchSide = std::function<void(std::size_t patch, float* results)>;
+// Registers a benchmark whose items are points, of all patches.
+void add(const Model& model, const std::string& side, std::function<PatchSide()> prepare);
+
+}  // namespace evalcts::bench
