@@ -182,6 +182,15 @@ def _wrong_vertex(machine, vertex, found):
     return ""
 
 
+def _wrong_summary(machine, emitted, found):
+    sizes = [(mode, size) for mode, size, times in found["primitives"] for _ in range(times)]
+    if [(p.mode, len(p.vertices)) for p in emitted] != sizes:
+        return "other primitives"
+    vertices = [vertex for p in emitted for vertex in p.vertices]
+    messages = (_wrong_vertex(machine, vertices[s["number"]], s["vertex"]) for s in found["samples"])
+    return next(filter(None, messages), "")
+
+
 def _wrong_step(machine, step, answer, primitive):
     if not machine.primitive and "errors" in step:
         codes, machine.errors = machine.errors, set()
@@ -197,6 +206,8 @@ def _wrong_step(machine, step, answer, primitive):
                 return f"answers {given}, not {accepted}"
     if "emits" in step:
         emitted, machine.emitted = machine.emitted, []
+        if isinstance(step["emits"], dict):
+            return _wrong_summary(machine, emitted, step["emits"])
         if [(p.mode, len(p.vertices)) for p in emitted] != [(p["mode"], len(p["vertices"]))
                                                               for p in step["emits"]]:
             return "other primitives"

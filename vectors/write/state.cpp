@@ -616,6 +616,9 @@ Document state() {
   lists(document);
   random_programs(document);
   exact_ends(document);
+  long_meshes(document);
+  steep_meshes(document);
+  meshes_keep_state(document);
   return document;
 }
 

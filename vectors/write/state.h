@@ -33,5 +33,10 @@ void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>&
 void lists(Document& document);
 // Points and meshes at the exact ends of grids.
 void exact_ends(Document& document);
+// Meshes of thousands of points.
+void long_meshes(Document& document);
+void steep_meshes(Document& document);
+// Meshes and the state that they must leave alone.
+void meshes_keep_state(Document& document);
 
 }  // namespace evalcts::vectors::states
