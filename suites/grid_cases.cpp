@@ -53,6 +53,13 @@ std::vector<Grid> probed_grids(Test& t) {
   // One segment is as many as it takes for a sum that misses the end.
   for (const auto& [first, last] : {std::pair{33.3f, 0.1f}, {977.7f, -0.3f}, {-811.3f, 2.1f}, {52.7f, 1e-3f}})
     add({1, first, last});
+  // Rising and falling grids each of whose ends is missed by N steps from the other, fused or not.
+  for (const Grid& grid :
+       {Grid{43, 0x1.99999ap-4f, 0x1.ccccccp-1f}, Grid{3, -0x1.96d10ap+0f, 0x1.60d5a8p-1f},
+        Grid{2, 0x1.956204p-6f, -0x1.38192ep-4f}, Grid{53, -0x1.915a96p+1f, 0x1.1fbb18p-1f},
+        Grid{18, -0x1.ab04e4p+0f, -0x1.89ef66p-6f}, Grid{39, 0x1.e445ap+1f, -0x1.62c9ap+1f},
+        Grid{1, 0x1.58e3dep-4f, -0x1.6da474p-4f}, Grid{1, -0x1.83183ep-4f, 0x1.e0cd8ap-1f}})
+    add(grid);
   return grids;
 }
 
@@ -79,9 +86,21 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
 
 // What came out for one grid; the current texture coordinate says what a vertex belongs to.
 struct Probed {
-  static constexpr int kTags = 3;
-  std::optional<float> at_end, at_neighbour;
+  static constexpr int kTags = 4;
+  std::optional<float> at_end, at_next, at_previous;
   std::vector<float> near_end;  // of what is under test
+
+  // Whether EvalCoord tells the end from one of its neighbours at least.
+  bool tells() const {
+    return at_end && at_next && at_previous && (*at_next != *at_end || *at_previous != *at_end);
+  }
+  // Half of the way to the value at the neighbouring number; any value if that is the value at the end.
+  double limit(float at_neighbour, double beyond) const {
+    const double end = *at_end;
+    return at_neighbour == *at_end ? beyond : (end + static_cast<double>(at_neighbour)) / 2;
+  }
+  // The values between which x is nearer to the value at the end than to those at its neighbours.
+  std::pair<double, double> accepted() const { return {limit(*at_previous, -1), limit(*at_next, 1)}; }
 };
 
 }  // namespace
@@ -101,6 +120,8 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
     c.TexCoord1f(tag++);
     draw_at(c, along, kind, std::nextafter(end, end + 1));
     c.TexCoord1f(tag++);
+    draw_at(c, along, kind, std::nextafter(end, end - 1));
+    c.TexCoord1f(tag++);
     draw(c, grid);
   }
 
@@ -115,7 +136,9 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
         if (number % Probed::kTags == 0) {
           of.at_end = x;
         } else if (number % Probed::kTags == 1) {
-          of.at_neighbour = x;
+          of.at_next = x;
+        } else if (number % Probed::kTags == 2) {
+          of.at_previous = x;
         } else if (std::abs(x) < 0.5f) {
           of.near_end.push_back(x);
         }
@@ -124,33 +147,37 @@ void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind
     std::vector<Mismatch> mismatches;
     std::size_t told = 0;
     for (std::size_t i = 0; i < grids.size(); ++i) {
-      const auto& [at_end, at_neighbour, near_end] = probed[i];
-      if (!at_end || !at_neighbour || *at_end == *at_neighbour) continue;
+      if (!probed[i].tells()) continue;
       ++told;
-      const float right = *at_end;
+      const auto [lowest, highest] = probed[i].accepted();
       const Grid& grid = grids[i];
       // One for each vertex that is wrong; the end may be a vertex of several primitives.
       const auto add = [&](double got, const std::string& captured) {
         Mismatch mismatch;
         mismatch.what = fmt::format("{} point of the grid of {} segments from {:a} to {:a}",
                                     last ? "last" : "first", grid.segments, grid.first, grid.last);
-        mismatch.expected = fmt::format("x = {:a}", right);
+        mismatch.expected = fmt::format(
+            "x = {:a}, or nearer to it than to the values at the neighbouring numbers", *probed[i].at_end);
         mismatch.captured = captured;
         mismatch.message =
             fmt::format("the {} is not where EvalCoord at {} = {:a} is: {}, expected {}", mismatch.what,
                         along.v ? "v" : "u", last ? grid.last : grid.first, captured, mismatch.expected);
-        mismatch.lowest = mismatch.highest = static_cast<double>(right);
+        mismatch.lowest = lowest;
+        mismatch.highest = highest;
         mismatch.got = got;
         mismatches.push_back(std::move(mismatch));
       };
-      if (near_end.empty()) add(1, "no vertex near it");
-      for (const float x : near_end)
-        if (x != right) add(static_cast<double>(x), fmt::format("x = {:a}", x));
+      if (probed[i].near_end.empty()) add(1, "no vertex near it");
+      for (const float x : probed[i].near_end) {
+        const auto got = static_cast<double>(x);
+        if (got != static_cast<double>(*probed[i].at_end) && (got <= lowest || got >= highest))
+          add(got, fmt::format("x = {:a}", x));
+      }
     }
     if (told == 0) throw NotObservable("EvalCoord does not tell neighbouring arguments apart");
     return mismatches;
   };
-  t.expect_observation(c, kPosition | kTextureCoordinate0, most_vertices + 8 * grids.size(), kind, judge);
+  t.expect_observation(c, kPosition | kTextureCoordinate0, most_vertices + 12 * grids.size(), kind, judge);
 }
 
 }  // namespace evalcts

@@ -60,9 +60,9 @@ std::vector<Grid> probed_grids(Test& t);
 // At an end of a grid the argument is that end itself. For each grid: what `draw` draws (called after
 // map_grid, with the grid; primitives of one kind) goes through a map whose x is 0 at the end, 1 a little
 // further on (1e-5 of it, more where it is small) and so on, so that the neighbouring number shows as another
-// value. Those of its vertices that lie near the end have to be, bit for bit, what EvalCoord gives there.
-// Where EvalCoord does not tell the neighbouring number apart, nothing is said. Throws NotObservable if that
-// is so of all grids.
+// value. The text makes the argument exact, not the value: those of its vertices that lie near the end have
+// to be nearer to what EvalCoord gives there than to what it gives at the neighbouring numbers. Where
+// EvalCoord does not tell those apart, nothing is said. Throws NotObservable if that is so of all grids.
 void expect_exact_end(Test& t, const Along& along, bool last, PrimitiveKind kind,
                       const std::function<void(gl::Case&, const Grid&)>& draw, std::size_t most_vertices);
 

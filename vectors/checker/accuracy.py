@@ -125,13 +125,19 @@ def all_single(values, u, v):
 
 
 class Component:
-    """One component of a map at an argument. `rows` are its control values [i][j]."""
+    """One component of a map at an argument. `rows` are its control values [i][j], `net` the Net of them."""
 
-    def __init__(self, rows, u, v, color=False, single=None):
-        self.net, self.u, self.v = Net(rows), u, v
+    def __init__(self, rows, u, v, color=False, single=None, net=None):
+        self.rows, self.net, self.u, self.v = rows, net or Net(rows), u, v
         self.degrees = (u.degree, v.degree)
-        self.single = all_single((x for row in rows for x in row), u, v) if single is None else single
+        self.given_single = single
         self.limit = COLOR_RANGE if color else RANGE
+
+    @cached_property
+    def single(self):
+        if self.given_single is not None:
+            return self.given_single
+        return all_single((x for row in self.rows for x in row), self.u, self.v)
 
     @cached_property
     def value(self):

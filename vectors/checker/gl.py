@@ -79,6 +79,7 @@ class Context:
         self.stack = []
         self.lists, self.open_list, self.nesting = {}, None, 0
         self.errors, self.emitted = set(), []
+        self.meshed = {}  # the vertices of the mesh that is drawn, by their indices
 
     def issue(self, name, arguments):
         """What the program calls: executed, or compiled, or both. The answer of a query, otherwise None."""
@@ -267,6 +268,7 @@ class Context:
         dimension = int(form[0])
         if len(indices) != 2 * dimension:
             raise Malformed(f"EvalMesh{dimension} of {show(indices)}")
+        self.meshed = {}
         us, *vs = [_few(integer(a), integer(b) + 1) for a, b in zip(indices[::2], indices[1::2])]
         if not self.winner(dimension, ("VERTEX_4", "VERTEX_3")):
             return
@@ -288,7 +290,11 @@ class Context:
     def primitive_of(self, mode, points):
         self.begin((), mode)
         for indices in points:
-            self.evaluate_point(len(indices), indices)
+            if indices not in self.meshed:
+                self.evaluate_point(len(indices), indices)
+                self.meshed[indices] = self.primitive.vertices[-1]
+            else:
+                self.vertex(self.meshed[indices])
         self.end(())
 
     # Attribute stack

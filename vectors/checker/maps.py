@@ -1,6 +1,9 @@
 """Maps: their targets, their description in the files, their evaluation."""
 
+from functools import cached_property
+
 from .accuracy import POINT, Component, Direction
+from .bernstein import Net
 from .normals import Normal
 from .number import BINARY32, BINARY64, Malformed, read_float, show
 
@@ -29,9 +32,13 @@ class Map:
     def nets(self):
         return [[[point[c] for point in row] for row in self.points] for c in range(self.size)]
 
+    @cached_property
+    def _components(self):
+        return [(rows, Net(rows)) for rows in self.nets()]
+
     def components(self, directions):
         color = self.target.endswith("COLOR_4")
-        return [Component(net, *directions, color=color) for net in self.nets()]
+        return [Component(rows, *directions, color=color, net=net) for rows, net in self._components]
 
     def normal(self, directions):
         return Normal(self.nets(), *directions)

@@ -129,6 +129,25 @@ def nearest(x, form):
     return float_text(-magnitude if x < 0 else magnitude, negative_zero=x < 0)
 
 
+def nearest_bits(x):
+    """The bits of x rounded to binary32: what `nearest` says, in integers only, for very many numbers."""
+    n, d = abs(x.numerator), x.denominator
+    if n == 0:
+        return 0
+    e = n.bit_length() - d.bit_length()
+    if (n < d << e) if e >= 0 else (n << -e < d):
+        e -= 1
+    e = max(e, BINARY32.least)
+    place = e - 23
+    above, below = (n, d << place) if place >= 0 else (n << -place, d)
+    m, rest = divmod(above, below)
+    if 2 * rest > below or (2 * rest == below and m % 2 == 1):
+        m += 1
+    # The leading bit of a normal significand adds 1 to the exponent, a carry another.
+    magnitude = min(((e - BINARY32.least) << 23) + m, 0x7f800000)
+    return magnitude | 0x80000000 if x < 0 else magnitude
+
+
 def greatest_not_above(x, form):
     """The greatest finite number of the format that is at most x; None if there is none."""
     if x < -form.limit():

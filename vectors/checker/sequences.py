@@ -1,17 +1,21 @@
 """Cases that are sequences of commands: errors, get_map, state."""
 
+import struct
 from fractions import Fraction
 
 from .gl import Context
 from .gl_commands import command_named
 from .number import (BINARY32, BINARY64, Malformed, float_text, greatest_not_above, least_not_below,
-                     read_float, show)
-from .report import members
+                     nearest_bits, read_float, show)
+from .report import integer, members
 from .values import check_component, check_normal
 
 OUTPUTS = {"Boolean": "u8", "Integer": "i32", "Float": "f32", "Double": "f64",
            "i": "i32", "f": "f32", "d": "f64"}
 HALF = Fraction(1, 2)
+# More vertices in a step are summarised.
+MOST_LISTED = 64
+DIGESTED = "position", "color", "normal", "texture_coordinates"
 EMITTERS = ("End", "EvalMesh1", "EvalMesh2", "CallList", "CallLists")
 
 
@@ -134,11 +138,57 @@ def _check_emits(where, context, step, report):
         raise Malformed(f"{where}: {'not here' if 'emits' in step else 'missing'}")
     if "emits" not in step:
         return
+    if sum(len(primitive.vertices) for primitive in emitted) > MOST_LISTED:
+        _check_summary(where, emitted, step["emits"], report)
+        return
     for member, primitive, found in report.pairs(where, emitted, step["emits"]):
         members(found, member, "mode vertices")
         report.same(f"{member}.mode", primitive.mode, found["mode"])
         for place, vertex, entry in report.pairs(f"{member}.vertices", primitive.vertices, found["vertices"]):
             _check_vertex(place, vertex, entry, report)
+
+
+def _check_summary(where, emitted, found, report):
+    """What stands for many vertices: runs of primitives of one size, a digest, some of the vertices."""
+    members(found, where, "primitives digest samples")
+    runs = []
+    for primitive in emitted:
+        run = [primitive.mode, len(primitive.vertices)]
+        if not runs or runs[-1][:2] != run:
+            runs.append([*run, 0])
+        runs[-1][2] += 1
+    report.same(f"{where}.primitives", runs, found["primitives"])
+    vertices = [vertex for primitive in emitted for vertex in primitive.vertices]
+    samples = found["samples"]
+    if not isinstance(samples, list) or not samples:
+        raise Malformed(f"{where}.samples: {show(samples)} should be a list of vertices")
+    last = -1
+    for i, sample in enumerate(samples):
+        member = f"{where}.samples[{i}]"
+        members(sample, member, "number vertex")
+        number = integer(f"{member}.number", sample["number"], last + 1)
+        if number >= len(vertices):
+            report.differ(f"{member}.number", f"below {len(vertices)}", number)
+            return
+        _check_vertex(f"{member}.vertex", vertices[number], sample["vertex"], report)
+        last = number
+    shown = [name for name in DIGESTED if name in samples[0]["vertex"]]
+    units = len(samples[0]["vertex"].get("texture_coordinates", ()))
+    report.same(f"{where}.digest", digest_of(vertices, shown, units), found["digest"])
+
+
+def digest_of(vertices, shown, units):
+    """FNV-1a over the bits of all numbers, rounded to binary32, the least significant byte first."""
+    bits = 0xcbf29ce484222325
+    for vertex in vertices:
+        for name in shown:
+            rows = vertex[name][:units] if name == "texture_coordinates" else [vertex[name]]
+            for x in (x for row in rows for x in row):
+                number = (struct.pack("<f", float.fromhex(x)) if isinstance(x, str)
+                          else struct.pack("<I", nearest_bits(x.value)))
+                for byte in number:
+                    bits = (bits ^ byte) * 0x100000001b3 % 2**64
+    return f"{bits:016x}"
 
 
 def _check_vertex(where, vertex, found, report):

@@ -5,6 +5,8 @@
 #include <map>
 #include <string_view>
 
+#include "claims.h"
+
 namespace evalcts::vectors {
 
 using nlohmann::json;
@@ -45,6 +47,7 @@ Report lint(const std::string& text, const std::set<std::string>& requirements) 
     for (const std::string requirement : entry["requirements"])
       if (!requirements.contains(requirement))
         find(id, fmt::format("no requirement is called {}", requirement));
+    if (const std::string broken = broken_claim(entry); !broken.empty()) find(id, broken);
     for (const std::string flag : entry["flags"]) {
       ++uses[flag];
       if (!file["notes"].contains(flag)) find(id, fmt::format("the flag '{}' has no note", flag));

@@ -6,20 +6,12 @@
 #include <sstream>
 
 #include <evalcts/vectors/pipe.h>
+#include "lint/numbers.h"
 
 namespace evalcts::vectors {
 namespace {
 
 using nlohmann::json;
-
-double number(const json& text) { return std::strtod(text.get_ref<const std::string&>().c_str(), nullptr); }
-
-reference::Rational rational(const json& fraction) {
-  const std::string text = fraction;
-  const std::size_t slash = text.find('/');
-  return reference::Rational(reference::Integer(text.substr(0, slash)),
-                             reference::Integer(text.substr(slash + 1)));
-}
 
 // What is wrong with the values; empty if nothing is.
 std::string wrong_values(const json& components, const std::vector<double>& got) {

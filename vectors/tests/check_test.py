@@ -23,7 +23,7 @@ from checker.bernstein import de_casteljau
 from checker.files import check_case
 from checker.normals import Normal
 from checker.number import (BINARY32, BINARY64, Malformed, exponent, float_text, greatest_not_above,
-                            least_not_below, nearest, nearest_root, read_float, read_rational)
+                            least_not_below, nearest, nearest_bits, nearest_root, read_float, read_rational)
 from checker.sequences import accepted_answers
 
 SAMPLES = sorted((Path(__file__).parent / "sample").glob("*.json"))
@@ -37,6 +37,10 @@ def to_binary32(x):
         return inf if x > 0 else -inf
 
 
+def bits_of(x):
+    return struct.unpack("I", struct.pack("f", x))[0]
+
+
 def value(text):
     return float.fromhex(text)
 
@@ -47,6 +51,7 @@ class Numbers(unittest.TestCase):
         for _ in range(4000):
             x = random.choice((-1, 1)) * ldexp(random.random(), random.randint(-160, 130))
             self.assertEqual(value(nearest(F(x), BINARY32)), to_binary32(x))
+            self.assertEqual(nearest_bits(F(x)), bits_of(to_binary32(x)))
             n, d = random.getrandbits(200) + 1, random.getrandbits(random.choice((50, 190, 230))) + 1
             self.assertEqual(value(nearest(F(n, d), BINARY64)), n / d)
             self.assertEqual(value(nearest(F(n, d << 1150), BINARY64)), float(F(n, d << 1150)))
@@ -60,6 +65,7 @@ class Numbers(unittest.TestCase):
                         (F(2**24 - 1, 2**150), "0x1p-126"), (F(2)**128 - F(2)**103, "inf"),
                         (F(2)**128 - F(2)**103 - 1, "0x1.fffffep+127"), (-F(2)**128, "-inf")):
             self.assertEqual(nearest(x, BINARY32), text)
+            self.assertEqual(nearest_bits(x), bits_of(value(text)))
         self.assertEqual(nearest(F(2)**1024 - F(2)**970, BINARY64), "inf")
         self.assertEqual(nearest(F(2)**1024 - F(2)**970 - 1, BINARY64), "0x1.fffffffffffffp+1023")
 
@@ -306,6 +312,38 @@ class Sequences(unittest.TestCase):
         self.assertEqual([(p.mode[3:], len(p.vertices)) for p in context.emitted],
                          [("LINE_STRIP", 2)] * 3 + [("LINE_STRIP", 3)] * 2 + [("QUAD_STRIP", 6)] * 2
                          + [("POINTS", 9)])
+
+    def test_many_vertices_are_summarised(self):
+        """A right summary, and whatever may be wrong with one."""
+        context = self.run_all(("Enable", "GL_MAP1_VERTEX_3"), ("EvalMesh1", "GL_POINT", 0, 64))
+        vertex = {"position": [{"exact": "0/1", "magnitude": "0/1", "float": gl.ZERO, "double": gl.ZERO,
+                                "accept": ["0x0p+0", "0x0p+0"]}] * 3 + [gl.ONE]}
+        position = context.emitted[0].vertices[0]["position"]
+        low, high = position[0].interval()
+        for component in vertex["position"][:3]:
+            component["accept"] = [float_text(low), float_text(high)]
+        # FNV-1a of three zeros and a one, 65 times.
+        digest = 0xcbf29ce484222325
+        for byte in bytes([0] * 12 + [0, 0, 0x80, 0x3f]) * 65:
+            digest = (digest ^ byte) * 0x100000001b3 % 2**64
+        right = {"primitives": [["GL_POINTS", 65, 1]], "digest": f"{digest:016x}",
+                 "samples": [{"number": 0, "vertex": vertex}, {"number": 64, "vertex": vertex}]}
+
+        def outcome(**changes):
+            steps = [{"call": ["Enable", "GL_MAP1_VERTEX_3"], "errors": []},
+                     {"call": ["EvalMesh1", "GL_POINT", 0, 64], "errors": [], "emits": right | changes}]
+            case = {"id": "a", "requirements": ["r"], "flags": [], "steps": steps}
+            return check_case(("state", case))[1:]
+        self.assertEqual(outcome(), ([], []))
+        samples = right["samples"]
+        for changes in ({"primitives": [["GL_POINTS", 64, 1]]}, {"primitives": [["GL_POINTS", 1, 65]]},
+                        {"primitives": [["GL_LINE_STRIP", 65, 1]]}, {"digest": "0" * 16},
+                        {"samples": [samples[0] | {"number": 65}]}, {"samples": []},
+                        {"samples": samples[::-1]}, {"samples": [samples[0], samples[0]]},
+                        {"samples": [{"number": 0, "vertex": {"position": [gl.ZERO] * 4}}]},
+                        {"more": 1}):
+            with self.subTest(changes=changes):
+                self.assertTrue(any(outcome(**changes)))
 
     def test_initial_maps(self):
         context = gl.Context()

@@ -81,6 +81,37 @@ TEST(Lint, FindsWhatDoesNotHoldTogether) {
   EXPECT_EQ(changed("grid", "/notes/unused", "Words."), "notes: no case has the flag 'unused'");
 }
 
+// A case of a shipped file by its id.
+json shipped(const std::string& kind, const std::string& id) {
+  std::ifstream stream(std::string(VECTORS_FOLDER) + "/" + kind + ".json");
+  json file = json::parse(stream), only = json::array(), notes = json::object();
+  for (const json& entry : file["cases"])
+    if (as_text(entry["id"]) == id) only.push_back(entry);
+  for (const std::string flag : only.at(0)["flags"]) notes[flag] = file["notes"][flag];
+  file["cases"] = only;
+  file["notes"] = notes;
+  return file;
+}
+
+TEST(Lint, ChecksWhatExactEndsClaim) {
+  for (const char* id : {"grid.exact-first.1", "grid.exact-last.4", "grid.exact-last.50"}) {
+    json file = shipped("grid", id);
+    EXPECT_EQ(complaint(file), "");
+    const std::string requirement = file["cases"][0]["requirements"][0];
+    // Everything is accepted.
+    for (json& component : file["cases"][0]["components"]) component["accept"] = nullptr;
+    EXPECT_EQ(complaint(file),
+              std::string(id) + ": claims " + requirement + ", but a result without it is accepted");
+  }
+  // The grid from 0 to 1 in 43 segments ends at 1 by any arithmetic.
+  json file = shipped("grid", "grid.exact-last.1");
+  file["cases"][0]["u"].update({{"segments", 43}, {"first", "0x0p+0"}, {"last", "0x1p+0"}, {"index", 43}});
+  EXPECT_NE(complaint(file), "");
+  file = shipped("grid", "grid.last.1");
+  file["cases"][0]["requirements"].push_back("EV-POINT-EXACT-N");
+  EXPECT_NE(complaint(file), "");
+}
+
 TEST(Lint, SaysWhatIsMalformed) {
   const std::string enumeration = "Failed to match against any enum values.";
   const auto superfluous = [](const std::string& member) {

@@ -1,6 +1,8 @@
 // Sequences of commands as data.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "write/sequences.h"
@@ -89,6 +91,31 @@ TEST(Sequence, EmitsWhatIsCompleted) {
   EXPECT_EQ(vertices[1]["color"], Json({"0x1p+0", "0x1p+0", "0x1p+0", "0x1p+0"}));
   EXPECT_FALSE(vertices[0].contains("normal"));
   EXPECT_EQ(all[6]["emits"], Json::array());
+}
+
+TEST(Sequence, SummarisesManyVertices) {
+  gl::Case c;
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 64, 3, 2, std::vector<GLfloat>{0, 0, 0, 64, 0, 0});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.MapGrid1f(64, 0, 64);
+  c.EvalMesh1(GL_LINE, 1, 64);
+  c.EvalMesh1(GL_LINE, 0, 64);
+  const Json all = steps(c);
+  EXPECT_EQ(all[3]["emits"][0]["vertices"].size(), 64u);
+  const Json& emits = all[4]["emits"];
+  EXPECT_EQ(emits["primitives"].dump(), R"([["GL_LINE_STRIP",65,1]])");
+  std::vector<int> numbers;
+  for (const Json& sample : emits["samples"]) {
+    numbers.push_back(sample["number"]);
+    EXPECT_EQ(as_text(sample["vertex"]["position"][0]["exact"]), fmt::format("{}/1", numbers.back()));
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(numbers));
+  EXPECT_EQ(numbers.front(), 0);
+  EXPECT_EQ(numbers.back(), 64);
+  // The digest depends on every vertex.
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 64, 3, 2, std::vector<GLfloat>{0, 0, 0, 64, 0x1p-149f, 0});
+  c.EvalMesh1(GL_LINE, 0, 64);
+  EXPECT_NE(as_text(steps(c)[6]["emits"]["digest"]), as_text(emits["digest"]));
 }
 
 TEST(Sequence, RefusesWhatStaysOpen) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <evalcts/gl/tokens.h>
+#include "exact_ends.h"
 #include "kinds.h"
 #include "values.h"
 
@@ -62,15 +63,15 @@ const std::vector<Kind>& all_kinds() {
        60,
        36},
       {"first",
-       "index 0: exactly the first end",
-       {"EV-POINT-EXACT-0", "EV-MESH1-EXACT-0", "EV-MESH2-EXACT"},
+       "index 0: the first end (exact-first has the cases that tell it from its neighbours)",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV"},
        {{0.1, 0.7}, {-7.3, 11.9}, {0.3, -0.9}, {1000.1, 1000.7}},
        {1, 3, 10, 97, 1000, kMost},
        [](Dice&, GLint) { return std::int64_t{0}; },
        {{0, 1}, {0.1, 0.7}, {1000, 1001}}},
       {"last",
-       "index N: exactly the last end, whatever N * du + u1 would round to",
-       {"EV-POINT-EXACT-N", "EV-MESH1-EXACT-N", "EV-MESH2-EXACT"},
+       "index N: the last end (exact-last has the cases that tell it from its neighbours)",
+       {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV"},
        {{0.1, 0.7}, {-7.3, 11.9}, {0.3, -0.9}, {1000.1, 1000.7}},
        {1, 3, 10, 97, 1000, kMost},
        [](Dice&, GLint n) { return std::int64_t{n}; },
@@ -150,6 +151,68 @@ Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) 
   return Argument::grid(kind.index(dice, segments), segments, first, last);
 }
 
+// One direction at the end of a grid: the probe, and the point of the grid.
+struct AtEnd {
+  Probe probe;
+  Argument argument;
+};
+AtEnd at_end(Dice& dice, bool last, Type type, int order, int turn) {
+  const GridEnds grid = missed_end(dice, last, type);
+  const double end = last ? grid.last : grid.first;
+  const Probe probe = turn % 3 == 0                         ? wide_probe(dice, order, end)
+                      : turn % 3 == 1 || type == Type::real ? narrow_probe(order, end)
+                                                            : probe_up_to(order, end);
+  return {probe, Argument::grid(last ? grid.segments : 0, grid.segments, grid.first, grid.last)};
+}
+
+// A point between the ends of a grid in the direction that is not looked at.
+AtEnd across(Dice& dice, int order) {
+  const int segments = dice.between(2, 9);
+  return {{{order, 0, 1}, true}, Argument::grid(dice.between(1, segments - 1), segments, 0, 1)};
+}
+
+double nonzero(Dice& dice) { return static_cast<double>(dice.between(8, 128)) / 16 * dice.sign(); }
+
+void exact_ends(Document& document) {
+  constexpr GLenum kCurves[] = {GL_MAP1_INDEX, GL_MAP1_TEXTURE_COORD_2, GL_MAP1_VERTEX_3};
+  constexpr GLenum kSurfaces[] = {GL_MAP2_INDEX, GL_MAP2_TEXTURE_COORD_1, GL_MAP2_VERTEX_3};
+  Theme first(
+      document, "exact-first",
+      "index 0 of grids for which u2 - N*du is not u1 in the precision of the type: the value is 0, and "
+      "nothing else is accepted that such an argument would give",
+      {"EV-POINT-EXACT-0", "EV-MESH1-EXACT-0", "EV-MESH2-EXACT"});
+  Theme last(
+      document, "exact-last",
+      "index N of grids for which N*du + u1 is not u2 in the precision of the type: the value is 0, and "
+      "nothing else is accepted that such an argument would give",
+      {"EV-POINT-EXACT-N", "EV-MESH1-EXACT-N", "EV-MESH2-EXACT"});
+  for (const bool is_last : {false, true}) {
+    Theme& theme = is_last ? last : first;
+    Dice& dice = theme.dice();
+    const auto is_zero = [](const AtEnd& at, int i) {
+      return i == (at.probe.zero_first ? 0 : at.probe.direction.order - 1);
+    };
+    for (int i = 0; i < 48; ++i) {
+      const Type type = kTypes[i / 3 % 2];
+      const AtEnd u = at_end(dice, is_last, type, dice.between(2, 6), i);
+      const Map map = curve(kCurves[i % 3], u.probe.direction,
+                            [&](int j, int) { return is_zero(u, j) ? 0 : nonzero(dice); });
+      theme.add(value_case({map, type, u.argument}), {}, {"1-D"});
+    }
+    for (int i = 0; i < 36; ++i) {
+      const Type type = kTypes[i / 6 % 2];
+      const bool along_v = i % 2 == 1;
+      const AtEnd end = at_end(dice, is_last, type, dice.between(2, 4), i / 2);
+      const AtEnd other = across(dice, dice.between(1, 3));
+      const AtEnd &u = along_v ? other : end, &v = along_v ? end : other;
+      const Map map = surface(kSurfaces[i % 3], u.probe.direction, v.probe.direction, [&](int j, int k, int) {
+        return is_zero(end, along_v ? k : j) ? 0 : nonzero(dice);
+      });
+      theme.add(value_case({map, type, u.argument, v.argument}), {}, {"2-D"});
+    }
+  }
+}
+
 }  // namespace
 
 Document grid() {
@@ -179,6 +242,7 @@ Document grid() {
       theme.add(value_case({map, type, x, y}), {}, {"2-D"});
     }
   }
+  exact_ends(document);
   return document;
 }
 

@@ -5,6 +5,7 @@
 #include <reference/rounding.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <evalcts/gl/numbers.h>
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/prediction.h>
+#include <evalcts/results/hash.h>
 #include "normals.h"
 #include "text.h"
 #include "values.h"
@@ -224,6 +226,84 @@ Json emitted(const reference::Primitive& primitive, const Shown& shown) {
   return {{"mode", gl::primitive_name(primitive.mode)}, {"vertices", std::move(vertices)}};
 }
 
+// --- what a step with many vertices emits, in short
+
+using Primitives = std::vector<const reference::Primitive*>;
+
+// More are summarised.
+constexpr std::size_t kMostListed = 64;
+constexpr std::size_t kSpreadSamples = 9;
+
+std::size_t vertices_of(const Primitives& primitives) {
+  std::size_t count = 0;
+  for (const reference::Primitive* primitive : primitives) count += primitive->vertices.size();
+  return count;
+}
+
+// Numbers of vertices: both ends, and some spread evenly over those between.
+std::vector<std::size_t> sampled(std::size_t count) {
+  std::vector<std::size_t> numbers{0, 1, count - 2, count - 1};
+  for (std::size_t i = 1; i <= kSpreadSamples; ++i)
+    numbers.push_back(count * i / (kSpreadSamples + 1) + i % 3);
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
+// FNV-1a over the bits of correctly rounded numbers, the least significant byte first.
+class Digest {
+ public:
+  template <std::size_t kCount>
+  void add(const std::array<reference::Component, kCount>& values) {
+    for (const reference::Component& value : values) {
+      const auto bits = std::bit_cast<std::uint32_t>(reference::rounded(value));
+      char bytes[4];
+      for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(bits >> 8 * i);
+      hash_ = fnv1a<std::uint64_t>({bytes, 4}, hash_);
+    }
+  }
+  void add(const reference::Vertex& vertex, const Shown& shown) {
+    add(vertex.position);
+    if (shown.color) add(vertex.color);
+    if (const auto* normal = std::get_if<0>(&vertex.normal); shown.normal && normal) add(*normal);
+    for (int unit = 0; unit < shown.texture_units; ++unit)
+      add(vertex.texture_coordinate[static_cast<std::size_t>(unit)]);
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = fnv1a<std::uint64_t>("");
+};
+
+Json summary(const Primitives& primitives, const Shown& shown) {
+  Json runs = Json::array();
+  Digest digest;
+  std::vector<const reference::Vertex*> vertices;
+  for (const reference::Primitive* primitive : primitives) {
+    const std::string mode = gl::primitive_name(primitive->mode);
+    const std::size_t size = primitive->vertices.size();
+    if (!runs.empty() && as_text(runs.back()[0]) == mode && runs.back()[1] == size)
+      runs.back()[2] = runs.back()[2].get<std::size_t>() + 1;
+    else
+      runs.push_back(Json::array({mode, size, 1}));
+    for (const reference::Vertex& vertex : primitive->vertices) {
+      vertices.push_back(&vertex);
+      digest.add(vertex, shown);
+    }
+  }
+  Json samples = Json::array();
+  for (const std::size_t number : sampled(vertices.size()))
+    samples.push_back({{"number", number}, {"vertex", vertex_as_json(*vertices[number], shown)}});
+  return {{"primitives", std::move(runs)}, {"digest", digest.text()}, {"samples", std::move(samples)}};
+}
+
+Json emits(const Primitives& primitives, const Shown& shown) {
+  if (vertices_of(primitives) > kMostListed) return summary(primitives, shown);
+  Json list = Json::array();
+  for (const reference::Primitive* primitive : primitives) list.push_back(emitted(*primitive, shown));
+  return list;
+}
+
 bool may_emit(const gl::Command& command) {
   const std::string name = name_of(command);
   return name == "End" || name.starts_with("EvalMesh") || name.starts_with("CallList");
@@ -266,11 +346,11 @@ Json sequence(const gl::Case& script, const Shown& shown) {
     else if (returns_a_flag(command))
       step["answers"] = Json::array({Json::array({specified.answers.result(ref)})});
     if (may_emit(command)) {
-      Json emits = Json::array();
+      Primitives primitives;
       for (; completed < specified.completed[i]; ++completed)
         if (const auto& primitive = specified.prediction.primitives[completed]; !primitive.vertices.empty())
-          emits.push_back(emitted(primitive, shown));
-      step["emits"] = std::move(emits);
+          primitives.push_back(&primitive);
+      step["emits"] = emits(primitives, shown);
     }
     steps.push_back(std::move(step));
   }

@@ -393,8 +393,8 @@ void meshes(Document& document) {
     int from, to;
     Names requirements;
   };
-  const Grid kGrids[] = {{3, 0, 1, 0, 3, {"EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"}},
-                         {3, 0.1, 0.7, 0, 3, {"EV-MESH1-EXACT-0", "EV-MESH1-EXACT-N"}},
+  const Grid kGrids[] = {{3, 0, 1, 0, 3, {}},
+                         {3, 0.1, 0.7, 0, 3, {}},
                          {3, 0, 1, -1, 1, {"EV-MESH1-NEGATIVE"}},
                          {2, 0, 1, 1, 4, {"EV-MESH1-NEGATIVE"}},
                          {4, 1, 0, 1, 3, {"EV-GRID-REVERSED"}},
@@ -418,8 +418,8 @@ void meshes(Document& document) {
     int i1, i2, j1, j2;
     Names requirements;
   };
-  const Range kRanges[] = {{0, 2, 0, 1, {"EV-MESH2-EXACT", "EV-MESH2-SHAREDROW"}},
-                           {0, 1, 0, 2, {"EV-MESH2-EXACT", "EV-MESH2-SHAREDROW"}},
+  const Range kRanges[] = {{0, 2, 0, 1, {"EV-MESH2-SHAREDROW"}},
+                           {0, 1, 0, 2, {"EV-MESH2-SHAREDROW"}},
                            {-1, 0, 1, 2, {"EV-MESH2-RANGE"}},
                            {1, 3, 2, 3, {"EV-MESH2-RANGE"}},
                            {1, 1, 0, 1, {"EV-MESH2-LINE-DEGENERATE", "EV-MESH2-EMPTY"}},
@@ -615,6 +615,10 @@ Document state() {
   attribute_stack(document);
   lists(document);
   random_programs(document);
+  exact_ends(document);
+  long_meshes(document);
+  steep_meshes(document);
+  meshes_keep_state(document);
   return document;
 }
 

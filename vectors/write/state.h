@@ -1,4 +1,4 @@
-// Helpers of the sequences in state.json (state.cpp, state_lists.cpp).
+// Helpers of the sequences in state.json (state.cpp, state_lists.cpp, state_meshes.cpp).
 #pragma once
 
 #include <functional>
@@ -31,5 +31,12 @@ void add(Theme& theme, const Shown& shown, const std::function<void(gl::Case&)>&
 
 // The themes of display lists.
 void lists(Document& document);
+// Points and meshes at the exact ends of grids.
+void exact_ends(Document& document);
+// Meshes of thousands of points.
+void long_meshes(Document& document);
+void steep_meshes(Document& document);
+// Meshes and the state that they must leave alone.
+void meshes_keep_state(Document& document);
 
 }  // namespace evalcts::vectors::states

@@ -1,0 +1,112 @@
+#include "claims.h"
+
+#include <fmt/format.h>
+#include <reference/component.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include <evalcts/gl/tokens.h>
+#include "lint/numbers.h"
+#include "write/exact_ends.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using nlohmann::json;
+using reference::Argument;
+
+Map read_map(const json& data) {
+  const std::string name = data["target"];
+  Map map{};
+  for (const auto& targets : {gl::kMap1Targets, gl::kMap2Targets})
+    for (const GLenum target : targets)
+      if (gl::token_name(target) == name) map.target = target;
+  const json &domain = data["domain"], &points = data["points"];
+  map.u = {static_cast<int>(points.size()), number(domain[0]), number(domain[1])};
+  if (domain.size() > 2) map.v = {static_cast<int>(points[0].size()), number(domain[2]), number(domain[3])};
+  const std::function<void(const json&)> read = [&](const json& list) {
+    if (list.is_array())
+      for (const json& item : list) read(item);
+    else
+      map.points.push_back(number(list));
+  };
+  read(points);
+  return map;
+}
+
+Argument read_argument(const json& data) {
+  if (!data.is_object()) return Argument::coordinate(number(data));
+  return Argument::grid(data["index"], data["segments"], number(data["first"]), number(data["last"]));
+}
+
+bool is_accepted(const json& accept, const Rational& x) {
+  return accept.is_null() || (x >= Rational(number(accept[0])) && x <= Rational(number(accept[1])));
+}
+
+Type type_of(const json& entry) { return as_text(entry["map"]["type"]) == "f" ? Type::single : Type::real; }
+
+// True if at this argument in this direction some component is none that is accepted.
+bool shows(const json& entry, bool along_v, double argument) {
+  const auto map = std::make_shared<const Map>(read_map(entry["map"]));
+  Argument u = read_argument(entry["u"]);
+  std::optional<Argument> v;
+  if (entry.contains("v")) v = read_argument(entry["v"]);
+  (along_v ? *v : u) = Argument::coordinate(argument);
+  for (int c = 0; c < map->components(); ++c) {
+    const Rational value = exact(reference::Component(reference::Sample{map, c, u, v}));
+    if (!is_accepted(entry["components"][static_cast<std::size_t>(c)]["accept"], value)) return true;
+  }
+  return false;
+}
+
+// An end of a grid that, counted from the other end in the precision of the type and in single precision, is
+// another number, at which the map has no accepted value.
+bool tells_exact_end(const json& entry, bool last) {
+  for (const bool along_v : {false, true}) {
+    if (along_v && !entry.contains("v")) continue;
+    const json& point = entry[along_v ? "v" : "u"];
+    const int segments = point["segments"];
+    if (point["index"] != (last ? segments : 0)) continue;
+    const double first = number(point["first"]), end = number(point["last"]);
+    bool all = true;
+    for (const Type type : {Type::single, type_of(entry)})
+      for (const bool fused : {false, true}) {
+        const double counted = last ? counted_end(segments, first, end, type, fused)
+                                    : counted_end(segments, end, first, type, fused);
+        all = all && counted != (last ? end : first) && shows(entry, along_v, counted);
+      }
+    if (all) return true;
+  }
+  return false;
+}
+
+using Holds = std::function<bool(const json& entry)>;
+
+const std::map<std::string, Holds>& claims_of_requirements() {
+  const Holds first = [](const json& entry) { return tells_exact_end(entry, false); };
+  const Holds last = [](const json& entry) { return tells_exact_end(entry, true); };
+  const Holds any = [=](const json& entry) { return first(entry) || last(entry); };
+  static const std::map<std::string, Holds> claims = {{"EV-POINT-EXACT-0", first},
+                                                      {"EV-POINT-EXACT-N", last},
+                                                      {"EV-MESH1-EXACT-0", first},
+                                                      {"EV-MESH1-EXACT-N", last},
+                                                      {"EV-MESH2-EXACT", any}};
+  return claims;
+}
+
+}  // namespace
+
+std::string broken_claim(const json& entry) {
+  if (!entry.contains("components")) return {};
+  for (const std::string requirement : entry["requirements"]) {
+    const auto found = claims_of_requirements().find(requirement);
+    if (found != claims_of_requirements().end() && !found->second(entry))
+      return fmt::format("claims {}, but a result without it is accepted", requirement);
+  }
+  return {};
+}
+
+}  // namespace evalcts::vectors

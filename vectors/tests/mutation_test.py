@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Wrong evaluators and wrong state machines are caught by the theme that each names; right ones by none."""
+
+import json
+import sys
+import unittest
+from functools import lru_cache
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from played import Evaluator, Machine, wrong_evaluator, wrong_state_machine
+from wrong_evaluators import WRONG_EVALUATORS, evaluator_of
+from wrong_state_machines import WRONG_STATE_MACHINES, machine_of
+
+VECTORS = Path(__file__).resolve().parent.parent
+
+
+@lru_cache(None)
+def cases_of(kind):
+    return json.loads((VECTORS / f"{kind}.json").read_text())["cases"]
+
+
+@lru_cache(None)
+def theme(name):
+    kind, flag = name.split(".")
+    return [case for case in cases_of(kind) if case["flags"][0] == flag]
+
+
+def themes_of(table):
+    return sorted({name for name, _ in table.values()})
+
+
+class WrongOnes(unittest.TestCase):
+    def test_evaluators(self):
+        for name, (where, methods) in WRONG_EVALUATORS.items():
+            with self.subTest(name):
+                evaluator = evaluator_of(methods)
+                self.assertTrue(any(wrong_evaluator(evaluator, case) for case in theme(where)), where)
+
+    def test_state_machines(self):
+        for name, (where, methods) in WRONG_STATE_MACHINES.items():
+            with self.subTest(name):
+                kind = machine_of(methods)
+                self.assertTrue(any(wrong_state_machine(kind, case) for case in theme(where)), where)
+
+
+class RightOnes(unittest.TestCase):
+    def test_evaluator(self):
+        for where in themes_of(WRONG_EVALUATORS):
+            for case in theme(where):
+                self.assertEqual(wrong_evaluator(Evaluator(), case), "", case["id"])
+
+    def test_state_machine(self):
+        for where in themes_of(WRONG_STATE_MACHINES):
+            for case in theme(where):
+                self.assertEqual(wrong_state_machine(Machine, case), "", case["id"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,140 @@
+"""Wrong state machines, each with the theme of the vectors that has to catch it."""
+
+from checker.accuracy import Grid
+from checker.number import BINARY64, float_text, read_float
+from played import Machine, f32, f64
+from wrong_evaluators import _counted
+
+
+def _points(coordinate):
+    """Evaluates points of grids at coordinate(grid)."""
+    def evaluate_point(self, dimension, indices):
+        def exact(text):
+            return read_float(text, BINARY64)
+        grids = [Grid(n, exact(first), exact(last), i)
+                 for (n, first, last), i in zip(self.grids[dimension], indices)]
+        self.evaluate(dimension, [coordinate(self, d, grid) for d, grid in enumerate(grids)])
+    return evaluate_point
+
+
+def _counted_from_first(rounding, condition=lambda machine, d, g: True):
+    return {"evaluate_point": _points(lambda machine, d, g: (
+        _counted(g.first, g.last, g.segments, g.index, rounding) if condition(machine, d, g) else g))}
+
+
+def _counted_from_last(rounding, condition=lambda machine, d, g: True):
+    return {"evaluate_point": _points(lambda machine, d, g: (
+        _counted(g.last, g.first, g.segments, g.segments - g.index, rounding) if condition(machine, d, g)
+        else g))}
+
+
+def _mode(*modes):
+    return lambda machine, d, g: machine.primitive.mode in modes
+
+
+class Given:
+    """An evaluated component whose value is known."""
+
+    def __init__(self, value):
+        self.value = value
+
+
+def _summed(rounding, along=(0, 1)):
+    """Arguments of meshes are summed up, from the first index on, each sum rounded."""
+    def evaluate_point(self, dimension, indices):
+        def sums(n, first, last, upto):
+            sums_of = self.__dict__.setdefault("sums", {}).setdefault((n, first, last), [
+                read_float(first, BINARY64)])
+            step = rounding(rounding(read_float(last, BINARY64) - sums_of[0]) / n)
+            while len(sums_of) <= upto:
+                sums_of.append(rounding(sums_of[-1] + step))
+            return sums_of[upto]
+        grids = [sums(n, first, last, i) if d in along else
+                 Grid(n, read_float(first, BINARY64), read_float(last, BINARY64), i)
+                 for d, ((n, first, last), i) in enumerate(zip(self.grids[dimension], indices))]
+        self.evaluate(dimension, grids)
+    return {"evaluate_point": evaluate_point}
+
+
+def _forward_differences(rounding):
+    """Positions of long strips by forward differences."""
+    def primitive_of(self, mode, points):
+        if len(points) < 8:
+            return Machine.primitive_of(self, mode, points)
+        Machine.primitive_of(self, mode, points)
+        vertices = self.emitted[-1].vertices
+        degree = max(self.winner(len(points[0]), ("VERTEX_4", "VERTEX_3")).orders) - 1
+        for c in range(3):
+            row = [v["position"][c].value for v in vertices[:degree + 1]]
+            differences = []
+            while row:
+                differences.append(rounding(row[0]))
+                row = [b - a for a, b in zip(row, row[1:])]
+            for vertex in vertices:
+                vertex["position"][c] = Given(differences[0])
+                for k in range(degree):
+                    differences[k] = rounding(differences[k] + differences[k + 1])
+        return None
+    return {"primitive_of": primitive_of}
+
+
+def _leaves(kind, name):
+    """After a mesh a current value is that of its last vertex."""
+    def eval_mesh(self, form, mode, *indices):
+        before = len(self.emitted)
+        Machine.eval_mesh(self, form, mode, *indices)
+        if len(self.emitted) > before and kind in ("Color", "Normal") and name in self.emitted[-1].vertices[-1]:
+            last = self.emitted[-1].vertices[-1][name]
+            self.current[kind] = [x if isinstance(x, str) else float_text(f32(x.value)) for x in last]
+        elif len(self.emitted) > before and kind == "TexCoord":
+            last = self.emitted[-1].vertices[-1]["texture_coordinates"][0]
+            self.current[kind][name] = [x if isinstance(x, str) else float_text(f32(x.value)) for x in last]
+    return {"eval_mesh": eval_mesh}
+
+
+def _after_mesh(change):
+    def eval_mesh(self, form, mode, *indices):
+        Machine.eval_mesh(self, form, mode, *indices)
+        change(self)
+    return {"eval_mesh": eval_mesh}
+
+
+# Name: (kind.theme, {method or attribute of Machine: what takes its place}).
+WRONG_STATE_MACHINES = {
+    # Ends of grids
+    "last end by float arithmetic": ("state.exact-ends", _counted_from_first(f32)),
+    "last end by double arithmetic": ("state.exact-ends", _counted_from_first(f64)),
+    "first end by float arithmetic": ("state.exact-ends", _counted_from_last(f32)),
+    "last end of strips of lines": ("state.exact-ends", _counted_from_first(f32, _mode("GL_LINE_STRIP"))),
+    "last end of strips of quads": ("state.exact-ends", _counted_from_first(f32, _mode("GL_QUAD_STRIP"))),
+    "last end of v": ("state.exact-ends", _counted_from_first(f32, lambda m, d, g: d == 1)),
+    "first end of v in quads": ("state.exact-ends", _counted_from_last(f32, lambda m, d, g: (
+        d == 1 and m.primitive.mode == "GL_QUAD_STRIP"))),
+    "last end of u in two dimensions": ("state.exact-ends", _counted_from_first(f32, lambda m, d, g: (
+        d == 0 and m.primitive.mode != "GL_LINE_STRIP"))),
+    # Long meshes
+    "arguments of curves summed up": ("state.long-mesh1", _summed(f32)),
+    "arguments of surfaces summed up": ("state.long-mesh2", _summed(f32)),
+    "arguments summed up along u": ("state.long-mesh2", _summed(f32, (0,))),
+    "arguments summed up along v": ("state.long-mesh2", _summed(f32, (1,))),
+    "forward differences in float": ("state.steep-mesh", _forward_differences(f32)),
+    "forward differences in double": ("state.steep-mesh", _forward_differences(f64)),
+    # Meshes and current values
+    "a mesh leaves its colour": ("state.mesh-current", _leaves("Color", "color")),
+    "a mesh leaves its normal": ("state.mesh-current", _leaves("Normal", "normal")),
+    "a mesh leaves its texture coordinates": ("state.mesh-current", _leaves("TexCoord", 0)),
+    "a mesh leaves its texture coordinates in unit 1": ("state.mesh-current", _leaves("TexCoord", 1)),
+    "a mesh leaves its index": ("state.mesh-current", _after_mesh(
+        lambda m: m.current.update(Index=["0x1p+0"]))),
+    "a mesh sets the edge flag": ("state.mesh-current", _after_mesh(lambda m: m.current.update(EdgeFlag=True))),
+    "a mesh resets the grid": ("state.mesh-current", _after_mesh(
+        lambda m: m.grids.update({1: [(1, "0x0p+0", "0x1p+0")]}))),
+    "a mesh resets the grid of v": ("state.mesh-current", _after_mesh(
+        lambda m: m.grids[2].__setitem__(1, (2, "0x0p+0", "0x1p+0")))),
+    "a mesh disables the map of colours": ("state.mesh-current", _after_mesh(
+        lambda m: m.enabled.update(GL_MAP1_COLOR_4=False))),
+}
+
+
+def machine_of(members):
+    return type("Wrong", (Machine,), members)
