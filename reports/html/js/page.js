@@ -225,10 +225,13 @@ function listen() {
   }
   addEventListener('popstate', follow);
   addEventListener('resize', fit);
-  // The same link once more changes nothing in the address.
+  // A link to a test, requirement or bug keeps the state there is when it is followed.
   document.addEventListener('click', (event) => {
     const anchor = event.target.closest('a[href^="#"]');
-    if (anchor && anchor.hash === location.hash && anchor.hash.includes('at=')) setTimeout(follow);
+    const at = anchor && new URLSearchParams(anchor.hash.slice(1)).get('at');
+    if (!at) return;
+    anchor.href = fragmentOf(state, at);
+    if (anchor.hash === location.hash) setTimeout(follow);  // the same address once more is no event
   });
 }
 

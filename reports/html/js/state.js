@@ -34,7 +34,7 @@ function stateOfFragment(fragment) {
   for (const name of SWITCHES) state[name] = parameters.get(name) === '1';
   for (const name of SETS) state[name] = new Set(parameters.getAll(name));
   if (state.view !== 'requirements') state.view = '';
-  if (!(state.verdict in verdictFilters)) state.verdict = '';
+  if (!Object.hasOwn(verdictFilters, state.verdict)) state.verdict = '';
   if (!data.levels.includes(state.level)) state.level = '';
   if (!tests.some((test) => test.theme === state.theme)) state.theme = '';
   const [, kind, name] = /^(open|requirement|bug)=(.*)$/s.exec(parameters.get('at') || '') || [];
