@@ -29,15 +29,6 @@ bool judged(const TestRecord& test) {
   return test.verdict <= Verdict::kQualityWarning || test.verdict == Verdict::kPass;
 }
 
-// The first thing that is wrong now and was not before, as far as the records tell; empty where there is
-// none.
-std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
-  std::vector<std::string> further;
-  std::set_difference(now.mismatches.begin(), now.mismatches.end(), before.mismatches.begin(),
-                      before.mismatches.end(), std::back_inserter(further));
-  return further.empty() ? "" : further.front();
-}
-
 // Whether the same cases were played: other depths and seeds have others.
 bool same_cases(const RunResult& before, const RunResult& now) {
   return before.depth == now.depth && before.seed == now.seed;
@@ -58,44 +49,16 @@ std::optional<ChangeKind> change_of(const TestRecord& before, const TestRecord& 
   return before.verdict == now.verdict ? std::nullopt : std::optional(ChangeKind::kOther);
 }
 
-Comparison compared(const Column& before, const Column& now) {
-  Comparison out{now.label, &before.record, &now.record, false, {}, {}};
-  const RunResult &old_record = before.record, &new_record = now.record;
-  out.no_longer_starts = !new_record.has_started() && old_record.has_started();
-  const auto caveat = [&out](const std::string& words) { out.caveats.push_back(words); };
-  if (out.no_longer_starts) caveat("It no longer starts: " + one_line(new_record.reason));
-  if (!out.no_longer_starts && !new_record.is_complete()) caveat("The run is not complete.");
-  if (!old_record.is_complete()) caveat("The earlier run is not complete.");
-  if (old_record.depth != new_record.depth && old_record.depth && new_record.depth)
-    caveat(fmt::format("The depths differ: {}, before {}.", name_of(*new_record.depth),
-                       name_of(*old_record.depth)));
-  else if (old_record.seed != new_record.seed && old_record.seed && new_record.seed)
-    caveat(fmt::format("The seeds differ: {}, before {}.", *new_record.seed, *old_record.seed));
-
-  const bool cases_comparable = same_cases(old_record, new_record);
-  std::map<std::string, const TestRecord*> earlier;
-  for (const TestRecord& test : old_record.tests) earlier[test.name] = &test;
-  for (const TestRecord& test : new_record.tests) {
-    const auto found = earlier.find(test.name);
-    if (found == earlier.end()) {
-      out.changes.push_back({test.is_bad() ? ChangeKind::kNewFailure : ChangeKind::kNew, nullptr, &test});
-      continue;
-    }
-    if (const auto kind = change_of(*found->second, test, cases_comparable))
-      out.changes.push_back({*kind, found->second, &test});
-    found->second = nullptr;
-  }
-  if (!out.no_longer_starts)
-    for (const TestRecord& test : old_record.tests)
-      if (earlier[test.name]) out.changes.push_back({ChangeKind::kVanished, &test, nullptr});
-  std::stable_sort(out.changes.begin(), out.changes.end(),
-                   [](const Change& a, const Change& b) { return a.kind < b.kind; });
-  return out;
-}
-
 }  // namespace
 
 const ChangeText& text_of(ChangeKind kind) { return kChangeTexts[static_cast<std::size_t>(kind)]; }
+
+std::string further_mismatch(const TestRecord& before, const TestRecord& now) {
+  std::vector<std::string> further;
+  std::set_difference(now.mismatches.begin(), now.mismatches.end(), before.mismatches.begin(),
+                      before.mismatches.end(), std::back_inserter(further));
+  return further.empty() ? "" : further.front();
+}
 
 std::string words_of(const Change& change) {
   const TestRecord& latest = change.now ? *change.now : *change.before;
@@ -130,11 +93,46 @@ std::uint64_t Comparisons::regressions() const {
                          [](std::uint64_t n, const Comparison& pair) { return n + pair.regressions(); });
 }
 
+Comparison compare(const Column& now, const Column& before) {
+  Comparison out{now.label, &before.record, &now.record, false, {}, {}};
+  const RunResult &old_record = before.record, &new_record = now.record;
+  out.no_longer_starts = !new_record.has_started() && old_record.has_started();
+  const auto caveat = [&out](const std::string& words) { out.caveats.push_back(words); };
+  if (out.no_longer_starts) caveat("It no longer starts: " + one_line(new_record.reason));
+  if (!out.no_longer_starts && !new_record.is_complete()) caveat("The run is not complete.");
+  if (!old_record.is_complete()) caveat("The earlier run is not complete.");
+  if (old_record.depth != new_record.depth && old_record.depth && new_record.depth)
+    caveat(fmt::format("The depths differ: {}, before {}.", name_of(*new_record.depth),
+                       name_of(*old_record.depth)));
+  else if (old_record.seed != new_record.seed && old_record.seed && new_record.seed)
+    caveat(fmt::format("The seeds differ: {}, before {}.", *new_record.seed, *old_record.seed));
+
+  const bool cases_comparable = same_cases(old_record, new_record);
+  std::map<std::string, const TestRecord*> earlier;
+  for (const TestRecord& test : old_record.tests) earlier[test.name] = &test;
+  for (const TestRecord& test : new_record.tests) {
+    const auto found = earlier.find(test.name);
+    if (found == earlier.end()) {
+      out.changes.push_back({test.is_bad() ? ChangeKind::kNewFailure : ChangeKind::kNew, nullptr, &test});
+      continue;
+    }
+    if (const auto kind = change_of(*found->second, test, cases_comparable))
+      out.changes.push_back({*kind, found->second, &test});
+    found->second = nullptr;
+  }
+  if (!out.no_longer_starts)
+    for (const TestRecord& test : old_record.tests)
+      if (earlier[test.name]) out.changes.push_back({ChangeKind::kVanished, &test, nullptr});
+  std::stable_sort(out.changes.begin(), out.changes.end(),
+                   [](const Change& a, const Change& b) { return a.kind < b.kind; });
+  return out;
+}
+
 Comparisons compare(const std::vector<Column>& now, const std::vector<Column>& before) {
   Comparisons out;
   if (before.empty()) return out;
   if (now.size() == 1 && before.size() == 1) {
-    out.pairs.push_back(compared(before[0], now[0]));
+    out.pairs.push_back(compare(now[0], before[0]));
     return out;
   }
   std::vector<bool> used(before.size());
@@ -147,7 +145,7 @@ Comparisons compare(const std::vector<Column>& now, const std::vector<Column>& b
       continue;
     }
     used[i] = true;
-    out.pairs.push_back(compared(before[i], column));
+    out.pairs.push_back(compare(column, before[i]));
   }
   for (std::size_t i = 0; i < before.size(); ++i)
     if (!used[i]) out.only_before.push_back(before[i].label);

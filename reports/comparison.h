@@ -36,6 +36,9 @@ struct Change {
   const TestRecord* now;     // null where it has vanished
 };
 
+// The first thing that is wrong now and was not before, as far as the records tell; empty if there is none.
+std::string further_mismatch(const TestRecord& before, const TestRecord& now);
+
 // "pass, now fail: what the record says"; of a test that is on one side only, its verdict there.
 std::string words_of(const Change& change);
 
@@ -51,6 +54,9 @@ struct Comparison {
   // "2 regressions, 1 fix, 3 new tests", "nothing has changed".
   std::string headline() const;
 };
+
+// Compares two records, whatever they are called; `label` is that of `now`.
+Comparison compare(const Column& now, const Column& before);
 
 struct Comparisons {
   std::vector<Comparison> pairs;                   // in the order of the results

@@ -55,4 +55,33 @@ std::vector<Row> read_rows(const std::vector<Column>& columns) {
   return rows;
 }
 
+std::vector<BugRow> read_bugs(const std::vector<Column>& columns) {
+  std::map<std::string, std::vector<const Bug*>> by_id;
+  std::vector<Bug> merged;
+  std::map<std::string, std::size_t> place;
+  for (std::size_t column = 0; column < columns.size(); ++column)
+    for (const Bug& bug : columns[column].record.bugs) {
+      std::vector<const Bug*>& found = by_id[bug.id];
+      if (found.empty()) {
+        place[bug.id] = merged.size();
+        merged.push_back(bug);
+      }
+      found.resize(columns.size());
+      found[column] = &bug;
+      std::vector<std::string>& tests = merged[place[bug.id]].tests;
+      tests.insert(tests.end(), bug.tests.begin(), bug.tests.end());
+    }
+  for (Bug& bug : merged) {
+    std::sort(bug.tests.begin(), bug.tests.end());
+    bug.tests.erase(std::unique(bug.tests.begin(), bug.tests.end()), bug.tests.end());
+  }
+  sort_by_importance(merged);
+  std::vector<BugRow> rows;
+  for (Bug& bug : merged) {
+    std::vector<const Bug*>& found = by_id[bug.id];
+    rows.push_back({std::move(bug), std::move(found)});
+  }
+  return rows;
+}
+
 }  // namespace evalcts::reports

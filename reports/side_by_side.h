@@ -8,10 +8,10 @@
 
 namespace evalcts::reports {
 
-// A record with a label that no other has: its name, and where several have that, where it comes from or
-// which it is.
+// A record, which has to live as long, with a label that no other has: its name, and if several have that,
+// its origin or its number.
 struct Column {
-  RunResult record;
+  const RunResult& record;
   std::string label;
 };
 std::vector<Column> label_columns(const std::vector<RunResult>& results);
@@ -27,5 +27,14 @@ struct Row {
 };
 // In the order of first appearance. They point into the columns.
 std::vector<Row> read_rows(const std::vector<Column>& columns);
+
+// One bug across the records; null where a record does not have it. `bug` is the first of them, with the
+// tests of all.
+struct BugRow {
+  Bug bug;
+  std::vector<const Bug*> found;
+};
+// Most important first. They point into the columns.
+std::vector<BugRow> read_bugs(const std::vector<Column>& columns);
 
 }  // namespace evalcts::reports

@@ -70,8 +70,8 @@ Accuracy read_accuracy(const JsonObject& in) {
   return out;
 }
 
-std::vector<RequirementId> read_requirements(const JsonObject& in) {
-  const std::vector<std::string> texts = in.texts("requirements");
+std::vector<RequirementId> read_requirements(const JsonObject& in, const char* key = "requirements") {
+  const std::vector<std::string> texts = in.texts(key);
   return {texts.begin(), texts.end()};
 }
 
@@ -118,6 +118,28 @@ TestRecord read_test(const JsonObject& in) {
   if (out.failures.empty() && out.verdict != Verdict::kPass && says_something)
     out.failures.push_back(of_test);
   if (const auto accuracy = in.object("accuracy")) out.accuracy = read_accuracy(*accuracy);
+  return out;
+}
+
+Bug read_bug(const JsonObject& in) {
+  Bug out;
+  out.id = in.text("id");
+  out.title = in.text("title");
+  out.cause = in.text("cause");
+  out.requirements = read_requirements(in);
+  out.clause = in.text("clause");
+  out.level = in.word("level", level_named).value_or(Level::must);
+  out.verdict = read_verdict(in).value_or(Verdict::kFail);
+  if (const auto failure = in.object("failure")) out.failure = read_failure(*failure);
+  out.commands = in.json_text("commands");
+  out.why_not_reduced = in.text("why_not_reduced");
+  out.outside_evaluators = in.boolean("outside_evaluators");
+  out.tests = in.texts("tests");
+  std::ranges::sort(out.tests);
+  out.explains = read_requirements(in, "explains");
+  out.known = in.text("known");
+  out.known_in = in.text("known_in");
+  out.breaks_real_programs = in.boolean("breaks_real_programs");
   return out;
 }
 
@@ -205,6 +227,8 @@ RunResult read_run_result(const json& value) {
   if (const auto implementation = in.object("implementation"))
     out.implementation = read_implementation(*implementation);
   read_tests(in, out);
+  in.each_object("bugs", [&](const JsonObject& item) { out.bugs.push_back(read_bug(item)); });
+  out.bugs_note = in.text("bugs_note");
   return out;
 }
 

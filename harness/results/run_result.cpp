@@ -86,6 +86,12 @@ void RunResult::summarize() {
   for (const auto& [text, all] : found) readings[text] = {all.begin(), all.end()};
 }
 
+const Bug* RunResult::bug_of(const std::string& test) const {
+  for (const Bug& bug : bugs)
+    if (std::ranges::binary_search(bug.tests, test)) return &bug;
+  return nullptr;
+}
+
 std::string RunResult::heading(const std::string& unnamed) const {
   const std::string name = implementation.name.empty() ? unnamed : one_line(implementation.name);
   return pass == Pass::kFreshContexts ? name : name + ", one shared context";

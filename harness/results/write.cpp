@@ -95,6 +95,27 @@ json to_json(const TestRecord& test) {
   return out;
 }
 
+json to_json(const Bug& bug) {
+  json out = {{"id", bug.id},
+              {"title", bug.title},
+              {"cause", bug.cause},
+              {"requirements", texts_of(bug.requirements)},
+              {"clause", bug.clause},
+              {"level", name_of(bug.level)},
+              {"verdict", text_of(bug.verdict).word},
+              {"failure", to_json(bug.failure)},
+              {"tests", bug.tests},
+              {"explains", texts_of(bug.explains)}};
+  if (const json commands = json::parse(bug.commands, nullptr, false); !commands.is_discarded())
+    out["commands"] = commands;
+  set(out, "why_not_reduced", bug.why_not_reduced);
+  set(out, "outside_evaluators", bug.outside_evaluators);
+  set(out, "known", bug.known);
+  set(out, "known_in", bug.known_in);
+  set(out, "breaks_real_programs", bug.breaks_real_programs);
+  return out;
+}
+
 json to_json(const CaptureRecord& capture) {
   json out = {{"name", capture.name}, {"available", capture.available}, {"reason", capture.reason}};
   set(out, "shows", capture.shows);
@@ -142,6 +163,9 @@ std::string to_text(const RunResult& result) {
   for (std::size_t i = 0; i < kVerdicts; ++i)
     if (result.counts[i]) summary[std::string(text_of(static_cast<Verdict>(i)).word)] = result.counts[i];
   for (const TestRecord& test : result.tests) out["tests"].push_back(to_json(test));
+  if (!result.bugs.empty()) out["bugs"] = json::array();
+  for (const Bug& bug : result.bugs) out["bugs"].push_back(to_json(bug));
+  set(out, "bugs_note", result.bugs_note);
   return dumped(out, 1);
 }
 

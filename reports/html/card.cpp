@@ -8,39 +8,14 @@ namespace {
 
 std::string integer(std::optional<std::int64_t> n) { return n ? fmt::format("{}", *n) : std::string(); }
 
-std::string headline_of(const RunResult& record) {
-  const std::uint64_t unexpected = record.unexpected_count(), expected = record.expected_failure_count();
-  if (!record.has_started()) return "not started";
-  std::string headline = unexpected ? count(unexpected, "unexpected result") : "nothing unexpected";
-  if (expected) headline += ", " + count(expected, "failing test") + " as the baseline expects";
-  if (!record.status) headline = "status unknown: " + headline;
-  if (record.status == RunStatus::kInterrupted) headline = "interrupted: " + headline;
-  return headline;
-}
-
 }  // namespace
 
 data card(const Column& column) {
   const RunResult& record = column.record;
   const ImplementationRecord& implementation = record.implementation;
-  const bool bad = record.unexpected_count() || !record.is_complete();
 
   data out;
   out.set("label", column.label);
-  out.set("state", !record.has_started() ? "none" : bad ? "bad" : "good");
-  out.set("headline", headline_of(record));
-  out.set("reason", optional_text(record.reason));
-
-  data counts = list();
-  for (std::size_t i = 0; i < kVerdicts; ++i) {
-    if (!record.counts[i]) continue;
-    data item;
-    set_verdict(item, static_cast<Verdict>(i));
-    item.set("n", fmt::format("{}", record.counts[i]));
-    counts << item;
-  }
-  out.set("counts", counts);
-
   data facts = list();
   add_row(facts, "Library", implementation.library);
   add_row(facts, "Vendor", implementation.vendor);

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
+#include "data.h"
 #include "evalcts/reports.h"
 #include "reports_templates.h"
 #include "text.h"
@@ -35,74 +35,35 @@ data accuracy_view(const std::vector<Column>& columns) {
     item.set("share", share(all));
     item.set("max_ulp", number(all.ulp.error));
     item.set("max_condition_aware", number(all.condition_aware.error));
-    item.set("ulp_anchor", worst_ulp ? data(test_anchor(worst_ulp->name)) : data(false));
-    item.set("aware_anchor", worst_aware ? data(test_anchor(worst_aware->name)) : data(false));
+    item.set("ulp_link", worst_ulp ? data(link_to_test(worst_ulp->name)) : data(false));
+    item.set("aware_link", worst_aware ? data(link_to_test(worst_aware->name)) : data(false));
     out << item;
   }
   return out;
 }
 
-// One entry for each verdict, reason, and list of tests; implementations that agree in all of that share it.
-data undecided_view(const std::vector<Column>& columns) {
-  using Names = std::vector<std::string>;
-  std::map<std::pair<Verdict, std::string>, std::map<Names, std::vector<std::string>>> labels;
-  for (const Column& column : columns) {
-    std::map<std::pair<Verdict, std::string>, Names> reasons;
-    for (const TestRecord& outcome : column.record.tests) {
-      if (outcome.verdict > Verdict::kQualityWarning && outcome.verdict < Verdict::kPass)
-        reasons[{outcome.verdict, outcome.message}].push_back(outcome.name);
-    }
-    for (const auto& [reason, names] : reasons) labels[reason][names].push_back(column.label);
-  }
-  data out = list();
-  for (const auto& [reason, groups] : labels) {
-    for (const auto& [names, who] : groups) {
-      data item, links = list();
-      set_verdict(item, reason.first);
-      item.set("label", join(who, ", "));
-      item.set("why", reason.second.empty() ? "no reason given" : reason.second);
-      item.set("n", count(names.size(), "test"));
-      for (const std::string& name : names) {
-        data link;
-        link.set("anchor", test_anchor(name));
-        link.set("name", name);
-        links << link;
-      }
-      item.set("names", links);
-      out << item;
-    }
-  }
-  return out;
-}
-
-// The verdicts that occur (for the filter), or all of them (for the glossary).
-data verdict_list(const std::vector<Column>& columns, bool all) {
+data glossary() {
   data out = list();
   for (std::size_t i = 0; i < kVerdicts; ++i) {
-    const auto occurs = [i](const Column& column) { return column.record.counts[i] != 0; };
-    if (!all && std::none_of(columns.begin(), columns.end(), occurs)) continue;
     data item;
     set_verdict(item, static_cast<Verdict>(i));
+    item.set("class", std::string(class_of(static_cast<Verdict>(i))));
     item.set("meaning", std::string(text_of(static_cast<Verdict>(i)).meaning));
     out << item;
   }
   return out;
 }
 
-data themes_view(const std::vector<Row>& rows) {
-  std::set<std::string> themes;
-  for (const Row& row : rows) themes.insert(row.name.substr(0, row.name.find('.')));
-  data out = list();
-  for (const std::string& theme : themes) out << data("theme", theme);
-  return out;
-}
-
 // "372 of 395 requirements have a test here."
-std::string reach(const Matrix& matrix, const Catalogue& catalogue) {
+std::string reach(const std::vector<Row>& rows, const Catalogue& catalogue) {
   if (catalogue.requirements.empty()) return {};
   std::set<std::size_t> places;
-  for (const auto& [id, number] : matrix.numbers)
-    if (const Requirement* known = catalogue.find(id)) places.insert(known->place);
+  for (const Row& row : rows)
+    for (const TestRecord* outcome : row.outcomes) {
+      if (!outcome) continue;
+      for (const RequirementId& id : outcome->requirements)
+        if (const Requirement* known = catalogue.find(id)) places.insert(known->place);
+    }
   return fmt::format("{} of {} have a test here.", places.size(),
                      count(catalogue.requirements.size(), "requirement"));
 }
@@ -115,37 +76,12 @@ std::string subtitle(const std::vector<Row>& rows, const std::vector<Column>& co
                      second_passes ? ", with fresh contexts and with one shared context" : "");
 }
 
-// For each test, what has happened to it in each column.
-std::map<std::string, std::vector<const Change*>> changes_by_test(const std::vector<Column>& columns,
-                                                                  const Comparisons& comparisons) {
-  std::map<std::string, std::vector<const Change*>> out;
-  for (const Comparison& pair : comparisons.pairs)
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (pair.now != &columns[i].record) continue;
-      for (const Change& change : pair.changes) {
-        if (!change.now) continue;
-        auto& of_test = out[change.now->name];
-        of_test.resize(columns.size());
-        of_test[i] = &change;
-      }
-    }
-  return out;
-}
-
-data tests_view(const std::vector<Row>& rows, const std::vector<Column>& columns, const Catalogue& catalogue,
-                const Matrix& requirements, const Comparisons& comparisons) {
-  const auto changed = changes_by_test(columns, comparisons);
-  const std::vector<const Change*> unchanged(columns.size());
-  std::vector<const Row*> worst_first;
-  for (const Row& row : rows) worst_first.push_back(&row);
-  std::stable_sort(worst_first.begin(), worst_first.end(),
-                   [](const Row* a, const Row* b) { return a->worst().severity() < b->worst().severity(); });
-  data out = list();
-  for (const Row* row : worst_first) {
-    const auto change = changed.find(row->name);
-    out << view::test(*row, change == changed.end() ? unchanged : change->second, columns, catalogue,
-                      requirements);
-  }
+// Every two columns, in both directions, and each current column with each earlier one.
+std::vector<Comparison> all_comparisons(const std::vector<Column>& columns, std::size_t current) {
+  std::vector<Comparison> out;
+  for (std::size_t to = 0; to < current; ++to)
+    for (std::size_t from = 0; from < columns.size(); ++from)
+      if (from != to) out.push_back(compare(columns[to], columns[from]));
   return out;
 }
 
@@ -154,13 +90,18 @@ data tests_view(const std::vector<Row>& rows, const std::vector<Column>& columns
 std::string html(const std::vector<RunResult>& results, const Catalogue& catalogue,
                  const PageOptions& options) {
   const std::vector<Column> columns = label_columns(results), earlier = label_columns(options.before);
-  const std::vector<Row> rows = read_rows(columns);
   const Comparisons compared = compare(columns, earlier);
+  std::vector<Column> all;
+  for (const Column& column : columns) all.push_back(column);
+  for (const Column& column : earlier) all.push_back({column.record, column.label + ", earlier"});
+  const std::vector<Row> rows = read_rows(columns), all_rows = read_rows(all);
 
   data page;
   page.set("style", kPageStyle);
-  page.set("script", kPageScript);
-  page.set("several", columns.size() > 1);
+  page.set("script", fmt::format("(() => {{\n'use strict';\n{}{}{}{}{}}})();", kModelScript, kStateScript,
+                                 kElementsScript, kSectionsScript, kPageScript));
+  page.set("data", page_data(all, earlier.size(), all_rows, catalogue, all_comparisons(all, columns.size()),
+                             compared));
   page.set("accuracy_page", options.accuracy_page);
 
   std::vector<std::string> labels;
@@ -168,39 +109,24 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
   for (const Column& column : columns) {
     labels.push_back(column.label);
     cards << card(column);
-    data header;
-    header.set("label", column.label);
-    header.set("column", fmt::format("{}", labels.size() - 1));
-    headers << header;
+    headers << data("label", column.label);
   }
   page.set("title", "evalcts: " + (labels.empty() ? "no results" : join(labels, ", ")));
   page.set("subtitle", subtitle(rows, columns));
-  page.set("implementations", cards);
+  page.set("overview", overview(all, columns.size(), compared));
+  const data bug_list = bugs(columns);
+  page.set("has_bugs", bug_list.is_non_empty_list());
+  page.set("bugs", bug_list);
+  page.set("has_runs", !columns.empty());
+  page.set("runs", cards);
   page.set("columns", headers);
-  page.set("width", fmt::format("{}", columns.size() + 1));
-  page.set("compared", !options.before.empty());
-  page.set("comparisons", comparisons(compared));
+  page.set("reach", optional_text(reach(rows, catalogue)));
+  page.set("words", glossary());
 
-  const Matrix by_requirement = matrix(rows, columns, catalogue);
-  page.set("has_matrix", by_requirement.rows > 0);
-  page.set("sections", by_requirement.sections);
-  page.set("reach", optional_text(reach(by_requirement, catalogue)));
-  page.set("themes", themes_view(rows));
-  page.set("flakes", std::any_of(columns.begin(), columns.end(), [](const Column& column) {
-             return std::any_of(column.record.tests.begin(), column.record.tests.end(),
-                                [](const TestRecord& outcome) { return outcome.flake; });
-           }));
-  page.set("verdicts", verdict_list(columns, false));
-  page.set("words", verdict_list(columns, true));
-  page.set("tests", tests_view(rows, columns, catalogue, by_requirement, compared));
-
-  const data accuracy = accuracy_view(columns), undecided = undecided_view(columns),
-             followed = readings(columns, catalogue);
+  const data accuracy = accuracy_view(columns), followed = readings(columns, catalogue);
   page.set("has_accuracy", accuracy.is_non_empty_list() || options.accuracy_page);
   page.set("has_accuracy_table", accuracy.is_non_empty_list());
   page.set("accuracy", accuracy);
-  page.set("has_undecided", undecided.is_non_empty_list());
-  page.set("undecided", undecided);
   page.set("has_readings", followed.is_non_empty_list());
   page.set("readings", followed);
   return kainjow::mustache::mustache(kPageTemplate).render(page);

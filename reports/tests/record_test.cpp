@@ -71,6 +71,58 @@ TEST(RunResult, ReadsEveryField) {
   EXPECT_EQ(test.accuracy->ulp.where, "order=4 u=0x1p-1");
 }
 
+TEST(RunResult, ReadsEveryFieldOfBugs) {
+  const RunResult record = read_run_result(read_sample("results-osmesa.json"));
+  ASSERT_EQ(record.bugs.size(), 4u);
+  EXPECT_EQ(record.bugs_note, "1 of 4 failing tests was not reduced: the time for reduction was over");
+  const Bug& bug = record.bugs[0];
+  EXPECT_EQ(bug.id, "EV-MESH2-FILL-1a2b");
+  EXPECT_EQ(bug.title, "EvalMesh2 behind CallList crashes");
+  EXPECT_EQ(bug.cause, "crash: CallList, EvalMesh");
+  EXPECT_EQ(bug.requirements, std::vector<RequirementId>{"EV-MESH2-FILL"});
+  EXPECT_EQ(bug.clause, "GL 1.0 §5.1");
+  EXPECT_EQ(bug.level, Level::must);
+  EXPECT_EQ(bug.verdict, Verdict::kCrash);
+  EXPECT_EQ(bug.failure.captured, "signal 11 (SIGSEGV, Segmentation fault)");
+  EXPECT_EQ(bug.failure.calls.size(), 4u);
+  EXPECT_EQ(bug.commands,
+            R"([["NewList",1,"GL_COMPILE"],["CallList",2],["EvalMesh2","GL_FILL",0,1,0,1],["EndList"]])");
+  EXPECT_TRUE(bug.outside_evaluators);
+  EXPECT_TRUE(bug.is_reduced());
+  EXPECT_EQ(bug.tests, std::vector<std::string>{"Map2Output.FillOrder"});
+  EXPECT_EQ(bug.explains, std::vector<RequirementId>{"EV-MESH2-FILL"});
+  EXPECT_FALSE(record.bugs[1].is_reduced());
+  EXPECT_EQ(record.bugs[1].commands, "");
+  EXPECT_EQ(record.bugs[3].known, "mesa-stride-not-checked");
+  EXPECT_EQ(record.bugs[3].known_in, "Mesa 21.0 to 22.3");
+  EXPECT_EQ(record.bug_of("Map2Output.HugeGrid"), &record.bugs[1]);
+  EXPECT_EQ(record.bug_of("AutoNormal.Reversed"), nullptr);
+}
+
+TEST(RunResult, BugsAreSortedByImportance) {
+  const auto bug = [](const char* id, Level level, Verdict verdict, std::size_t tests, bool breaks = false) {
+    Bug made;
+    made.id = id;
+    made.level = level;
+    made.verdict = verdict;
+    made.tests.assign(tests, "A.b");
+    made.breaks_real_programs = breaks;
+    return made;
+  };
+  std::vector<Bug> bugs = {bug("quality", Level::quality, Verdict::kQualityWarning, 9),
+                           bug("interpretation", Level::interpretation, Verdict::kCrash, 9),
+                           bug("b", Level::must, Verdict::kFail, 2),
+                           bug("a", Level::must, Verdict::kFail, 2),
+                           bug("many", Level::must, Verdict::kFail, 3),
+                           bug("hang", Level::must, Verdict::kTimeout, 1),
+                           bug("crash", Level::must, Verdict::kCrash, 1),
+                           bug("real", Level::quality, Verdict::kFail, 1, true)};
+  sort_by_importance(bugs);
+  std::string order;
+  for (const Bug& each : bugs) order += each.id + " ";
+  EXPECT_EQ(order, "real crash hang many a b interpretation quality ");
+}
+
 TEST(RunResult, CountsEveryVerdict) {
   const RunResult record = read_run_result(read_sample("results-osmesa.json"));
   EXPECT_EQ(record.counts, (Counts{1, 1, 1, 2, 1, 1, 1, 1, 2}));
@@ -150,6 +202,9 @@ TEST(RunResult, WrongTypesAreRefusedByName) {
             "tests[0].failures[0].calls[0]: expected a string, found a boolean");
   EXPECT_EQ(refusal(record_of({{"accuracy", {{"values", "9"}}}})),
             "tests[0].accuracy.values: expected a non-negative integer, found a string");
+  EXPECT_EQ(refusal({{"bugs", {{{"tests", {1}}}}}}), "bugs[0].tests[0]: expected a string, found a number");
+  EXPECT_EQ(refusal({{"bugs", {{{"failure", "none"}}}}}),
+            "bugs[0].failure: expected an object, found a string");
   EXPECT_EQ(refusal({{"summary", {{"pass", "3"}}}}),
             "summary.pass: expected a non-negative integer, found a string");
 }

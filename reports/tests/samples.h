@@ -81,7 +81,23 @@ inline nlohmann::json hostile_record() {
             {"captures", {{{"name", text}, {"available", false}, {"reason", text}}}}}},
           {"tests",
            {test("A." + text, "fail"), test("B." + text, "not-observable"),
-            test("C." + text, "quality-warning"), test("D." + text, "pass"), test("E." + text, "crash")}}};
+            test("C." + text, "quality-warning"), test("D." + text, "pass"), test("E." + text, "crash")}},
+          {"bugs",
+           {{{"id", text},
+             {"title", text},
+             {"cause", text},
+             {"requirements", {text}},
+             {"clause", text},
+             {"level", "must"},
+             {"verdict", "fail"},
+             {"failure", failure},
+             {"commands", {{text, {{text, {text}}}}}},
+             {"why_not_reduced", text},
+             {"tests", {"A." + text}},
+             {"explains", {text}},
+             {"known", text},
+             {"known_in", text}}}},
+          {"bugs_note", text}};
 }
 
 inline nlohmann::json hostile_requirements() {

@@ -41,6 +41,7 @@ TEST(Schema, ChangedSamplesAreNot) {
   EXPECT_EQ(changed("/reason", "another"), "valid");
   EXPECT_EQ(changed("/tests/1/failures/0/ulp", nullptr), "valid");  // infinite
   EXPECT_EQ(changed("/tests/1/flake", true), "valid");
+  EXPECT_EQ(changed("/bugs/0/known", "mesa-list-crash"), "valid");
   EXPECT_EQ(changed("/tests/1/again", {{"verdict", "pass"}, {"message", ""}}), "valid");
   for (const auto& [pointer, value] :
        std::vector<std::pair<const char*, json>>{{"/format", "evalcts-results-2"},
@@ -58,7 +59,12 @@ TEST(Schema, ChangedSamplesAreNot) {
                                                  {"/tests/1/failures/0/ulp", "1"},
                                                  {"/tests/1/flake", "pass"},
                                                  {"/tests/1/again", {{"verdict", "passes"}, {"message", ""}}},
-                                                 {"/confirmed_by_group", 0}}) {
+                                                 {"/confirmed_by_group", 0},
+                                                 {"/bugs/0/id", ""},
+                                                 {"/bugs/0/verdict", "pass"},
+                                                 {"/bugs/0/commands", "glEnd();"},
+                                                 {"/bugs/0/tests", "Map2Output.FillOrder"},
+                                                 {"/bugs/0/failure/calls", "glEnd();"}}) {
     EXPECT_NE(changed(pointer, value), "valid") << pointer;
   }
 }

@@ -35,6 +35,12 @@ class JsonObject {
     return value ? text(*value, path(key)) : std::string();
   }
 
+  // Any value as JSON text in ASCII; empty if the field is empty.
+  std::string json_text(const std::string& key) const {
+    const auto* value = find(key);
+    return value ? value->dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) : std::string();
+  }
+
   // The value that `parse` makes of the text, which returns an optional; none if the field is empty.
   template <class Parse>
   auto word(const std::string& key, Parse parse) const -> decltype(parse(std::string())) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/bug.h>
 #include <evalcts/results/test_record.h>
 
 namespace evalcts {
@@ -90,6 +91,8 @@ struct RunResult {
   ImplementationRecord implementation;
   Counts counts{};  // by verdict
   std::vector<TestRecord> tests;
+  std::vector<Bug> bugs;  // what explains the failing tests, most important first
+  std::string bugs_note;  // why `bugs` is missing, or not all of it was reduced; empty if neither is so
 
   bool is_complete() const { return status == RunStatus::kComplete; }
   bool has_started() const { return status != RunStatus::kNotStarted; }
@@ -98,6 +101,8 @@ struct RunResult {
   std::uint64_t expected_failure_count() const;
   // Sets `counts` and `readings` from the tests.
   void summarize();
+  // The bug that explains the test; null if there is none.
+  const Bug* bug_of(const std::string& test) const;
   // "osmesa", or "osmesa, one shared context" for the second pass; `unnamed` if the record has no name.
   std::string heading(const std::string& unnamed) const;
   // The part of the names of the output's files that stands for implementation, shard and pass: "NAME",

@@ -1,0 +1,173 @@
+// The data of the page (html/data.cpp writes it) and questions to it; no part of it touches the document.
+
+const data = JSON.parse(document.getElementById('data').textContent);
+const text = (number) => data.strings[number];
+const words = data.verdicts.map(([word]) => word);
+const FAIL = words.indexOf('fail'), WARNING = words.indexOf('quality-warning'), PASS = words.indexOf('pass');
+
+// Fields of records and failures.
+const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5, ACCURACY = 6, FAILURES = 7;
+const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // flags
+const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8;
+
+const tests = data.tests.map(([name, level, ...requirements], number) => ({
+  number, name: text(name), theme: text(name).split('.')[0], level: data.levels[level], requirements}));
+const testNamed = new Map(tests.map((test) => [test.name, test]));
+const requirements = data.requirements.map(([id, section, rule, source, since], number) => ({
+  number, id: text(id), section: text(section) || 'Not in the catalogue', rule: text(rule), source: text(source),
+  since: text(since), tests: []}));
+for (const test of tests) for (const number of test.requirements) requirements[number].tests.push(test);
+const requirementNamed = new Map(requirements.map((requirement) => [requirement.id, requirement]));
+const bugNamed = new Map(data.bugs.map((bug) => [bug.id, bug]));
+for (const bug of data.bugs)
+  bug.found = new Map(bug.found.map(([column, known, ...numbers]) => [column, {known, tests: numbers.map((number) => tests[number])}]));
+const current = data.columns.length - data.earlier;  // columns from there on are earlier results
+
+const recordOf = (test, column) => data.records[data.outcomes[column][test.number]];
+
+// States, worst first; they colour cells. An unexpected pass is as unexpected as a failure.
+const BAD = 0, EXPECTED_FAILURE = 1, NOTICE = 2, GOOD = 3, UNDECIDED = 4;
+const stateClasses = ['bad', 'known', 'notice', 'good', 'none'];
+function stateOf(record) {
+  if (record[FLAGS] & UNEXPECTED) return BAD;
+  if (record[FLAGS] & KNOWN) return EXPECTED_FAILURE;
+  if (record[VERDICT] === WARNING) return NOTICE;
+  return record[VERDICT] === PASS ? GOOD : UNDECIDED;
+}
+const stateOfRecord = Uint8Array.from(data.records, stateOf);
+
+// --- text search
+
+let joined = null;  // all strings in lower case, one a line
+let starts = null;  // of the lines
+function stringsWith(needle) {
+  if (!joined) {
+    const lower = data.strings.map((string) => string.toLowerCase().replaceAll('\n', ' '));
+    joined = lower.join('\n');
+    starts = new Uint32Array(lower.length + 1);
+    lower.forEach((string, i) => { starts[i + 1] = starts[i] + string.length + 1; });
+  }
+  const hits = new Uint8Array(data.strings.length);
+  let line = 0;
+  for (let at = joined.indexOf(needle); at >= 0; at = joined.indexOf(needle, starts[line + 1])) {
+    let low = line, high = hits.length;  // the last line that starts at or before it
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (starts[middle] <= at) low = middle; else high = middle;
+    }
+    hits[line = low] = 1;
+  }
+  return hits;
+}
+
+// For each test, 1 if its name, a requirement, or the record of one of the columns has the text.
+function testsWith(needle, columns) {
+  const hit = stringsWith(needle), out = new Uint8Array(tests.length);
+  const calls = Uint8Array.from(data.calls, (lines) => lines.some((line) => hit[line]));
+  const failures = Uint8Array.from(data.failures, (failure) => {
+    for (let i = 0; i < CALLS; ++i) if (hit[failure[i]]) return 1;
+    return calls[failure[CALLS]];
+  });
+  const records = Uint8Array.from(data.records, (record) => {
+    for (let i = MESSAGE; i < FAILURES; ++i) if (hit[record[i]]) return 1;
+    for (let i = FAILURES; i < record.length; ++i) if (failures[record[i]]) return 1;
+    return 0;
+  });
+  const rules = Uint8Array.from(data.requirements, (fields) => fields.some((field) => hit[field]));
+  for (const {number, requirements: ids} of tests) {
+    out[number] = hit[data.tests[number][0]] || ids.some((id) => rules[id]) ||
+        columns.some((column) => records[data.outcomes[column][number]]);
+  }
+  return out;
+}
+
+// --- filters
+
+const verdictFilters = {
+  unexpected: (record) => record[FLAGS] & UNEXPECTED,
+  known: (record) => record[FLAGS] & KNOWN,
+  flake: (record) => record[FLAGS] & FLAKE,
+  ...Object.fromEntries(words.map((word, verdict) => [word, (record) => record[VERDICT] === verdict]))};
+
+const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs);
+
+// The tests that the filters let through, in the order of the run.
+function matchingTests(state) {
+  const {columns} = state, verdict = verdictFilters[state.verdict] || (() => true);
+  const found = state.q.toLowerCase().split(/\s+/).filter(Boolean).map((needle) => testsWith(needle, columns));
+  return tests.filter((test) => {
+    if (state.theme && test.theme !== state.theme) return false;
+    if (state.level && test.level !== state.level) return false;
+    if (found.some((hits) => !hits[test.number])) return false;
+    const records = columns.map((column) => recordOf(test, column)).filter(Boolean);
+    return records.some(verdict) &&
+        (!state.differs || records.some((record) => record[VERDICT] !== records[0][VERDICT]));
+  });
+}
+
+// --- groups
+
+const groupsBy = (items, keyOf) => {
+  const groups = new Map();
+  for (const item of items) {
+    const key = keyOf(item);
+    if (groups.has(key)) groups.get(key).push(item); else groups.set(key, [item]);
+  }
+  return groups;
+};
+
+const severityOf = (test, columns) =>
+  Math.min(...columns.map((column) => recordOf(test, column)?.[SEVERITY] ?? Infinity));
+
+function worstFirst(some, columns) {
+  const severities = new Map(some.map((test) => [test, severityOf(test, columns)]));
+  return [...some].sort((a, b) => severities.get(a) - severities.get(b));
+}
+
+// How many tests of a group are in each state, in one column.
+function statesOf(some, column) {
+  const counts = [0, 0, 0, 0, 0], outcomes = data.outcomes[column];
+  for (const {number} of some) if (outcomes[number] >= 0) ++counts[stateOfRecord[outcomes[number]]];
+  return counts;
+}
+
+// The verdict on a requirement in one column: what any of these tests found bad, then a warning, then a pass;
+// undecided only if all tests are. None if there is no test.
+function verdictOn(some, column) {
+  const records = some.map((test) => recordOf(test, column)).filter(Boolean);
+  if (!records.length) return null;
+  const worst = records.reduce((a, b) => (b[SEVERITY] < a[SEVERITY] ? b : a));
+  const has = (verdict) => records.some((record) => record[VERDICT] === verdict);
+  const verdict = worst[VERDICT] <= FAIL ? worst[VERDICT] : has(WARNING) ? WARNING : has(PASS) ? PASS : worst[VERDICT];
+  const same = records.filter((record) => record[VERDICT] === verdict);
+  const known = verdict <= FAIL && records.every((record) => record[VERDICT] > FAIL || record[FLAGS] & KNOWN);
+  const state = verdict <= FAIL ? (known ? EXPECTED_FAILURE : BAD) :
+      verdict === WARNING ? NOTICE : verdict === PASS ? GOOD : UNDECIDED;
+  return {verdict, state, known, n: same.length, of: records.length};
+}
+
+// What was not decided: one entry for each verdict, reason and list of tests; columns that agree share it.
+function undecided(columns) {
+  const groups = new Map();
+  for (const column of columns) {
+    const reasons = groupsBy(tests.filter((test) => {
+      const record = recordOf(test, column);
+      return record && record[VERDICT] > WARNING && record[VERDICT] < PASS;
+    }), (test) => `${recordOf(test, column)[VERDICT]} ${recordOf(test, column)[MESSAGE]}`);
+    for (const [reason, some] of reasons) {
+      const key = `${reason} ${some.map((test) => test.number)}`;
+      if (!groups.has(key)) {
+        const record = recordOf(some[0], column);
+        groups.set(key, {verdict: record[VERDICT], why: text(record[MESSAGE]) || 'no reason given', tests: some, columns: []});
+      }
+      groups.get(key).columns.push(column);
+    }
+  }
+  return [...groups.values()].sort((a, b) => a.verdict - b.verdict || (a.why < b.why ? -1 : a.why > b.why ? 1 : 0));
+}
+
+const comparisonOf = (from, to) => data.comparisons.find((pair) => pair.from === from && pair.to === to);
+
+// The bugs that explain a test in any of the columns.
+const bugsOf = (test, columns) =>
+  data.bugs.filter((bug) => columns.some((column) => bug.found.get(column)?.tests.includes(test)));

@@ -1,0 +1,325 @@
+// The sections that are rendered on demand, from the state and the data.
+
+const MOST_ROWS = 100, MOST_OPEN = 40;  // rows of a group; matching tests up to which their groups are open at once
+
+const link = (at, ...children) => el('a', {href: fragmentOf(emptyState(), at)}, ...children);
+const linkToTest = (test) => link(`open=${test.name}`, named(test.name));
+
+// --- tables of groups and rows by implementation
+
+// A button that unfolds what is below its row; `set` names the part of the state, `name` what it holds.
+function toggle(set, name, open, ...children) {
+  return el('button', {type: 'button', class: 'toggle', 'aria-expanded': String(open), 'data-key': `${set}=${name}`,
+                       onclick: () => unfold(set, name, !open)}, ...children);
+}
+
+const headerCell = (column) => el('th', {scope: 'col'}, named(data.columns[column].replaceAll('-', '-/')).map(
+    (part) => (typeof part === 'string' ? part.replaceAll('-/', '-') : part)));
+
+function table(name, first, columns, bodies) {
+  return el('div', {class: 'scroll', role: 'region', 'aria-label': name, tabindex: '0'},
+            el('table', {class: 'grid', style: `--columns: ${columns.length}`},
+               el('thead', null, el('tr', null, el('th', {scope: 'col'}, first), columns.map(headerCell))),
+               bodies));
+}
+
+const wide = (columns, className, ...children) =>
+  el('tr', {class: className}, el('td', {colspan: columns.length + 1}, el('div', {class: 'body'}, ...children)));
+
+// How many of a group are in which state; the worst gives the colour.
+function summaryCell(counts, noun) {
+  const total = counts.reduce((sum, n) => sum + n, 0);
+  if (!total) return el('td', {class: 'absent'}, `no ${noun}`);
+  const [bad, known, notice, good, none] = counts;
+  const parts = [bad && `${bad} unexpected`, known && `${known} known`, notice && count(notice, 'warning')].filter(Boolean);
+  const worst = bad ? 'bad' : known ? 'known' : notice ? 'notice' : good ? 'good' : 'none';
+  if (!parts.length) parts.push(good ? 'pass' : 'undecided');
+  const rest = good === total ? `${total}` : good && worst === 'good' ? `${good} of ${total}` : `of ${total}`;
+  return el('td', {class: worst}, parts.map((part, i) => [el('span', {class: 'part'}, i < parts.length - 1 ? `${part},` : part), ' ']),
+            el('small', null, rest));
+}
+
+function testCell(test, column) {
+  const record = recordOf(test, column);
+  if (!record) return el('td', {class: 'absent'}, 'no test');
+  const notes = notesOf(record);
+  return el('td', {class: stateClasses[stateOf(record)]}, symbolOf(record[VERDICT]), ` ${words[record[VERDICT]]}`,
+            notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
+}
+
+function requirementCell(tests, column) {
+  const cell = verdictOn(tests, column);
+  if (!cell) return el('td', {class: 'absent'}, 'no test');
+  const notes = [cell.n < cell.of ? `${cell.n} of ${cell.of}` : '', cell.known ? 'known' : ''].filter(Boolean);
+  return el('td', {class: stateClasses[cell.state]}, symbolOf(cell.verdict), ` ${words[cell.verdict]}`,
+            notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
+}
+
+// A group is open if the state says so, or if the filters left so little that nothing has to be looked for.
+function isOpen(group, matching) {
+  const open = state.theme === group || (isFiltered(state) && matching.length <= MOST_OPEN) ||
+      (matching.length && matching.length === tests.length && matching.length <= MOST_OPEN);
+  return state.group.has(group) !== Boolean(open);
+}
+
+// The row of a test, and below it the evidence if it is open.
+function testRows(test) {
+  const {columns} = state, open = state.open.has(test.name);
+  const records = columns.map((column) => recordOf(test, column)).filter(Boolean);
+  const worst = records.reduce((a, b) => (b[SEVERITY] < a[SEVERITY] ? b : a));
+  const message = worst[VERDICT] === PASS ? '' : text(worst[MESSAGE]).replace(/\s+/g, ' ');
+  const row = el('tr', {class: 'test'},
+                 el('th', {scope: 'row'}, toggle('open', test.name, open, named(test.name)),
+                    message ? el('div', {class: 'headline'}, shownText(message)) : null),
+                 columns.map((column) => testCell(test, column)));
+  return open ? [row, wide(columns, 'detail', evidence(test))] : [row];
+}
+
+// Rows of `items`, limited; those that are open stand there in any case.
+function rows(items, make, isItOpen) {
+  const first = items.slice(0, MOST_ROWS), rest = items.slice(MOST_ROWS);
+  const opened = rest.filter(isItOpen), closed = rest.filter((item) => !isItOpen(item));
+  const shown = [...first, ...opened].flatMap(make);
+  if (!closed.length) return shown;
+  const line = wide(state.columns, 'more', el('button', {type: 'button', onclick: () => {
+    const next = rows(closed, make, isItOpen);
+    line.replaceWith(...next);
+    next[0].querySelector('button').focus();
+  }}, `Show ${Math.min(closed.length, MOST_ROWS)} more of ${closed.length}`));
+  return [...shown, line];
+}
+
+function group(name, noun, cells, open, content) {
+  return el('tbody', null,
+            el('tr', {class: 'group'},
+               el('th', {scope: 'rowgroup'}, toggle('group', name, open, named(name)), ' ', faint(noun)), cells),
+            open ? content() : null);
+}
+
+function testsByTheme(matching) {
+  const {columns} = state;
+  return table('Tests by theme and implementation', 'Theme', columns,
+               [...groupsBy(matching, (test) => test.theme)].map(([theme, some]) => group(
+                   theme, count(some.length, 'test'), columns.map((column) => summaryCell(statesOf(some, column), 'test')),
+                   isOpen(theme, matching),
+                   () => rows(worstFirst(some, columns), testRows, (test) => state.open.has(test.name)))));
+}
+
+function requirementRows(requirement, some) {
+  const {columns} = state, open = state.requirement.has(requirement.id);
+  const row = el('tr', {class: 'requirement'},
+                 el('th', {scope: 'row'}, toggle('requirement', requirement.id, open, requirement.id),
+                    requirement.rule ? el('div', {class: 'headline'}, requirement.rule) : null),
+                 columns.map((column) => requirementCell(some, column)));
+  if (!open) return [row];
+  return [row, wide(columns, 'detail',
+                    requirement.source ? el('p', null, faint(`Source: ${requirement.source}`, requirement.since ? `, since ${requirement.since}` : '')) : null,
+                    el('ul', {class: 'plain'}, testList(worstFirst(some, columns))))];
+}
+
+// Tests as links, each with the verdicts that it got.
+function testList(list) {
+  return limited(list, MOST_ROWS, (test) => {
+    const chips = groupsBy(state.columns.filter((column) => recordOf(test, column)), (column) => {
+      const record = recordOf(test, column);
+      return `${record[VERDICT]} ${record[FLAGS]}`;
+    });
+    return el('li', null, linkToTest(test), ' ', [...chips.values()].map((columns) => [
+      chip(recordOf(test, columns[0])), chips.size > 1 ? faint(` ${labels(columns)} `) : ' ']));
+  });
+}
+
+function requirementsBySection(matching) {
+  const {columns} = state, shown = new Set(matching);
+  const found = requirements.map((requirement) => [requirement, requirement.tests.filter((test) => shown.has(test))])
+      .filter(([, some]) => some.length);
+  return table('Requirements by section and implementation', 'Requirement', columns,
+               [...groupsBy(found, ([requirement]) => requirement.section)].map(([section, some]) => group(
+                   section, count(some.length, 'requirement'),
+                   columns.map((column) => {
+                     const counts = [0, 0, 0, 0, 0];
+                     for (const [, its] of some) {
+                       const cell = verdictOn(its, column);
+                       if (cell) ++counts[cell.state];
+                     }
+                     return summaryCell(counts, 'test');
+                   }),
+                   isOpen(section, matching),
+                   () => rows(some, ([requirement, its]) => requirementRows(requirement, its),
+                              ([requirement]) => state.requirement.has(requirement.id)))));
+}
+
+// --- bugs by implementation
+
+function bugCell(bug, column) {
+  const found = bug.found.get(column);
+  if (found) {
+    return el('td', {class: found.known ? 'known' : 'bad'}, el('span', {class: 'part'}, count(found.tests.length, 'test')), ' ',
+              el('small', null, found.known ? 'known' : 'new'));
+  }
+  const searched = data.bugs.some((other) => other.found.has(column)) ||
+      !data.outcomes[column].some((record) => record >= 0 && data.records[record][VERDICT] <= WARNING);
+  return searched ? el('td', {class: 'good'}, 'not found') : el('td', {class: 'absent'}, 'not searched');
+}
+
+function requirementLine(id) {
+  const known = requirementNamed.get(id);
+  if (!known) return el('p', {class: 'rule'}, id);
+  return el('p', {class: 'rule'}, link(`requirement=${id}`, id), ' ', faint(known.section), known.rule ? [el('br'), known.rule] : null,
+            known.source ? [el('br'), faint(`Source: ${known.source}`, known.since ? `, since ${known.since}` : '')] : null);
+}
+
+function bugDetails(bug) {
+  const failure = data.failures[bug.failure], found = state.columns.filter((column) => bug.found.has(column));
+  const lines = callsOf(failure);
+  return [
+    el('p', {class: 'tools'}, faint(`${bug.id}, level: ${data.levels[bug.level]}`), linkButton(`bug=${bug.id}`),
+       lines.length ? copyButton('Copy reproducer', lines.join('\n')) : null),
+    bug.known ? el('p', null, `Known bug ${bug.known}${bug.knownIn ? `, in ${bug.knownIn}` : ''}.`) : null,
+    bug.breaksPrograms ? el('p', null, 'A real program fails because of it.') : null,
+    bug.outside ? el('p', null, 'Explicit vertices in the place of the evaluation show it as well, so the evaluator is not its only place.') : null,
+    bug.requirements.map(requirementLine),
+    bug.clause ? el('p', null, `Clause: ${bug.clause}`) : null,
+    failureDetails(failure),
+    bug.whyNotReduced ? el('p', null, `Not reduced to a minimal program: ${bug.whyNotReduced}. The calls are those of one failing case.`) : null,
+    program('Program that shows the bug', lines, null),
+    found.map((column) => fold({class: 'case'}, `${count(bug.found.get(column).tests.length, 'test')} of ${data.columns[column]}`,
+                               () => el('ul', {class: 'plain'}, limited(bug.found.get(column).tests, MOST_ROWS,
+                                                                        (test) => el('li', null, linkToTest(test), ' ', chip(recordOf(test, column)))))))];
+}
+
+function bugTable() {
+  const {columns} = state, shown = data.bugs.filter((bug) => columns.some((column) => bug.found.has(column)));
+  if (!shown.length) return [el('p', null, 'No bug was found in these implementations.')];
+  const notes = columns.filter((column) => data.bugNotes[column]);
+  return [
+    table('Bugs by implementation', count(shown.length, 'distinct bug') + ', most important first', columns,
+          el('tbody', null, shown.map((bug) => {
+            const open = state.bug.has(bug.id);
+            return [el('tr', {class: 'bug'},
+                       el('th', {scope: 'row'}, toggle('bug', bug.id, open, shownText(bug.title)),
+                          el('div', {class: 'headline'}, [words[bug.verdict], bug.requirements.join(', '), bug.knownIn && `known in ${bug.knownIn}`,
+                                                          bug.breaksPrograms && 'breaks real programs'].filter(Boolean).join(' · '))),
+                       columns.map((column) => bugCell(bug, column))),
+                    open ? wide(columns, 'detail', bugDetails(bug)) : null];
+          }))),
+    notes.map((column) => el('p', null, faint(`${data.columns[column]}: ${data.bugNotes[column]}`)))].flat();
+}
+
+// --- the evidence of a test
+
+function definitions(pairs) {
+  const shown = pairs.filter(([, value]) => value && String(value) !== '');
+  return shown.length ? el('dl', null, shown.map(([term, value]) => [el('dt', null, term), el('dd', null, value)])) : null;
+}
+
+const code = (string) => (string ? el('code', null, shownText(string)) : '');
+
+function callsOf(failure) {
+  return data.calls[failure[CALLS]].map(text);
+}
+
+function program(name, lines, button) {
+  if (!lines.length) return null;
+  return el('div', {class: 'program'}, button ? copyButton(button, lines.join('\n')) : null,
+            el('pre', {tabindex: '0', 'aria-label': name}, el('code', null, lines.map(shownCode).join('\n'))));
+}
+
+function failureDetails(failure) {
+  const [message, expected, captured] = [MESSAGE_OF_FAILURE, EXPECTED, CAPTURED].map((field) => text(failure[field]));
+  return definitions([['Message', message === expected ? '' : shownText(message)], ['What', shownText(text(failure[WHAT]))],
+                      ['Expected', code(expected)],
+                      ['Captured', captured ? el('code', null, markedDifferences(expected, captured)) : ''],
+                      ['Exact', code(text(failure[EXACT]))], ['Capture', text(failure[CAPTURE])]]);
+}
+
+// `above`: the failure before it. Several of one case have their calls in common.
+function failureOf(number, above) {
+  const failure = data.failures[number], lines = callsOf(failure);
+  const same = above !== undefined && data.failures[above][CALLS] === failure[CALLS] && lines.length;
+  return fold({class: 'case', open: above === undefined},
+              [text(failure[CASE]) || 'this test', ' ', faint(text(failure[DISTANCE]))],
+              () => [failureDetails(failure),
+                     same ? el('p', null, 'The GL calls are those of the failure above.') :
+                            program('GL calls of this case', lines, 'Copy calls')].filter(Boolean));
+}
+
+const commandsOf = (test, column) =>
+  data.commands[data.commandsOf[column][test.number]].map((command) => text(command).replaceAll('\u0000', test.name));
+
+function commandLine(purpose, command, button) {
+  return command ? el('p', {class: 'run'}, faint(`${purpose}: `), el('code', null, command), ' ', copyButton(button, command)) : null;
+}
+
+// One description for all columns that came out alike, to the last word.
+function outcome(test, columns) {
+  const record = recordOf(test, columns[0]), failures = record.slice(FAILURES);
+  return el('section', {class: 'outcome'},
+            el('h3', null, chip(record), ' ', labels(columns)),
+            text(record[MESSAGE]) ? el('p', null, shownText(text(record[MESSAGE]))) : null,
+            text(record[BASELINE]) ? el('p', null, text(record[BASELINE])) : null,
+            text(record[FACTS]) ? el('p', null, faint(text(record[FACTS]))) : null,
+            text(record[ACCURACY]) ? el('p', {class: 'faint'}, shownText(text(record[ACCURACY]))) : null,
+            failures.map((failure, i) => failureOf(failure, failures[i - 1])),
+            columns.map((column) => {
+              const [rerun, debug, reproducer] = commandsOf(test, column), whose = columns.length > 1 ? `, ${data.columns[column]}` : '';
+              return [commandLine(`Run just this test${whose}`, rerun, 'Copy command'),
+                      commandLine(`Open it in a debugger${whose}`, debug, 'Copy command'),
+                      commandLine(`Make a C program of it${whose}`, reproducer, 'Copy reproducer')];
+            }));
+}
+
+const linkButton = (at) => copyButton('Copy link', () => new URL(fragmentOf(state, at), location.href).href);
+
+function evidence(test) {
+  const alike = groupsBy(state.columns.filter((column) => recordOf(test, column)),
+                         (column) => data.outcomes[column][test.number]);
+  const all = [...alike.values()].sort((a, b) => recordOf(test, a[0])[SEVERITY] - recordOf(test, b[0])[SEVERITY]);
+  return [
+    el('p', {class: 'tools'}, faint(`Level: ${test.level} `), linkButton(`open=${test.name}`)),
+    bugsOf(test, state.columns).map((bug) => el('p', null, 'Bug: ', link(`bug=${bug.id}`, shownText(bug.title)))),
+    test.requirements.map((number) => requirementLine(requirements[number].id)),
+    all.map((columns) => outcome(test, columns))];
+}
+
+// --- changes
+
+function changesOf(pair) {
+  const groups = new Map();
+  for (let i = 0; i < pair.changes.length; i += 3) {
+    const [test, kind, extra] = pair.changes.slice(i, i + 3);
+    if (!groups.has(kind)) groups.set(kind, []);
+    groups.get(kind).push({test: tests[test], extra: text(extra)});
+  }
+  return [...groups];
+}
+
+function changeLine(pair, {test, extra}) {
+  const before = recordOf(test, pair.from), now = recordOf(test, pair.to);
+  const message = extra ? `now also ${extra}` : text((now || before)[MESSAGE]).replace(/\s+/g, ' ');
+  return el('li', null, linkToTest(test), ' ', before ? chip(before) : faint('no test'), ' → ', now ? chip(now) : faint('no test'),
+            message && now?.[VERDICT] !== PASS ? el('div', {class: 'headline'}, shownText(message)) : null);
+}
+
+function changes(from, to) {
+  const pair = comparisonOf(from, to);
+  if (!pair) return [el('p', null, faint('Choose two different implementations.'))];
+  return [
+    el('p', null, el('strong', null, pair.headline)),
+    pair.caveats.map((caveat) => el('p', null, caveat)),
+    changesOf(pair).map(([kind, list]) => fold(
+        {class: 'case', open: kind <= 2 && list.length <= MOST_OPEN / 2},
+        el('span', {class: `chip ${kind < 2 ? 'bad' : kind === 2 ? 'good' : 'none'}`},
+           `${list.length} ${data.changeKinds[kind][list.length === 1 ? 0 : 1]}`),
+        () => el('ul', {class: 'plain'}, limited(list, MOST_ROWS, (change) => changeLine(pair, change)))))].flat();
+}
+
+// --- what was not decided
+
+function undecidedList() {
+  return undecided(state.columns).map((entry) => fold(
+      {class: 'case'},
+      [el('span', {class: 'chip none'}, symbolOf(entry.verdict), ` ${words[entry.verdict]}`),
+       ` ${labels(entry.columns)}: ${entry.why} `, faint(`(${count(entry.tests.length, 'test')})`)],
+      () => el('ul', {class: 'plain'}, limited(entry.tests, MOST_ROWS, (test) => el('li', null, linkToTest(test))))));
+}
