@@ -26,6 +26,7 @@ void after_random_commands(Test& t, const std::function<void(gl::Case&)>& play) 
 
 // Judges the points that come last, those of the commands behind `past`.
 void expect_last_points(Test& t, const gl::Case& past, const gl::Case& c) {
+  t.leave_current_values_to_their_rules();
   const Prediction all = predict(c, t.max_order());
   Prediction last = all;
   const std::size_t before = predict(past, t.max_order()).primitives.size();

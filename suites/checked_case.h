@@ -18,6 +18,11 @@ class CheckedCase : public gl::Case {
   // Goes on after these commands.
   CheckedCase(Test& t, gl::Case commands) : gl::Case(std::move(commands)), t_(t) {}
 
+  // The checks that are recorded from now on decide these requirements, see Test::decide.
+  void decide(std::vector<RequirementId> requirements) {
+    expect([&t = t_, requirements = std::move(requirements)](Played&) { t.decide(requirements); });
+  }
+
   // Records GetError, which gives this, or one of both.
   void expect_error(GLenum error);
   void expect_error(GLenum one, GLenum other);

@@ -18,7 +18,9 @@ struct Bad {
   Calls issue;
 };
 
-// `limit`: MAX_EVAL_ORDER, if it is known.
+// Maps that are rejected. No stride is negative: a library that compiles the command before it checks the
+// arguments reads memory before the array, and the outcome of such a read is not specified. `limit`:
+// MAX_EVAL_ORDER, if it is known.
 std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> limit) {
   std::vector<Bad> all;
   const auto add = [&](const std::string& what, GLenum error, const Map& map) {
@@ -38,7 +40,6 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> lim
   add1("a stride below 3", GL_INVALID_VALUE, GL_MAP1_VERTEX_3, 0, 1, 2, 4);
   add1("a stride below 4 and one point", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 0, 1, 3, 1);
   add1("stride 0", GL_INVALID_VALUE, GL_MAP1_INDEX, 0, 1, 0, 4);
-  add1("stride -4", GL_INVALID_VALUE, GL_MAP1_COLOR_4, 0, 1, -4, 4);
   add1("u1 equal to u2", GL_INVALID_VALUE, GL_MAP1_VERTEX_4, 2, 2, 4, 4);
 
   const auto add2 = [&](const std::string& what, GLenum error, GLenum target, double u2, GLint ustride,
@@ -55,7 +56,6 @@ std::vector<Bad> bad_maps(bool doubles, const char* form, std::optional<int> lim
   add2("a ustride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 2, 2, 1, 6, 2);
   add2("a vstride below 3", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 6, 2, 1, 2, 2);
   add2("a ustride below 4 and one point", GL_INVALID_VALUE, GL_MAP2_VERTEX_4, 1, 3, 1, 1, 4, 1);
-  add2("ustride -8", GL_INVALID_VALUE, GL_MAP2_COLOR_4, 1, -8, 2, 1, 4, 2);
   add2("uorder -1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, -1, 1, 4, 2);
   if (limit) add2("vorder MAX_EVAL_ORDER + 1", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 1, 8, 2, 1, 4, *limit + 1);
   add2("u1 equal to u2", GL_INVALID_VALUE, GL_MAP2_VERTEX_3, 0, 8, 2, 1, 4, 2);
@@ -118,11 +118,13 @@ EVALCTS_TEST(DisplayLists, ErrorsOfTheCall, must, "EV-DL-ERR-LATE", "EV-DL-ERR-A
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
     CheckedCase c(t, bad.name);
+    c.decide({"EV-DL-ERR-LATE"});
     c.NewList(kList, GL_COMPILE);
     bad.issue(c);
     c.expect_no_error();
     c.EndList();
     c.expect_no_error();
+    c.decide({"EV-DL-ERR-ALL"});
     const std::vector<gl::Ref> before = c.query_everything();
     c.CallList(kList);
     c.expect_error(bad.error);
@@ -137,12 +139,14 @@ EVALCTS_TEST(DisplayLists, ErrorsWhileCompilingAndExecuting, must, "EV-DL-ERR-AL
 (Test& t, const Named<Kind>& kind) {
   for (const Bad& bad : bad_commands(kind, t)) {
     CheckedCase c(t, bad.name);
+    c.decide({"EV-DL-COMPEXEC"});
     c.NewList(kList, GL_COMPILE_AND_EXECUTE);
     bad.issue(c);
     c.expect_error(bad.error);
     c.expect_no_error();
     c.EndList();
     c.expect_no_error();
+    c.decide({"EV-DL-ERR-ALL"});
     c.CallList(kList);
     c.expect_error(bad.error);
     c.check();
@@ -161,7 +165,9 @@ EVALCTS_TEST(DisplayLists, ErrorDoesNotEndTheList, must, "EV-DL-ERR-CONTINUE", c
       define_and_enable(list, map);
     });
     c.CallList(kList);
+    c.decide({"EV-DL-ERR-ALL"});
     c.expect_error(bad.error);
+    c.decide({"EV-DL-ERR-CONTINUE"});
     c.expect_values(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)), {6});
     c.expect_map(map);
     c.expect_enabled(GL_MAP1_NORMAL, true);
@@ -187,7 +193,9 @@ EVALCTS_TEST(DisplayLists, ErrorInAnInnerList, must, "EV-DL-ERR-CONTINUE")
       define_and_enable(list, map);
     });
     c.CallList(kList);
+    c.decide({"EV-DL-ERR-ALL"});
     c.expect_error(of_inner.error);
+    c.decide({"EV-DL-ERR-CONTINUE"});
     c.expect_enabled(GL_AUTO_NORMAL, true);
     c.expect_enabled(GL_MAP1_NORMAL, true);
     c.expect_map(map);

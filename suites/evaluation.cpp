@@ -284,7 +284,10 @@ EVALCTS_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM", by(gl::list_
 // What one dimension has no map for comes from the current values, not from the other.
 EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
-(Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL); };
+(Test& t) {
+  t.leave_current_values_to_their_rules();
+  expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_NORMAL);
+};
 
 EVALCTS_TEST_PAIR(Evaluation.NoArgumentIsAnError, Evaluation.NoArgumentIsAnError2, must,
                   decide("EV-COORD-NOERR/1-D", "EV-COORD-NOERR/2-D"), combine(kForms))
@@ -527,6 +530,7 @@ EVALCTS_TEST(Precedence, MostTextureCoordinates, must, "EV-PREC-TEX/1-D", "EV-PR
 EVALCTS_TEST(Precedence, AllSubsets, must, "EV-PREC-VERTEX/1-D", "EV-PREC-TEX/1-D", "EV-PREC-PERKIND/1-D",
              "EV-EN-MULTI", by(gl::curve_deliveries()))
 (Test& t) {
+  t.leave_current_values_to_their_rules();
   const unsigned step = t.depth() == Depth::quick ? 13 : 1;
   gl::Case c = with_current_values("subsets of the nine enables");
   for (const GLenum target : gl::kMap1Targets) define(c, random_map(t, target, 3));

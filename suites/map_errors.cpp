@@ -151,7 +151,7 @@ EVALCTS_TEST_PAIR(Map1Errors.LegalCallAfterwards, Map2Errors.LegalCallAfterwards
 
 // The legal map of this order, with each of the values in turn.
 void expect_values_refused(Test& t, const TargetForm& form, const char* identity, int Map::*parameter,
-                           std::initializer_list<int> values, int order = 3) {
+                           const std::vector<int>& values, int order = 3) {
   for (const int value : values) {
     Map map = legal_map(form.target);
     map.uorder = order;
@@ -180,11 +180,18 @@ EVALCTS_TEST(Map1Errors, OrderTooHigh, must, "EV-MAP1-ERR-ORDER-HIGH", "EV-MAP1-
   }
 };
 
+// Strides that are too small for `k` components. Lists get no negative ones: a library that compiles the
+// command before it checks the arguments reads memory before the array, and the outcome of such a read is not
+// specified.
+std::vector<int> strides_below(int k, const Test& t) {
+  if (t.is_delivered_in_lists()) return {k - 1, 0};
+  return {k - 1, 0, -1, -17, kLowest};
+}
+
 EVALCTS_TEST(Map1Errors, StrideBelowK, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  expect_values_refused(t, form, "stride", &Map::ustride,
-                        {gl::components_of(form.target) - 1, 0, -1, -17, kLowest});
+  expect_values_refused(t, form, "stride", &Map::ustride, strides_below(gl::components_of(form.target), t));
 };
 
 EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "EV-MAP1-ERR-NOEFFECT",
@@ -207,8 +214,9 @@ EVALCTS_TEST(Map1Errors, StrideBelowKAtEveryOrder, must, "EV-MAP1-ERR-STRIDE", "
 EVALCTS_TEST(Map1Errors, StrideBelowKAtOrder1, must, "EV-MAP1-ERR-STRIDE-ORDER1", "EV-MAP1-ERR-NOEFFECT",
              kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
-  expect_values_refused(t, form, "order 1 stride", &Map::ustride, {gl::components_of(form.target) - 1, 0, -1},
-                        1);
+  std::vector<int> strides = strides_below(gl::components_of(form.target), t);
+  std::erase_if(strides, [](int stride) { return stride < -1; });
+  expect_values_refused(t, form, "order 1 stride", &Map::ustride, strides, 1);
 };
 
 EVALCTS_TEST(Map1Errors, EqualDomainEnds, must, "EV-MAP1-ERR-DOMAIN", "EV-MAP1-ERR-NOEFFECT",
@@ -351,7 +359,7 @@ EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, must,
   // Also where the order in this direction is 1 and the stride never used. Negative strides come only so:
   // with more points they would lead before the array.
   std::vector<Calls> bad;
-  for (const int stride : {gl::components_of(form.target) - 1, 0, -1, -17, kLowest})
+  for (const int stride : strides_below(gl::components_of(form.target), t))
     for (const auto& [order, other] : {std::pair{3, 2}, {1, 2}, {1, 1}}) {
       if (stride < 0 && order > 1) continue;
       Map map = legal_map(form.target);
@@ -360,7 +368,9 @@ EVALCTS_TEST_PAIR(Map2Errors.UStride, Map2Errors.VStride, must,
       map.*direction.stride = stride;
       bad.push_back(defining(map, form.doubles));
     }
-  expect_refused(t, "strides k-1, 0, -1, -17, the lowest int", bad, {GL_INVALID_VALUE});
+  expect_refused(t,
+                 t.is_delivered_in_lists() ? "strides k-1 and 0" : "strides k-1, 0, -1, -17, the lowest int",
+                 bad, {GL_INVALID_VALUE});
 };
 
 EVALCTS_TEST_PAIR(Map2Errors.UDomain, Map2Errors.VDomain, must,

@@ -1,6 +1,8 @@
 // Section 23 of the requirements: contexts with and without evaluators.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include <evalcts/gl/contexts.h>
@@ -42,33 +44,52 @@ void require_removed(const Played& played, const Entered& entered, GLuint kind) 
   if (!is_one) throw NotObservable("the context that was asked for is of another kind");
 }
 
-// All commands of evaluators, legal if evaluators were there.
-std::vector<NamedCalls> all_commands() {
+// All commands of evaluators but the queries of maps, legal if evaluators were there.
+std::vector<NamedCalls> commands_without_queries() {
   std::vector<NamedCalls> all = forbidden_in_primitives();
   for (const NamedCalls& command : allowed_in_primitives()) all.push_back(command);
+  return all;
+}
+std::vector<NamedCalls> queries_of_maps() {
+  std::vector<NamedCalls> all;
   for (const Getter& getter : kGetters)
     all.push_back({getter.name, [&](gl::Case& c) { getter.get(c, GL_MAP1_VERTEX_3, GL_ORDER, 4); }});
   return all;
 }
 
-// Each of the calls, played in a context of the kind, raises the error.
-void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Calls>& calls,
-                    GLenum error) {
+// A call and the errors that it may raise.
+struct Removed {
+  Calls call;
+  GLenum error, other;
+};
+
+// Each of the calls, played in a context of the kind, raises one of its errors.
+void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Removed>& calls) {
   CheckedCase c(t, identity);
   const Entered entered = enter(c, kind);
   c.expect([=](Played& played) { require_removed(played, entered, kind); });
-  for (const Calls& call : calls) {
-    call(c);
-    c.expect_error(error);
+  for (const Removed& removed : calls) {
+    removed.call(c);
+    c.expect_error(removed.error, removed.other);
   }
   c.check();
+}
+void expect_removed(Test& t, GLuint kind, const std::string& identity, const std::vector<Calls>& calls,
+                    GLenum error) {
+  std::vector<Removed> removed;
+  for (const Calls& call : calls) removed.push_back({call, error, error});
+  expect_removed(t, kind, identity, removed);
 }
 
 EVALCTS_TEST(Profiles, Commands, must, "EV-PROF-CORE-FUNC", combine(kRemoved))
 (Test& t, const Named<GLuint>& removed) {
-  std::vector<Calls> calls;
-  for (const NamedCalls& command : all_commands()) calls.push_back(command.issue);
-  expect_removed(t, removed.value, "every command of evaluators", calls, GL_INVALID_OPERATION);
+  std::vector<Removed> calls;
+  for (const NamedCalls& command : commands_without_queries())
+    calls.push_back({command.issue, GL_INVALID_OPERATION, GL_INVALID_OPERATION});
+  // Section E.2 of GL 4.6 does not name GetMap, and the targets are no enumerants there.
+  for (const NamedCalls& query : queries_of_maps())
+    calls.push_back({query.issue, GL_INVALID_OPERATION, GL_INVALID_ENUM});
+  expect_removed(t, removed.value, "every command of evaluators", calls);
 };
 
 EVALCTS_TEST(Profiles, Enables, must, "EV-PROF-CORE-ENABLE", combine(kRemoved))
@@ -110,7 +131,9 @@ void expect_everything(Test& t) {
     c.expect_no_error();
     c.expect_enabled(name, true);
   }
-  for (const NamedCalls& command : all_commands()) {
+  std::vector<NamedCalls> commands = commands_without_queries();
+  std::ranges::move(queries_of_maps(), std::back_inserter(commands));
+  for (const NamedCalls& command : commands) {
     const bool draws = command.name.starts_with("EvalCoord") || command.name.starts_with("EvalPoint");
     if (draws) c.Begin(GL_POINTS);
     command.issue(c);

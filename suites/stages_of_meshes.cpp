@@ -1,8 +1,10 @@
 // Section 22 of the requirements, stages of the fixed-function pipeline: texture generation, the texture
 // matrix, clip planes, fog and flat shading act on meshes as on explicit vertices.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include <evalcts/testkit/registration.h>
 
@@ -17,6 +19,7 @@ using Values = std::vector<float>;
 struct Stage {
   std::string name;
   gl::Case state;
+  Values texture_matrix = {};  // by columns, if the state has one
 };
 
 std::vector<Scene> staged(const std::vector<Stage>& stages, const std::vector<Drawing>& drawings,
@@ -34,11 +37,41 @@ void require_each_effect(const Picture& control, std::size_t drawings) {
     require_an_effect(control.parts[i].values, control.parts[i % drawings].values);
 }
 
+// The texture coordinates of explicit points have to be those that the texture matrix gives. Throws
+// NotObservable.
+void require_transformed_texture(const Stage& stage, const Drawing& drawing, const Part& control) {
+  if (stage.texture_matrix.empty() || drawing.primitive != GL_POINTS) return;
+  std::vector<std::array<double, 4>> known;
+  for (const reference::Primitive& primitive : drawing.predicted.primitives)
+    for (const reference::Vertex& vertex : primitive.vertices) {
+      std::array<double, 4>& transformed = known.emplace_back();
+      for (std::size_t row = 0; row < 4; ++row)
+        for (std::size_t column = 0; column < 4; ++column)
+          transformed[row] += static_cast<double>(stage.texture_matrix[4 * column + row]) *
+                              static_cast<double>(reference::rounded(vertex.texture_coordinate[0][column]));
+    }
+  const std::vector<FeedbackPrimitive> points = primitives_of(control);
+  if (points.size() != known.size())
+    throw NotObservable(
+        fmt::format("pipeline: {} explicit points come back as {}", known.size(), points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<double, 12>& vertex = points[i].vertices.at(0);
+    const std::vector<double> seen(vertex.begin() + 8, vertex.end());
+    if (!alike(seen, {known[i].begin(), known[i].end()}))
+      throw NotObservable(
+          fmt::format("pipeline: with the texture matrix '{}' explicit point {} has the texture "
+                      "coordinates ({}), expected ({})",
+                      stage.name, i, fmt::join(seen, ", "), fmt::join(known[i], ", ")));
+  }
+}
+
 // In feedback mode, where the primitives stay whole.
 void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
                                const std::vector<Drawing>& drawings) {
   const Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
   require_each_effect(control, drawings.size());
+  for (std::size_t i = 0; i < control.parts.size(); ++i)
+    require_transformed_texture(stages[i / drawings.size()], drawings[i % drawings.size()], control.parts[i]);
   Picture picture = feedback(t, "evaluated", staged(stages, drawings, true));
   expect_drawn_like_explicit(picture, drawings, control);
 }
@@ -111,7 +144,7 @@ EVALCTS_TEST(Pipeline, TextureMatrix, must, "EV-PIPE-TEXMATRIX")
     state.MatrixMode(GL_TEXTURE);
     state.LoadMatrixf(matrix);
     state.MatrixMode(GL_MODELVIEW);
-    stages.push_back({name, std::move(state)});
+    stages.push_back({name, std::move(state), matrix});
   }
   expect_stages_in_feedback(t, stages, meshes(t));
 };

@@ -6,6 +6,7 @@
 #include <evalcts/faults/fault_table.h>
 #include <evalcts/results/coverage.h>
 #include <evalcts/results/files.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/question.h>
 #include "command.h"

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
-#include <fnmatch.h>
 #include <unistd.h>
-
-#include <sstream>
 
 #include <evalcts/backends/implementation.h>
 #include <evalcts/results/text.h>
@@ -46,21 +43,6 @@ FolderLock claim(const fs::path& output, const std::string& command) {
     throw CannotStart(
         fmt::format("{}; wait for it, or choose another folder with --output", clean(problem.what())));
   }
-}
-
-bool is_chosen(const std::string& name, const std::string& filter) {
-  const auto matches_any = [&](const std::string& patterns) {
-    std::istringstream stream(patterns);
-    for (std::string pattern; std::getline(stream, pattern, ':');)
-      if (fnmatch(pattern.c_str(), name.c_str(), FNM_NOESCAPE) == 0) return true;
-    return false;
-  };
-  // The first '-' at the beginning of a pattern starts the negative ones, as in GoogleTest.
-  const std::size_t dash = filter.starts_with('-') ? 0 : filter.find(":-");
-  const std::string positive = dash == std::string::npos ? filter : filter.substr(0, dash);
-  const std::string negative =
-      dash == std::string::npos ? "" : filter.substr(dash + (filter[dash] == ':' ? 2 : 1));
-  return (positive.empty() || matches_any(positive)) && !(!negative.empty() && matches_any(negative));
 }
 
 }  // namespace evalcts::cli

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include <evalcts/results/filter.h>
 #include <evalcts/rounding/check.h>
 #include <evalcts/runner/interruption.h>
 #include "command.h"

@@ -13,6 +13,7 @@
 #include <random>
 
 #include <evalcts/results/baseline.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/child_process.h>
@@ -33,7 +34,7 @@ struct RunOptions {
   std::string library;
   std::string context;
   std::string label;
-  std::string filter;  // empty: all that the depth plays unasked
+  std::string filter;  // among the tests of the depth; empty: all of them
   std::string depth = "full";
   std::uint32_t seed = 1;
   double seconds_per_test = 60;
@@ -162,11 +163,24 @@ std::vector<ImplementationOptions> chosen_implementations(const RunOptions& opti
 std::vector<ListedTest> chosen_tests(const RunOptions& options, const std::vector<ListedTest>& all,
                                      const RunRequest& request) {
   std::vector<ListedTest> tests = matching(all, options.filter);
-  if (options.filter.empty())
-    std::erase_if(tests, [&](const ListedTest& test) { return test.from > request.depth; });
+  std::erase_if(tests,
+                [&](const ListedTest& test) { return !is_played(test, request.depth, options.filter); });
   if (request.shard) tests = request.shard->part_of(tests);
   if (options.shuffle) std::shuffle(tests.begin(), tests.end(), std::mt19937(*options.shuffle));
   return tests;
+}
+
+// Says why no test is played; empty if one is.
+std::string wrong_filter(const RunOptions& options, const std::vector<ListedTest>& all, Depth depth) {
+  const std::vector<ListedTest> matched = matching(all, options.filter);
+  if (matched.empty()) return fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter);
+  if (std::ranges::any_of(matched,
+                          [&](const ListedTest& test) { return is_played(test, depth, options.filter); }))
+    return {};
+  const Depth needed = std::ranges::min(matched, {}, &ListedTest::from).from;
+  return fmt::format(
+      "'{}' matches {} tests, but none of depth {}; add --depth {}, or give the exact name of a test",
+      options.filter, matched.size(), name_of(depth), name_of(needed));
 }
 
 RunRequest request_of(const RunOptions& options, const std::string& shard) {
@@ -242,8 +256,8 @@ int run(const RunOptions& options, const std::string& shard) {
   }
   const std::vector<ListedTest> all_tests = list_tests(request.suite_program);
   request.tests = chosen_tests(options, all_tests, request);
-  if (matching(all_tests, options.filter).empty())
-    return wrong_use(fmt::format("no test matches '{}'; see 'evalcts list tests'", options.filter));
+  if (const std::string wrong = wrong_filter(options, all_tests, request.depth); !wrong.empty())
+    return wrong_use(wrong);
 
   stop_when_asked();
   adopt_what_children_leave();
@@ -301,7 +315,10 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
                              "of a provider",
                              fmt::join(evalcts::context_names(), ", ")));
   app.add_option("--name", options->label, "label of the output, instead of the implementation's name");
-  app.add_option("--filter", options->filter, "tests to run: patterns as in GoogleTest, 'Map1*:-*Copy*'");
+  app.add_option(
+      "--filter", options->filter,
+      "tests to run, of those of the depth: patterns as in GoogleTest, 'Map1*:-*Copy*'; an exact name "
+      "runs at any depth");
   app.add_option("--depth", options->depth, "how many values")
       ->check(CLI::IsMember({"quick", "full", "thorough"}));
   app.add_option("--seed", options->seed, "seed of the random tests");

@@ -24,6 +24,7 @@
 #include <evalcts/accuracy/search.h>
 #include <evalcts/accuracy/table.h>
 #include <evalcts/results/files.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/results/text.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/interruption.h>

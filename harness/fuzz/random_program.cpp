@@ -61,7 +61,7 @@ class ProgramWriter {
     kind_ = past || kind > 1 ? Kind::points : kind == 0 ? Kind::lines : Kind::polygons;
     hostile_ = dice_.one_in(4);
     choose_parts();
-    has_.daring = !past;
+    if (past) has_.daring = has_.errors_in_lists = false;
   }
 
   void write(int length) {

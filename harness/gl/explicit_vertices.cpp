@@ -1,6 +1,9 @@
 #include <evalcts/gl/explicit_vertices.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace evalcts::gl {
 namespace {
@@ -11,11 +14,57 @@ void vertex(Case& c, int number) {
 }
 
 constexpr std::int64_t kMostIndices = 16;
+constexpr GLuint kNoList = 0x7fff1234;  // a list that no test defines
 
-// The primitives that GL 1.0 5.1 defines a mesh by.
+// The enabled maps, as far as the commands tell in the order in which they are written.
+class EnabledMaps {
+ public:
+  void follow(const Command& command) {
+    const std::string_view name = name_of(command.entry);
+    if (name == "glEnable" || name == "glDisable") {
+      const auto* cap = std::get_if<std::int64_t>(&command.arguments.at(0));
+      if (cap && name == "glEnable") caps_.insert(static_cast<GLenum>(*cap));
+      if (cap && name == "glDisable") caps_.erase(static_cast<GLenum>(*cap));
+    } else if (name == "glPushAttrib") {
+      saved_.push_back(caps_);
+    } else if (name == "glPopAttrib" && !saved_.empty()) {
+      caps_ = std::move(saved_.back());
+      saved_.pop_back();
+    }
+  }
+
+  // Issues the attributes of the enabled maps of the dimension. Returns true if one of the maps generates
+  // vertices.
+  bool issue_attributes(Case& c, int dimension) const {
+    const auto is_enabled = [&](GLenum of_one, GLenum of_two) {
+      return caps_.contains(dimension == 1 ? of_one : of_two);
+    };
+    if (is_enabled(GL_MAP1_INDEX, GL_MAP2_INDEX)) c.Indexf(1);
+    if (is_enabled(GL_MAP1_COLOR_4, GL_MAP2_COLOR_4)) c.Color4f(0.25f, 0.5f, 0.75f, 1);
+    if (is_enabled(GL_MAP1_NORMAL, GL_MAP2_NORMAL) || (dimension == 2 && caps_.contains(GL_AUTO_NORMAL)))
+      c.Normal3f(0, 1, 0);
+    if (is_enabled(GL_MAP1_TEXTURE_COORD_4, GL_MAP2_TEXTURE_COORD_4)) {
+      c.TexCoord4f(0.25f, 0.5f, 0.75f, 2);
+    } else if (is_enabled(GL_MAP1_TEXTURE_COORD_3, GL_MAP2_TEXTURE_COORD_3)) {
+      c.TexCoord3f(0.25f, 0.5f, 0.75f);
+    } else if (is_enabled(GL_MAP1_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_2)) {
+      c.TexCoord2f(0.25f, 0.5f);
+    } else if (is_enabled(GL_MAP1_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_1)) {
+      c.TexCoord1f(0.25f);
+    }
+    return is_enabled(GL_MAP1_VERTEX_3, GL_MAP2_VERTEX_3) || is_enabled(GL_MAP1_VERTEX_4, GL_MAP2_VERTEX_4);
+  }
+
+ private:
+  std::set<GLenum> caps_;
+  std::vector<std::set<GLenum>> saved_;
+};
+
+// Primitives of explicit vertices in the place of a mesh. A filled mesh is drawn in strips of the given mode.
 class MeshOfVertices {
  public:
-  MeshOfVertices(Case& control, int number, const Command& mesh) : control_(control), number_(number) {
+  MeshOfVertices(Case& control, int number, const Command& mesh, GLenum strips)
+      : control_(control), number_(number) {
     const auto at = [&](std::size_t i) { return std::get<std::int64_t>(mesh.arguments[i]); };
     const auto last = [&](std::size_t i) { return std::min(at(i + 1), at(i) + kMostIndices - 1); };
     const GLenum mode = static_cast<GLenum>(at(0));
@@ -32,7 +81,7 @@ class MeshOfVertices {
       for (std::int64_t i = at(1); i <= last(1); ++i) strip(GL_LINE_STRIP, at(3), last(3));
     } else if (mode == GL_FILL) {
       for (std::int64_t j = at(3); j < last(3); ++j) {
-        control_.Begin(GL_QUAD_STRIP);
+        control_.Begin(strips);
         for (std::int64_t i = at(1); i <= last(1); ++i)
           for (int side = 0; side < 2; ++side) vertex(control_, number_++);
         control_.End();
@@ -54,9 +103,11 @@ class MeshOfVertices {
   int number_;
 };
 
-}  // namespace
-
-Case with_explicit_vertices(const Case& script) {
+// Returns the case with its evaluations replaced. `evaluate(control, command, number)` issues the commands
+// that stand for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of
+// Begin and End; `follow(command)` sees each command before.
+template <class Follow, class Evaluate, class Mesh>
+Case with_replaced(const Case& script, const Follow& follow, const Evaluate& evaluate, const Mesh& mesh) {
   Case control(script.identity());
   std::vector<int> places;
   bool in_primitive = false;
@@ -65,14 +116,15 @@ Case with_explicit_vertices(const Case& script) {
     const std::string_view name = name_of(written.entry);
     if (name == "glBegin") in_primitive = true;
     if (name == "glEnd") in_primitive = false;
+    follow(written);
     if (name.starts_with("glEvalMesh")) {
       if (in_primitive) {  // an error without effect
         places.push_back(-1);
         continue;
       }
-      MeshOfVertices(control, number, written);
+      mesh(control, written, number);
     } else if (name.starts_with("glEval")) {
-      vertex(control, number);
+      evaluate(control, written, number);
     } else {
       Command command = written;
       for (Value& argument : command.arguments)
@@ -83,6 +135,36 @@ Case with_explicit_vertices(const Case& script) {
     places.push_back(static_cast<int>(control.commands().size()) - 1);
   }
   return control;
+}
+
+}  // namespace
+
+Case with_explicit_vertices(const Case& script) {
+  return with_replaced(
+      script, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
+      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); });
+}
+
+Case with_explicit_commands(const Case& script) {
+  EnabledMaps maps;
+  return with_replaced(
+      script, [&](const Command& command) { maps.follow(command); },
+      [&](Case& c, const Command& command, int number) {
+        const std::string_view name = name_of(command.entry);
+        const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
+        if (maps.issue_attributes(c, dimension)) vertex(c, number);
+      },
+      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_TRIANGLE_STRIP); });
+}
+
+Case with_calls_of_no_list(const Case& script) {
+  return with_replaced(
+      script, [](const Command&) {}, [](Case& c, const Command&, int) { c.CallList(kNoList); },
+      [](Case& c, const Command&, int) {
+        c.Begin(GL_POINTS);
+        c.CallList(kNoList);
+        c.End();
+      });
 }
 
 }  // namespace evalcts::gl

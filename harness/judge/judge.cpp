@@ -39,6 +39,9 @@ class VertexJudge {
 
   void vertex(std::size_t index, const reference::Vertex& expected, const ObservedVertex& got) {
     index_ = index;
+    is_evaluated_ = std::ranges::any_of(expected.position, [](const Component& component) {
+      return std::holds_alternative<Sample>(component);
+    });
     if (!lost(expected.position)) values(kPosition, "position", "xyzw", expected.position, got.position);
     values(kColor, "color", "RGBA", expected.color, got.color);
     if (const auto* components = std::get_if<0>(&expected.normal))
@@ -78,7 +81,8 @@ class VertexJudge {
         return fmt::format("{}{}.{} of vertex {}", name, number, components[i], index_);
       };
       if (const auto* given = std::get_if<float>(&expected[i])) {
-        given_value(what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i], capture_error);
+        given_value(attribute, what, clamped ? std::clamp(*given, 0.0f, 1.0f) : *given, got[i],
+                    capture_error);
       } else {
         evaluated_value(what, std::get<Sample>(expected[i]), got[i], clamped, capture_error);
       }
@@ -86,7 +90,7 @@ class VertexJudge {
   }
 
   template <class What>
-  void given_value(const What& what, float expected, float got, double capture_error) {
+  void given_value(Attribute attribute, const What& what, float expected, float got, double capture_error) {
     if (expected == got || (std::isnan(expected) && std::isnan(got))) return;
     if (std::abs(static_cast<double>(expected) - static_cast<double>(got)) <= capture_error) return;
     Mismatch mismatch;
@@ -96,6 +100,8 @@ class VertexJudge {
     mismatch.expected = text(expected);
     mismatch.captured = text(got);
     mismatch.exact = text(expected);
+    if (attribute != kPosition)
+      mismatch.rule_of_current_values = is_evaluated_ ? "EV-COORD-CURRENT" : "EV-CUR-NEXTVERTEX";
     mismatch.ulp = std::isfinite(expected)
                        ? reference::ulp_distance(got, Rational(static_cast<double>(expected)))
                        : std::numeric_limits<double>::infinity();
@@ -276,6 +282,7 @@ class VertexJudge {
   const JudgeOptions& options_;
   const Observation& observation_;
   Judgement& judgement_;
+  bool is_evaluated_ = false;  // the vertex in hand, by a map
   std::size_t index_ = 0;
   bool measured_ = true;
 };

@@ -79,6 +79,7 @@ TestRecord read_test(const JsonObject& in) {
   TestRecord out;
   out.name = in.text("name");
   out.requirements = read_requirements(in);
+  out.violated = read_requirements(in, "violated");
   out.level = in.word("level", level_named).value_or(Level::must);
   out.expected_by_baseline = in.boolean("expected_by_baseline");
   out.baseline_reason = in.text("baseline_reason");

@@ -12,6 +12,19 @@
 
 namespace evalcts {
 
+std::vector<RequirementId> TestRecord::blamed() const {
+  if (!is_bad()) return {};
+  return violated.empty() ? requirements : violated;
+}
+
+std::vector<RequirementId> TestRecord::hidden() const {
+  std::vector<RequirementId> hidden;
+  if (is_bad() && !violated.empty())
+    std::ranges::copy_if(requirements, std::back_inserter(hidden),
+                         [&](const RequirementId& id) { return std::ranges::count(violated, id) == 0; });
+  return hidden;
+}
+
 int TestRecord::severity() const {
   const int rank = static_cast<int>(verdict), shift = static_cast<int>(kBadVerdicts);
   if (is_bad()) return is_expected_failure() ? rank + shift : rank;

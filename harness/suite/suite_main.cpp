@@ -27,6 +27,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/files.h>
+#include <evalcts/results/filter.h>
 #include <evalcts/results/serialization.h>
 #include <evalcts/runner/claims.h>
 #include <evalcts/testkit/registration.h>
@@ -135,10 +136,13 @@ class GoogleTestAdapter : public testing::Test {
   Program& program_;
 };
 
+ListedTest listed(const TestInfo& info) {
+  return {info.full_name(), info.requirements, info.level, info.from};
+}
+
 std::vector<ListedTest> listed_tests() {
   std::vector<ListedTest> tests;
-  for (const TestInfo& info : all_tests())
-    tests.push_back({info.full_name(), info.requirements, info.level, info.from});
+  for (const TestInfo& info : all_tests()) tests.push_back(listed(info));
   return tests;
 }
 
@@ -191,11 +195,13 @@ CaptureRecord prove_one(Program& program) {
   throw std::runtime_error("there is no capture '" + program.options.prove + "'");
 }
 
-// All tests, or those that the file names, in its order. (GoogleTest keeps the tests of one suite together.)
-std::vector<Chosen> tests_to_register(const std::string& path) {
+// The tests of the depth and those whose exact names are in the filter, from which GoogleTest chooses; or
+// those that the file at `path` names, in its order. (GoogleTest keeps the tests of one suite together.)
+std::vector<Chosen> tests_to_register(const std::string& path, Depth depth, const std::string& filter) {
   std::vector<Chosen> tests;
   if (path.empty()) {
-    for (const TestInfo& info : all_tests()) tests.push_back({info, tests.size()});
+    for (const TestInfo& info : all_tests())
+      if (is_played(listed(info), depth, filter)) tests.push_back({info, tests.size()});
     return tests;
   }
   std::map<std::string, const TestInfo*> by_name;
@@ -319,22 +325,25 @@ int play_programs(const Program& program) {
   return finding ? 1 : 0;
 }
 
-// Plays the case with the vertices that it draws as explicit ones, or, if it draws none, without what would
-// draw them, and without maps and grids. Throws NotObservable if the library survives.
+// Plays the controls of a case that ends the process: explicit commands stand where it evaluates, and maps
+// and grids are left out. If the case draws no vertices, the first control leaves its evaluations out
+// instead. Throws NotObservable if the library survives all of them.
 void play_without_evaluators(const Program& program, const gl::Case& script) {
-  gl::Case control = script;
+  std::vector<gl::Case> controls = fuzz::controls_without_evaluators(script);
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
-    control = gl::Case(script.identity());
+    gl::Case without(script.identity());
     for (const gl::Command& command : script.commands())
-      if (!gl::name_of(command.entry).starts_with("glEval")) control.add(command);
+      if (!gl::name_of(command.entry).starts_with("glEval")) without.add(command);
+    controls.front() = fuzz::without_evaluators(without);
   }
-  program.subject.implementation->create_context()->play(fuzz::without_evaluators(control));
+  for (const gl::Case& control : controls) program.subject.implementation->create_context()->play(control);
   throw NotObservable("the library survives the case with explicit vertices");
 }
 
 int run(int argc, char** argv, const Wrapping& wrapping) {
   testing::InitGoogleTest(&argc, argv);
-  testing::GTEST_FLAG(filter) = with_names_taken_literally(testing::GTEST_FLAG(filter));
+  const std::string filter = testing::GTEST_FLAG(filter);
+  testing::GTEST_FLAG(filter) = with_names_taken_literally(filter);
   // Never destroyed: a library that calls exit() inside a test is not to meet its context's destructor.
   static Program& program = *new Program;
   parse(argc, argv, program.options);
@@ -349,8 +358,9 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
   }
   const bool answers = options.describe || !options.prove.empty();
   const bool plays_programs = options.fuzz || !options.replay.empty();
+  const Depth depth = depth_named(options.depth).value_or(Depth::full);
   const std::vector<Chosen> tests =
-      answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests);
+      answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests, depth, filter);
   program.records = std::make_unique<EventFile>(options.records);
   if (!options.claims.empty()) program.claims = std::make_unique<Claims>(options.claims);
   const bool only_list = testing::GTEST_FLAG(list_tests);
@@ -367,7 +377,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.implementation =
           without_queries(std::move(program.implementation), program.subject.info.refused_queries);
     program.subject.implementation = program.implementation.get();
-    program.subject.depth = depth_named(options.depth).value_or(Depth::full);
+    program.subject.depth = depth;
     program.subject.seed = options.seed;
     for (const std::string& choice : options.readings) {
       const std::size_t equals = choice.find('=');

@@ -10,8 +10,8 @@
 namespace evalcts {
 
 void ListControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
-  // A reproduction shows a failure whose lists are known to be right, and the control is not its case.
-  if (!gl::uses_lists(script) || subject_.reproduction) return;
+  // A reproduction shows a failure whose control is known to be right, and the control is not its case.
+  if (subject_.reproduction) return;
   // If vertices are out of place, no other attribute of them is right.
   observed_ = {script, &capture, (judged | kPosition) & capture.shown()};
 }
@@ -19,16 +19,20 @@ void ListControl::set_observed(const gl::Case& script, const Capture& capture, A
 void ListControl::require_explicit_vertices() {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
   if (!observed) return;
-  const std::optional<Seen> seen = observe_explicit(observed->script, *observed->capture, observed->judged);
-  if (!seen) return;
-  const std::vector<Mismatch> wrong = mismatches(*seen, observed->judged);
-  if (!wrong.empty())
-    throw NotObservable("pipeline: in display lists explicit vertices go wrong, too: " +
-                        wrong.front().message);
+  for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
+    const std::optional<Seen> seen =
+        observe_control(control(observed->script), *observed->capture, observed->judged);
+    if (!seen) continue;
+    const std::vector<Mismatch> wrong = mismatches(*seen, observed->judged);
+    if (!wrong.empty())
+      throw NotObservable("pipeline: explicit commands in the place of evaluation go wrong, too: " +
+                          wrong.front().message);
+  }
 }
 
 Attributes ListControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
-  const std::optional<Seen> seen = observe_explicit(script, capture, capture.shown());
+  const std::optional<Seen> seen =
+      observe_control(gl::with_explicit_vertices(script), capture, capture.shown());
   Attributes lost = 0;
   for (Attributes attribute = 1; seen && attribute <= kAllAttributes; attribute <<= 1)
     if ((attribute & kAllAttributes & capture.shown()) && !mismatches(*seen, attribute).empty())
@@ -36,9 +40,8 @@ Attributes ListControl::lost_attributes(const gl::Case& script, const Capture& c
   return lost;
 }
 
-std::optional<ListControl::Seen> ListControl::observe_explicit(const gl::Case& script, const Capture& capture,
-                                                               Attributes judged) const {
-  const gl::Case control = gl::with_explicit_vertices(script);
+std::optional<ListControl::Seen> ListControl::observe_control(const gl::Case& control, const Capture& capture,
+                                                              Attributes judged) const {
   Prediction prediction = predict(control, subject_.info.max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
   if (!capture.takes(kinds)) return std::nullopt;

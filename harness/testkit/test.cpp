@@ -263,8 +263,15 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
         return judge(capture.observe(implementation, script, wanted));
       });
     fail(
-        std::move(failure), [&] { return gl::all_calls(script); }, check);
+        std::move(failure), [&] { return gl::all_calls(script); }, check,
+        judges_current_values_ ? std::string() : mismatch.rule_of_current_values);
   }
+}
+
+RequirementId Test::requirement(const std::string& id) const {
+  const auto found = std::ranges::find(record_.requirements, id, &RequirementId::id);
+  if (found == record_.requirements.end()) throw std::logic_error(record_.name + " does not decide " + id);
+  return *found;
 }
 
 void Test::follows(const std::string& text, const std::string& reading) {
@@ -280,8 +287,18 @@ void Test::follows(const std::string& text, const std::string& reading) {
 }
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
-                const std::optional<gl::Check>& check) {
+                const std::optional<gl::Check>& check, const std::string& rule) {
   lists_.require_explicit_vertices();
+  const auto violate = [&](const RequirementId& id) {
+    if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
+  };
+  if (!rule.empty()) {
+    violate(rule);
+  } else if (!decided_.empty()) {
+    std::ranges::for_each(decided_, violate);
+  } else {
+    violates_all_ = true;
+  }
   if (subject_.reproduction) subject_.reproduction->failed(failure, check);
   record_.mismatches.push_back(failure.case_identity + ": " + failure.what);
   if (last_failed_case_ != cases_) ++failed_cases_;
@@ -289,6 +306,36 @@ void Test::fail(Failure failure, const std::function<std::vector<std::string>()>
   if (record_.failures.size() >= kFailuresInFull) return;
   if (calls) failure.calls = calls();
   record_.failures.push_back(std::move(failure));
+}
+
+void Test::blame_list_or_commands(const std::function<void(Test&)>& body) {
+  const RequirementId of_list = record_.requirements.back();
+  const auto outcome_in = [&](gl::Lists lists) {
+    TestRecord other;
+    other.name = record_.name;
+    other.level = record_.level;
+    other.requirements = record_.requirements;
+    other.requirements.pop_back();
+    Subject subject = subject_;
+    subject.before_case = nullptr;
+    Test test(subject, other);
+    test.other_lists_ = lists;
+    test.run(body);
+    return other;
+  };
+  const TestRecord direct = outcome_in(gl::Lists::none);
+  if (direct.verdict == Verdict::kFail) {
+    record_.violated = direct.blamed();
+    return;
+  }
+  if (direct.verdict != Verdict::kPass) return;
+  if (delivery_.lists != gl::Lists::compiled && outcome_in(gl::Lists::compiled).verdict != Verdict::kFail) {
+    record_.violated = {of_list};
+    return;
+  }
+  const bool all_errors = std::ranges::all_of(
+      record_.failures, [](const Failure& failure) { return failure.what == "glGetError"; });
+  record_.violated = {all_errors ? "EV-DL-ERR-ALL" : "EV-DL-EXECUTE"};
 }
 
 void Test::run(const std::function<void(Test&)>& body) {
@@ -317,6 +364,11 @@ void Test::run(const std::function<void(Test&)>& body) {
   } else {
     record_.verdict = record_.level == Level::quality ? Verdict::kQualityWarning : Verdict::kFail;
     record_.message = record_.failures.front().message;
+    if (violates_all_ && !record_.violated.empty())
+      record_.violated.insert(record_.violated.end(), record_.requirements.begin(),
+                              record_.requirements.end());
+    if (delivery_.lists != gl::Lists::none && !other_lists_ && !subject_.reproduction)
+      blame_list_or_commands(body);
   }
   if (record_.verdict == Verdict::kPass && cases_ == 0) {
     record_.verdict = Verdict::kInternalError;

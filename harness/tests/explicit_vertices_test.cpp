@@ -1,5 +1,4 @@
-// The control of a case through display lists: vertices in the place of evaluation, everything else as it
-// was.
+// The controls of a case: explicit commands in the place of evaluation, everything else unchanged.
 #include <evalcts/gl/explicit_vertices.h>
 
 #include <gtest/gtest.h>
@@ -98,6 +97,48 @@ TEST(ExplicitVertices, KeepReferencesToEarlierCommands) {
   ASSERT_EQ(bind.entry, EntryPoint::BindBuffer);
   const int from = std::get<ResultOf>(bind.arguments[1]).command;
   EXPECT_EQ(control.commands().at(static_cast<std::size_t>(from)).entry, EntryPoint::GenBuffers);
+}
+
+// The names of the commands, without their arguments.
+Lines names_of(const Case& script) {
+  Lines names;
+  for (const Command& command : script.commands()) names.emplace_back(name_of(command.entry).substr(2));
+  return names;
+}
+
+TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
+  Case c("curve");
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_MAP1_COLOR_4);
+  c.Enable(GL_MAP2_TEXTURE_COORD_2);
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.EvalPoint2(1, 2);
+  c.End();
+  EXPECT_EQ(names_of(with_explicit_commands(c)),
+            (Lines{"Enable", "Enable", "Enable", "Enable", "Begin", "Color4f", "Vertex3f", "Normal3f",
+                   "TexCoord2f", "End"}));
+}
+
+// Of several texture maps, the one with the most coordinates has precedence.
+TEST(ExplicitCommands, FollowDisableAndTheAttributeStack) {
+  Case c("stack");
+  c.Enable(GL_MAP1_TEXTURE_COORD_4);
+  c.Enable(GL_MAP1_TEXTURE_COORD_1);
+  c.PushAttrib(GL_ENABLE_BIT);
+  c.Disable(GL_MAP1_TEXTURE_COORD_4);
+  c.EvalCoord1f(0);
+  c.PopAttrib();
+  c.EvalCoord1f(0);
+  EXPECT_EQ(names_of(with_explicit_commands(c)),
+            (Lines{"Enable", "Enable", "PushAttrib", "Disable", "TexCoord1f", "PopAttrib", "TexCoord4f"}));
+}
+
+TEST(ExplicitCommands, DrawFilledMeshesAsTriangleStrips) {
+  Case c("mesh");
+  c.EvalMesh2(GL_FILL, 1, 3, 0, 2);
+  EXPECT_EQ(primitives_of(with_explicit_commands(c)), (Lines{"TRIANGLE_STRIP 6", "TRIANGLE_STRIP 6"}));
 }
 
 }  // namespace

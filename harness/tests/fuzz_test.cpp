@@ -7,6 +7,7 @@
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/results/json.h>
+#include "altered.h"
 #include "fuzz/legal.h"
 #include "fuzz/shrink.h"
 #include "program.h"
@@ -290,36 +291,6 @@ TEST(Cause, NeedsAllItsWords) {
 
 // --- judging ----------------------------------------------------------------------------------------------
 
-// Production, with a table of the test's.
-class Altered final : public Implementation {
- public:
-  explicit Altered(void (*alter)(gl::Table&)) : alter_(alter) {}
-  std::string name() const override { return "altered"; }
-  std::unique_ptr<Context> create_context() override {
-    return std::make_unique<AlteredContext>(inner_->create_context(), alter_);
-  }
-  static inline gl::Table sound;
-
- private:
-  class AlteredContext final : public Context {
-   public:
-    AlteredContext(std::unique_ptr<Context> inner, void (*alter)(gl::Table&)) : inner_(std::move(inner)) {
-      sound = table_ = inner_->table();
-      if (alter) alter(table_);
-    }
-    const gl::Table& table() const override { return table_; }
-    bool has_sink() const override { return true; }
-    std::vector<ObservedPrimitive> take_emitted() override { return inner_->take_emitted(); }
-
-   private:
-    std::unique_ptr<Context> inner_;
-    gl::Table table_;
-  };
-
-  std::unique_ptr<Implementation> inner_ = open_implementation({.name = "production"});
-  void (*alter_)(gl::Table&);
-};
-
 struct Played {
   std::vector<Finding> findings;
   std::uint64_t programs = 0, commands = 0;
@@ -343,8 +314,8 @@ Played play_against(Implementation& implementation, std::uint32_t programs) {
 }
 
 TEST(Campaign, FindsNothingInASoundEvaluator) {
-  Altered sound(nullptr);
-  const Played played = play_against(sound, 40);
+  Altered unaltered(nullptr);
+  const Played played = play_against(unaltered, 40);
   EXPECT_EQ(played.programs, 40u);
   EXPECT_GT(played.commands, 40u * 60);
   for (const Finding& finding : played.findings) ADD_FAILURE() << to_text(finding);
@@ -353,7 +324,7 @@ TEST(Campaign, FindsNothingInASoundEvaluator) {
 // EvalCoord2d mixes up its arguments: a defect of one form.
 TEST(Campaign, FindsADefectAndMakesItSmall) {
   Altered altered([](gl::Table& table) {
-    table.EvalCoord2d = [](GLdouble u, GLdouble v) { Altered::sound.EvalCoord2d(v, u); };
+    table.EvalCoord2d = [](GLdouble u, GLdouble v) { Altered::original.EvalCoord2d(v, u); };
   });
   const Played played = play_against(altered, 40);
   ASSERT_FALSE(played.findings.empty());
@@ -369,7 +340,7 @@ TEST(Campaign, FindsADefectAndMakesItSmall) {
 // evaluation.
 TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
   Altered altered([](gl::Table& table) {
-    table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::sound.Color4f(g, r, b, a); };
+    table.Color4f = [](GLfloat r, GLfloat g, GLfloat b, GLfloat a) { Altered::original.Color4f(g, r, b, a); };
   });
   const Played played = play_against(altered, 800);
   ASSERT_FALSE(played.findings.empty());
@@ -382,7 +353,7 @@ TEST(Campaign, TellsDefectsOutsideEvaluatorsApart) {
 TEST(Campaign, FindsAWrongAnswer) {
   Altered altered([](gl::Table& table) {
     table.MapGrid1f = [](GLint n, GLfloat u1, GLfloat u2) {
-      Altered::sound.MapGrid1f(n < 1 ? 1 : n, u1, u2);
+      Altered::original.MapGrid1f(n < 1 ? 1 : n, u1, u2);
     };
   });
   const Played played = play_against(altered, 400);

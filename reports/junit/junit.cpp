@@ -43,6 +43,7 @@ std::string details(const TestRecord& test) {
   };
   line("message", test.message);
   line("requirements", join(texts_of(test.requirements), ", "));
+  line("violated", join(texts_of(test.violated), ", "));
   line("level", name_of(test.level));
   line("baseline", test.baseline_reason);
   if (test.failed_cases && test.cases)

@@ -17,11 +17,11 @@ constexpr std::size_t kMostOfText = 100;  // columns
 struct Tally {
   std::size_t bad = 0, decided = 0;
 
-  void add(const TestRecord& test) {
-    const bool passes = test.verdict == Verdict::kPass || test.verdict == Verdict::kQualityWarning;
-    bad += test.is_bad();
-    decided += test.is_bad() || passes;
+  void add_violation() {
+    ++bad;
+    ++decided;
   }
+  void add_pass() { ++decided; }
   std::string text() const {
     if (decided == 0) return "not observed";
     return bad == 0 ? "pass" : fmt::format("**{}** of {}", bad, decided);
@@ -50,12 +50,19 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
 
   std::map<std::string, std::vector<Tally>> tallies;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    for (const TestRecord& test : columns[i].record.tests)
-      for (const RequirementId& id : test.requirements) {
+    for (const TestRecord& test : columns[i].record.tests) {
+      const auto tally = [&](const RequirementId& id) -> Tally& {
         std::vector<Tally>& row = tallies[id.text()];
         row.resize(columns.size());
-        row[i].add(test);
+        return row[i];
+      };
+      const bool passes = test.verdict == Verdict::kPass || test.verdict == Verdict::kQualityWarning;
+      for (const RequirementId& id : test.requirements) {
+        Tally& of_row = tally(id);
+        if (passes) of_row.add_pass();
       }
+      for (const RequirementId& id : test.blamed()) tally(id).add_violation();
+    }
   std::vector<std::string> violated;
   for (const auto& [id, row] : tallies)
     if (std::ranges::any_of(row, [](const Tally& tally) { return tally.bad > 0; })) violated.push_back(id);
@@ -65,9 +72,9 @@ std::string requirements_table(const std::vector<RunResult>& results, const Cata
   };
   std::ranges::stable_sort(violated, {}, place_of);
   out += fmt::format(
-      "\n## Requirements with a failing test\n\n{} of {} requirements. Bold: failing tests of those that "
-      "were "
-      "decided.\n\n",
+      "\n## Violated requirements\n\n{} of {} requirements. Bold: tests that found a violation, of those "
+      "that "
+      "decided the requirement. A test that fails for another requirement leaves its own undecided.\n\n",
       violated.size(), tallies.size());
   out += table_head("requirement", columns);
   for (const std::string& id : violated) {

@@ -112,12 +112,13 @@ std::string comparison(const Failure& failure, const TestRecord& test) {
 
 // "EV-MAP1-COPY: the text of the requirement... [GL 2.1 5.1]" in one line.
 std::string demand(const TestRecord& test, const Catalogue& catalogue) {
-  if (test.requirements.empty()) return "no requirement recorded";
-  const std::string id = test.requirements.front().text();
+  const std::vector<RequirementId> blamed = test.is_bad() ? test.blamed() : test.requirements;
+  if (blamed.empty()) return "no requirement recorded";
+  const std::string id = blamed.front().text();
   std::string others;
-  if (test.requirements.size() > 1) others = fmt::format(" (and {} more)", test.requirements.size() - 1);
+  if (blamed.size() > 1) others = fmt::format(" (and {} more)", blamed.size() - 1);
   const Requirement* requirement = catalogue.find(id);
-  if (!requirement) return join(texts_of(test.requirements), ", ");
+  if (!requirement) return join(texts_of(blamed), ", ");
   const std::string source =
       requirement->source.empty() ? "" : " [" + cut(requirement->source, kMostOfSource) + "]";
   const std::string head = "  why: " + id + others + ": ";

@@ -253,6 +253,21 @@ TEST(Markdown, IsShort) {
   EXPECT_TRUE(contains(text, "* `x`: and 90 more\n"));
 }
 
+// A test that fails for another requirement than its own speaks against that one, and decides its own not.
+TEST(Markdown, RequirementsThatAreViolatedElsewhere) {
+  json elsewhere = outcome("A.a", "fail");
+  elsewhere["requirements"] = {"EV-1", "EV-2"};
+  elsewhere["violated"] = {"EV-2", "EV-3"};
+  const json catalogue = {{"requirements",
+                           {{{"id", "EV-1"}, {"text", "one"}},
+                            {{"id", "EV-2"}, {"text", "two"}},
+                            {{"id", "EV-3"}, {"text", "three"}}}}};
+  const std::string table = table_of({result("x", {elsewhere})}, catalogue);
+  EXPECT_FALSE(contains(table, "| `EV-1`"));
+  EXPECT_TRUE(contains(table, "| `EV-2`: `two` | **1** of 1 |\n"));
+  EXPECT_TRUE(contains(table, "| `EV-3`: `three` | **1** of 1 |\n"));
+}
+
 TEST(Markdown, RequirementsByResult) {
   const auto test = [](const std::string& name, const std::string& verdict, const std::string& requirement) {
     json record = outcome(name, verdict);
@@ -271,9 +286,9 @@ TEST(Markdown, RequirementsByResult) {
 * `old`: `  `, `  `
 * `new`: `  `, `  `
 
-## Requirements with a failing test
+## Violated requirements
 
-2 of 3 requirements. Bold: failing tests of those that were decided.
+2 of 3 requirements. Bold: tests that found a violation, of those that decided the requirement. A test that fails for another requirement leaves its own undecided.
 
 | requirement | `old` | `new` |
 | --- | --- | --- |

@@ -71,5 +71,8 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
 // The control: vertices in the place of evaluation (see gl/explicit_vertices.h), and no command left that
 // defines, enables or asks for maps and grids.
 gl::Case without_evaluators(const gl::Case& program);
+// The same for each kind of commands that can stand in the place of evaluation; calls of lists only if the
+// program has lists.
+std::vector<gl::Case> controls_without_evaluators(const gl::Case& program);
 
 }  // namespace evalcts::fuzz

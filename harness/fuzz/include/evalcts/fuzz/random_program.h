@@ -13,8 +13,9 @@ namespace evalcts::fuzz {
 // is empty, texture unit 0 is active and no error is left.
 gl::Case random_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order);
 
-// The same with nothing but points and without what crashes some libraries (lists that call lists, queries of
-// maps that are refused): a past that commands of a test can come after.
+// The same with nothing but points, without what crashes some libraries (lists that call lists, queries of
+// maps that are rejected), and without errors in lists, which have tests of their own: a past that commands
+// of a test can come after.
 gl::Case random_past(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order);
 
 struct SpecifiedProgram {

@@ -1,12 +1,24 @@
-// A control: a case in which vertices stand where it evaluates.
+// Controls: a case in which explicit commands stand where it evaluates.
 #pragma once
 
 #include <evalcts/gl/case.h>
 
 namespace evalcts::gl {
 
-// Each EvalCoord and EvalPoint becomes a Vertex3f, each EvalMesh the primitives that GL 1.0 5.1 defines it
-// by, of at most 16 vertices in each direction, or nothing between Begin and End; nothing else changes.
+// Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh replaced by
+// the primitives that GL 1.0 5.1 defines it by, of at most 16 vertices in each direction, or by nothing
+// between Begin and End. All other commands stay.
 Case with_explicit_vertices(const Case& script);
+
+// Returns the case with each evaluation replaced by the commands into which many implementations translate
+// it: attributes from the enabled maps of its dimension, then a vertex if one of these maps generates
+// vertices; and each filled mesh replaced by triangle strips. Enables are followed in the order in which they
+// are written, through PushAttrib and PopAttrib, inside display lists as well.
+Case with_explicit_commands(const Case& script);
+
+// Returns the case with each EvalCoord and EvalPoint replaced by a CallList of a list that does not exist,
+// and each EvalMesh replaced by a primitive of points with such a call in it: commands that also make an
+// implementation leave the path of plain vertices while it compiles a list.
+Case with_calls_of_no_list(const Case& script);
 
 }  // namespace evalcts::gl

@@ -19,7 +19,7 @@ struct ListedTest {
   std::string name;  // "Map1Errors.StrideBelowK/MAP1_VERTEX_3"
   std::vector<RequirementId> requirements;
   Level level = Level::must;
-  Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
+  Depth from = Depth::quick;  // the least depth that plays it unless its exact name is asked for
 };
 
 // One failing case of a test.
@@ -49,6 +49,9 @@ struct TestRecord {
   Level level = Level::must;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
+  // The requirements in whose subject a fail found something wrong. They need not be requirements of the test:
+  // a value that no map supplies is wrong by EV-COORD-CURRENT in any test. Empty if they were not told apart.
+  std::vector<RequirementId> violated;
   std::optional<std::uint64_t> cases, failed_cases, seed;
   std::optional<double> seconds;
   std::vector<std::string> mismatches;  // sorted identities of all that is wrong, "case: what"
@@ -70,6 +73,11 @@ struct TestRecord {
   std::string rerun, debug, reproducer;  // shell commands; for failures
 
   bool is_bad() const { return evalcts::is_bad(verdict); }
+  // Requirements that a bad test speaks against: `violated`, or all of its own if they were not told apart.
+  // None if it is not bad.
+  std::vector<RequirementId> blamed() const;
+  // Requirements that a bad test leaves undecided, because only others are violated.
+  std::vector<RequirementId> hidden() const;
   // An internal error is a defect of evalcts: no baseline can expect it.
   bool is_expected_failure() const { return is_failure(verdict) && expected_by_baseline; }
   // Only a baseline entry has a reason, so a pass with a reason that was not expected contradicts its entry.

@@ -13,7 +13,7 @@ enum class Verdict {
   kCrash,           // the process ended during the test
   kTimeout,         // the test did not end within its time limit
   kFail,            // something observed contradicts the requirement
-  kQualityWarning,  // conforms, but is worse than good single precision
+  kQualityWarning,  // conforms, but falls short of what good implementations do
   kNotObservable,   // the implementation offers no trustworthy way to see the effect
   kNotSupported,    // the version or extension that the rule belongs to is missing
   kSkipped,         // excluded on purpose
@@ -40,8 +40,9 @@ constexpr bool is_failure(Verdict verdict) { return verdict == Verdict::kFail ||
 // True for a failure or an internal error.
 constexpr bool is_bad(Verdict verdict) { return verdict <= Verdict::kFail; }
 
-// must: the acceptance interval; a failure outside of it. quality: the accuracy of good single precision; a
-// warning outside of it. interpretation: judged like must, by tests that select a reading. Ordered by weight.
+// must: the acceptance interval; a failure outside of it. quality: the accuracy of good single precision, or
+// equal bits from commands that the specification calls equivalent; otherwise a warning. interpretation:
+// judged like must, by tests that select a reading. Ordered by weight.
 enum class Level { quality, interpretation, must };
 const char* name_of(Level level);
 std::optional<Level> level_named(std::string_view word);

@@ -41,9 +41,9 @@ class ListControl {
     Topology topology;
     Observation observation;
   };
-  // The case with explicit vertices; empty if the capture does not take its primitives.
-  std::optional<Seen> observe_explicit(const gl::Case& script, const Capture& capture,
-                                       Attributes judged) const;
+  // Observes a case without evaluation; empty if the capture does not take its primitives.
+  std::optional<Seen> observe_control(const gl::Case& control, const Capture& capture,
+                                      Attributes judged) const;
   std::vector<Mismatch> mismatches(const Seen& seen, Attributes judged) const;
 
   const Subject& subject_;

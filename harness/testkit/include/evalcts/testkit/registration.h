@@ -29,7 +29,7 @@ struct TestInfo {
   std::vector<RequirementId> requirements;
   Level level;
   std::function<void(Test&)> body;
-  Depth from = Depth::quick;  // the least depth that plays it if no tests are asked for by name
+  Depth from = Depth::quick;  // the least depth that plays it unless its exact name is asked for
 
   std::string full_name() const { return suite + "." + name; }
 };

@@ -54,7 +54,24 @@ class Test {
   void require_initial_state() const;
 
   // From now on each case goes through this delivery.
-  void deliver_by(const gl::Delivery& delivery) { delivery_ = delivery; }
+  void deliver_by(const gl::Delivery& delivery) {
+    delivery_ = delivery;
+    if (other_lists_) delivery_.lists = *other_lists_;
+  }
+
+  // True if the cases of this test go through display lists.
+  bool is_delivered_in_lists() const { return delivery_.lists != gl::Lists::none; }
+
+  // From now on a failure violates these requirements only, some of those of the test or of others; without
+  // any, all of the test.
+  void decide(std::vector<RequirementId> requirements) { decided_ = std::move(requirements); }
+
+  // The requirement of this test with the given ID, of the dimension that the test is about.
+  RequirementId requirement(const std::string& id) const;
+
+  // From now on values that no map supplies are not the subject of the test: a wrong one violates
+  // Mismatch::rule_of_current_values, and the test leaves its own requirements undecided.
+  void leave_current_values_to_their_rules() { judges_current_values_ = false; }
 
   // From now on the order counts in which a mesh of EvalMesh2 is drawn. Other tests find its points, lines
   // and polygons wherever they come in it, so that what draws them in another order fails where that is said.
@@ -96,8 +113,9 @@ class Test {
 
   // `calls` is asked for those failures only that are kept in full.
   // `check`: decides the failure in a stand-alone C program.
+  // `rule`: the requirement that it violates; empty: those of decide().
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
-            const std::optional<gl::Check>& check = {});
+            const std::optional<gl::Check>& check = {}, const std::string& rule = {});
 
   // For the runner.
   void run(const std::function<void(Test&)>& body);
@@ -106,6 +124,10 @@ class Test {
   gl::DeliveredCase begin_case(const gl::Case& script);
   const Capture& choose_capture(Attributes required, PrimitiveKinds kinds);
   void note_capture(const Capture& capture);
+
+  // Sets the violated requirements of a test that failed through display lists: the row of the list is
+  // violated only if the same commands are right without a list, or in a list of the simplest kind.
+  void blame_list_or_commands(const std::function<void(Test&)>& body);
 
   // What one capture shows of a case.
   struct Look {
@@ -124,8 +146,11 @@ class Test {
 
   const Subject& subject_;
   TestRecord& record_;
-  bool judges_order_of_meshes_ = false;
+  bool judges_order_of_meshes_ = false, judges_current_values_ = true;
+  std::vector<RequirementId> decided_;
+  bool violates_all_ = false;  // a failure was not told apart
   gl::Delivery delivery_;
+  std::optional<gl::Lists> other_lists_;  // in the place of those of the delivery
   bool lists_used_ = false;
   ListControl lists_;
   Attributes unobserved_ = 0;  // of those that the test is about

@@ -1,0 +1,29 @@
+// Filters of names, and which tests of a depth they choose.
+#include <evalcts/results/filter.h>
+
+#include <gtest/gtest.h>
+
+namespace evalcts {
+namespace {
+
+TEST(Filter, HasPatternsOfGoogleTest) {
+  EXPECT_TRUE(is_chosen("Map1.A", ""));
+  EXPECT_TRUE(is_chosen("Map1.A", "Map2.*:Map?.A"));
+  EXPECT_FALSE(is_chosen("Map1.A", "Map2.*"));
+  EXPECT_FALSE(is_chosen("Map1.A", "Map*:-*.A"));
+  EXPECT_FALSE(is_chosen("Map1.A", "-*.A"));
+  EXPECT_TRUE(is_chosen("Map1.B-2", "Map1.B-2"));
+}
+
+TEST(Filter, KeepsTheDepthExceptForExactNames) {
+  const ListedTest quick{"A.B/1", {}, Level::must, Depth::quick};
+  const ListedTest thorough{"A.B/2", {}, Level::must, Depth::thorough};
+  EXPECT_TRUE(is_played(quick, Depth::quick, ""));
+  EXPECT_FALSE(is_played(thorough, Depth::full, ""));
+  EXPECT_FALSE(is_played(thorough, Depth::full, "A.B/*"));
+  EXPECT_TRUE(is_played(thorough, Depth::thorough, "A.B/*"));
+  EXPECT_TRUE(is_played(thorough, Depth::quick, "A.C:A.B/2"));
+}
+
+}  // namespace
+}  // namespace evalcts

@@ -1,0 +1,134 @@
+// Violated requirements: which of its requirements a failing test speaks against.
+#include <gtest/gtest.h>
+
+#include <evalcts/capture/capture.h>
+#include <evalcts/results/test_record.h>
+#include <evalcts/testkit/test.h>
+#include "altered.h"
+
+namespace evalcts {
+namespace {
+
+using Ids = std::vector<RequirementId>;
+using Body = std::function<void(evalcts::Test&)>;
+
+// The record of a test of these requirements against production with some entry points replaced.
+TestRecord record_of(void (*alter)(gl::Table&), const Ids& requirements, const Body& body) {
+  Altered altered(alter);
+  Subject subject;
+  subject.implementation = &altered;
+  subject.info = inquire(altered);
+  Captures captures(altered, subject.info, nullptr);
+  subject.captures = &captures;
+  TestRecord record;
+  record.name = "Violated.Sample";
+  record.requirements = requirements;
+  evalcts::Test test(subject, record);
+  test.run(body);
+  return record;
+}
+
+// A curve of positions, and no map of colours.
+gl::Case curve() {
+  gl::Case c("curve");
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<float>{0, 0, 0, 1, 2, 3});
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  return c;
+}
+
+void evaluation_that_sets_the_color(gl::Table& table) {
+  table.EvalCoord1f = [](GLfloat u) {
+    Altered::original.Color4f(0.25f, 0.25f, 0.25f, 1);
+    Altered::original.EvalCoord1f(u);
+  };
+}
+
+void evaluation_elsewhere(gl::Table& table) {
+  table.EvalCoord1f = [](GLfloat u) { Altered::original.EvalCoord1f(u + 0.25f); };
+}
+
+// Evaluates elsewhere between NewList of this mode and EndList.
+template <GLenum kMode>
+void wrong_in_lists(gl::Table& table) {
+  static bool is_open = false;
+  is_open = false;
+  table.NewList = [](GLuint list, GLenum mode) {
+    is_open = mode == kMode;
+    Altered::original.NewList(list, mode);
+  };
+  table.EndList = [] {
+    is_open = false;
+    Altered::original.EndList();
+  };
+  table.EvalCoord1f = [](GLfloat u) { Altered::original.EvalCoord1f(is_open ? u + 0.25f : u); };
+}
+
+TEST(Violated, AllRequirementsOfATestThatDoesNotTellThemApart) {
+  const TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A", "EV-B"}, [](evalcts::Test& t) {
+    t.expect_emission(curve(), kPosition | kColor);
+  });
+  EXPECT_EQ(record.verdict, Verdict::kFail) << record.message;
+  EXPECT_EQ(record.blamed(), (Ids{"EV-A", "EV-B"}));
+  EXPECT_EQ(record.hidden(), Ids{});
+}
+
+TEST(Violated, CurrentValuesHaveARuleOfTheirOwn) {
+  const Body body = [](evalcts::Test& t) {
+    t.leave_current_values_to_their_rules();
+    t.expect_emission(curve(), kPosition | kColor);
+  };
+  TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A"}, body);
+  EXPECT_EQ(record.blamed(), Ids{"EV-COORD-CURRENT"});
+  EXPECT_EQ(record.hidden(), Ids{"EV-A"});
+  // What a map supplies is the subject of the test.
+  record = record_of(evaluation_elsewhere, {"EV-A"}, body);
+  EXPECT_EQ(record.blamed(), Ids{"EV-A"});
+}
+
+TEST(Violated, ExpectationsDecideRequirements) {
+  const TestRecord record = record_of(
+      [](gl::Table& table) {
+        table.IsEnabled = [](GLenum cap) -> GLboolean {
+          return cap == GL_MAP1_INDEX || Altered::original.IsEnabled(cap);
+        };
+      },
+      {"EV-A", "EV-B"},
+      [](evalcts::Test& t) {
+        gl::Case c("enables");
+        const gl::Ref index = c.IsEnabled(GL_MAP1_INDEX), normal = c.IsEnabled(GL_MAP1_NORMAL);
+        Played played = t.play(c);
+        t.decide({"EV-A"});
+        played.expect_result(index, 0);
+        t.decide({"EV-B"});
+        played.expect_result(normal, 0);
+      });
+  EXPECT_EQ(record.blamed(), Ids{"EV-A"});
+  EXPECT_EQ(record.hidden(), Ids{"EV-B"});
+}
+
+// Through a list, `record_of` has the list's requirement behind those of the test.
+TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
+  const auto in_lists = [](gl::Lists lists, void (*alter)(gl::Table&), const char* of_list) {
+    return record_of(alter, {"EV-A", of_list}, [lists](evalcts::Test& t) {
+      gl::Delivery delivery;
+      delivery.lists = lists;
+      t.deliver_by(delivery);
+      t.expect_emission(curve(), kPosition);
+    });
+  };
+  EXPECT_EQ(in_lists(gl::Lists::compiled, evaluation_elsewhere, "EV-DL-EXECUTE").blamed(), Ids{"EV-A"});
+  EXPECT_EQ(in_lists(gl::Lists::split, evaluation_elsewhere, "EV-DL-SPLIT").blamed(), Ids{"EV-A"});
+  EXPECT_EQ(in_lists(gl::Lists::compiled, wrong_in_lists<GL_COMPILE>, "EV-DL-EXECUTE").blamed(),
+            Ids{"EV-DL-EXECUTE"});
+  // What the simplest kind of list gets wrong does not speak against the other kinds.
+  EXPECT_EQ(in_lists(gl::Lists::nested, wrong_in_lists<GL_COMPILE>, "EV-DL-NESTED").blamed(),
+            Ids{"EV-DL-EXECUTE"});
+  EXPECT_EQ(in_lists(gl::Lists::executed, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),
+            Ids{"EV-DL-COMPEXEC"});
+}
+
+}  // namespace
+}  // namespace evalcts
