@@ -152,7 +152,7 @@ class OnGrids {
     return grids;
   }
 
-  // Whether the arguments are those of one mesh, in its order: one index rises by one, the other stays.
+  // True if the arguments are those of one mesh in its order: one index rises by one, the other is constant.
   static bool is_row(const Grids& grids) {
     std::size_t rising = 0;
     for (const GridThrough& grid : grids) {

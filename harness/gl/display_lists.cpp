@@ -179,7 +179,8 @@ class ThroughLists {
     }
   }
 
-  // How far a list that begins outside Begin and End can go to end there as well.
+  // Returns the end of the longest list that begins at `begin`, outside Begin and End, and ends outside as
+  // well.
   std::size_t end_of_list(std::size_t begin) const {
     std::size_t end = begin;
     bool open = false;

@@ -32,7 +32,7 @@ Command map2(const Command& map1, std::int64_t copies, bool along_v) {
     Input repeated = *input;
     for (std::int64_t copy = 1; copy < copies; ++copy)
       repeated.bytes.insert(repeated.bytes.end(), input->bytes.begin(), input->bytes.end());
-    // From the beginning of one copy to that of the next.
+    // The stride across is the distance between the starts of consecutive copies.
     if (copies > 1) across = static_cast<std::int64_t>(input->bytes.size() / size_of(input->type));
     net = std::move(repeated);
   }

@@ -70,7 +70,7 @@ class VertexJudge {
     measured_ = options_.measured & attribute;
     const bool clamped = attribute == kColor && observation_.clamped_colors;
     const double capture_error = attribute == kColor ? observation_.color_error : 0;
-    // What the capture adds is not the library's.
+    // Quality is not judged if the capture adds an error, which would be attributed to the library.
     if (capture_error > 0 && options_.level == Level::quality) return;
     if (capture_error > 0) measured_ = false;
     for (std::size_t i = 0; i < got.size(); ++i) {
@@ -123,7 +123,7 @@ class VertexJudge {
     }
     const auto [exact, magnitude] = reference::exact_with_magnitude(component);
     if (clamped && (got == 0.0f || got == 1.0f)) {
-      // What lies outside [0,1] cannot be told from the end of the interval.
+      // Values outside [0,1] were clamped and cannot be distinguished from the end of the interval.
       if (got == 0.0f ? exact.sign() <= 0 : exact >= Rational(1)) return;
     }
     if (options_.level != Level::quality && clearly_accepted(sample, exact, magnitude, got)) {
@@ -294,7 +294,8 @@ std::vector<const ObservedVertex*> flat(const Observation& observation) {
   return vertices;
 }
 
-// What came out for each vertex of the case, where it came out at all; of several times the first.
+// Returns the captured vertex for each vertex of the case that was captured; the first one, if there are
+// several.
 std::map<std::size_t, const ObservedVertex*> by_vertex(const Seen& seen) {
   std::map<std::size_t, const ObservedVertex*> vertices;
   const auto all = flat(seen.observation);

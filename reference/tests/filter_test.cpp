@@ -82,7 +82,7 @@ Direction random_direction(std::mt19937_64& random, const Domain& domain, std::s
   return direction;
 }
 
-// How much of the bound errors use; above 1 the proof is wrong.
+// The ratio of error and bound; a value above 1 refutes the proof.
 class Usage {
  public:
   void add(const Enclosure& enclosure, const Rational& value) {

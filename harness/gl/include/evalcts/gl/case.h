@@ -33,7 +33,7 @@ constexpr Scalar scalar_of() {
 }
 std::size_t size_of(Scalar type);
 
-// What happens to a client array right after the command has returned.
+// Treatment of a client array after the command has returned.
 enum class AfterCall {
   keep,       // stays as it is until the case is over
   overwrite,  // filled with other values

@@ -1,4 +1,4 @@
-// One check on what a played case answered, small enough for a C program without the suite to decide.
+// A check on an answer of a played case, simple enough for a stand-alone C program.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct Answer {
   bool is_error = false;  // an enumerant of GetError, shown by its name
 };
 
-// The values of an emitted vertex one behind the other: position, colour, normal, texture coordinates.
+// Number of values of an emitted vertex: position, colour, normal, and texture coordinates of all units.
 inline constexpr std::size_t kEmittedValues = 4 + 4 + 3 + 8 * 4;
 
 struct Check {

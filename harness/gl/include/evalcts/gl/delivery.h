@@ -1,5 +1,5 @@
-// Deliveries: a case is written once, with Map1f and EvalCoord1f or with Map2f and EvalCoord2f, and delivered
-// through other commands that have to do the same.
+// Deliveries: variants of a case that must have the same effect. A case is written once, with Map1f and
+// EvalCoord1f or with Map2f and EvalCoord2f, and delivered through other commands.
 #pragma once
 
 #include <string>
@@ -33,19 +33,20 @@ struct Delivery {
   // less than 2^16 segments, and for meshes all primitives but points and line strips.
   DeliveredCase apply(const Case& script) const;
 
-  // EvalCoord1f and EvalCoord2f, the commands that cases are written with, or the case as it is.
+  // Returns true for EvalCoord1f and EvalCoord2f, with which cases are written, and for the unmodified case.
   bool is_plain() const;
 };
 
-// For cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1, EvalMesh1, and the
-// same in two dimensions; then these with their commands in display lists, in all ways.
+// Returns the deliveries of cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1,
+// EvalMesh1, the same commands in two dimensions, and all of these through each form of display lists.
 const std::vector<Delivery>& curve_deliveries();
-// For cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2, EvalMesh2; then lists.
+// Returns the deliveries of cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2,
+// EvalMesh2, and all of these through each form of display lists.
 const std::vector<Delivery>& surface_deliveries();
-// For all other cases: as they are, and in display lists, in all ways.
+// Returns the deliveries of all other cases: unmodified, and through each form of display lists.
 const std::vector<Delivery>& list_deliveries();
 
-// What a test may not stand.
+// Properties of deliveries that a test may not support.
 enum Trait : unsigned {
   kMeshes = 1,      // primitives become meshes
   kGrids = 2,       // arguments become grid points: the same arguments need not be the same commands

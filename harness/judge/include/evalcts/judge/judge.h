@@ -47,11 +47,11 @@ struct JudgeOptions {
   std::string where = {};  // the case's identity, for Accuracy
 };
 
-// Compares what came out with the prediction, taken apart as the topology says, vertex by vertex, in order. A
-// value that was given (not evaluated) has to come back bit for bit, -0 counting as +0.
+// Compares the captured vertices, in order, with the prediction, which is split according to the topology. An
+// explicit value (not evaluated) must be reproduced bit for bit, with -0 equal to +0.
 Judgement judge(const Prediction& prediction, const Topology& topology, const Observation& observation,
                 const JudgeOptions& options);
-// The same for a case that draws points only.
+// Judges a case that draws only points.
 Judgement judge(const Prediction& prediction, const Observation& observation, const JudgeOptions& options);
 
 // The topology by which fewer values are wrong: this one, or the one in which each mesh of EvalMesh2 is drawn
@@ -59,14 +59,15 @@ Judgement judge(const Prediction& prediction, const Observation& observation, co
 Topology with_meshes_in_own_order(const Prediction& prediction, Topology topology,
                                   const Observation& observation, const JudgeOptions& options);
 
-// An observation and how the capture that made it takes primitives apart.
+// An observation, and the topology of the capture that made it.
 struct Seen {
   const Observation& observation;
   const Topology& topology;
 };
 
-// Whether two observations of the same case are the same in the attributes that both have: bit for bit, but
-// -0 and subnormals as real numbers to 2^-126. Empty, or what differs.
+// Compares two observations of the same case in the attributes that both have: bit for bit, except that -0
+// and subnormals are compared as real numbers, to 2^-126. Returns an empty string or a description of the
+// difference.
 std::string disagreement(const Seen& a, const Seen& b);
 
 }  // namespace evalcts
