@@ -21,3 +21,15 @@ if(EVALCTS_CODESPELL)
 | xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether")
   set_tests_properties(docs.spelling PROPERTIES LABELS script)
 endif()
+
+# The API reference of the C headers, without warnings.
+find_program(EVALCTS_DOXYGEN doxygen)
+if(EVALCTS_DOXYGEN)
+  file(READ ${PROJECT_SOURCE_DIR}/docs/Doxyfile doxyfile)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile
+       CONTENT "${doxyfile}OUTPUT_DIRECTORY = ${CMAKE_CURRENT_BINARY_DIR}/api\n")
+  set(api_reference ${EVALCTS_DOXYGEN} ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile)
+  add_custom_target(api_reference COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+  add_test(NAME docs.api COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(docs.api PROPERTIES LABELS script)
+endif()
