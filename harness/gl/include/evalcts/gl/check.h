@@ -17,7 +17,7 @@ struct Answer {
     returned,          // what a command returned
     element,           // an element of the array that a command wrote
     written,           // how many leading elements of its array a command wrote
-    left_over,         // the first error left behind after the last command
+    left_over,         // the first error after the last command
     emitted_value,     // one of the values of the emitted vertices, in the order of EmittedLayout
     emitted_vertices,  // how many vertices were emitted
   };

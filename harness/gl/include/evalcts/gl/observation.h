@@ -67,7 +67,7 @@ struct Observation {
   bool clamped_colors = false;  // colours were clamped to [0,1] on the way
   double color_error = 0;       // largest absolute error that the capture itself may add to a colour
   std::size_t units = 1;        // texture units observed
-  GLenum error = GL_NO_ERROR;   // what the case itself left behind
+  GLenum error = GL_NO_ERROR;   // error that the case itself raised
   bool error_observed = true;   // false: the implementation has no GetError
   bool overflow = false;        // more vertices came than there was room for
   std::vector<ObservedPrimitive> primitives;

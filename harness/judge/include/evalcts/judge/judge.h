@@ -1,4 +1,5 @@
-// The judge: captured values against exact ones, by the accuracy rule of section 0.5 of the requirements.
+// The judge compares captured values with exact ones, by the accuracy rule of section 0.5 of the
+// requirements.
 #pragma once
 
 #include <string>
@@ -12,15 +13,15 @@
 
 namespace evalcts {
 
-// One value that is not what it has to be.
+// A value that differs from the prediction.
 struct Mismatch {
   std::string what;      // "position.x of vertex 3"
   std::string message;   // one line
   std::string expected;  // the interval, or the value
   std::string captured;
   std::string exact;  // decimal and hex float
-  // The requirement on values that no map supplies, for such a value: EV-COORD-CURRENT in an evaluated vertex,
-  // EV-CUR-NEXTVERTEX in an explicit one. Otherwise empty.
+  // The requirement on values that no map supplies, for such a value: EV-COORD-CURRENT in an evaluated
+  // vertex, EV-CUR-NEXTVERTEX in an explicit one. Otherwise empty.
   std::string rule_of_current_values;
   double ulp = 0;
   double condition_aware = 0;
@@ -37,11 +38,11 @@ struct Judgement {
 
 struct JudgeOptions {
   Level level = Level::must;
-  Attributes attributes = kAllAttributes;  // judged are those of them that were observed
-  Attributes measured = kAllAttributes;    // those that count for Accuracy
-  bool lengths_of_shader_normals = false;  // of automatic normals with a vertex shader (U-AUTON-MAGN)
-  // Positions and texture coordinates went through a matrix: where one component may be anything (infinity,
-  // no number), nothing is left of the others.
+  Attributes attributes = kAllAttributes;  // attributes to judge, if they were observed
+  Attributes measured = kAllAttributes;    // attributes that count for Accuracy
+  bool lengths_of_shader_normals = false;  // judge lengths of normals with a vertex shader (U-AUTON-MAGN)
+  // Positions and texture coordinates were multiplied by a matrix: if one component may be infinite or NaN,
+  // the others are not judged either.
   bool vectors_as_a_whole = false;
   int version = 46;        // 10 * major + minor: ranges that the GL promises depend on it
   std::string where = {};  // the case's identity, for Accuracy
