@@ -31,7 +31,7 @@ NOT_RUN = {
     "another Mesa": "needs a Mesa outside the system's directories",
     "deqp-runner": "deqp-runner is not packaged",
     "Slurm": "needs a cluster",
-    "last run": "needs a failure of the last run: docs/reading-verdicts.md shows it",
+    "last run": "needs a failure of the last run",
     "vectors.check": "takes a minute: the test vectors.check runs it",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
@@ -129,7 +129,7 @@ def examples_of(page):
     for number, line in enumerate(page.read_text().splitlines(), 1):
         if example := re.match(r"  \$ (evalcts .*)", line):
             markers = {"exit code": "any"}
-            if re.match(r"evalcts (faults|reproduce)", example[1]):
+            if re.match(r"evalcts (faults|reproduce|bugs)", example[1]):
                 markers["not run"] = "faults" if "faults" in example[1] else "last run"
             found.append(Block(page, number, markers, "sh", example[1] + "\n"))
     return found
