@@ -6,7 +6,8 @@ links: every relative link leads to a file and a heading that exist, each page o
 answers its question, and README.md has at most 150 lines.
 
 commands: runs every fenced block of `sh`, and the lines of `console` blocks that begin with "$ ", in a folder that looks like a
-checkout. The blocks of a page share the folder. Options that make a command expensive are replaced (see cheap_arguments). A
+checkout. The blocks of a page share the folder. The examples of docs/help/evalcts*.txt are run as well, except those that name
+files which the folder lacks. Options that make a command expensive are replaced (see cheap_arguments). A
 comment above a block changes that:
   <!-- not run: KEY -->       the block is not run; KEY is one of NOT_RUN
   <!-- needs: KEY -->         the block is skipped unless the machine has what NEEDS[KEY] looks for
@@ -30,6 +31,7 @@ NOT_RUN = {
     "another Mesa": "needs a Mesa outside the system's directories",
     "deqp-runner": "deqp-runner is not packaged",
     "Slurm": "needs a cluster",
+    "last run": "needs a failure of the last run",
     "vectors.check": "takes a minute: the test vectors.check runs it",
     "CI services": "needs the environment of a CI service",
     "release": "makes a commit and a tag",
@@ -41,7 +43,7 @@ NEEDS = {
 }
 # Pages that a tool writes from data, and that may not have been written yet.
 GENERATED = {"docs/known-bugs.md"}
-SECONDS_FOR_A_BLOCK = 180
+SECONDS_FOR_A_BLOCK = 600  # a few seconds, except on a busy machine
 
 
 def pages(root):
@@ -119,6 +121,26 @@ def blocks_of(page):
             markers = {}
         i += 1
     return found
+
+
+def examples_of(page):
+    """The examples of a help text, each as a block. Their exit code is 0, or 1 if the example finds something."""
+    found = []
+    for number, line in enumerate(page.read_text().splitlines(), 1):
+        if example := re.match(r"  \$ (evalcts .*)", line):
+            markers = {"exit code": "any"}
+            if re.match(r"evalcts (faults|reproduce|bugs)", example[1]):
+                markers["not run"] = "faults" if "faults" in example[1] else "last run"
+            found.append(Block(page, number, markers, "sh", example[1] + "\n"))
+    return found
+
+
+def missing_file(script, folder):
+    """A file that a command names and that does not exist, or None."""
+    for word in script.split(" #")[0].split():
+        if re.match(r"\./|.*\.json$", word) and not (folder / word).exists():
+            return word
+    return None
 
 
 class Machine:
@@ -203,6 +225,10 @@ def cheap_arguments(arguments, tests):
     elif command == "ulp" and "--merge" not in rest and value_of("--at") is None:
         replace("--values", "100")
         default("--output", "reports/out")
+    elif command == "rounding":
+        replace("--samples", "10")
+        replace("--exact", "1")
+        default("--filter", "curve/4/*")
     elif command == "report":
         if not rest:
             rest.append("reports/out")
@@ -228,7 +254,7 @@ def make_folder(folder, root, program, layer, tests):
     (folder / "reports").mkdir()
     (folder / "build/release/harness").mkdir(parents=True)
     (folder / "build/release/harness/cli").symlink_to(program.parent)
-    for name in ("libEGL.so.1", "libGL.so.1"):
+    for name in ("libEGL.so.1", "libGL.so.1", "libOSMesa.so.8"):
         if found := library(name):
             (folder / name).symlink_to(found)
     (folder / "liblayer.so").symlink_to(layer)
@@ -246,7 +272,7 @@ def run_block(block, folder):
     try:
         outcome = subprocess.run(["bash", "-e", "-o", "pipefail", "-c", block.script], cwd=folder, text=True, timeout=SECONDS_FOR_A_BLOCK,
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                 env=os.environ | {"NO_COLOR": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                                 env=os.environ | {"NO_COLOR": "1", "PATH": f"{folder}:{os.environ['PATH']}", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                                                    "OMPI_MCA_rmaps_base_oversubscribe": "1"})
     except subprocess.TimeoutExpired:
@@ -260,19 +286,21 @@ def run_block(block, folder):
 def check_commands(root, program, layer, only):
     machine = Machine(program)
     complaints, ran = [], 0
-    for page in pages(root):
+    for page in pages(root) + sorted((root / "docs/help").glob("evalcts*.txt")):
         if only and page.name not in only:
             continue
         with tempfile.TemporaryDirectory(prefix="evalcts-docs-") as folder:
             folder = pathlib.Path(folder)
             make_folder(folder, root, program, layer, machine.tests)
-            for block in blocks_of(page):
+            for block in examples_of(page) if page.suffix == ".txt" else blocks_of(page):
                 place = f"{page.relative_to(root)}:{block.line}"
                 try:
                     reason = reason_to_skip(block, machine)
                 except KeyError as unknown:
                     complaints.append(f"{place}: unknown marker {unknown}; cmake/check_docs.py lists them")
                     continue
+                if reason is None and page.suffix == ".txt" and (file := missing_file(block.script, folder)):
+                    reason = f"there is no {file}"
                 if reason is not None:
                     if reason:
                         print(f"{place}: not run: {reason}")

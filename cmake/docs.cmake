@@ -6,7 +6,7 @@ set_tests_properties(docs.links PROPERTIES LABELS script)
 # The commands on the pages start many processes: they get the machine for themselves.
 if(TARGET drill_layer AND NOT EVALCTS_SANITIZE AND NOT EVALCTS_COVERAGE)
   add_test(NAME docs.commands COMMAND ${check_docs} commands ${PROJECT_SOURCE_DIR} $<TARGET_FILE:evalcts> $<TARGET_FILE:drill_layer>)
-  set_tests_properties(docs.commands PROPERTIES LABELS gl TIMEOUT 1800 RUN_SERIAL ON SKIP_RETURN_CODE 77)
+  set_tests_properties(docs.commands PROPERTIES LABELS gl TIMEOUT 3600 RUN_SERIAL ON SKIP_RETURN_CODE 77)
 endif()
 
 add_test(NAME docs.comments COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_comments.py ${PROJECT_SOURCE_DIR}
@@ -18,6 +18,18 @@ find_program(EVALCTS_CODESPELL codespell)
 if(EVALCTS_CODESPELL)
   add_test(NAME docs.spelling WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} COMMAND sh -c "git -c safe.directory='*' ls-files -z \
 '*.md' '*.txt' '*.cpp' '*.h' '*.c' '*.py' '*.cmake' '*.sh' '*.js' '*.h2m' '*requirements.json' evalcts ':!suites/baselines/*-signatures.txt' \
-| xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether")
+| xargs -0 ${EVALCTS_CODESPELL} --quiet-level 3 --ignore-words-list zink,kinf,kown,kno,fo,alltogether,upto")
   set_tests_properties(docs.spelling PROPERTIES LABELS script)
+endif()
+
+# The API reference of the C headers, without warnings.
+find_program(EVALCTS_DOXYGEN doxygen)
+if(EVALCTS_DOXYGEN)
+  file(READ ${PROJECT_SOURCE_DIR}/docs/Doxyfile doxyfile)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile
+       CONTENT "${doxyfile}OUTPUT_DIRECTORY = ${CMAKE_CURRENT_BINARY_DIR}/api\n")
+  set(api_reference ${EVALCTS_DOXYGEN} ${CMAKE_CURRENT_BINARY_DIR}/api/Doxyfile)
+  add_custom_target(api_reference COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+  add_test(NAME docs.api COMMAND ${api_reference} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(docs.api PROPERTIES LABELS script)
 endif()

@@ -24,7 +24,7 @@ write_sources() { # suite, folder
 make_root() { # suite, folder
   local file options=() sources=()
   root=$2/root
-  # What the machine's apt needs to reach its sources; mmdebstrap keeps it in the root's own configuration of apt.
+  # The options with which this machine's apt reaches its sources. mmdebstrap keeps them in the root's configuration of apt.
   for file in /etc/apt/apt.conf.d/*; do grep -q '^ *Acquire::' "$file" && options+=("--aptopt=$file"); done
   write_sources "$1" "$2"
   for file in "$2"/sources.{list,sources}; do [[ -s $file ]] && sources+=("$file"); done
@@ -62,7 +62,7 @@ trap 'remove_root "$work"' EXIT
 trap 'exit 130' INT TERM HUP
 make_root "$suite" "$work" || { echo "no clean root of $suite could be made: does apt-get update work on this machine?" >&2; exit 77; }
 
-# What a fresh clone has, and files that are not committed yet.
+# Copies the files of a fresh clone, and files that are not committed yet.
 mkdir "$root/root/evalcts"
 (
   cd "$checkout"

@@ -83,7 +83,7 @@ need() { # purpose...
   local -A offered=()
   [[ ${EVALCTS_ASSUME_DEPENDENCIES:-} == 1 ]] && return
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then need_without_apt "$@"; return; fi
-  # What this distribution lacks is not looked for again until its release, its sources or the table change.
+  # Packages that the distribution lacks are not searched again until its release, its sources or the table change.
   state=$(cat /etc/os-release /etc/apt/sources.list /etc/apt/sources.list.d/* "$root/packaging/packages.txt" 2>/dev/null | cksum)
   [[ -f $note && $(head -n 1 "$note") == "$state" ]] && mapfile -t known_absent < <(tail -n +2 "$note")
   mapfile -t wanted < <(packages_for "$@")

@@ -20,7 +20,7 @@ class ContextMaker {
   // Creates a context and makes it current. No other context exists at that time, unless makes_several().
   // Throws CannotStart.
   virtual void* create() = 0;
-  // True if contexts can exist beside each other. The next three functions are called only then.
+  // True if several contexts can exist at a time. The next three functions are called only then.
   virtual bool makes_several() const { return false; }
   // Creates a context that shares objects with another one. Throws CannotStart.
   virtual void* create_sharing(void* /*with*/) { return nullptr; }

@@ -19,7 +19,7 @@ class NoContexts final : public ContextMaker {
   std::string library() const override { return {}; }
 };
 
-// A context, and the contexts that a case has made beside it.
+// A context, and further contexts that a case has made.
 class MadeContext final : public Context {
  public:
   MadeContext(ContextMaker& maker, void* handle, const gl::Table& table)

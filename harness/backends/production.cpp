@@ -134,7 +134,7 @@ gl::Table bind_functions() {
   return table;
 }
 
-// A context, and the contexts that a case has made beside it. They share no objects.
+// A context, and further contexts that a case has made. They share no objects.
 class ProductionContext final : public Context {
  public:
   explicit ProductionContext(const gl::Table& table) : table_(table) { switch_to(0); }

@@ -37,7 +37,7 @@ int max_eval_order() {
   return wanted ? std::atoi(wanted) : reference::kMaxOrder;
 }
 
-// A context, and the contexts that a case has made beside it.
+// A context, and further contexts that a case has made.
 class ReferenceContext final : public Context {
  public:
   explicit ReferenceContext(const gl::Table& table) : table_(table) { switch_to(0); }

@@ -1,4 +1,5 @@
-// Random programs: how many commands a second are written, specified, played and judged, on one core.
+// Benchmarks of random programs: commands per second that are generated, specified, played and judged on one
+// core.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 constexpr std::uint32_t kSeed = 1, kPrograms = 50;
 constexpr int kMostOrder = 30;
 
-// Only the writing, which plays each program on the executable specification.
+// Generates programs, which plays each of them on the executable specification.
 void Write(benchmark::State& state) {
   const auto length = static_cast<int>(state.range(0));
   std::uint64_t commands = 0;
@@ -32,8 +33,9 @@ bool has_lists(const gl::Case& program) {
   });
 }
 
-// Only the playing and judging, of programs in which the implementation does as specified: a difference costs
-// hundreds of plays more. Without display lists where those crash; in fresh contexts, or all in one.
+// Plays and judges programs without a difference, because a difference costs hundreds of further plays.
+// Display lists are left out for implementations on which they crash. Programs run in fresh contexts or in
+// one shared context.
 void Judge(benchmark::State& state, const char* name, bool with_lists, bool fresh) {
   std::unique_ptr<Implementation> implementation;
   Subject subject;

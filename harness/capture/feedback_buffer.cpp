@@ -140,7 +140,7 @@ class FeedbackBuffer final : public Capture {
       std::size_t vertices = 1;
       GLenum mode = GL_POINTS;
       if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) {
-        mode = GL_LINES;  // whether the stipple starts anew is for other tests
+        mode = GL_LINES;  // other tests judge the stipple
         vertices = 2;
       } else if (token == GL_POLYGON_TOKEN && i < count) {
         mode = GL_POLYGON;

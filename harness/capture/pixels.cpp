@@ -17,13 +17,13 @@ namespace evalcts {
 namespace {
 
 constexpr int kViewport = 64;
-constexpr int kSide = 60;  // of the points, in pixels
+constexpr int kSide = 60;  // side of the points, in pixels
 constexpr int kComponents = 15;
-constexpr int kColumns = 2 * kComponents;  // of one vertex
-constexpr int kAcross = kSide / kColumns;  // vertices beside each other
+constexpr int kColumns = 2 * kComponents;  // pixels of one vertex
+constexpr int kAcross = kSide / kColumns;  // vertices side by side
 constexpr int kCorner = (kViewport - kSide) / 2;
 constexpr std::size_t kOfOnePass = kSide * kAcross;
-constexpr std::size_t kOfOneWindow = 255;  // a stencil of 8 bits counts to there
+constexpr std::size_t kOfOneWindow = 255;  // the largest value of an 8-bit stencil
 
 // Draws the vertices of one window (see Windows), or all of them if there is only one; the others are
 // clipped.

@@ -603,8 +603,8 @@ std::function<int()> define_ulp(CLI::App& app, const Call& call) {
 const Command kUlpCommand = {
     "ulp", "how far from the exact values? errors of implementations in ULP and beside their condition",
     R"(  $ evalcts ulp --implementation osmesa --filter 'curve/4/*'
-  $ evalcts ulp --implementation osmesa --orders 2 --points=0.1,0.7 --at 0.3
-  $ evalcts ulp --sweep --implementation production --orders 2 --points=0.1,0.7 --to 0x1p-4)",
+  $ evalcts ulp --implementation osmesa --orders 2 --points=0.25,0.75 --at 0.375
+  $ evalcts ulp --sweep --implementation production --orders 2 --points=0.25,0.75 --to 0x1p-4)",
     define_ulp};
 
 }  // namespace evalcts::cli

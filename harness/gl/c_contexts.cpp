@@ -136,7 +136,8 @@ static void make_context(const char *path) {
 }
 )";
 
-// A layer of GL over OpenGL ES 2 is loaded once the context is current, and looks for its commands in it.
+// Contexts for a layer over OpenGL ES 2, which is loaded once the context is current and looks up its
+// commands there.
 constexpr char kGles2[] = R"(
 /* EGL and OpenGL ES 2, with a pbuffer of 64x64 pixels. */
 static void *display, *config, *contexts[MOST_CONTEXTS], *surfaces[MOST_CONTEXTS];
@@ -219,8 +220,8 @@ static void *address_of(const char *name) { return dlsym(library, name); }
 static void make_context(const char *path) { open_library(path); }
 )";
 
-// Behind a fragment whose functions are called maker_address_of and make_maker_context.
-// %MAKER%: the library that makes the contexts.
+// Code for commands from another library. It follows a fragment that defines maker_address_of and
+// make_maker_context. %MAKER%: the library that makes the contexts.
 constexpr char kLayer[] = R"(
 /* The commands come from another library than the contexts; it is loaded once a context is current. */
 static void *layer;
@@ -234,7 +235,7 @@ static void make_context(const char *path) {
 static void *address_of(const char *name) { return dlsym(layer, name); }
 )";
 
-// %MOST%: how many vertices are kept.
+// Code for libglevaluator. %MOST%: number of vertices that are kept.
 constexpr char kProduction[] = R"(
 /* libglevaluator: vertices come through a callback. */
 enum { MOST_VERTICES = %MOST%, VALUES = 43 };

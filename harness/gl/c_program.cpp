@@ -226,7 +226,7 @@ class Writer {
     text_ += fates;
   }
 
-  // Arrays of one slot and size are the same memory.
+  // Returns an expression for a client array. Arrays with the same slot and size share their memory.
   std::string placed(const Input& input, const std::string& name) {
     const std::string bytes = input.bytes.empty()
                                   ? std::string("NULL")
@@ -300,7 +300,7 @@ class Writer {
     return "0";
   }
 
-  // What is looked at, in words: "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_COEFF, values)".
+  // Returns a description of the checked answer: "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_COEFF, values)".
   std::string subject(const Check& check) const {
     if (!check.what.empty()) return check.what;
     const Ref asked = check.answer.command.index < 0 && !check.recorded.empty() ? check.recorded.front()
@@ -321,7 +321,7 @@ class Writer {
     return call;
   }
 
-  // Whether the answer is a whole number by its type.
+  // Returns true if the type of the answer is an integer.
   bool is_whole(const Answer& answer) const {
     if (answer.of == Answer::Of::emitted_value) return false;
     if (answer.of != Answer::Of::element) return true;
@@ -399,7 +399,8 @@ class Writer {
         count, index);
   }
 
-  // The test decided by a comparison of its own; the failure shows where the answers are again those.
+  // Writes the decision for a test that compares answers by itself: the failure shows if the answers equal
+  // the recorded ones.
   void decide_unlike(const Check& check) {
     std::string same;
     for (const Ref ref : check.recorded) {
@@ -430,7 +431,7 @@ class Writer {
       const Output* output = output_of(commands_.at(static_cast<std::size_t>(ref.index)));
       if (output) print_array(ref.index, std::min<std::size_t>(output->count, 64));
     }
-    // Without an answer to compare, the program only makes the calls.
+    // If there are no answers to compare, the program only makes the calls.
     end_decide(same.empty() ? "1" : fmt::format("!({})", same));
   }
 

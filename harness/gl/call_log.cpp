@@ -15,7 +15,7 @@ template <class T>
 std::string constant(T value, const char* suffix) {
   if (std::isnan(value)) return "NAN";
   if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
-  // Small integers read better in decimal and are exact in it.
+  // Small integers are exact in decimal and more readable.
   if (value == std::trunc(value) && std::abs(value) < 1e6)
     return fmt::format("{}{:.1f}{}", std::signbit(value) && value == 0 ? "-" : "", value == 0 ? T{0} : value,
                        suffix);
@@ -60,7 +60,7 @@ const char* fate(AfterCall after) {
   return "";
 }
 
-// Attribute groups and buffers by their names, if there are few.
+// Returns a mask of attribute groups or buffers by their names, if there are few.
 std::string bits(GLbitfield mask) {
   constexpr std::pair<GLbitfield, const char*> kBits[] = {{GL_CURRENT_BIT, "GL_CURRENT_BIT"},
                                                           {GL_POINT_BIT, "GL_POINT_BIT"},

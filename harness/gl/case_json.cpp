@@ -89,7 +89,7 @@ json argument_of(const Value& value, char kind) {
   throw std::invalid_argument("a result of another command, or strings");
 }
 
-// All tokens with a name, which depends on nothing else.
+// Returns all tokens whose name does not depend on the context.
 const std::map<std::string, GLenum>& tokens_by_name() {
   static const std::map<std::string, GLenum> all = [] {
     std::map<std::string, GLenum> map;
@@ -112,7 +112,7 @@ std::int64_t integer_from(const json& data) {
   return data.get<std::int64_t>();
 }
 
-// More than any command writes, and no danger to memory.
+// Upper limit of array sizes: more than any command writes, and not too much for memory.
 constexpr std::size_t kMostWritten = std::size_t{1} << 24;
 
 Output output_from(const json& data) {

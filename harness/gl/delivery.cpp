@@ -14,7 +14,7 @@
 namespace evalcts::gl {
 namespace {
 
-// u, or u and v, of an EvalCoord command; none for other commands.
+// Returns u, or u and v, of an EvalCoord command; empty for other commands.
 std::vector<double> coordinates(const Command& command) {
   switch (command.entry) {
     case EntryPoint::EvalCoord1f:
@@ -47,7 +47,7 @@ Command eval_coord(const std::vector<double>& at, bool doubles, bool arrays) {
   return command;
 }
 
-// A Map command in the other form.
+// Returns a Map command with floats or doubles.
 Command map(const Command& command, bool doubles) {
   const bool two = command.entry == EntryPoint::Map2f || command.entry == EntryPoint::Map2d;
   Command delivered = command;
@@ -67,7 +67,7 @@ bool is_map(EntryPoint entry) {
          entry == EntryPoint::Map2d;
 }
 
-// Commands that are legal between Begin and End only, evaluation apart.
+// Returns true for the Vertex commands, which are useful only between Begin and End.
 bool is_vertex(EntryPoint entry) {
   const std::string_view name = name_of(entry);
   return name.starts_with("glVertex") && name != "glVertexPointer" && !name.starts_with("glVertexAttrib");
@@ -94,12 +94,12 @@ class OnGrids {
   }
 
  private:
-  // One grid for each dimension, all through the same arguments.
+  // One grid for each dimension, all of which contain the same arguments.
   using Grids = std::vector<GridThrough>;
 
   const std::vector<Command>& commands() const { return script_.commands(); }
 
-  // The next command becomes this one.
+  // Adds this command in place of the next command of the case.
   void put(Command command) {
     for (Value& argument : command.arguments)
       if (auto* result = std::get_if<ResultOf>(&argument))
@@ -108,7 +108,7 @@ class OnGrids {
     ++next_;
   }
   void copy() { put(commands()[next_]); }
-  // The next command needs none of its own.
+  // Omits the next command of the case.
   void drop() {
     delivered_.positions.push_back(static_cast<int>(delivered_.script.commands().size()) - 1);
     ++next_;
@@ -152,7 +152,7 @@ class OnGrids {
     return grids;
   }
 
-  // Whether the arguments are those of one mesh, in its order: one index rises by one, the other stays.
+  // True if the arguments are those of one mesh in its order: one index rises by one, the other is constant.
   static bool is_row(const Grids& grids) {
     std::size_t rising = 0;
     for (const GridThrough& grid : grids) {
@@ -168,7 +168,7 @@ class OnGrids {
     return rising == 1;
   }
 
-  // Grids of which the point is the first end. That the last one is exact, too, is for tests of its own.
+  // Returns grids whose first end is the point. Other tests check that the last end is exact, too.
   Grids grids_of_point(const std::vector<double>& at) {
     Grids grids;
     for (const double x : at) {
@@ -178,7 +178,7 @@ class OnGrids {
     return grids;
   }
 
-  // A point of its own: by a mesh, or outside Begin and End.
+  // Delivers a single point: by a mesh, or outside Begin and End.
   void single_point(const std::vector<double>& at) {
     const Grids grids = grids_of_point(at);
     map_grid(grids);
@@ -217,7 +217,7 @@ class OnGrids {
     }
   }
 
-  // Each evaluated point in a Begin and End of its own, with a grid before it.
+  // Delivers each evaluated point in its own Begin and End, preceded by a grid.
   void separate_points(std::size_t end) {
     const Command begin = commands()[next_];
     copy();
@@ -236,7 +236,7 @@ class OnGrids {
     copy();
   }
 
-  // Runs of evaluation become meshes; a Vertex between them gets a Begin and End of its own.
+  // Delivers runs of evaluation as meshes. A Vertex between them gets its own Begin and End.
   void meshes_of_points(std::size_t end) {
     const Command begin = commands()[next_];
     drop();
@@ -268,7 +268,7 @@ class OnGrids {
 
   const Case& script_;
   bool meshes_;
-  std::size_t next_ = 0;  // the command of the case that is delivered next
+  std::size_t next_ = 0;  // index of the next command of the case
   int grids_ = 0;
   DeliveredCase delivered_;
 };
@@ -291,8 +291,8 @@ DeliveredCase unchanged(const Case& script) {
   return delivered;
 }
 
-// The deliveries of one dimension or of both, and each way of display lists with some of them: every command
-// that evaluates is compiled, every way carries floats and doubles.
+// Returns the deliveries of one dimension or of both, and each form of display lists with some of them, such
+// that every evaluation command is compiled and every form contains floats and doubles.
 std::vector<Delivery> with_lists(const std::vector<Delivery>& deliveries) {
   struct Way {
     Lists lists;

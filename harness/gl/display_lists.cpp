@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::int64_t kFirstList = 0x4c00;  // far from the names that cases use
 
-// Commands that end up in a list: those of evaluators, what is legal between Begin and End, and the state
-// that the evaluators' errors and results depend on. (GL 4.6c 21.4.1 says which commands are executed at
-// once.)
+// Returns true for commands that are compiled here: evaluators, commands that are legal between Begin and
+// End, and state on which errors and results of evaluators depend. (GL 4.6c 21.4.1 lists the commands that
+// are executed at once.)
 bool is_compiled(const Command& command) {
   const auto has_result_of = [](const Value& value) { return std::holds_alternative<ResultOf>(value); };
   if (std::ranges::any_of(command.arguments, has_result_of)) return false;
@@ -129,7 +129,7 @@ class ThroughLists {
     bool compiled;
   };
 
-  // The case as runs of commands that are compiled and of others.
+  // Splits the case into runs of commands that are compiled and runs of other commands.
   std::vector<Part> runs() const {
     std::vector<Part> parts;
     bool in_own_list = false;
@@ -157,8 +157,8 @@ class ThroughLists {
 
   // --- execute: one list for as much as it can hold -------------------------------------------------------
 
-  // Queries may stay where they are: they are executed at once and see what the list has executed. A list
-  // ends before one of the case's own begins, and with the last End.
+  // Queries keep their position, because they are executed at once and see the effects of the list. A list
+  // ends before a list of the case begins, and after the last End.
   void execute() {
     std::size_t i = 0;
     while (i < commands().size()) {
@@ -170,7 +170,7 @@ class ThroughLists {
       if (worth_it) delivered_.script.EndList();
       i = end;
       if (i == commands().size()) break;
-      // A list of the case's own, or what follows a Begin without an End.
+      // A list of the case, or commands after a Begin without an End.
       const bool own = commands()[i].entry == EntryPoint::NewList;
       for (bool over = false; i < commands().size() && !over; ++i) {
         put(i);
@@ -179,7 +179,8 @@ class ThroughLists {
     }
   }
 
-  // How far a list that begins outside Begin and End can go to end there as well.
+  // Returns the end of the longest list that begins at `begin`, outside Begin and End, and ends outside as
+  // well.
   std::size_t end_of_list(std::size_t begin) const {
     std::size_t end = begin;
     bool open = false;

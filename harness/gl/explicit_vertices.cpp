@@ -8,7 +8,7 @@
 namespace evalcts::gl {
 namespace {
 
-// Vertices that differ from each other.
+// Issues an explicit vertex whose position depends on the number.
 void vertex(Case& c, int number) {
   c.Vertex3f(0.0625f * static_cast<float>(number % 16), 0.03125f * static_cast<float>(number % 32), 0.25f);
 }
@@ -60,7 +60,8 @@ class EnabledMaps {
   std::vector<std::set<GLenum>> saved_;
 };
 
-// Primitives of explicit vertices in the place of a mesh. A filled mesh is drawn in strips of the given mode.
+// Draws primitives of explicit vertices in place of a mesh. A filled mesh is drawn in strips of the given
+// mode.
 class MeshOfVertices {
  public:
   MeshOfVertices(Case& control, int number, const Command& mesh, GLenum strips)

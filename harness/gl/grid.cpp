@@ -13,7 +13,7 @@ std::optional<GridThrough> grid_through(const std::vector<double>& arguments) {
   const auto [low, high] = std::ranges::minmax(arguments);
   if (low == high) return GridThrough{1, low, low == 0 ? 1 : 2 * low, std::vector<int>(arguments.size(), 0)};
 
-  // All as multiples of one power of two.
+  // All arguments are converted to multiples of one power of two.
   constexpr std::int64_t kSegments = 1 << 16;
   constexpr double kExact = 0x1p53;
   int exponent = 0;

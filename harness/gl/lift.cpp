@@ -20,7 +20,7 @@ std::int64_t other_dimension(std::int64_t token) {
 
 std::int64_t integer(const Value& value) { return std::get<std::int64_t>(value); }
 
-// order*stride values, `copies` times one after the other: the net that is constant from copy to copy.
+// Returns a Map2 command whose net repeats the order*stride values `copies` times.
 Command map2(const Command& map1, std::int64_t copies, bool along_v) {
   const auto& [target, u1, u2, stride, order, points] =
       std::tie(map1.arguments[0], map1.arguments[1], map1.arguments[2], map1.arguments[3], map1.arguments[4],
@@ -32,7 +32,7 @@ Command map2(const Command& map1, std::int64_t copies, bool along_v) {
     Input repeated = *input;
     for (std::int64_t copy = 1; copy < copies; ++copy)
       repeated.bytes.insert(repeated.bytes.end(), input->bytes.begin(), input->bytes.end());
-    // From the beginning of one copy to that of the next.
+    // The stride across is the distance between the starts of consecutive copies.
     if (copies > 1) across = static_cast<std::int64_t>(input->bytes.size() / size_of(input->type));
     net = std::move(repeated);
   }

@@ -17,7 +17,7 @@ constexpr int kMostErrors = 16;
 
 constexpr std::byte kUnlikely{0x4B};  // four or eight of them: a large finite number
 
-// Pages between two that are inaccessible. A few at a time are used again: to map them costs more than most
+// Pages between two inaccessible pages. A few are kept for reuse, because mapping them costs more than most
 // calls.
 class FencedPages {
  public:
@@ -78,7 +78,7 @@ class FencedPages {
   bool protected_ = false;
 };
 
-// Client memory that ends directly before an inaccessible page: reading past the end crashes.
+// Client memory that ends directly before an inaccessible page, so that reading past the end crashes.
 class ClientArray {
  public:
   explicit ClientArray(const Input& input)
@@ -111,7 +111,8 @@ class ClientArray {
   FencedPages pages_;
 };
 
-// The message for a command of the GL names it; those of the harness have no name that a user knows.
+// Returns the message for a missing command. It names commands of the GL and describes those of the harness,
+// whose names users do not know.
 std::string describe_missing(EntryPoint missing) {
   switch (missing) {
     case EntryPoint::OtherContextEVALCTS:

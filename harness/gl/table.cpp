@@ -20,7 +20,7 @@ constexpr std::array<Description, kEntryPointCount> kDescriptions = {{
 #undef GL_ENTRY
 }};
 
-// Commands that an extension had before they became part of the GL.
+// Commands of an extension that became part of a GL version.
 struct Promotion {
   std::string_view beginning;  // of the names of the commands
   int since;                   // 10 * major + minor
@@ -59,11 +59,12 @@ constexpr Promotion kPromotions[] = {
     {"glPrimitiveRestartIndex", 31, "GL_NV_primitive_restart", "NV"},
     {"glProvokingVertex", 32, "GL_EXT_provoking_vertex", "EXT"},
     {"glGetDebugMessageLog", 43, "GL_ARB_debug_output", "ARB"},
-    // Mesa has them under these names only, in GL 4.5, too, where libglvnd makes up the others.
+    // Mesa has these commands under the extension's names only, even in GL 4.5; libglvnd returns addresses
+    // without effect for the core names.
     {"glGetnMap", 99, "GL_ARB_robustness", "ARB"},
 };
 
-// The last row counts: "glBindBufferBase" begins with "glBindBuffer", too.
+// Returns the last matching row, because "glBindBufferBase" begins with "glBindBuffer" as well.
 const Promotion* promotion_of(std::string_view name) {
   const Promotion* last = nullptr;
   for (const Promotion& promotion : kPromotions)
@@ -94,7 +95,7 @@ bool has(const Table& table, EntryPoint entry) {
 
 Advertised parse_advertised(const std::string& version, const std::string& extensions) {
   Advertised advertised;
-  // "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11)
+  // The format is "<major>.<minor>[.release] [vendor text]" (GL 2.1 §6.1.11).
   std::istringstream text(version);
   int major = 0, minor = 0;
   char dot = 0;
@@ -119,7 +120,8 @@ Table load_table(std::initializer_list<AddressOf> sources, const Advertised& adv
     return nullptr;
   };
   Table table;
-  // No library has the commands of the harness, whatever a get-proc-address function says.
+  // Commands of the harness are not looked up, because a get-proc-address function may return addresses for
+  // them.
 #define GL_ENTRY(name, kinds) table.name = reinterpret_cast<decltype(table.name)>(address("gl" #name));
 #define HARNESS_ENTRY(name, kinds)
 #include <evalcts/gl/entry_points.def>

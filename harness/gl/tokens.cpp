@@ -7,7 +7,7 @@
 namespace evalcts::gl {
 namespace {
 
-// One name for each value; GL_ZERO, GL_NO_ERROR and GL_POINTS share 0 and are told apart by the caller.
+// Returns one name for each value. GL_ZERO, GL_NO_ERROR and GL_POINTS share 0; the caller distinguishes them.
 const std::unordered_map<GLenum, const char*>& names() {
 #define TOKEN(name) \
   { name, #name }

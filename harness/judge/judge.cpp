@@ -70,7 +70,7 @@ class VertexJudge {
     measured_ = options_.measured & attribute;
     const bool clamped = attribute == kColor && observation_.clamped_colors;
     const double capture_error = attribute == kColor ? observation_.color_error : 0;
-    // What the capture adds is not the library's.
+    // Quality is not judged if the capture adds an error, which would be attributed to the library.
     if (capture_error > 0 && options_.level == Level::quality) return;
     if (capture_error > 0) measured_ = false;
     for (std::size_t i = 0; i < got.size(); ++i) {
@@ -123,7 +123,7 @@ class VertexJudge {
     }
     const auto [exact, magnitude] = reference::exact_with_magnitude(component);
     if (clamped && (got == 0.0f || got == 1.0f)) {
-      // What lies outside [0,1] cannot be told from the end of the interval.
+      // Values outside [0,1] were clamped and cannot be distinguished from the end of the interval.
       if (got == 0.0f ? exact.sign() <= 0 : exact >= Rational(1)) return;
     }
     if (options_.level != Level::quality && clearly_accepted(sample, exact, magnitude, got)) {
@@ -143,9 +143,10 @@ class VertexJudge {
       judgement_.mismatches.push_back(mismatch(what(), sample, exact, magnitude, bound, got, clamped));
   }
 
-  // Any method of computing it is allowed (EV-AUTON-METHOD); the analytic one, which GL 1.0 demanded, is
-  // quality. With a vertex shader it is not normalised: then only its direction is judged, as its length
-  // depends on what the derivatives are taken by (U-AUTON-MAGN), but over [0,1].
+  // Judges an automatic normal. Any method is allowed (EV-AUTON-METHOD); agreement with the analytic method,
+  // which GL 1.0 demanded, is quality. With a vertex shader, the normal is not normalised. Then only its
+  // direction is judged, because its length depends on the variables of the derivatives (U-AUTON-MAGN),
+  // except over [0,1].
   void automatic_normal(const reference::AutomaticNormal& normal, const std::array<float, 3>& got) {
     Accuracy& accuracy = judgement_.accuracy;
     const int range = reference::guaranteed_range(normal.map->target, options_.version);
@@ -191,7 +192,7 @@ class VertexJudge {
 
   void normal_mismatch(const std::string& expected, const std::array<float, 3>& exact,
                        const std::array<float, 3>& got, const Rational& bound) {
-    // The component that is farthest off stands for the vector.
+    // The component with the largest error represents the vector.
     std::size_t worst = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (!(std::abs(got[i] - exact[i]) <= std::abs(got[worst] - exact[worst]))) worst = i;
@@ -209,7 +210,7 @@ class VertexJudge {
     judgement_.mismatches.push_back(std::move(mismatch));
   }
 
-  // The outermost doubles of the interval: no float lies between them and its ends.
+  // Sets the interval to doubles such that no float lies between them and its ends.
   static void set_interval(Mismatch& mismatch, const Rational& exact, const Rational& bound, bool clamped) {
     const double infinity = std::numeric_limits<double>::infinity();
     const Rational low = exact - bound, high = exact + bound;
@@ -223,13 +224,13 @@ class VertexJudge {
     if (clamped && mismatch.highest >= 1) mismatch.lowest = std::min(mismatch.lowest, 1.0);
   }
 
-  // The interval clamped like the colour: a value inside it may come back as the end that it was clamped to.
+  // True if a clamped colour is accepted: a value of the interval may have been clamped to 0 or 1.
   static bool within_clamped(float got, const Rational& exact, const Rational& bound) {
     return (got == 0.0f && (exact - bound).sign() <= 0) || (got == 1.0f && exact + bound >= Rational(1));
   }
 
-  // A lower estimate of the bound in double, with room for its own rounding: almost every value is accepted
-  // here, and none that the exact bound would refuse.
+  // True if the value is within a lower estimate of the bound, computed in double with a margin for rounding.
+  // Almost every value is accepted here, and none that the exact bound would reject.
   static bool clearly_accepted(const Sample& sample, const Rational& exact, const Rational& magnitude,
                                float got) {
     if (!std::isfinite(got)) return false;
@@ -294,7 +295,8 @@ std::vector<const ObservedVertex*> flat(const Observation& observation) {
   return vertices;
 }
 
-// What came out for each vertex of the case, where it came out at all; of several times the first.
+// Returns the captured vertex for each vertex of the case that was captured; the first one, if there are
+// several.
 std::map<std::size_t, const ObservedVertex*> by_vertex(const Seen& seen) {
   std::map<std::size_t, const ObservedVertex*> vertices;
   const auto all = flat(seen.observation);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages into a clean root and uses what is there as somebody would who has nothing else.
-# check.sh FOLDER-WITH-PACKAGES. Needs root, mmdebstrap and the sources that apt has.
+# Installs the packages into a clean root and uses them there, as on a machine that has nothing else.
+# Usage: check.sh FOLDER-WITH-PACKAGES. Needs root, mmdebstrap and the sources of apt.
 set -euo pipefail
 packages=$1
 fail() { echo "$*" >&2; exit 1; }

@@ -1,5 +1,6 @@
-// The exact route beside the number types that could take its place: one correctly rounded float from the
-// float points of a curve over [0,1] and a random float u, everything that does not depend on u prepared.
+// Compares the exact method with number types that could replace it: one correctly rounded float from the
+// float points of a curve over [0,1] and a random float u, after preparing everything that does not depend on
+// u.
 #include <benchmark/benchmark.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -46,7 +47,7 @@ void Exact(benchmark::State& state) {
   each_argument(state, task, [&](float u) { return form.to_float(Argument::coordinate(u)); });
 }
 
-// With value and magnitude as rationals, and nothing prepared: what a judge asks for.
+// Computes value and magnitude as rationals without preparation, as the judge does.
 void ExactUnprepared(benchmark::State& state) {
   const Task task(static_cast<int>(state.range(0)));
   each_argument(state, task,

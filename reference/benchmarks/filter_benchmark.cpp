@@ -1,4 +1,4 @@
-// The filter with the exact route behind it, on many arguments: items are values of one component.
+// Benchmarks the filter with the exact method behind it on many arguments. Items are values of one component.
 #include <benchmark/benchmark.h>
 
 #include <random>

@@ -35,7 +35,7 @@ int common_exponent(std::span<const Binary> numbers) {
 }
 
 unsigned trailing_zeros(const Integer& x) {
-  // Boost's lsb() would copy, as it refuses negative numbers.
+  // Boost's lsb() rejects negative numbers, so it would need a copy.
   const auto& backend = x.backend();
   for (unsigned i = 0; i < backend.size(); ++i) {
     if (const auto limb = backend.limbs()[i]; limb != 0) {

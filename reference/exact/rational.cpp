@@ -51,7 +51,7 @@ void append_exponent(std::string& text, char letter, std::int64_t exponent) {
 }
 
 void append_decimal(std::string& text, const Rational& x, int significant_digits) {
-  // The position of the first digit, from that of the first bit; the estimate is never too high.
+  // The position of the first digit is estimated from that of the first bit. The estimate is never too high.
   std::int64_t position = static_cast<std::int64_t>(floor_log2(x) * 0.30102999566398119521) - 1;
   while (abs(x) >= power_of_ten(position + 1)) ++position;
   std::string digits = round_to_integer(abs(x) * power_of_ten(significant_digits - 1 - position)).str();

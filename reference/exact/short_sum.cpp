@@ -49,7 +49,7 @@ void sum_row(const SignedTwoLimbs* terms, int count, const ShortHomogeneous& t, 
     sum.negative.multiply(by_b);
     power.multiply(by_a);
   };
-  // Horner's scheme with power = a^i. A step adds two terms if their product fits into one limb.
+  // Horner's scheme with power = a^i. A step adds two terms if all factors fit into 32 bits.
   int i = 0;
   if (pairs && (a | b) >> 32 == 0) {
     for (; i + 1 < count; i += 2) {

@@ -106,7 +106,7 @@ void Filter::enclose(const Arguments& u, const Arguments& v, std::span<Enclosure
                             if (enclosures == nullptr) continue;
                             result.high = enclosures->high[k] * scale;
                             result.low = enclosures->low[k] * scale;
-                            // What the scaling of the three may lose by underflow.
+                            // The added term covers underflow when the three numbers are scaled.
                             result.error = enclosures->error[k] * scale + 0x1p-1070;
                             if (!std::isfinite(result.high))
                               result = {0, 0, std::numeric_limits<double>::infinity()};

@@ -1,4 +1,4 @@
-// The formulas of section 0.5 of the requirements against a second writing of them.
+// Compares the formulas of section 0.5 of the requirements with a second implementation.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 
@@ -121,12 +121,12 @@ TEST(Acceptance, HoldsEverythingAboutAValue) {
   EXPECT_EQ(reference::acceptance(surface, u, u).quality_bound, acceptance.quality_bound);
 }
 
-// must_applies for a line over [u1, u2] with control values `first` and `last`.
+// Returns must_applies() for a line over [u1, u2] with control values `first` and `last`.
 bool must_of_line(double u1, double u2, const Argument& u, double first = 1, double last = 1,
                   int range = kFullRange) {
   const double points[] = {first, last};
   const bool of_curve = must_applies(Curve{points, 1, 2, u1, u2}, u, range);
-  // A surface that is the same line along v agrees.
+  // A surface that is the same line along v must give the same result.
   const Surface surface{points, 1, 1, 1, 2, 0, 1, u1, u2};
   EXPECT_EQ(must_applies(surface, Argument::coordinate(0), u, range), of_curve);
   return of_curve;
@@ -152,13 +152,13 @@ TEST(MustApplies, UpToTheRangeThatTheGlPromises) {
   EXPECT_FALSE(must_of_line(0, 1, zero, 0, -0x1.000002p32));
   EXPECT_TRUE(must_of_line(0, 1, zero, -0x1p10, 0, kReducedRange));
   EXPECT_FALSE(must_of_line(0, 1, zero, 0x1.000002p10, 0, kReducedRange));
-  // |t| + |s| = 2|u| - 1 outside.
+  // Outside the domain, |t| + |s| = 2|u| - 1.
   EXPECT_TRUE(must_of_line(0, 1, Argument::coordinate(0x1p15), 0x1p16, 0));
   EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1.002p15), 0x1p16, 0));
-  // The weights themselves are intermediate results too (U-OVERFLOW).
+  // The weights are intermediate results, too (U-OVERFLOW).
   EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1p33), 0x1p-30, 0));
   EXPECT_FALSE(must_of_line(0, 1, Argument::coordinate(0x1p33), 0, 0));
-  // To the power of the degree, in both directions.
+  // The limit is raised to the power of the degree in both directions.
   const std::vector<double> points(9, 1.0);
   const auto square = [&](double u, double v) {
     const Surface surface{points.data(), 3, 1, 3, 3, 0, 1, 0, 1};
@@ -179,7 +179,7 @@ TEST(MustApplies, OnlyToInputsWithinSinglePrecision) {
   EXPECT_FALSE(constant(Argument::grid(0, 1, 0, 0x1p128)));
   EXPECT_FALSE(constant(Argument::grid(0, 1, -0x1p127, 0x1p127)));
   EXPECT_FALSE(constant(Argument::grid(16, 2, 0, 0x1p126)));
-  // Ends that coincide in single precision (U-DOUBLE-CLOSE).
+  // The ends coincide in single precision (U-DOUBLE-CLOSE).
   EXPECT_FALSE(must_of_line(1, 1 + 0x1p-40, Argument::coordinate(1)));
   EXPECT_TRUE(must_of_line(1, 1 + 0x1p-23, Argument::coordinate(1)));
 }

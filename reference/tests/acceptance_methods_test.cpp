@@ -1,5 +1,5 @@
-// Every usual way to evaluate a map stays within the acceptance bound, in single precision and with errors of
-// one part in 10^5 in every operation; and the bound is not much wider than that needs.
+// Every usual method to evaluate a map stays within the acceptance bound, in single precision and with errors
+// of one part in 10^5 in every operation. The bound is not much wider than necessary.
 #include <gtest/gtest.h>
 #include <reference/acceptance.h>
 
@@ -12,7 +12,7 @@
 namespace evalcts::reference {
 namespace {
 
-// A value as long double arithmetic gives it, exactly.
+// Converts a long double exactly.
 Rational rational(long double x) {
   const double high = static_cast<double>(x);
   return Rational(high) + Rational(static_cast<double>(x - high));
@@ -27,7 +27,7 @@ struct MethodCase {
   Curve curve() const { return {points.data(), 1, order(), u1, u2}; }
 };
 
-// The largest error over bound that was seen.
+// The largest ratio of error and bound.
 class Worst {
  public:
   ~Worst() { std::cout << "largest error / bound: " << largest_ << "\n"; }
@@ -84,7 +84,7 @@ TEST(EveryMethod, IsAcceptedInSinglePrecision) {
   }
 }
 
-// Magnitudes down to the smallest subnormals: gradual underflow and flush to zero.
+// Magnitudes go down to the smallest subnormals, with gradual underflow and with flush to zero.
 TEST(EveryMethod, IsAcceptedWhereSinglePrecisionUnderflows) {
   class FlushToZero : public Arithmetic {
    public:
@@ -113,7 +113,7 @@ TEST(EveryMethod, IsAcceptedWhereSinglePrecisionUnderflows) {
   }
 }
 
-// Doubles given to d commands, kept in single precision by the implementation.
+// The implementation stores double arguments in single precision.
 TEST(EveryMethod, IsAcceptedWhenInputsAreStoredInSinglePrecision) {
   std::mt19937_64 generator = make_generator();
   Worst worst;
@@ -159,8 +159,8 @@ TEST(EveryMethod, IsAcceptedWithRandomErrors) {
   }
 }
 
-// The sign of every single error is chosen for the largest result, then for the smallest: to first order each
-// error acts on its own, so one flip at a time finds the worst signs.
+// The sign of every single error is chosen for the largest result, then for the smallest. To first order, the
+// errors are independent, so flipping one sign at a time finds the worst signs.
 TEST(EveryMethod, IsAcceptedWithTheWorstErrors) {
   std::mt19937_64 generator = make_generator();
   Worst worst;
@@ -193,7 +193,7 @@ TEST(EveryMethod, IsAcceptedWithTheWorstErrors) {
       }
     }
   }
-  // A bound that real errors come nowhere near would prove nothing about an implementation.
+  // A bound far above all real errors would prove nothing about an implementation.
   EXPECT_GT(worst.largest(), 0.25);
 }
 

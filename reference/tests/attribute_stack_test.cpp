@@ -12,7 +12,7 @@ namespace {
 using Values = std::vector<GLdouble>;
 using State = std::vector<Values>;
 
-// The state of each group.
+// Functions that return the state of each group.
 State enables(Specification& gl) {
   State state{get(gl, GL_AUTO_NORMAL)};
   for (const GLenum target : map_targets()) state.push_back(get(gl, target));
@@ -45,7 +45,7 @@ State maps(Specification& gl) {
   return state;
 }
 
-// Changes all state that there is.
+// Changes all state.
 void change_everything(Specification& gl) {
   gl.ActiveTexture(GL_TEXTURE0);
   for (const GLenum target : kMap1Targets) define_line(gl, target, 5);

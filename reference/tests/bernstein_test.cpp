@@ -16,7 +16,7 @@ struct Domain {
   double u1, u2;
 };
 
-// Unit, narrow, shifted, reversed, huge, tiny, subnormal.
+// Domains: unit, narrow, shifted, reversed, huge, tiny, subnormal.
 const std::vector<Domain> kDomains{{0, 1},
                                    {1, 0},
                                    {2, 5},
@@ -31,7 +31,7 @@ const std::vector<Domain> kDomains{{0, 1},
                                    {1e300, -1e300},
                                    {-0.0, 3}};
 
-// In the domain, at its ends, outside, far outside; as a coordinate or as a point of a grid.
+// Returns an argument in the domain, at its ends, outside or far outside, as a coordinate or as a grid point.
 Argument random_argument(std::mt19937_64& generator, const Domain& domain) {
   const double width = domain.u2 / 2 - domain.u1 / 2;
   const double inside = domain.u1 + 2 * width * uniform(generator, 0, 1);
@@ -98,7 +98,7 @@ TEST(Curve, AgreesWithDeCasteljauAtEveryOrder) {
     for (int repetition = 0; repetition < repetitions; ++repetition) {
       const Data kind = static_cast<Data>(pick(generator, 0, static_cast<int>(Data::kSparse)));
       const std::vector<double> points = control_values(generator, kind, order);
-      // High orders in domains that keep the slow route bearable.
+      // High orders use only domains in which the slow method is fast enough.
       const Domain domain =
           kDomains[pick(generator, 0, order <= 20 ? static_cast<int>(kDomains.size()) - 1 : 3)];
       const Argument u = order <= 20 ? random_argument(generator, domain)
@@ -141,7 +141,7 @@ TEST(Curve, InterpolatesItsEnds) {
     EXPECT_EQ(evaluate(curve, Argument::coordinate(0.1f)), Rational(points.front()));
     EXPECT_EQ(evaluate(curve, Argument::coordinate(0.7f)), Rational(points.back()));
     EXPECT_EQ(magnitude(curve, Argument::coordinate(0.7f)), abs(Rational(points.back())));
-    // A grid meets its ends exactly, whatever i * du + u1 would round to.
+    // A grid contains its ends exactly, even if i * du + u1 would be rounded.
     EXPECT_EQ(evaluate(curve, Argument::grid(0, 3, 0.1f, 0.7f)), Rational(points.front()));
     EXPECT_EQ(evaluate(curve, Argument::grid(3, 3, 0.1f, 0.7f)), Rational(points.back()));
   }
@@ -205,8 +205,8 @@ TEST(Surface, OfTheLargestOrdersPartitionsUnity) {
   EXPECT_EQ(evaluate(surface, Argument::coordinate(0.3), Argument::coordinate(7)), Rational(3.5));
 }
 
-// The identity u -> u, as a line and raised to higher degrees: rounding as the hardware rounds, ties
-// included.
+// The identity u -> u, as a line and elevated to higher degrees, is rounded as by the hardware, including
+// ties.
 TEST(BernsteinForm, RoundsAsTheHardwareDoes) {
   std::mt19937_64 generator = make_generator();
   for (int round = 0; round < 20000; ++round) {
@@ -223,7 +223,8 @@ TEST(BernsteinForm, RoundsAsTheHardwareDoes) {
   }
 }
 
-// 1 + 2^-24 lies between two floats, of which the lower one is even; a 2^-90th more or less decides.
+// 1 + 2^-24 lies midway between two floats, of which the lower one is even. A difference of 2^-90 decides the
+// rounding.
 TEST(BernsteinForm, SeesOnWhichSideOfATieTheValueLies) {
   const double tie = 1 + 0x1p-24;
   const Argument u = Argument::coordinate(0x1p-30);

@@ -1,4 +1,4 @@
-// Components: what a judge does with what the executable specification emits.
+// Tests of components: exact values, bounds and rounding of the output of the executable specification.
 #include <gtest/gtest.h>
 #include <reference/component.h>
 #include <reference/rounding.h>

@@ -1,4 +1,4 @@
-// Helpers to look at a context of the executable specification.
+// Helpers that inspect a context of the executable specification.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,14 +18,15 @@ constexpr GLenum kMap2Targets[] = {GL_MAP2_COLOR_4,         GL_MAP2_INDEX,      
                                    GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3,        GL_MAP2_VERTEX_4};
 constexpr int kValuesPerPoint[] = {4, 1, 3, 1, 2, 3, 4, 3, 4};  // of the targets above
 
-// All 18 targets.
+// Returns all 18 map targets.
 inline std::vector<GLenum> map_targets() {
   std::vector<GLenum> targets(std::begin(kMap1Targets), std::end(kMap1Targets));
   targets.insert(targets.end(), std::begin(kMap2Targets), std::end(kMap2Targets));
   return targets;
 }
 
-// The values that a query writes, found by poisoning: what still holds the poison at the end was not written.
+// Returns the values that a query has written: trailing elements that still contain the poison were not
+// written.
 constexpr GLdouble kPoison = -12345.678;
 inline std::vector<GLdouble> written(std::vector<GLdouble> answer) {
   while (!answer.empty() && answer.back() == kPoison) answer.pop_back();
@@ -44,7 +45,7 @@ inline std::vector<GLdouble> get(Specification& gl, GLenum pname) {
   return written(answer);
 }
 
-// Everything about the evaluators and the current values that can be queried.
+// Returns all state of the evaluators and all current values that can be queried.
 inline std::vector<std::vector<GLdouble>> queryable_state(Specification& gl) {
   std::vector<std::vector<GLdouble>> state;
   for (const GLenum target : map_targets()) {
@@ -59,7 +60,7 @@ inline std::vector<std::vector<GLdouble>> queryable_state(Specification& gl) {
   return state;
 }
 
-// The error is this one, and there is no second.
+// Expects this error and no second one.
 inline void expect_error(Specification& gl, GLenum error) {
   EXPECT_EQ(gl.GetError(), error);
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));

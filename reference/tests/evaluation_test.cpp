@@ -8,7 +8,7 @@
 namespace evalcts::reference {
 namespace {
 
-// The vertices of the commands between Begin and End.
+// Returns the vertices of commands between Begin and End.
 template <typename Commands>
 std::vector<Vertex> draw(Specification& gl, Commands&& commands) {
   gl.Begin(GL_LINE_STRIP);
@@ -113,7 +113,7 @@ TEST(EvalCoord1, LooksOnlyAtMapsOfItsDimension) {  // EV-COORD-DIM1, EV-EN-DIM, 
   EXPECT_EQ(rounded(vertex.index), 9);
 }
 
-// Each kind of map in the place of its command (EV-COORD-ASIF, EV-ATTR-*, EV-COORD-VERTEXLAST).
+// Each kind of map acts like its command (EV-COORD-ASIF, EV-ATTR-*, EV-COORD-VERTEXLAST).
 TEST(EvalCoord1, ActsLikeTheCommandOfEachMap) {
   Specification gl;
   float first = 100;
@@ -369,7 +369,7 @@ TEST(CurrentValues, TakeAllForms) {
   check([&] { gl.TexCoord4fv(f); }, GL_CURRENT_TEXTURE_COORDS, four);
   check([&] { gl.TexCoord4dv(d); }, GL_CURRENT_TEXTURE_COORDS, four);
 
-  // The unit of MultiTexCoord is its argument; that of the query is the active one.
+  // MultiTexCoord sets the unit of its argument; the query returns the active unit.
   gl.ActiveTexture(GL_TEXTURE7);
   const GLenum unit = GL_TEXTURE7;
   const auto check_unit = [&](const std::function<void()>& command, const std::vector<GLdouble>& expected) {

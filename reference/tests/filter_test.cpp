@@ -27,7 +27,7 @@ const std::vector<Domain> kDomains{{0, 1},
                                    {1e9, -1e-9},
                                    {-1e-300, 1e300}};
 
-// Coordinates in the domain, near its ends, outside, far outside, extreme ones.
+// Returns coordinates in the domain, near its ends, outside, far outside, and extreme ones.
 std::vector<double> coordinates(std::mt19937_64& random, const Domain& domain, std::size_t count) {
   std::vector<double> result(count);
   for (double& x : result) {
@@ -82,7 +82,7 @@ Direction random_direction(std::mt19937_64& random, const Domain& domain, std::s
   return direction;
 }
 
-// How much of the bound errors use; above 1 the proof is wrong.
+// The ratio of error and bound; a value above 1 refutes the proof.
 class Usage {
  public:
   void add(const Enclosure& enclosure, const Rational& value) {
@@ -115,7 +115,7 @@ bool same_bits(Float a, Float b) {
   return a == b && std::signbit(a) == std::signbit(b);
 }
 
-// Both roundings, where the filter decides them.
+// Expects the correct float and double wherever the filter decides them.
 template <typename Form>
 void expect_rounded(const Filter& filter, const Form& exact, const Direction& u, const Direction& v,
                     std::size_t count, int& decided_floats, int& decided_doubles) {
@@ -164,7 +164,7 @@ TEST_P(FilterOf, EnclosesCurves) {
   EXPECT_LT(usage.nothing_said(), usage.count() / 4);
   EXPECT_GT(floats, usage.count() / 2);
   EXPECT_GT(doubles, usage.count() / 2);
-  // Not so wide that nothing could go wrong unseen.
+  // A much wider bound would hide errors.
   EXPECT_GT(usage.largest(), 0x1p-8);
 }
 
@@ -199,7 +199,7 @@ TEST_P(FilterOf, EnclosesSurfaces) {
   EXPECT_GT(usage.largest(), 0x1p-8);
 }
 
-// Everything cancels: (1-2u)^n near 1/2, and a polynomial with its roots at j/n.
+// All terms cancel: (1-2u)^n near 1/2, and a polynomial with roots at j/n.
 TEST_P(FilterOf, EnclosesWhatCancels) {
   std::mt19937_64 random = make_generator();
   Usage usage;
@@ -221,7 +221,7 @@ TEST_P(FilterOf, EnclosesWhatCancels) {
   std::cout << "largest error over bound " << usage.largest() << '\n';
 }
 
-// Indices that lead back into the domain from far away: a and b are small differences of large numbers.
+// The grid begins far outside the domain, so that a and b are small differences of large numbers.
 TEST_P(FilterOf, EnclosesGridsFromFarAway) {
   std::mt19937_64 random = make_generator();
   Usage usage;

@@ -1,6 +1,5 @@
-// A second opinion that shares nothing with the oracle but the question: interval arithmetic of MPFI, at some
-// 400 digits. An interval cannot lie, so what is exact has to be in it; that it is narrow makes this say
-// something.
+// Checks the oracle with interval arithmetic (MPFI) of about 400 digits, which shares no code with it. Each
+// interval must contain the exact value, and must be narrow.
 #include <gtest/gtest.h>
 #include <reference/bernstein_form.h>
 #include <reference/normal.h>
@@ -30,7 +29,7 @@ void expect_in(const Ball& interval, const Rational& x, const Ball& scale) {
   ASSERT_LE(width(interval), upper(Ball(scale * pow(Ball(2), -600)))) << x;
 }
 
-// The direct sum, with binomial coefficients multiplied up.
+// Returns the direct sum, with incrementally computed binomial coefficients.
 Ball bernstein_sum(const std::vector<Ball>& values, const Ball& t) {
   const int n = static_cast<int>(values.size()) - 1;
   Ball sum = 0, binomial = 1;
@@ -58,7 +57,7 @@ Ball largest(const std::vector<double>& values) {
   return Ball(most);
 }
 
-// A finite scale for what cancels: the sum of |t|^i |1-t|^(n-i) C(n,i) is (|t| + |1-t|)^n.
+// Returns a scale for sums that cancel: the sum of |t|^i |1-t|^(n-i) C(n,i), which is (|t| + |1-t|)^n.
 Ball growth(const Ball& t, int n) { return pow(Ball(abs(t) + abs(Ball(1 - t))), n); }
 
 TEST(Intervals, ContainValuesAndDerivativesOfCurves) {
@@ -126,7 +125,7 @@ TEST(Intervals, ContainNormals) {
     for (int c = 0; c < 3; ++c) {
       expect_in(m[c], exact[c], length);
       const Ball component = m[c] / length;
-      // Both ends of so narrow an interval round to the same number.
+      // Both ends of such a narrow interval round to the same number.
       ASSERT_EQ(lower(component).convert_to<float>(), rounded[c]);
       ASSERT_EQ(upper(component).convert_to<float>(), rounded[c]);
     }

@@ -43,7 +43,7 @@ TYPED_TEST(Map1Of, CountsTheStrideInValuesAndSkipsThePadding) {  // EV-MAP1-STRI
     const int k = kValuesPerPoint[i];
     for (const int stride : {k, k + 1, 2 * k, 17}) {
       Specification gl;
-      // Exactly the memory that may be read: the last point has no padding behind it.
+      // The memory is exactly the range that may be read: the last point has no padding.
       auto points = std::make_unique<TypeParam[]>(2 * stride + k);
       std::fill_n(points.get(), 2 * stride + k, static_cast<TypeParam>(NAN));
       std::vector<GLdouble> expected;
@@ -78,7 +78,7 @@ TEST(Map1, ReplacesOneMapAndNothingElse) {  // EV-MAP1-REPLACE, -INDEP, -VS-MAP2
       const std::vector<GLfloat> points(30, 5);
       gl.Map1f(kMap1Targets[i], 3, 7, 4, 5, points.data());
       auto after = queryable_state(gl);
-      // Four answers for each map: points, order, domain, enable.
+      // The state of each map has four answers: points, order, domain, enable.
       EXPECT_EQ(after[4 * i], std::vector<GLdouble>(5 * kValuesPerPoint[i], 5));
       EXPECT_EQ(after[4 * i + 1], std::vector<GLdouble>{5});
       EXPECT_EQ(after[4 * i + 2], (std::vector<GLdouble>{3, 7}));
@@ -89,7 +89,7 @@ TEST(Map1, ReplacesOneMapAndNothingElse) {  // EV-MAP1-REPLACE, -INDEP, -VS-MAP2
   }
 }
 
-// One condition at a time.
+// A call that violates one condition.
 struct Mistake {
   const char* name;
   GLenum target;

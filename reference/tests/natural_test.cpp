@@ -9,7 +9,7 @@
 namespace evalcts::reference {
 namespace {
 
-// Limbs with long runs of ones and zeros, on which carries travel.
+// Returns limbs with long runs of ones and zeros, through which carries propagate.
 std::uint64_t limb(std::mt19937_64& random) {
   switch (pick(random, 0, 3)) {
     case 0:
@@ -23,7 +23,7 @@ std::uint64_t limb(std::mt19937_64& random) {
   }
 }
 
-// The same number in both forms.
+// The same number in two representations.
 struct Pair {
   Natural natural;
   Integer integer;

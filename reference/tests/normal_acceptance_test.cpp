@@ -1,5 +1,5 @@
-// The acceptance rule of automatic normals: against a second writing of section 0.5 of the requirements,
-// where it is a must, where nothing is judged, and that it refuses the mistakes that it is there for.
+// Tests the acceptance rule of automatic normals: comparison with a second implementation of section 0.5 of
+// the requirements, the conditions for a must and for not judging, and the rejection of typical mistakes.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 
@@ -22,13 +22,13 @@ Decimal decimal_length(const SecondVector& m) {
   return sqrt(decimal(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]));
 }
 
-// |x| and E of a number.
+// A number: |x| and its error E.
 struct Known {
   Fraction size, error;
   Fraction most() const { return size + error; }
 };
 
-// E of the difference of two products.
+// Returns the error E of a difference of two products.
 Fraction products_error(const Known& a, const Known& b, const Known& c, const Known& d) {
   return (1 + 3 * kEpsilon) * (a.most() * b.most() + c.most() * d.most()) - a.size * b.size - c.size * d.size;
 }
@@ -150,7 +150,7 @@ TEST(NormalAcceptance, AllowsAnyMethodTwoInAThousand) {
   EXPECT_EQ(normal_method_allowance(), Rational(1) / 500);
 }
 
-// A unit square in z = 5, at w.
+// Returns a unit square at z = 5 with the given w.
 template <std::size_t kSize>
 Patch square(double scale = 1, double w = 1) {
   return make_patch<kSize>(2, 2, [=](int i, int j) {
@@ -211,12 +211,12 @@ TEST(NormalAcceptance, IsAMustOnlyForOrdinarySizes) {
   EXPECT_FALSE(must(square<4>(0x1.1p16, 0.5)));
   EXPECT_FALSE(must(square<4>(0x1.fp-17, 2)));
   EXPECT_TRUE(must(square<4>(0x1p-16, 1)));
-  // The derivatives themselves: long and thin.
+  // The derivatives have different magnitudes: the patch is long and thin.
   Patch thin = make_patch<3>(2, 2, [](int i, int j) { return std::array{0x1.8p31 * i, 0x1p-40 * j, 0.0}; });
   EXPECT_TRUE(must(thin));
   thin.at(0, 0, 0) = thin.at(0, 1, 0) = -0x1.8p31;
   EXPECT_FALSE(must(thin));
-  // Derivatives in u and v instead of t.
+  // The limits hold for derivatives in u and v instead of t, too.
   for (double Patch::*end : {&Patch::u2, &Patch::v2}) {
     Patch wide = square<3>();
     wide.*end = 0x1p32;
@@ -237,7 +237,7 @@ TEST(NormalAcceptance, JudgesNothingWithoutANormal) {
     return acceptance.bound.has_value();
   };
   EXPECT_TRUE(judged(square<3>(), 0.5, 0.5));
-  // All points equal, order 1, a collapsed edge and beside it.
+  // Nothing is judged if all points are equal, for order 1, and at and near a collapsed edge.
   EXPECT_FALSE(judged(make_patch<3>(3, 3, [](int, int) { return std::array{1.0, 2.0, 3.0}; }), 0.5, 0.5));
   EXPECT_FALSE(judged(make_patch<3>(3, 1,
                                     [](int i, int) {
@@ -260,13 +260,13 @@ TEST(NormalAcceptance, JudgesNothingWithoutANormal) {
   EXPECT_FALSE(judged(through, 0.50001, 0.5));
   EXPECT_TRUE(judged(through, 0.25, 0.5));
   EXPECT_TRUE(judged(through, 0.75, 0.5));
-  // Beyond what binary64 can hold, where nothing is a must.
+  // The values exceed the range of binary64, where nothing is a must.
   EXPECT_FALSE(judged(square<3>(1e300), 0.5, 0.5));
   EXPECT_FALSE(judged(square<3>(1e-300), 0.5, 0.5));
   EXPECT_FALSE(judged(square<4>(1e70, 1e70), 1e200, 0.5));
 }
 
-// A square that goes away until its size is lost in the errors of its place.
+// A square moves away until the errors of its position exceed its size.
 TEST(NormalAcceptance, StopsJudgingWhereTheRequirementsDo) {
   int judged = 0, not_judged = 0;
   for (double place = 10; place < 1e5; place *= 1.1) {
@@ -331,7 +331,7 @@ TEST(NormalAcceptance, RefusesTheUsualMistakes) {
   for (const Wrong& wrong : wrongs) {
     EXPECT_FALSE(is_within(wrong.normal, m, must, false)) << wrong.what;
   }
-  // The sign is all that swapping changes; length is no matter of direction.
+  // Swapping changes only the sign, and the length does not affect the direction.
   EXPECT_TRUE(is_within(wrongs[0].normal, m, strict, true));
   EXPECT_TRUE(direction_is_within(wrongs[2].normal, m, strict, false));
   EXPECT_FALSE(direction_is_within(wrongs[1].normal, m, must, true));

@@ -1,5 +1,5 @@
-// Every usual way to compute a normal stays within the acceptance bound, in single precision and with errors
-// of one part in 10^5 in every operation; and the bound is not much wider than that needs.
+// Every usual method to compute a normal stays within the acceptance bound, in single precision and with
+// errors of one part in 10^5 in every operation. The bound is not much wider than necessary.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 
@@ -31,7 +31,7 @@ void set_random_domain(std::mt19937_64& generator, double& low, double& high) {
   low = domain[0], high = domain[1];
 }
 
-// In the domain, at its ends, or slightly outside.
+// Returns an argument in the domain, at its ends, or slightly outside.
 Argument random_argument(std::mt19937_64& generator, double u1, double u2) {
   if (pick(generator, 0, 3) == 0) {
     return Argument::grid(pick(generator, 0, 13), 13, static_cast<float>(u1), u2);
@@ -40,7 +40,8 @@ Argument random_argument(std::mt19937_64& generator, double u1, double u2) {
   return Argument::coordinate(static_cast<float>(u1 + t * (u2 - u1)));
 }
 
-// A bumpy sheet of some size somewhere, or a net without any order; w from half to four, of either sign.
+// Returns a bumpy patch of random size and position, or a random net; w is between 1/2 and 4 with either
+// sign.
 NormalCase random_case(std::mt19937_64& generator, int size, int uorder, int vorder) {
   Patch patch = random_patch(generator, Data::kFloats, size, uorder, vorder);
   const double scales[] = {0.01, 1, 1, 1000};
@@ -91,13 +92,13 @@ RealVector exact_unit(const Vector& m) {
   return {real(unit[0].low), real(unit[1].low), real(unit[2].low)};
 }
 
-// The sign is that of the normalised coordinates; with the domain variables it flips with each reversed
-// domain.
+// True if the normal has the opposite sign: derivatives with respect to the domain variables change their
+// sign with each reversed domain.
 bool is_flipped(const NormalCase& c, const NormalMethod& how) {
   return how.domain_variable && (c.patch.u1 > c.patch.u2) != (c.patch.v1 > c.patch.v2);
 }
 
-// The largest difference of components over the bound.
+// Returns the largest ratio of a component's error and the bound.
 double excess(const RealVector& got, const RealVector& exact, bool flipped, long double bound) {
   long double most = 0;
   for (int c = 0; c < 3; ++c) most = std::fmax(most, std::fabs((flipped ? -got[c] : got[c]) - exact[c]));
@@ -169,7 +170,7 @@ TEST(EveryNormalMethod, IsAcceptedWithRandomErrors) {
   EXPECT_GT(seen.judged, seen.all / 2);
 }
 
-// Without normalisation, as for a vertex shader.
+// The normal is not normalised, as with a vertex shader.
 TEST(EveryNormalMethod, IsAcceptedAsAVector) {
   std::mt19937_64 generator = make_generator();
   RandomErrors random(generator);
@@ -198,7 +199,7 @@ TEST(EveryNormalMethod, IsAcceptedAsAVector) {
   EXPECT_GT(seen.judged, seen.all / 2);
 }
 
-// The sign of every single error is chosen for the largest and for the smallest component of the result, one
+// Searches the signs of all single errors that give the largest and the smallest component of the result, one
 // flip at a time.
 class WorstErrors {
  public:
@@ -259,7 +260,7 @@ TEST(EveryNormalMethod, IsAcceptedWithTheWorstErrors) {
                         });
   }
   EXPECT_GT(seen.judged, seen.all / 2);
-  // A bound that real errors come nowhere near would prove nothing about an implementation.
+  // A bound far above all real errors would prove nothing about an implementation.
   EXPECT_GT(seen.worst, 0.03);
   EXPECT_GT(vectors.worst, 0.15);
 }

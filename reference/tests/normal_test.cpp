@@ -1,4 +1,4 @@
-// Exact derivatives and normals, against a second route and against surfaces whose normals are known.
+// Compares exact derivatives and normals with a second method and with surfaces whose normals are known.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 
@@ -25,7 +25,7 @@ void set_random_domain(std::mt19937_64& generator, Patch& patch) {
   patch.u1 = u[0], patch.u2 = u[1], patch.v1 = v[0], patch.v2 = v[1];
 }
 
-// A point (x,y,z) of the surface.
+// Returns a point (x,y,z) of the surface.
 Vector point(const Patch& patch, const Argument& u, const Argument& v) {
   const std::vector<Surface> surface = patch.surface();
   Vector q;
@@ -63,7 +63,7 @@ TEST(NormalVector, IsThatOfTheSecondRoute) {
     ASSERT_EQ(fractions(tangents.v), second_tangent(patch, u, v, &SecondJet::v));
     const Vector m = normal_vector(surface, u, v);
     ASSERT_EQ(fractions(m), second_normal(patch, u, v));
-    // The acceptance's m is w^4 times as long, so points the same way for any sign of w.
+    // The m of the acceptance is w^4 times as long, so it has the same direction for any sign of w.
     const Rational w = patch.size == 4 ? evaluate(surface[3], u, v) : Rational(1);
     for (int c = 0; c < 3; ++c) ASSERT_EQ(normal_acceptance(surface, u, v).m[c], m[c] * pow(w, 4));
   }
@@ -161,7 +161,7 @@ TEST(IsDegenerate, WhereTheDerivativesSpanNoPlane) {
     return std::array{0.1 * i, 2.0, 1.0 * i * i, 2.0};
   });
   EXPECT_TRUE(degenerate(curve_v, 0.3, 0.6));
-  // The edge u = 0 is a single point: only there.
+  // The edge u = 0 is a single point, where the normal is degenerate.
   const Patch fan = make_patch<3>(2, 2, [](int i, int j) { return std::array{1.0 * i, 1.0 * i * j, 0.0}; });
   EXPECT_TRUE(degenerate(fan, 0, 0.6));
   EXPECT_FALSE(degenerate(fan, 0x1p-1000, 0.6));

@@ -1,4 +1,4 @@
-// Vertex maps for the tests of normals, and the slow second opinion on them.
+// Vertex maps for the tests of normals, and a slow second method for them.
 #pragma once
 
 #include <reference/normal.h>
@@ -32,7 +32,7 @@ struct Patch {
   double at(int i, int j, int c) const { return points[(i * vorder + j) * size + c]; }
 };
 
-// The patch with R_ij = point(i, j).
+// Returns the patch with R_ij = point(i, j).
 template <std::size_t kSize>
 Patch make_patch(int uorder, int vorder, const std::function<std::array<double, kSize>(int, int)>& point) {
   Patch patch{static_cast<int>(kSize), uorder, vorder, {}};
@@ -49,7 +49,7 @@ inline Patch random_patch(std::mt19937_64& generator, Data kind, int size, int u
           control_values(generator, kind, static_cast<std::size_t>(size) * uorder * vorder)};
 }
 
-// By de Casteljau's construction in reduced fractions.
+// Value and derivatives by de Casteljau's construction in reduced fractions.
 struct SecondJet {
   Fraction value, u, v;
 };
@@ -74,7 +74,7 @@ inline SecondJet second_jet(const Patch& patch, int c, const Argument& u, const 
 
 using SecondVector = std::array<Fraction, 3>;
 
-// q_u (or q_v): (p/w)' by the quotient rule.
+// Returns q_u or q_v, the derivative of p/w by the quotient rule.
 inline SecondVector second_tangent(const Patch& patch, const Argument& u, const Argument& v,
                                    Fraction SecondJet::*derivative) {
   SecondVector result;

@@ -1,4 +1,4 @@
-// Arithmetic of limited accuracy, and the usual ways to evaluate a map with it.
+// Arithmetic of limited accuracy, and the usual methods to evaluate a map with it.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 namespace evalcts::reference {
 
-// Each operation is exact up to a relative error that the policy chooses, but 1 * x = x and x + 0 = x hold,
-// as the GL demands (GL 2.1 section 2.1.1). Values are long doubles, whose own rounding is negligible beside
-// 1e-5.
+// Arithmetic whose operations have a relative error that a derived class chooses, except that 1 * x = x and x
+// + 0 = x, as the GL requires (GL 2.1 section 2.1.1). Values are long doubles, whose own rounding is
+// negligible beside 1e-5.
 class Arithmetic {
  public:
   virtual ~Arithmetic() = default;
@@ -22,8 +22,8 @@ class Arithmetic {
   long double fma(long double a, long double b, long double c) { return round(a * b + c); }
 };
 
-// IEEE single precision. (Sums, products and quotients of floats survive the detour through long double: it
-// has more than twice the digits.)
+// IEEE single precision. (Sums, products and quotients of floats can be rounded from long double, which has
+// more than twice the digits.)
 class SinglePrecision : public Arithmetic {
  public:
   long double round(long double exact) override { return static_cast<float>(exact); }
@@ -44,7 +44,7 @@ class RandomErrors : public Arithmetic {
   std::mt19937_64& generator_;
 };
 
-// Errors of one part in 10^5 with the given signs, operation by operation; growing where none is given.
+// Errors of one part in 10^5 with the given signs, operation by operation; positive if no sign is given.
 class SignedErrors : public Arithmetic {
  public:
   long double round(long double exact) override {
@@ -106,7 +106,7 @@ inline long double evaluate_by(Arithmetic& a, Method method, std::vector<long do
       return r[0];
     case Method::kHorner:
     case Method::kHornerFused: {
-      // The binomial coefficient is multiplied up along the way, by reciprocals.
+      // The binomial coefficient is computed incrementally, with reciprocals.
       long double sum = r[0], binomial = 1, power = 1;
       for (std::size_t i = 1; i <= n; ++i) {
         power = i == 1 ? w.t : a.mul(power, w.t);

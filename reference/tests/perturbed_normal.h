@@ -1,4 +1,4 @@
-// The usual ways to compute the normal of a surface, with arithmetic of limited accuracy.
+// The usual methods to compute the normal of a surface, with arithmetic of limited accuracy.
 #pragma once
 
 #include <array>
@@ -77,7 +77,7 @@ struct RealJet {
 
 inline RealJet jet_by(Arithmetic& a, const NormalMethod& how, const Patch& patch, int c, Weights u,
                       Weights v) {
-  // The net as curves along the direction that is dealt with first.
+  // The net is split into curves along the direction that is evaluated first.
   const int lines = how.rows_first ? patch.uorder : patch.vorder;
   const int count = how.rows_first ? patch.vorder : patch.uorder;
   const Weights inner = how.rows_first ? v : u, outer = how.rows_first ? u : v;
@@ -105,7 +105,8 @@ inline RealVector cross_by(Arithmetic& a, const NormalMethod& how, const RealVec
   return m;
 }
 
-// dq/du x dq/dv; for the cleared tangents divided by w^4 at the end if `clear`, else w^4 times as long.
+// Returns dq/du x dq/dv. For cleared tangents, the result is divided by w^4 at the end if `clear`, otherwise
+// it is w^4 times as long.
 inline RealVector normal_by(Arithmetic& a, const NormalMethod& how, const Patch& patch, long double u,
                             long double v, bool clear) {
   const Weights along_u = parameter(a, how.parameter, u, patch.u1, patch.u2);

@@ -12,7 +12,7 @@
 
 namespace evalcts::reference {
 
-// A generator whose seed is printed; set EVALCTS_SEED to replay or to try others.
+// Returns a generator and prints its seed. EVALCTS_SEED sets the seed.
 inline std::mt19937_64 make_generator() {
   const char* text = std::getenv("EVALCTS_SEED");
   const std::uint64_t seed = text != nullptr ? std::strtoull(text, nullptr, 0) : 20240229;
@@ -28,7 +28,7 @@ inline int pick(std::mt19937_64& generator, int low, int high) {
   return std::uniform_int_distribution<int>(low, high)(generator);
 }
 
-// Any finite float, all bit patterns alike: subnormals, both zeros, huge values.
+// Returns a finite float, with all bit patterns equally likely: subnormals, both zeros, huge values.
 inline float any_float(std::mt19937_64& generator) {
   for (;;) {
     const float value = std::bit_cast<float>(static_cast<std::uint32_t>(generator()));

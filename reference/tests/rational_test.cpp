@@ -10,7 +10,7 @@
 namespace evalcts::reference {
 namespace {
 
-// Signed values of all shapes: integers, doubles of any size, quotients.
+// Returns a signed integer, a double of any magnitude, or a quotient.
 Rational random_rational(std::mt19937_64& generator) {
   switch (pick(generator, 0, 3)) {
     case 0:
@@ -97,7 +97,7 @@ TEST(Rational, DescribesItselfInDecimalAndHexadecimal) {
   EXPECT_EQ(describe(Rational(100) * pow(Rational(10), 20)), "1e+22 (0x1.0f0cf064ddp+73)");
   EXPECT_EQ(describe(Rational::power_of_two(-149)), "1.4012984643248171e-45 (0x1p-149)");
   EXPECT_EQ(describe(Rational::power_of_two(2000)), "1.1481306952742545e+602 (0x1p+2000)");
-  // Rounding up to the next power of ten, and of two.
+  // The digits are rounded up to the next power of ten, and of two.
   EXPECT_EQ(describe(1 - pow(Rational(1) / 10, 20)), "1 (0x1p+0)");
   EXPECT_EQ(describe(1000 - pow(Rational(1) / 10, 20)), "1000 (0x1.f4p+9)");
   EXPECT_EQ(describe(Rational(0.00001)), "0.000010000000000000001 (0x1.4f8b588e37p-17)");

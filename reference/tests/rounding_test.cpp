@@ -16,8 +16,8 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 bool has_even_significand(float x) { return std::bit_cast<std::uint32_t>(x) % 2 == 0; }
 bool has_even_significand(double x) { return std::bit_cast<std::uint64_t>(x) % 2 == 0; }
 
-// No other floating-point number is nearer to x, and at equal distance the one with an even significand was
-// taken.
+// Expects that no other floating-point number is nearer to x, and that a tie was rounded to an even
+// significand.
 template <typename Float>
 void expect_nearest(const Rational& x, Float rounded) {
   ASSERT_TRUE(std::isfinite(rounded)) << describe(x);
@@ -57,7 +57,8 @@ TYPED_TEST(RoundingOf, IsNearestAmongAllNeighbours) {
     const TypeParam base = any<TypeParam>(generator);
     const TypeParam next = std::nextafter(base, std::numeric_limits<TypeParam>::infinity());
     if (!std::isfinite(next)) continue;
-    // Between two neighbours: thirds, the middle (a tie), and hardly beside the ends and the middle.
+    // Values between two neighbours: thirds, the midpoint (a tie), and values very near to the ends and the
+    // midpoint.
     const Rational gap = Rational(next) - Rational(base);
     const Rational tiny = Rational::power_of_two(-1300);
     for (const Rational& x :
@@ -140,7 +141,7 @@ TEST(Ulp, IsTheGapOfTheClosestStraddlingFloats) {
     const Rational gap = Rational(b) - Rational(a);
     EXPECT_EQ(ulp(Rational(a) + gap / 3), gap) << a;
     EXPECT_EQ(ulp(-(Rational(a) + gap / 3)), gap) << a;
-    // At a float itself both neighbours straddle; the smaller gap is the one towards zero.
+    // A float has a neighbour on either side; the smaller gap is the one towards zero.
     if (a > 0) {
       EXPECT_EQ(ulp(a), Rational(a) - Rational(std::nextafter(a, 0.0f))) << a;
     }

@@ -1,4 +1,4 @@
-// A second writing of the formulas of section 0.5 of the requirements, in reduced fractions.
+// A second implementation of the formulas of section 0.5 of the requirements, in reduced fractions.
 #pragma once
 
 #include <reference/bernstein.h>
@@ -64,8 +64,8 @@ struct SecondDirection {
   Fraction wide_s(bool all_fit) const { return (1 + 8 * kEpsilon) * s() + 8 * kEpsilon * t() + tau(all_fit); }
 };
 
-// For a curve v is of degree 0. magnitudes[i * (v.n + 1) + j] is |R_ij|; `fit`: everything is representable
-// in single precision.
+// Returns the bound. For a curve, v has degree 0. magnitudes[i * (v.n + 1) + j] is |R_ij|. `fit`: all inputs
+// are representable in single precision.
 inline Fraction second_bound(const std::vector<Fraction>& magnitudes, const SecondDirection& u,
                              const SecondDirection& v, int k, bool fit) {
   if (!fit) ++k;

@@ -313,7 +313,7 @@ TEST(Queries, OfSingleValuesConvert) {
   gl.TexCoord4f(1.4f, -1.6f, 1e20f, 0);
   gl.Indexf(2.51f);
   GLint i[4];
-  // Colours and normals go linearly to the whole range (GL 2.1 table 2.9).
+  // Colours and normals are mapped linearly to the whole range (GL 2.1 table 2.9).
   gl.GetIntegerv(GL_CURRENT_COLOR, i);
   EXPECT_EQ(i[0], 2147483647);
   EXPECT_EQ(i[1], -2147483647 - 1);
@@ -339,7 +339,7 @@ TEST(Queries, OfSingleValuesConvert) {
   GLfloat f[4];
   gl.GetFloatv(GL_MAP2_GRID_SEGMENTS, f);
   EXPECT_EQ(f[1], 1);
-  // Numbers that are none do no harm.
+  // NaN and infinity are accepted.
   gl.Color4d(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300, 0);
   gl.GetIntegerv(GL_CURRENT_COLOR, i);
   EXPECT_EQ(i[0], 0);

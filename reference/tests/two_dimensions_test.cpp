@@ -1,5 +1,5 @@
 // Sections 4, 5, 10 and 13 to 16 of the requirements on the executable specification: two-dimensional maps,
-// grids, points, meshes, and where automatic normals come from.
+// grids, points, meshes, and the sources of automatic normals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,14 +11,14 @@
 namespace evalcts::reference {
 namespace {
 
-// x is the u index times 10 plus the v index, linearly, over [0,2] x [0,1]: order 3 by 2.
+// Defines a map of order 3 x 2 over [0,2] x [0,1] with x = 10 u + v.
 void define_net(Specification& gl, GLenum target = GL_MAP2_VERTEX_3) {
   const GLfloat points[] = {0, 5, 6, 1, 5, 6, 10, 5, 6, 11, 5, 6, 20, 5, 6, 21, 5, 6};
   gl.Map2f(target, 0, 2, 6, 3, 0, 1, 3, 2, points);
   gl.Enable(target);
 }
 
-// The primitives as text: the mode, and x of each vertex.
+// Returns the primitives as text: the mode, and x of each vertex.
 std::string drawn(Specification& gl) {
   std::string text;
   for (const Primitive& primitive : gl.take_primitives()) {

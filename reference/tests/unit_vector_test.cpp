@@ -1,5 +1,5 @@
-// Unit vectors: enclosures, correct rounding and comparison, against a hundred decimal digits and where a
-// hundred digits would not do.
+// Tests unit vectors (enclosures, correct rounding, comparison) against a hundred decimal digits, and in
+// cases that a hundred digits cannot decide.
 #include <gtest/gtest.h>
 #include <reference/normal.h>
 #include <reference/rounding.h>
@@ -113,7 +113,7 @@ TEST(RoundedUnitVector, IsTheNearestFloat) {
     const Vector m = random_vector(generator);
     const Floats rounded = rounded_unit_vector(m);
     for (int c = 0; c < 3; ++c) {
-      // No hundred digits are close to a midpoint of floats, but for the exact ones.
+      // A hundred digits are never close to a midpoint of floats, except if the value is exact.
       const Decimal exact = decimal(m[c]) / decimal_length(m);
       ASSERT_EQ(rounded[c], exact.convert_to<float>()) << exact;
       subnormal += rounded[c] != 0 && std::fabs(rounded[c]) < std::numeric_limits<float>::min();
@@ -180,7 +180,7 @@ TEST(RoundedUnitVectorToDouble, IsTheNearestToTheEnclosure) {
   }
 }
 
-// By a hundred decimal digits.
+// The expected value has a hundred decimal digits.
 TEST(RoundedUnitVectorToDouble, IsTheNearestDouble) {
   std::mt19937_64 generator = make_generator();
   for (int repetition = 0; repetition < 1000; ++repetition) {
@@ -249,7 +249,7 @@ TEST(IsWithin, RefusesWhatIsNoVector) {
 
 TEST(DirectionIsWithin, EndsAtTheBound) {
   const Rational tiny = Rational::power_of_two(-300);
-  // Irrational lengths that are the same, exactly.
+  // The directions are equal, although the lengths are irrational.
   EXPECT_TRUE(direction_is_within({1, 1, 1}, {2, 2, 2}, 0, false));
   EXPECT_FALSE(direction_is_within({1, 1, 1}, {2, 2, 2 + tiny}, 0, false));
   EXPECT_TRUE(direction_is_within({1, 1, 1}, {2, 2, 2 + tiny}, tiny, false));
@@ -259,7 +259,7 @@ TEST(DirectionIsWithin, EndsAtTheBound) {
   // Opposite signs.
   EXPECT_TRUE(direction_is_within({-3, 0, 4}, {3, 0, 4}, Rational(6) / 5, false));
   EXPECT_FALSE(direction_is_within({-3, 0, 4}, {3, 0, 4}, Rational(6) / 5 - tiny, false));
-  // Length is no matter.
+  // The length does not matter.
   EXPECT_TRUE(direction_is_within({0x1p-149f, 0, 0}, {5, 0, 0}, 0, false));
   EXPECT_TRUE(direction_is_within({0x1p127f, 0x1p127f, 0}, {1, 1, 0}, 0, false));
 }

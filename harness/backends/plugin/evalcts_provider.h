@@ -16,8 +16,10 @@
 extern "C" {
 #endif
 
+/* The version of this interface. */
 #define EVALCTS_PROVIDER_VERSION 1
 
+/* The functions of a provider, which evalcts_provider_open() returns. */
 typedef struct evalcts_provider {
   /* The EVALCTS_PROVIDER_VERSION that the provider was built with. */
   unsigned int version;

@@ -17,14 +17,16 @@
 extern "C" {
 #endif
 
+/* The version of this interface. */
 #define EVALCTS_SINK_VERSION 2
 
 /* The receiver of the evaluator's primitives. It belongs to evalcts and lives as long as the context. */
 typedef struct evalcts_receiver {
-  void* user; /* first argument of the functions below */
+  void* user; /* the first argument of the functions below */
 
-  /* Open and close a primitive, as Begin and End do. mode: GL_POINTS (0) to GL_POLYGON (9). */
+  /* Opens a primitive, as Begin does. mode: GL_POINTS (0) to GL_POLYGON (9). */
   void (*begin)(void* user, unsigned int mode);
+  /* Closes the primitive, as End does. */
   void (*end)(void* user);
 
   /* Receives a vertex that EvalCoord or Vertex emits, between begin() and end(). normal has three components,
@@ -44,14 +46,15 @@ typedef struct evalcts_receiver {
 
 /* A GL command by its name ("glMap1f"), with the arguments and types of <GL/gl.h>. */
 typedef struct evalcts_sink_command {
-  const char* name;
-  void (*function)(void);
+  const char* name;       /* such as "glMap1f" */
+  void (*function)(void); /* the command, cast to this type */
 } evalcts_sink_command;
 
 /* Row of the table for a function with the name of its command: EVALCTS_SINK_COMMAND(Map1f). */
 #define EVALCTS_SINK_COMMAND(function) \
   { "gl" #function, (void (*)(void))function }
 
+/* The description of a sink, which evalcts_sink_open() returns. */
 typedef struct evalcts_sink {
   /* The EVALCTS_SINK_VERSION that the library was built with. */
   unsigned int version;
@@ -76,9 +79,8 @@ typedef struct evalcts_sink {
   /* The largest supported order of a map. 0: the answer of GetIntegerv to GL_MAX_EVAL_ORDER, or 8. */
   int max_order;
 
-  /* Vendor and name of the evaluator in the report; null: unknown. */
-  const char* vendor;
-  const char* name;
+  const char* vendor; /* vendor of the evaluator in the report; null: unknown */
+  const char* name;   /* name of the evaluator in the report; null: unknown */
 
   /* The GL version of these evaluators. Commands and rules of later versions are not tested. Null: "1.1". */
   const char* gl_version;

@@ -63,7 +63,7 @@ class Implementation {
   virtual std::string context_library() const { return {}; }
   // Creates a fresh context. Throws CannotStart.
   virtual std::unique_ptr<Context> create_context() = 0;
-  // Creates a context that may exist beside those of create_context() and is current after its creation.
+  // Creates a context that may coexist with those of create_context() and is current after its creation.
   // Returns null if this is not supported.
   virtual std::unique_ptr<Context> create_beside() { return nullptr; }
   // Returns the declared features; null for a GL, which supports everything of its version.

@@ -1,29 +1,29 @@
-// Implementations inside this process: entry points are plain functions without a context argument, so each
-// forwards to the context that is current.
+// Entry points of implementations in this process. They are plain functions without a context argument, so
+// each forwards to the current context.
 #pragma once
 
 #include <evalcts/gl/table.h>
 
 namespace evalcts {
 
-// Owner::current is the context that the forwarded calls act on; null outside its life.
+// Owner::current is the context of the forwarded calls; null if there is none.
 template <class Owner, auto Function>
 struct Forward;
 
-// Methods of a context object.
+// Binds methods of a context object.
 template <class Owner, class Class, class Result, class... Parameters, Result (Class::*method)(Parameters...)>
 struct Forward<Owner, method> {
   static Result call(Parameters... parameters) { return (Owner::current->*method)(parameters...); }
 };
 
-// C functions that take the context first.
+// Binds C functions whose first argument is the context.
 template <class Owner, class Handle, class Result, class... Parameters,
           Result (*function)(Handle*, Parameters...)>
 struct Forward<Owner, function> {
   static Result call(Parameters... parameters) { return function(Owner::current, parameters...); }
 };
 
-// Fills in every command of entry_points.def that `Class` has a method for.
+// Fills in every command of entry_points.def for which `Class` has a method.
 template <class Owner, class Class>
 gl::Table bind_methods() {
   gl::Table table;

@@ -1,5 +1,5 @@
-// A case as a stand-alone C program: it needs the Khronos headers (or glevaluator.h) and the library under
-// test, nothing of this project.
+// Writes a case as a stand-alone C program, which needs only the Khronos headers (or glevaluator.h) and the
+// library under test.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace evalcts::gl {
 
-// There is no C program for this kind of context; the message says why.
+// Thrown if there is no C program for this kind of context; the message states the reason.
 struct NoCProgram : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -29,9 +29,8 @@ struct CProgram {
   std::size_t emitted_vertices = 0;  // when the failure was recorded, for "production"
 };
 
-// The program: exit code 1 where the check does not hold (or the library crashes), 0 where it holds, 2 where
-// it cannot start. A macro SECONDS, where one is defined in front of it, is its time limit. Throws
-// NoCProgram.
+// Returns the program. Its exit code is 1 if the check does not hold or the library crashes, 0 if the check
+// holds, and 2 if the program cannot start. The macro SECONDS sets its time limit. Throws NoCProgram.
 std::string to_c(const CProgram& program);
 
 }  // namespace evalcts::gl

@@ -9,28 +9,28 @@
 
 namespace evalcts::gl {
 
-// "0x1.8p-1f", "-0.0", "NAN", ...: a C constant that reads back as the same value.
+// Return a C constant with exactly this value, such as "0x1.8p-1f", "-0.0" or "NAN".
 std::string c_constant(float value);
 std::string c_constant(double value);
 
-// One command, e.g. "glMap1f(GL_MAP1_INDEX, 0x0p+0f, 0x1p+0f, 1, 2, (GLfloat[]){0x1p+0f, 0x1p+1f});".
-// Arrays longer than `most_elements` are cut ("... 96 more"); 0 means no limit.
+// Returns one command, such as "glMap1f(GL_MAP1_INDEX, 0x0p+0f, 0x1p+0f, 1, 2, (GLfloat[]){0x1p+0f,
+// 0x1p+1f});". Arrays longer than `most_elements` are cut ("... 96 more"); 0 means no limit.
 std::string to_c(const Command& command, std::size_t most_elements = 0);
 
-// The same with some arguments in words of the caller: `own` gets an argument's position and answers its
-// text, or nothing for the usual one.
+// The same, but the caller can replace arguments: `own` receives the position of an argument and returns its
+// text, or an empty string for the default text.
 using OwnText = std::function<std::string(std::size_t position)>;
 std::string to_c(const Command& command, const OwnText& own, std::size_t most_elements = 0);
 
-// The elements of a client array: "0x0p+0f, 0x1p+0f".
+// Returns the elements of a client array, such as "0x0p+0f, 0x1p+0f".
 std::string elements_of(const Input& input, std::size_t most_elements = 0);
-// "GLfloat"
+// Returns the C type of a scalar, such as "GLfloat".
 const char* c_type(Scalar type);
-// A C string literal.
+// Returns a text as a C string literal.
 std::string quoted(const std::string& text);
 
-// The commands first..last (inclusive, clipped), at most `most_lines` lines: a long middle is left out and
-// counted.
+// Returns the commands first..last (inclusive, clipped) in at most `most_lines` lines. A long middle is
+// replaced by the number of omitted commands.
 std::vector<std::string> to_c(const Case& script, int first, int last, std::size_t most_lines = 60,
                               std::size_t most_elements = 64);
 // The same for all commands.

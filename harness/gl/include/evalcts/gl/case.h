@@ -1,5 +1,5 @@
-// A case: a recorded list of GL commands with copies of what their pointers point to. Captures, controls,
-// the call log, reproducers, faults and random programs all replay cases; nothing else drives a GL.
+// A case: a recorded list of GL commands with copies of the memory that their pointers refer to. Captures,
+// controls, the call log, C programs, faults and random programs all replay cases; nothing else calls a GL.
 #pragma once
 
 #include <cstddef>
@@ -33,24 +33,24 @@ constexpr Scalar scalar_of() {
 }
 std::size_t size_of(Scalar type);
 
-// What happens to a client array right after the command has returned.
+// Treatment of a client array after the command has returned.
 enum class AfterCall {
-  keep,       // stays as it is until the case is over
+  keep,       // unchanged until the case ends
   overwrite,  // filled with other values
-  unmap,      // its pages are gone: touching them crashes
-  protect,    // its pages are neither readable nor writable
+  unmap,      // its pages are unmapped, so that access crashes
+  protect,    // its pages become neither readable nor writable
 };
 
-// A client array that a command reads. The last byte lies directly before an unmapped page.
+// A client array that a command reads. Its last byte is followed by an unmapped page.
 struct Input {
   Scalar type = Scalar::u8;
   std::vector<std::byte> bytes;
   AfterCall after = AfterCall::keep;
-  // Arrays of one case with the same slot (>= 0) and size are the same memory, filled anew before each call.
+  // Arrays of a case with the same slot (>= 0) and size share their memory, which is filled before each call.
   int slot = -1;
 };
 
-// An array that a command writes: room for `count` elements, guard elements behind them.
+// An array that a command writes: `count` elements, followed by guard elements.
 struct Output {
   Scalar type = Scalar::u8;
   std::size_t count = 0;
@@ -61,14 +61,15 @@ struct Strings {
   std::vector<std::string> values;
 };
 
-// A value that an earlier command of the same case gave: what it returned (element < 0), or an element of
-// the array that it wrote.
+// A result of an earlier command of the case: its returned value (element < 0), or an element of the array
+// that it wrote.
 struct ResultOf {
   int command = 0;
   int element = -1;
 };
 
-// Integers of every GL type are held as 64 bits; the entry point's signature says what they are passed as.
+// An argument. Integers of every GL type are stored as 64 bits; the signature of the entry point determines
+// their type.
 using Value = std::variant<std::nullptr_t, std::int64_t, float, double, Input, Output, Strings, ResultOf>;
 
 struct Command {
@@ -76,10 +77,10 @@ struct Command {
   std::vector<Value> arguments;
 };
 
-// The larger order of Map1 or Map2; 0 for any other command.
+// Returns the larger order of Map1 or Map2; 0 for any other command.
 std::int64_t largest_order(const Command& command);
 
-// Names a command of a case, to ask a Trace for its result.
+// Identifies a command of a case, to get its result from a Trace.
 struct Ref {
   int index = -1;
 };
@@ -94,7 +95,7 @@ OutputArray<T> out(std::size_t count) {
   return {count};
 }
 
-// `array(values, AfterCall::protect)`: a client array and its fate after the call.
+// `array(values, AfterCall::protect)`: a client array and its treatment after the call.
 template <class T>
 Input array(std::span<const T> values, AfterCall after = AfterCall::keep) {
   Input input{scalar_of<T>(), std::vector<std::byte>(values.size_bytes()), after};
@@ -110,7 +111,7 @@ Input array(std::initializer_list<T> values, AfterCall after = AfterCall::keep) 
   return array(std::span<const T>(values.begin(), values.size()), after);
 }
 
-// A string of characters with its terminator.
+// Returns a client array with a string and its terminator.
 inline Input text(const std::string& characters) {
   return array(std::span<const char>(characters.c_str(), characters.size() + 1));
 }
@@ -118,12 +119,13 @@ inline Input text(const std::string& characters) {
 class Case {
  public:
   Case() = default;
-  // `identity` tells the case from the others of its test: stable from run to run, no commas at the ends.
+  // `identity` distinguishes the case from others of its test. It is stable from run to run and has no commas
+  // at its ends.
   explicit Case(std::string identity) : identity_(std::move(identity)) {}
 
-  // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Pointers that a command
-  // reads are given as vectors, spans, array(...) or nullptr, pointers that it writes as out<T>(count),
-  // values of earlier commands as Ref or ResultOf.
+  // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Arguments are
+  // vectors, spans, array(...) or nullptr for pointers that a command reads, out<T>(count) for pointers that
+  // it writes, and Ref or ResultOf for results of earlier commands.
 #define GL_ENTRY(name, kinds)                                                                      \
   template <class... Arguments>                                                                    \
   Ref name(Arguments&&... arguments) {                                                             \
@@ -136,7 +138,7 @@ class Case {
     commands_.push_back(std::move(command));
     return {static_cast<int>(commands_.size()) - 1};
   }
-  // Appends all commands of another case; returns by how much its Refs move.
+  // Appends all commands of another case. Returns the offset that is added to its Refs.
   int append(const Case& other);
 
   const std::string& identity() const { return identity_; }

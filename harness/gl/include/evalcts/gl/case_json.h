@@ -1,4 +1,4 @@
-// A case as data in a file: to keep, to hand on, to replay.
+// Stores a case as JSON, so that it can be kept and replayed.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

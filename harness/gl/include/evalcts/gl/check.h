@@ -1,4 +1,4 @@
-// One check on what a played case answered, small enough for a C program without the suite to decide.
+// A check on an answer of a played case, simple enough for a stand-alone C program.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Answer {
     returned,          // what a command returned
     element,           // an element of the array that a command wrote
     written,           // how many leading elements of its array a command wrote
-    left_over,         // the first error left behind after the last command
+    left_over,         // the first error after the last command
     emitted_value,     // one of the values of the emitted vertices, in the order of EmittedLayout
     emitted_vertices,  // how many vertices were emitted
   };
@@ -27,7 +27,7 @@ struct Answer {
   bool is_error = false;  // an enumerant of GetError, shown by its name
 };
 
-// The values of an emitted vertex one behind the other: position, colour, normal, texture coordinates.
+// Number of values of an emitted vertex: position, colour, normal, and texture coordinates of all units.
 inline constexpr std::size_t kEmittedValues = 4 + 4 + 3 + 8 * 4;
 
 struct Check {

@@ -5,24 +5,24 @@
 
 extern "C" {
 
-// Makes context `context` of the case current: 0 is the one that it begins with, any other is made in its
-// initial state when it is first named (less than 8: C programs have room for as many). All live until the
-// case is over; the player goes back to context 0. Never called between Begin and End.
+// Makes context number `context` of the case current. Context 0 is the initial one. Any other (up to 7, the
+// limit of C programs) is created in its initial state when it is first used. All contexts exist until the
+// case ends; the player then returns to context 0. Must not be called between Begin and End.
 void glOtherContextEVALCTS(GLuint context);
 
-// The same; a context that is made now shares objects (display lists, textures) with context 0.
+// The same, but a new context shares objects (display lists, textures) with context 0.
 void glSharingContextEVALCTS(GLuint context);
 
-// The same; a context that is made now is of this kind. Not every implementation makes every kind.
+// The same, but a new context is of this kind. An implementation need not support every kind.
 enum {
   EVALCTS_CORE_PROFILE = 1,    // 3.2 at least
-  EVALCTS_FORWARD_COMPATIBLE,  // 3.1, without what is deprecated in 3.0
+  EVALCTS_FORWARD_COMPATIBLE,  // 3.1, without the deprecated features of 3.0
   EVALCTS_DEBUG,               // compatibility profile, debug context
   EVALCTS_NO_ERROR             // compatibility profile, KHR_no_error
 };
 void glContextOfKindEVALCTS(GLuint context, GLuint kind);
 
-// Copies the state that belongs to the attribute groups of the mask from one context of the case, which is
-// current afterwards, to another, which is not current (glXCopyContext: GLX 1.4 section 3.3.7).
+// Copies the state of the attribute groups in the mask from one context of the case, which becomes current,
+// to another, which is not current (glXCopyContext: GLX 1.4 section 3.3.7).
 void glCopyContextEVALCTS(GLuint from, GLuint to, GLbitfield mask);
 }

@@ -1,5 +1,5 @@
-// Deliveries: a case is written once, with Map1f and EvalCoord1f or with Map2f and EvalCoord2f, and delivered
-// through other commands that have to do the same.
+// Deliveries: variants of a case that must have the same effect. A case is written once, with Map1f and
+// EvalCoord1f or with Map2f and EvalCoord2f, and delivered through other commands.
 #pragma once
 
 #include <string>
@@ -13,45 +13,49 @@ namespace evalcts::gl {
 struct Delivery {
   enum class Evaluation { as_written, coordinates, array, point, mesh };
 
-  std::string
-      name;  // part of test names: the command that evaluates, and the use of display lists; may be empty
+  std::string name;  // part of test names: the evaluation command and the form of display lists; may be empty
   Evaluation evaluation = Evaluation::as_written;
   bool doubles = false;       // Map1d and EvalCoord1d instead of Map1f and EvalCoord1f
   bool lifted = false;        // a one-dimensional case becomes a two-dimensional one, see lift.h
   bool along_v = false;       // ... in which the curve runs along v
-  Lists lists = Lists::none;  // and what came of all that goes through display lists
-  bool sparing = false;       // for dear tests: below thorough depth one of these in turn is enough
+  Lists lists = Lists::none;  // the form of display lists, through which the resulting case goes
+  bool sparing = false;       // for expensive tests: below thorough depth, one of these runs in turn
 
-  // coordinates, array: Map and EvalCoord commands are replaced one for one. Values that need doubles lose
-  // their last digits on the way to floats.
+  // Returns the delivered case.
   //
-  // point: a primitive whose arguments lie on a grid gets that grid (MapGrid) and EvalPoint for EvalCoord; of
-  // other points each is a primitive and has a grid of its own, of which it is the first end.
-  // mesh: EvalMesh in place of whole primitives: POINT meshes, one for each point or run of points on a grid,
-  // and LINE meshes for line strips along a grid.
-  // Throws std::logic_error where that cannot be done: other primitives whose arguments are on no grid of
-  // less than 2^16 segments, and for meshes all primitives but points and line strips.
+  // coordinates, array: each Map and EvalCoord command is replaced by one command. Doubles are rounded to
+  // floats if the delivery uses floats.
+  //
+  // point: a primitive whose arguments lie on a grid gets that grid (MapGrid), and EvalPoint replaces
+  // EvalCoord. Other points become primitives of their own, each with a grid whose first end is the point.
+  //
+  // mesh: EvalMesh replaces whole primitives: a POINT mesh for each point or run of points on a grid, and a
+  // LINE mesh for line strips along a grid.
+  //
+  // Throws std::logic_error if this is not possible: for primitives other than points whose arguments lie on
+  // no grid of less than 2^16 segments, and in meshes for primitives other than points and line strips.
   DeliveredCase apply(const Case& script) const;
 
-  // EvalCoord1f and EvalCoord2f, the commands that cases are written with, or the case as it is.
+  // Returns true for EvalCoord1f and EvalCoord2f, with which cases are written, and for the unmodified case.
   bool is_plain() const;
 };
 
-// For cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1, EvalMesh1, and the
-// same in two dimensions; then these with their commands in display lists, in all ways.
+// Returns the deliveries of cases written with Map1f and EvalCoord1f: EvalCoord1f, 1fv, 1d, 1dv, EvalPoint1,
+// EvalMesh1, the same commands in two dimensions, and all of these through each form of display lists.
 const std::vector<Delivery>& curve_deliveries();
-// For cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2, EvalMesh2; then lists.
+// Returns the deliveries of cases written with Map2f and EvalCoord2f: EvalCoord2f, 2fv, 2d, 2dv, EvalPoint2,
+// EvalMesh2, and all of these through each form of display lists.
 const std::vector<Delivery>& surface_deliveries();
-// For all other cases: as they are, and in display lists, in all ways.
+// Returns the deliveries of all other cases: unmodified, and through each form of display lists.
 const std::vector<Delivery>& list_deliveries();
 
-// What a test may not stand.
+// Properties of deliveries that a test may not support.
 enum Trait : unsigned {
   kMeshes = 1,      // primitives become meshes
-  kGrids = 2,       // arguments become grid points: the same arguments need not be the same commands
+  kGrids = 2,       // arguments become grid points: equal arguments need not become equal commands
   kArrays = 4,      // arguments are read from arrays
   kLists = 8,       // display lists
-  kRepetition = 16  // what is drawn is drawn twice
+  kRepetition = 16  // everything is drawn twice
 };
 std::vector<Delivery> without(unsigned traits, const std::vector<Delivery>& deliveries);
 std::vector<Delivery> sparing(std::vector<Delivery> deliveries);

@@ -1,4 +1,4 @@
-// A case made to go through display lists: what it does stays the same.
+// Rewrites a case so that its commands go through display lists, with the same effect.
 #pragma once
 
 #include <evalcts/gl/case.h>
@@ -14,16 +14,16 @@ enum class Lists {
   split      // compiled three commands at a time; every third piece stays as it is
 };
 
-// A case as it is played. Command i of the case as it was written has become command positions[i], among
-// others that prepare it.
+// A rewritten case. Command i of the original case is command positions[i]; other commands prepare it.
 struct DeliveredCase {
   Case script;
   std::vector<int> positions;
 };
 
-// Commands that the GL executes at once (queries, client state, objects), those that need what such a command
-// returned, and those between a NewList and an EndList of the case itself stay where they are. What a case
-// draws is drawn twice by `repeated`; everything else is the same for every way.
+// Returns the case with its commands in display lists. Three kinds of commands stay outside: those that the
+// GL executes at once (queries, client state, objects), those that use the result of such a command, and
+// those between NewList and EndList of the case itself. `repeated` draws everything twice; otherwise all
+// forms have the same effect.
 DeliveredCase through_lists(const Case& script, Lists lists);
 
 // True if the case makes a display list.

@@ -1,4 +1,4 @@
-// Reading and writing the real numbers among the arguments of a command, whatever their type.
+// Reads and writes the real numbers among the arguments of a command, independent of their type.
 #pragma once
 
 #include <stdexcept>
@@ -19,7 +19,7 @@ inline Value real(double value, bool as_double) {
   return static_cast<float>(value);
 }
 
-// The elements of an array of floats or doubles.
+// Returns the elements of an array of floats or doubles.
 inline std::vector<double> elements(const Input& input) {
   std::vector<double> values(input.bytes.size() / size_of(input.type));
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -39,7 +39,7 @@ inline Input reals(const std::vector<double>& values, bool as_double) {
   return as_double ? array(values) : array(std::vector<float>(values.begin(), values.end()));
 }
 
-// The array as floats or doubles; its slot and what becomes of it stay.
+// Converts the array to floats or doubles and keeps its other properties.
 inline Input reals(const Input& input, bool as_double) {
   Input converted = reals(elements(input), as_double);
   converted.after = input.after;

@@ -1,4 +1,4 @@
-// What a capture saw: the vertices that came out of a case, with the attributes it can observe.
+// Observations: the captured vertices of a case, with the attributes that the capture can observe.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace evalcts {
 
-// This implementation gives no way to observe what was asked for: never a pass, never a failure.
+// Thrown if the implementation provides no way to observe an effect. This is neither a pass nor a failure.
 struct NotObservable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,8 +23,8 @@ enum Attribute : std::uint32_t {
   kNormal = 1u << 2,
   kTextureCoordinate0 = 1u << 3,
   kTextureCoordinatesOther = 1u << 4,  // units 1 and up
-  // What AUTO_NORMAL makes depends on whether a vertex shader is active (EV-AUTON-UNIT, EV-AUTON-SHADER): a
-  // capture that has kNormal has one of these, too.
+  // The kind of automatic normals, which depends on an active vertex shader (EV-AUTON-UNIT, EV-AUTON-SHADER).
+  // A capture that has kNormal has one of these as well.
   kUnitNormal = 1u << 5,
   kShaderNormal = 1u << 6,
 };
@@ -34,8 +34,8 @@ inline constexpr Attributes kAllAttributes =
 
 std::string describe(Attributes attributes);
 
-// What has to be observed to see the values of a map, by its target of either dimension. Throws NotObservable
-// for INDEX, which shows in colour-index contexts only.
+// Returns the attribute that shows the values of a map with this target, of either dimension. Throws
+// NotObservable for INDEX, which has an effect in colour-index contexts only.
 Attributes attribute_of(GLenum target);
 
 inline constexpr std::size_t kTextureUnits = 8;
@@ -56,7 +56,7 @@ enum PrimitiveKind : std::uint32_t {
 using PrimitiveKinds = std::uint32_t;
 PrimitiveKind kind_of(GLenum mode);
 
-// A primitive as it came out: an implementation may have taken a strip, a quad or a polygon apart.
+// A captured primitive. An implementation may have split a strip, a quad or a polygon.
 struct ObservedPrimitive {
   GLenum mode = GL_POINTS;
   std::vector<ObservedVertex> vertices;
@@ -67,7 +67,7 @@ struct Observation {
   bool clamped_colors = false;  // colours were clamped to [0,1] on the way
   double color_error = 0;       // largest absolute error that the capture itself may add to a colour
   std::size_t units = 1;        // texture units observed
-  GLenum error = GL_NO_ERROR;   // what the case itself left behind
+  GLenum error = GL_NO_ERROR;   // error that the case itself raised
   bool error_observed = true;   // false: the implementation has no GetError
   bool overflow = false;        // more vertices came than there was room for
   std::vector<ObservedPrimitive> primitives;

@@ -1,4 +1,4 @@
-// Plays a case on a table of entry points and keeps what its commands answered.
+// Plays a case on a table of entry points and records the answers of its commands.
 #pragma once
 
 #include <cstdint>
@@ -13,25 +13,26 @@
 
 namespace evalcts::gl {
 
-// Behind each array that a command fills: room that stays as it is.
+// Number of guard elements after each array that a command fills. They must not change.
 inline constexpr std::size_t kGuardElements = 16;
 
-// The implementation under test has no such command: what rests on it cannot be observed.
+// Thrown if the implementation under test lacks a command, so that its effects cannot be observed.
 struct MissingEntryPoint : std::runtime_error {
   explicit MissingEntryPoint(EntryPoint missing);
   EntryPoint entry;
 };
 
-// What the commands of one played case answered.
+// The answers of the commands of a played case.
 class Trace {
  public:
   // The value that a command returned (enumerant, boolean, name); 0 for commands that return nothing.
   std::int64_t result(Ref command) const;
   GLenum error(Ref get_error) const { return static_cast<GLenum>(result(get_error)); }
-  // What GetString returned; empty where it was null.
+  // Returns the result of GetString; empty if it was null.
   const std::string& text(Ref get_string) const;
 
-  // The array that the command was given to fill, whole, guard elements excluded. T must be the element type.
+  // Returns the whole array that the command was given to fill, without guard elements. T must be the element
+  // type.
   template <class T>
   std::vector<T> values(Ref command) const {
     const Written& written = output(command);
@@ -39,28 +40,27 @@ class Trace {
     std::memcpy(values.data(), written.bytes.data(), written.count * sizeof(T));
     return values;
   }
-  // How many leading elements the command may have written: one more than the index of the last element
-  // that no longer holds the filler, guard elements included.
+  // Returns the number of leading elements that the command may have written: one more than the index of the
+  // last element, guard elements included, that no longer contains the filler.
   std::size_t written(Ref command) const;
-  // How many elements the array has room for, and its bytes.
+  // Returns the number of elements of the array.
   std::size_t capacity(Ref command) const { return output(command).count; }
   Scalar type(Ref command) const { return output(command).type; }
   bool has_output(Ref command) const;
-  // The array's bytes, guard elements excluded.
+  // Returns the bytes of the array, without guard elements.
   std::vector<std::byte> bytes(Ref command) const;
-  // Same answers, bit for bit: returned value, text and written arrays.
+  // Returns true if two commands have the same answers, bit for bit: returned value, text and written arrays.
   bool same(Ref a, const Trace& other, Ref b) const;
 
-  // Errors left behind after the last command, drained outside Begin/End (at most 16 of them).
+  // Returns the errors that remained after the last command, drained outside Begin/End (at most 16).
   const std::vector<GLenum>& left_over_errors() const { return left_over_errors_; }
 
   std::size_t size() const { return results_.size(); }
 
-  // The answers of these commands, which are numbered anew from 0.
+  // Returns the answers of these commands, which are renumbered from 0.
   Trace of(const std::vector<int>& commands) const;
 
-  // What would have been judged if the command had answered something else: finds the answer that a failure
-  // rests on.
+  // Replace an answer. Judging the changed trace shows whether a failure depends on this answer.
   void replace_result(Ref command, std::int64_t value);
   void replace_element(Ref command, std::size_t element, double value);
 
@@ -82,11 +82,11 @@ class Trace {
   std::vector<GLenum> left_over_errors_;
 };
 
-// Plays all commands of the case in order on the context that is current. The commands themselves are all
-// that is issued, but for GetError after the last one (never between: inside Begin/End it would leave an
-// error behind). Throws MissingEntryPoint before the first command if the table lacks one of them.
-// `after_each` is called after each command, with its position. The floating-point environment is the default
-// one afterwards, whatever the library makes of it: the judge computes in it.
+// Plays all commands of the case in order on the current context. No other commands are issued, except
+// GetError after the last one; inside Begin/End, GetError would itself raise an error. Throws
+// MissingEntryPoint before the first command if the table lacks one of them. `after_each` is called after
+// each command with its position. The default floating-point environment is restored afterwards, because the
+// judge needs it.
 Trace play(const Case& script, const Table& table,
            const std::function<void(std::size_t position)>& after_each = {});
 

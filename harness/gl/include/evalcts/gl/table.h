@@ -1,7 +1,7 @@
-// The table of GL entry points. Suites and captures reach a GL only through it; nothing links to one.
+// The table of GL entry points. Suites and captures call a GL only through a table; no program links to a GL.
 #pragma once
 
-// The build defines GL_GLEXT_PROTOTYPES: only the types of the declarations are used, never their addresses.
+// The build defines GL_GLEXT_PROTOTYPES. Only the types of the declarations are used, not their addresses.
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -29,23 +29,23 @@ inline constexpr std::size_t kEntryPointCount = 0
 #undef GL_ENTRY
     ;
 
-// Function pointers with the types of the Khronos headers; null where the implementation has no such command.
+// Function pointers with the types of the Khronos headers; null if the implementation lacks the command.
 struct Table {
 #define GL_ENTRY(name, kinds) decltype(&::gl##name) name = nullptr;
 #include <evalcts/gl/entry_points.def>
 #undef GL_ENTRY
 };
 
-// The command's name with its "gl" prefix.
+// Returns the command's name with its "gl" prefix.
 std::string_view name_of(EntryPoint entry);
 
-// One letter for each parameter, see entry_points.def.
+// Returns one letter for each parameter, see entry_points.def.
 std::string_view parameter_kinds(EntryPoint entry);
 
-// True for a command that acts on the contexts of a case (contexts.h, requests.h) and that no GL has.
+// Returns true for commands of the harness (contexts.h, requests.h), which no GL has.
 bool is_of_harness(EntryPoint entry);
 
-// True where the table has an address for the command.
+// Returns true if the table has an address for the command.
 bool has(const Table& table, EntryPoint entry);
 
 using AddressOf = std::function<void*(const char* name)>;
@@ -60,10 +60,10 @@ Advertised parse_advertised(const std::string& version, const std::string& exten
 
 // Fills a table by name ("glMap1f" -> address or null) from the first source that has the command, under its
 // own name or that of the extension that it comes from. If the version is too low for the command and the
-// extension is advertised, the extension's name is tried first: a get-proc-address function makes up an
-// address for any name, so that the core name would be found without any effect. Sources that do not make up
-// addresses (symbols that a library exports) have to come first for the same reason, and implementations are
-// probed for effect afterwards.
+// extension is advertised, the extension's name is tried first: a get-proc-address function may return an
+// address for any name, so that the core name would be found without any effect. Sources that return only
+// existing commands (symbols that a library exports) must come first for the same reason, and implementations
+// are probed for effects afterwards.
 Table load_table(std::initializer_list<AddressOf> sources, const Advertised& advertised = {});
 
 }  // namespace evalcts::gl

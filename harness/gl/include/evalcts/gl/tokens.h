@@ -8,7 +8,7 @@
 
 namespace evalcts::gl {
 
-// "GL_MAP1_VERTEX_3", or "0x1234" for a token that the suite does not know by name.
+// Returns a name such as "GL_MAP1_VERTEX_3", or "0x1234" for a token without a known name.
 std::string token_name(GLenum token);
 // "GL_POINTS" ... "GL_POLYGON".
 std::string primitive_name(GLenum mode);
@@ -24,8 +24,8 @@ inline constexpr std::array<GLenum, 9> kMap2Targets = {
     GL_MAP2_TEXTURE_COORD_1, GL_MAP2_TEXTURE_COORD_2, GL_MAP2_TEXTURE_COORD_3,
     GL_MAP2_TEXTURE_COORD_4, GL_MAP2_VERTEX_3,        GL_MAP2_VERTEX_4};
 
-// k: the number of values of one control point of a map target of either dimension (GL 4.6c table 21.1);
-// 0 for anything else.
+// Returns k, the number of values of one control point of a map target of either dimension (GL 4.6c
+// table 21.1); 0 for other tokens.
 int components_of(GLenum target);
 
 }  // namespace evalcts::gl

@@ -4,25 +4,22 @@
 // A baseline is stored as plain text files in one folder, in the format of GL driver CI. The reason of an
 // entry is the comment above it (the same for all entries up to the next empty line), and every entry needs
 // one.
-//   NAME-fails.txt       "test name,Status" (Fail, Crash, Timeout). The comments at the top of the file form
-//   its
-//                        header, which states the implementations that the files are for:
-//                          # vendor: TEXT            part of GL_VENDOR
-//                          # renderer: TEXT          part of GL_RENDERER
-//                          # version: RANGE          GL_VERSION, see version_range.h
-//                          # implementation: A, B    names of implementations (see `evalcts list
-//                          implementations`) # pass: reuse-context     the second pass, over one shared
-//                          context, instead of the first # extends: BASE           makes the files an overlay
-//   NAME-signatures.txt  "test name,depth,signature": the failing cases of the test, so that a known failure
-//   cannot
-//                        hide a new one. A signature belongs to its depth and to seed 1.
-//   NAME-skips.txt       regular expressions (ECMAScript, found anywhere in the name): tests that are not run
-//   and get
-//                        the verdict `skipped`
-//   NAME-flakes.txt      regular expressions: tests whose fail, crash, timeout or pass is never unexpected
+// NAME-fails.txt has lines "test name,Status" (Fail, Crash, Timeout). The comments at its top form the
+// header, which states the implementations that the files are for:
+//   # vendor: TEXT            part of GL_VENDOR
+//   # renderer: TEXT          part of GL_RENDERER
+//   # version: RANGE          GL_VERSION, see version_range.h
+//   # implementation: A, B    names of implementations, see `evalcts list implementations`
+//   # pass: reuse-context     the second pass, over one shared context, instead of the first
+//   # extends: BASE           makes the files an overlay
+// NAME-signatures.txt has lines "test name,depth,signature": the failing cases of the test, so that a known
+// failure cannot hide a new one. A signature belongs to its depth and to seed 1. NAME-skips.txt has regular
+// expressions (ECMAScript, found anywhere in the name) for tests that are not run and get the verdict
+// `skipped`. NAME-flakes.txt has regular expressions for tests whose fail, crash, timeout or pass is never
+// unexpected.
 //
-// An overlay holds only what differs from BASE for one driver, window system or range of versions. The status
-// "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
+// An overlay holds only the differences from BASE for one driver, window system or range of versions. The
+// status "Pass" withdraws an entry of BASE, and a signature replaces the one in BASE. The baseline of an
 // implementation is the base with the most specific header, and all overlays of this base that fit, the most
 // specific one last.
 #pragma once
@@ -42,13 +39,13 @@
 
 namespace evalcts {
 
-// A file of a baseline does not follow its format, or a baseline cannot be chosen or written as asked. The
-// message is for the user and names file and line.
+// Thrown if a file of a baseline does not follow its format, or a baseline cannot be selected or written as
+// requested. The message is for the user and names file and line.
 struct BadBaseline : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The content of NAME-fails.txt and of the other files of that name.
+// The content of the four files of one NAME.
 struct BaselineFiles {
   struct Header {
     std::string vendor, renderer;
@@ -63,7 +60,7 @@ struct BaselineFiles {
       auto operator<=>(const Specificity&) const = default;
     };
     Specificity specificity() const;
-    // The fields that are given, in the order of the file: {"version", "Mesa 20.3 or newer"}.
+    // Returns the fields of the header, in the order of the file: {"version", "Mesa 20.3 or newer"}.
     std::vector<std::pair<std::string, std::string>> fields() const;
     bool fits(const ImplementationRecord& implementation, Pass for_pass) const;
   };
@@ -85,10 +82,10 @@ struct BaselineFiles {
   std::map<std::string, std::map<std::string, std::string>> signatures;  // by test and depth
   std::vector<Pattern> skips, flakes;
 
-  // Reads NAME-fails.txt and those of the other files that exist. Throws BadBaseline.
+  // Reads NAME-fails.txt and the other files, if they exist. Throws BadBaseline.
   static BaselineFiles read(const std::filesystem::path& folder, const std::string& name);
-  // All files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline, also
-  // if the base of an overlay is missing.
+  // Reads all files of a folder (none if it does not exist), in the order of their names. Throws BadBaseline,
+  // also if the base of an overlay is missing.
   static std::vector<BaselineFiles> read_all(const std::filesystem::path& folder);
 
   // Writes the fails and the signatures; the files of skips and flakes are maintained by hand. Throws
@@ -96,7 +93,7 @@ struct BaselineFiles {
   void write(const std::filesystem::path& folder) const;
 };
 
-// The known failures of one implementation: a base and its overlays, composed. Default-constructed: none.
+// The known failures of one implementation, composed of a base and its overlays. Default-constructed: none.
 class Baseline {
  public:
   struct Entry {
@@ -106,23 +103,23 @@ class Baseline {
   };
   using Pattern = BaselineFiles::Pattern;
 
-  // The baseline of the implementation in the given pass. If
-  // `chosen` is not empty, that base or overlay is used whatever its header says, provided that it is meant
-  // for the pass. Throws BadBaseline if no files have the name `chosen`.
+  // Returns the baseline of the implementation in the given pass. If `chosen` is not empty, that base or
+  // overlay is used regardless of its header, provided that it is for the pass. Throws BadBaseline if no
+  // files have the name `chosen`.
   static Baseline best_fit(const std::vector<BaselineFiles>& all, const ImplementationRecord& implementation,
                            Pass pass = Pass::kFreshContexts, const std::string& chosen = {});
 
-  // This baseline with the given files in the place of those with the same name, or, if it is empty, made of
-  // them.
+  // Returns this baseline with the given files in place of those with the same name, or, if it is empty, a
+  // baseline of these files.
   Baseline with(const BaselineFiles& files) const;
 
-  // "mesa", "mesa with mesa.softpipe"; empty if there is none.
+  // Returns the name of the baseline, such as "mesa" or "mesa with mesa.softpipe"; empty if there is none.
   std::string name() const;
   // True if the base or an overlay of it has this name.
   bool has_part(const std::string& name) const;
   const std::map<std::string, Entry>& entries() const { return entries_; }
 
-  // The pattern that excludes the test from the run, or declares it flaky; null if there is none.
+  // Return the pattern that excludes the test from the run, or declares it flaky; null if there is none.
   const Pattern* skip(const std::string& test) const { return matching(&BaselineFiles::skips, test); }
   const Pattern* flake(const std::string& test) const { return matching(&BaselineFiles::flakes, test); }
 
@@ -135,7 +132,7 @@ class Baseline {
   // also fail in a fresh context.
   void apply(RunResult& result) const;
 
-  // Entries for tests that do not exist any more, patterns that match no test, and "Pass" entries of an
+  // Returns entries for tests that no longer exist, patterns that match no test, and "Pass" entries of an
   // overlay that withdraw nothing (`tests`: all tests of the suite).
   std::vector<std::string> stale_entries(const std::vector<ListedTest>& tests) const;
 

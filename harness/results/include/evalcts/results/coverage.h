@@ -1,4 +1,4 @@
-// How far the tests decide the requirements.
+// Coverage: the requirements that tests decide, and the reasons why others cannot be decided.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace evalcts {
 
-// How far the tests decide one requirement. A test may decide one half of it, "/1-D" or "/2-D".
+// Coverage of one requirement. A test may decide one half of it, "/1-D" or "/2-D".
 struct Coverage {
   enum class State { kDecided, kInPart, kUndecidable, kUndecided };
   std::string id, section;
@@ -18,17 +18,17 @@ struct Coverage {
   std::string reason = {};  // why the requirement, or the missing half, cannot be decided; may be empty
   std::vector<std::string> tests = {};
 };
-// "decided", "in part", "undecidable", "undecided".
+// Returns "decided", "in part", "undecidable" or "undecided".
 const char* name_of(Coverage::State state);
 
-// One entry for each requirement, in the order of the catalogue.
+// Returns one entry for each requirement, in the order of the catalogue.
 std::vector<Coverage> coverage_of(const Catalogue& catalogue, const std::vector<ListedTest>& tests);
 
-// {"requirements": [{"id", "section", "state", "lacks", "reason", "tests"}], "problems": [...]}
+// Returns JSON: {"requirements": [{"id", "section", "state", "lacks", "reason", "tests"}], "problems": [...]}
 std::string to_text(const std::vector<Coverage>& coverage, const std::vector<std::string>& problems);
 
-// Contradictions between catalogue and tests: tests without a requirement, requirement IDs that do not exist,
-// and "undecidable" although a test decides, for a half that does not exist, or without a reason.
+// Returns contradictions between catalogue and tests: tests without a requirement, requirement IDs that do
+// not exist, and "undecidable" although a test decides, for a half that does not exist, or without a reason.
 std::vector<std::string> lint(const Catalogue& catalogue, const std::vector<ListedTest>& tests);
 
 }  // namespace evalcts

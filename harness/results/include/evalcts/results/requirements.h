@@ -12,12 +12,12 @@ namespace evalcts {
 struct Requirement {
   std::string id, section, text, source, since, observation, severity, level;
   bool inferred = false;  // no single sentence states it
-  // Why the halves "1-D" and "2-D" cannot be decided by a test; a half that is missing can.
+  // Reasons why no test can decide the halves "1-D" and "2-D". Halves that are not listed can be decided.
   std::map<std::string, std::string> undecidable;
   std::size_t place = 0;  // in the catalogue
 };
 
-// A text that has several readings, or leaves something undefined.
+// A passage that has several readings, or leaves something undefined.
 struct Ambiguity {
   enum class Kind { kContradiction, kUndefined };
   Kind kind = Kind::kContradiction;
@@ -27,7 +27,7 @@ struct Ambiguity {
   std::string situation, may_assert, must_not_assert;  // undefined: when, and what a test may do
   std::map<std::string, std::string> readings;         // accepted ones, with their meanings
 
-  // What is unclear, in words.
+  // Returns the description of the ambiguity.
   const std::string& text() const;
 };
 
@@ -35,20 +35,20 @@ struct Catalogue {
   std::vector<Requirement> requirements;
   std::vector<Ambiguity> ambiguities;  // contradictions first
 
-  // The requirement, or the one that `id` is a half of; null if there is none.
+  // Returns the requirement with this ID, or the one that `id` is a half of; null if there is none.
   const Requirement* find(const RequirementId& id) const;
   const Ambiguity* find_ambiguity(const std::string& id) const;
-  // The ambiguities with more than one accepted reading.
+  // Returns the ambiguities with more than one accepted reading.
   std::vector<const Ambiguity*> interpretations() const;
 
   // Reads {"requirements": [...], "contradictions": [...], "undefined": [...]}. Throws FormatError.
   static Catalogue parse(const std::string& text);
 };
 
-// The catalogue that this build was made with, as types and as JSON text.
+// Return the catalogue of this build, as types and as JSON text.
 const Catalogue& catalogue();
 std::string catalogue_as_json();
-// {"interpretations": [...]}: the entries of the catalogue that have readings.
+// Returns JSON, {"interpretations": [...]}: the entries of the catalogue that have readings.
 std::string interpretations_as_json();
 
 }  // namespace evalcts

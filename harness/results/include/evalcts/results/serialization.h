@@ -54,7 +54,7 @@ std::optional<Event> parse_event(const std::string& line);
 
 // --- answers of the suite program
 
-// What the suite program knows of the implementation before a test runs.
+// Properties of the implementation that the suite program knows before a test runs.
 struct Description {
   ImplementationRecord implementation;
   std::vector<std::string> captures;  // names of all that can be tried
