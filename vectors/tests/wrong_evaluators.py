@@ -119,6 +119,11 @@ WRONG_EVALUATORS = {
         lambda m, a: min(m.orders) > 16, lambda n: [-x for x in n])),
     "normals of order 30 leave z out": ("auto_normal.highest-order", _normal_of(
         lambda m, a: min(m.orders) > 29, lambda n: [*n[:2], Fraction(0)])),
+    # Signs of normals
+    "normals turned where both directions are reversed": ("auto_normal.reversed", _normal_of(
+        lambda m, a: m.domain[0] > m.domain[1] and m.domain[2] > m.domain[3], lambda n: [-x for x in n])),
+    "normals turned where a domain is negative": ("auto_normal.domain", _normal_of(
+        lambda m, a: min(m.domain) < 0, lambda n: [-x for x in n])),
 }
 
 

@@ -129,7 +129,8 @@ void places(Document& document) {
   Theme domains(document, "domain",
                 "domains of another length or place than [0, 1]: the direction does not change",
                 {"EV-AUTON-DIRECTION", "EV-MAP2-DOMAIN"});
-  Theme reversed(document, "reversed", "u1 > u2, v1 > v2, or both: either sign will do",
+  Theme reversed(document, "reversed",
+                 "u1 > u2 or v1 > v2: either sign will do; with both the sign is determined",
                  {"EV-AUTON-DIRECTION"});
   constexpr std::pair<Ends, Ends> kDomains[] = {
       {{2, 5}, {-1, 1}}, {{0, 0x1p-10}, {0, 1}}, {{0, 1000}, {0, 0.001}}, {{100, 101}, {-7, -5}}};
