@@ -275,7 +275,7 @@ EVALCTS_TEST(AutomaticNormals, Rational, must, "EV-AUTON-RATIONAL",
              combine(kRational).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "derivatives of x/w, y/w, z/w", {patch.map()}); };
 
-// The sign is free there (U-AUTON-REVSIGN), the rest is not.
+// The sign is free where one direction is reversed (U-AUTON-REVSIGN), the rest is not.
 EVALCTS_TEST(AutomaticNormals, ReversedDomain, must, "EV-AUTON-CURVED",
              combine(kLengths).by(gl::list_deliveries()))
 (Test& t, const Named<Attributes>& lengths) {

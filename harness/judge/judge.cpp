@@ -156,7 +156,8 @@ class VertexJudge {
       return;
     }
     const reference::Map::Direction &u = normal.map->u, &v = normal.map->v;
-    const bool either_sign = u.first > u.last || v.first > v.last;  // U-AUTON-REVSIGN
+    // The readings of the derivatives agree where both directions are reversed (U-AUTON-REVSIGN).
+    const bool either_sign = (u.first > u.last) != (v.first > v.last);
     const Rational bound =
         *acceptance->bound +
         (options_.level == Level::quality ? Rational(0) : reference::normal_method_allowance());

@@ -175,14 +175,14 @@ TEST(Accuracy, KeepsTheWorst) {
 // --- Automatic normals -----------------------------------------------------------------------------------
 
 // A plane of 10 by 10 whose normal is (0,0,1), of length 100 before normalisation; over [1,0] in u if
-// reversed.
+// reversed, in v if v_reversed.
 struct Plane {
   Prediction prediction;
   Observation seen;
 
-  Plane(bool reversed, Attributes how, std::array<float, 3> normal) {
+  Plane(bool reversed, Attributes how, std::array<float, 3> normal, bool v_reversed = false) {
     gl::Case c;
-    c.Map2f(GL_MAP2_VERTEX_3, reversed ? 1 : 0, reversed ? 0 : 1, 6, 2, 0, 1, 3, 2,
+    c.Map2f(GL_MAP2_VERTEX_3, reversed, !reversed, 6, 2, v_reversed, !v_reversed, 3, 2,
             std::vector<float>{0, 0, 5, 0, 10, 5, 10, 0, 5, 10, 10, 5});
     c.Enable(GL_MAP2_VERTEX_3);
     c.Enable(GL_AUTO_NORMAL);
@@ -224,9 +224,15 @@ TEST(JudgeNormals, HaveAnyLengthWithAShaderUnlessAsked) {
   EXPECT_EQ(Plane(false, kShaderNormal, {0, 0, 1}).mismatches(lengths), 1u);
 }
 
-TEST(JudgeNormals, HaveEitherSignWhereADomainIsReversed) {
+TEST(JudgeNormals, HaveEitherSignWhereOneDirectionIsReversed) {
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, 1}).mismatches(), 0u);
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, -1}).mismatches(), 0u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, 1}, true).mismatches(), 0u);
+  EXPECT_EQ(Plane(false, kUnitNormal, {0, 0, -1}, true).mismatches(), 0u);
+  // The readings agree where both are.
+  EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, 1}, true).mismatches(), 0u);
+  EXPECT_EQ(Plane(true, kUnitNormal, {0, 0, -1}, true).mismatches(), 1u);
+  EXPECT_EQ(Plane(true, kShaderNormal, {0, 0, -3}, true).mismatches(), 1u);
   EXPECT_EQ(Plane(true, kUnitNormal, {0, 1, 0}).mismatches(), 1u);
 }
 

@@ -19,12 +19,13 @@ from .maps import FORMATS, TARGETS, Map
 from .number import BINARY32, Malformed, read_float, show
 
 # What the files assume of the implementation, as far as it matters.
+LEAST_MAX_EVAL_ORDER = 8
 MAX_EVAL_ORDER, MAX_LIST_NESTING, MAX_ATTRIB_STACK_DEPTH = 64, 64, 16
 
 
 class Value(NamedTuple):
     """A value of the state: kind is "flag", "integer", "float", "scaled" (a colour or normal, in the range
-    of int), "either" (of both)."""
+    of int), "either" (of both), "limit" (any integer from this one on)."""
     kind: str
     value: object
 
@@ -435,7 +436,7 @@ class Context:
             if name == f"GL_MAP{dimension}_GRID_SEGMENTS":
                 return [Value("integer", n) for n, *_ in grid]
         plain = {
-            "GL_MAX_EVAL_ORDER": lambda: [Value("integer", MAX_EVAL_ORDER)],
+            "GL_MAX_EVAL_ORDER": lambda: [Value("limit", LEAST_MAX_EVAL_ORDER)],
             "GL_CURRENT_COLOR": lambda: [Value("scaled", x) for x in self.current["Color"]],
             "GL_CURRENT_NORMAL": lambda: [Value("scaled", x) for x in self.current["Normal"]],
             "GL_CURRENT_INDEX": lambda: [Value("float", x) for x in self.current["Index"]],

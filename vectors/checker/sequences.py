@@ -77,6 +77,9 @@ def _check_answers(where, call, answer, step, report, rounded_only):
         _check_room(where, call[-1], kind, len(answer))
     if rounded_only:
         answer = [value._replace(kind="float") if value.kind == "either" else value for value in answer]
+    if kind != "u8" and [value.kind for value in answer] == ["limit"]:
+        report.same(where, [[{"at_least": answer[0].value}]], step["answers"])
+        return
     accepted = [accepted_answers(value, kind) for value in answer]
     for member, values, found in report.pairs(where, accepted, step["answers"]):
         if values is None:
@@ -100,7 +103,7 @@ def _check_room(where, room, kind, count):
 
 def accepted_answers(value, kind):
     """Every answer that is right for a Value when asked for in this type; None where none is sure to be."""
-    whole = value.kind in ("flag", "integer")
+    whole = value.kind in ("flag", "integer", "limit")
     x = Fraction(int(value.value)) if whole else read_float(value.value, BINARY64)
     if kind in ("f32", "f64"):
         return _stored(x, kind)

@@ -135,5 +135,6 @@ def _check_acceptance(where, normal, found, report):
     report.numbers += 1
     if not normal.bounds(bound):
         report.differ(f"{where}.bound", f"just above {normal.bound_estimate():.9g}", found["bound"])
-    reversed_ = any(d.first > d.last for d in (normal.u, normal.v))
-    report.same(f"{where}.either_sign", reversed_, found["either_sign"])
+    # Two readings of the derivatives differ in sign for each direction that is reversed.
+    open_ = sum(d.first > d.last for d in (normal.u, normal.v)) == 1
+    report.same(f"{where}.either_sign", open_, found["either_sign"])

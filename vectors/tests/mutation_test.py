@@ -46,6 +46,16 @@ class WrongOnes(unittest.TestCase):
 
 
 class RightOnes(unittest.TestCase):
+    def test_normals_by_either_reading_of_the_derivatives(self):
+        """By the variables of the domain each reversed direction turns the normal; both readings conform."""
+        class ByDomain(Evaluator):
+            def oriented(self, normal, domain):
+                turned = (domain[0] > domain[1]) != (domain[2] > domain[3])
+                return [-x for x in normal] if turned else normal
+        for case in theme("auto_normal.reversed"):
+            for evaluator in (Evaluator(), ByDomain()):
+                self.assertEqual(wrong_evaluator(evaluator, case), "", case["id"])
+
     def test_evaluator(self):
         for where in themes_of(WRONG_EVALUATORS):
             for case in theme(where):

@@ -201,6 +201,10 @@ def _wrong_step(machine, step, answer, primitive):
         if len(answer or []) != len(step["answers"]):
             return f"{len(answer or [])} answers"
         for value, accepted in zip(answer, step["answers"]):
+            if isinstance(accepted[0], dict):
+                if value.value < accepted[0]["at_least"]:
+                    return f"answers {value.value}"
+                continue
             given = accepted_answers(value, kind)
             if given is not None and not set(given) & set(map(_text, accepted)):
                 return f"answers {given}, not {accepted}"

@@ -1,7 +1,10 @@
 """Wrong state machines, each with the theme of the vectors that has to catch it."""
 
 from checker.accuracy import Grid
-from checker.number import BINARY64, float_text, read_float
+from checker.gl import Value
+from checker.gl_commands import command_named
+from checker.maps import TARGETS, Map
+from checker.number import BINARY64, Malformed, float_text, read_float
 from played import Machine, f32, f64
 from wrong_evaluators import _counted
 
@@ -99,6 +102,87 @@ def _after_mesh(change):
     return {"eval_mesh": eval_mesh}
 
 
+def _errors(method, change):
+    """The codes of a command changed: change(machine, codes, form, *arguments)."""
+    def errors(self, form, *arguments):
+        return change(self, getattr(Machine, method)(self, form, *arguments), form, *arguments)
+    return {method: errors}
+
+
+def _no_error_if(condition):
+    return lambda machine, codes, form, *arguments: set() if condition(machine, form, *arguments) else codes
+
+
+def _no_map_error_if(condition):
+    """An erroneous map is ignored without an error: condition(machine, form, target, *rest)."""
+    def map_(self, form, target, *rest):
+        try:
+            Machine.map(self, form, target, *rest)
+        except (LookupError, Malformed):
+            pass
+    return _errors("map_errors", _no_error_if(condition)) | {"map": map_}
+
+
+def _order_limit(most):
+    return _errors("map_errors", lambda machine, codes, form, target, *rest: (
+        codes | ({"GL_INVALID_VALUE"} if any(o > most for o in rest[3:-1:4]) else set())))
+
+
+def _in_list(lost):
+    """Errors of compiled commands are lost: lost(command name, codes)."""
+    def call(self, name):
+        for command, arguments in self.lists.get(name, ()):
+            held, self.errors = self.errors, set()
+            self.execute(*command_named(command), arguments)
+            self.errors = held | (set() if lost(command, self.errors) else self.errors)
+    return {"call": call}
+
+
+def _list_stops_at_errors():
+    def call(self, name):
+        for command, arguments in self.lists.get(name, ()):
+            held, self.errors = self.errors, set()
+            self.execute(*command_named(command), arguments)
+            failed, self.errors = bool(self.errors), held | self.errors
+            if failed:
+                return
+    return {"call": call}
+
+
+def _errors_when_compiled():
+    def issue(self, name, arguments):
+        command, form = command_named(name)
+        if self.open_list and command.compiled and self.open_list.mode == "GL_COMPILE":
+            self.errors |= getattr(self, command.method + "_errors", lambda *_: set())(form, *arguments)
+        return Machine.issue(self, name, arguments)
+    return {"issue": issue}
+
+
+def _packed_in_lists(wrong_stride):
+    """Compiled maps whose strides are changed, while the data are those of the right ones."""
+    def issue(self, name, arguments):
+        if self.open_list and name.startswith("Map") and not name.startswith("MapGrid"):
+            arguments = wrong_stride(name, list(arguments))
+        return Machine.issue(self, name, arguments)
+    return {"issue": issue}
+
+
+def _with(arguments, **changes):
+    for place, x in changes.items():
+        arguments[int(place[1:])] = x
+    return arguments
+
+
+def _cut(the_map, most):
+    if the_map is None or the_map.orders[0] <= most:
+        return the_map
+    return Map(the_map.dimension, the_map.target, the_map.domain, the_map.points[:most])
+
+
+def _size(target):
+    return TARGETS[int(target[6])][target]
+
+
 # Name: (kind.theme, {method or attribute of Machine: what takes its place}).
 WRONG_STATE_MACHINES = {
     # Ends of grids
@@ -133,6 +217,33 @@ WRONG_STATE_MACHINES = {
         lambda m: m.grids[2].__setitem__(1, (2, "0x0p+0", "0x1p+0")))),
     "a mesh disables the map of colours": ("state.mesh-current", _after_mesh(
         lambda m: m.enabled.update(GL_MAP1_COLOR_4=False))),
+    # Errors of strides, orders and lists
+    "vstride is not looked at with vorder 1": ("errors.map2-vstride-order1", _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1)),
+    "vstride 0 to k - 1 is no error with vorder 1": ("errors.map2-vstride-order1", _no_map_error_if(
+        lambda m, form, target, *rest: form[0] == "2" and rest[7] == 1 and rest[6] >= 0)),
+    "MAX_EVAL_ORDER is 7": ("state.max-eval-order", {"state": lambda self, name: (
+        [Value("limit", 7)] if name == "GL_MAX_EVAL_ORDER" else Machine.state(self, name))}),
+    "orders above 7 are errors": ("state.max-eval-order", _order_limit(7)),
+    "orders above 30 are errors": ("get_map.high-order", _order_limit(30)),
+    "orders above 63 are errors": ("get_map.high-order", _order_limit(63)),
+    "lists lose errors of maps": ("errors.map1-compiled", _in_list(lambda name, codes: name.startswith("Map1"))),
+    "lists lose errors of surfaces": ("errors.map2-compiled", _in_list(
+        lambda name, codes: name.startswith("Map2"))),
+    "lists lose INVALID_ENUM of maps": ("errors.map1-compiled", _in_list(
+        lambda name, codes: codes == {"GL_INVALID_ENUM"})),
+    "lists lose errors of grids": ("errors.compiled", _in_list(lambda name, codes: name.startswith("MapGrid"))),
+    "lists lose errors of meshes": ("errors.compiled", _in_list(lambda name, codes: name.startswith("EvalMesh"))),
+    "lists stop at the first error": ("errors.map1-compiled", _list_stops_at_errors()),
+    "errors come when a list is compiled": ("errors.compiled", _errors_when_compiled()),
+    "lists take curves as packed": ("get_map.list-stride", _packed_in_lists(
+        lambda name, a: _with(a, _3=_size(a[0])) if name.startswith("Map1") else a)),
+    "lists take columns as packed": ("get_map.list-stride", _packed_in_lists(
+        lambda name, a: _with(a, _7=_size(a[0])) if name.startswith("Map2") else a)),
+    "lists swap the strides": ("get_map.list-stride", _packed_in_lists(
+        lambda name, a: _with(a, _3=min(a[3], a[7]), _7=min(a[3], a[7])) if name.startswith("Map2") else a)),
+    "points of order 33 and more are those of 32": ("state.high-order", {"winner": lambda self, dimension, kinds: (
+        _cut(Machine.winner(self, dimension, kinds), 32))}),
 }
 
 

@@ -129,7 +129,8 @@ void places(Document& document) {
   Theme domains(document, "domain",
                 "domains of another length or place than [0, 1]: the direction does not change",
                 {"EV-AUTON-DIRECTION", "EV-MAP2-DOMAIN"});
-  Theme reversed(document, "reversed", "u1 > u2, v1 > v2, or both: either sign will do",
+  Theme reversed(document, "reversed",
+                 "u1 > u2 or v1 > v2: either sign will do; with both the sign is determined",
                  {"EV-AUTON-DIRECTION"});
   constexpr std::pair<Ends, Ends> kDomains[] = {
       {{2, 5}, {-1, 1}}, {{0, 0x1p-10}, {0, 1}}, {{0, 1000}, {0, 0.001}}, {{100, 101}, {-7, -5}}};
@@ -339,6 +340,28 @@ void extreme(Document& document) {
   }
 }
 
+// Nets around the origin, looked at near it: the differences of the others would be lost in their errors.
+void highest_orders(Document& document) {
+  Theme theme(document, "highest-order", "orders from 12 to 30 in both directions",
+              {"EV-AUTON-CURVED", "EV-AUTON-RATIONAL"});
+  constexpr std::pair<int, int> kOrders[] = {{12, 12}, {16, 30}, {20, 20}, {30, 16}, {30, 30}};
+  for (const bool is_rational : {false, true})
+    for (const auto& [uorder, vorder] : kOrders) {
+      Dice& dice = theme.dice();
+      const double u_middle = (uorder - 1) / 2.0, v_middle = (vorder - 1) / 2.0;
+      const auto value = [&](int i, int j, int c) {
+        if (c == 2) return simple(dice) / 16;
+        if (c == 3) return 1 + std::abs(simple(dice)) / 64;
+        return c == 0 ? i - u_middle : j - v_middle;
+      };
+      const Map map = is_rational ? four(along(uorder), along(vorder), value)
+                                  : three(along(uorder), along(vorder), value);
+      const double u = 0.5 + dice.real(4) / 16;
+      const double v = 0.5 + dice.real(4) / 16;
+      theme.add(normal_case({map, kTypes[theme.count() % 2], at(u), at(v)}));
+    }
+}
+
 }  // namespace
 
 Document auto_normal() {
@@ -349,6 +372,7 @@ Document auto_normal() {
   rational(document);
   degenerate(document);
   extreme(document);
+  highest_orders(document);
   return document;
 }
 

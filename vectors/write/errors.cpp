@@ -61,6 +61,10 @@ class MapErrors {
     add_several();
     add_legal();
   }
+  void add_later_themes() {
+    if (two_) add_stride_of_one_column();
+    add_compiled();
+  }
 
  private:
   std::string named(const std::string& name) const { return "map" + dimension(two_) + "-" + name; }
@@ -154,6 +158,20 @@ class MapErrors {
     }
   }
 
+  // A stride that nothing is read with is an error all the same.
+  void add_stride_of_one_column() {
+    Theme theme_ =
+        theme("vstride-order1", "vorder 1, vstride below the number of values of a point", "ERR-VSTRIDE");
+    for (const GLenum target : targets(two_))
+      for (const int uorder : {1, 2})
+        for (const int bad : {k_of(target) - 1, -k_of(target)})
+          spoil(theme_, target, [&](Arguments& a) {
+            a.uorder = uorder;
+            a.vorder = 1;
+            a.vstride = bad;
+          });
+  }
+
   // Between Begin and End, and while another texture unit is active.
   void add_places() {
     Theme inside = theme("begin-end", "between Begin and End", "ERR-BEGINEND");
@@ -232,6 +250,50 @@ class MapErrors {
         issue(c, type, two_, arguments);
         query_all(c, target, (two_ ? 4 : 2) * k_of(target));
         legal.add(sequence(c));
+      }
+  }
+
+  // A list for each condition. It holds a command behind the one that fails, which is executed.
+  void add_compiled() {
+    Theme compiled = Theme(document_, named("compiled"),
+                           "a compiled map with each error: raised by the call of the list, which goes on",
+                           {"EV-DL-ERR-ALL", "EV-DL-ERR-LATE", "EV-DL-ERR-CONTINUE"});
+    struct Condition {
+      const char* rule;
+      std::function<void(Arguments&)> spoil;
+      Names flags = {};
+    };
+    std::vector<Condition> conditions = {
+        {"ERR-TARGET", [](Arguments& a) { a.target = GL_TEXTURE_2D; }},
+        {two_ ? "ERR-UORDER" : "ERR-ORDER-LOW", [](Arguments& a) { a.uorder = 0; }},
+        {two_ ? "ERR-USTRIDE" : "ERR-STRIDE", [](Arguments& a) { a.ustride = a.k - 1; }},
+        {two_ ? "ERR-USTRIDE" : "ERR-STRIDE", [](Arguments& a) { a.ustride = 0; }},
+        {two_ ? "ERR-UDOMAIN" : "ERR-DOMAIN", [](Arguments& a) { a.u1 = a.u2; }},
+        {"ERR-ACTIVETEX", {}}};
+    if (two_) {
+      conditions.push_back({"ERR-VORDER", [](Arguments& a) { a.vorder = 0; }});
+      conditions.push_back({"ERR-VSTRIDE", [](Arguments& a) { a.vstride = a.k - 1; }});
+      conditions.push_back({"ERR-VDOMAIN", [](Arguments& a) { a.v1 = a.v2; }});
+    }
+    for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
+      for (const Condition& condition : conditions) {
+        const GLenum target = targets(two_)[static_cast<std::size_t>(turn_) % 9];
+        gl::Case c;
+        before(c, target);
+        Arguments arguments{target};
+        if (condition.spoil)
+          condition.spoil(arguments);
+        else
+          c.ActiveTexture(GL_TEXTURE1);
+        c.NewList(1, mode);
+        issue(c, kTypes[turn_++ % 2], two_, arguments);
+        c.MapGrid1f(9, 2, 3);
+        c.EndList();
+        after(c, target);
+        c.CallList(1);
+        after(c, target);
+        c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+        compiled.add(sequence(c), {rule(two_, condition.rule)}, condition.flags);
       }
   }
 
@@ -525,6 +587,61 @@ void primitives_and_units(Document& document) {
   });
 }
 
+// Conditions of commands that are not maps, in lists.
+void compiled_errors(Document& document) {
+  Theme theme(
+      document, "compiled",
+      "compiled grids, meshes and evaluation with each error: raised by the call of the list, which goes on",
+      {"EV-DL-ERR-ALL", "EV-DL-ERR-LATE", "EV-DL-ERR-CONTINUE"});
+  const std::vector<std::pair<const char*, std::function<void(gl::Case&)>>> kConditions = {
+      {"EV-GRID-ERR-N", [](gl::Case& c) { c.MapGrid1f(0, 0, 1); }},
+      {"EV-GRID-ERR-N", [](gl::Case& c) { c.MapGrid1d(-5, 0, 1); }},
+      {"EV-GRID-ERR-UN", [](gl::Case& c) { c.MapGrid2f(0, 0, 1, 2, 0, 1); }},
+      {"EV-GRID-ERR-VN", [](gl::Case& c) { c.MapGrid2d(2, 0, 1, -1, 0, 1); }},
+      {"EV-MESH1-ERR-MODE", [](gl::Case& c) { c.EvalMesh1(GL_FILL, 0, 1); }},
+      {"EV-MESH1-ERR-MODE", [](gl::Case& c) { c.EvalMesh1(GL_LINES, 0, 1); }},
+      {"EV-MESH2-ERR-MODE", [](gl::Case& c) { c.EvalMesh2(GL_QUADS, 0, 1, 0, 1); }},
+      {"EV-MESH2-ERR-MODE", [](gl::Case& c) { c.EvalMesh2(GL_POINT - 1, 0, 1, 0, 1); }},
+      {"EV-MESH1-ERR-BEGINEND",
+       [](gl::Case& c) {
+         c.Begin(GL_POINTS);
+         c.EvalMesh1(GL_POINT, 0, 1);
+         c.EvalCoord1f(0.5f);
+         c.End();
+       }},
+      {"EV-GRID-ERR-BEGINEND",
+       [](gl::Case& c) {
+         c.Begin(GL_POINTS);
+         c.MapGrid2f(3, 0, 1, 3, 0, 1);
+         c.EvalCoord2f(0.5f, 0.25f);
+         c.End();
+       }},
+      {"EV-MAP1-ERR-BEGINEND", [](gl::Case& c) {
+         c.Begin(GL_POINTS);
+         define(c, Type::single, {GL_MAP1_VERTEX_3, {1, 0, 1}, {}, numbered(3, 50)});
+         c.EvalCoord1f(0.5f);
+         c.End();
+       }}};
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
+    for (const auto& [requirement, fail] : kConditions) {
+      gl::Case c;
+      define(c, Type::single, {GL_MAP1_VERTEX_3, {2, 0, 1}, {}, numbered(6)});
+      define(c, Type::single, {GL_MAP2_VERTEX_3, {2, 0, 1}, {2, 0, 1}, numbered(12)});
+      c.Enable(GL_MAP1_VERTEX_3);
+      c.Enable(GL_MAP2_VERTEX_3);
+      c.NewList(1, mode);
+      fail(c);
+      c.Enable(GL_AUTO_NORMAL);
+      c.EndList();
+      c.IsEnabled(GL_AUTO_NORMAL);
+      c.CallList(1);
+      c.IsEnabled(GL_AUTO_NORMAL);
+      query_grids(c);
+      query_all(c, GL_MAP1_VERTEX_3, 6);
+      theme.add(sequence(c), {requirement});
+    }
+}
+
 void lists_and_stacks(Document& document) {
   Theme lists(document, "lists",
               "errors of display lists: of commands when they are executed, not when compiled",
@@ -595,13 +712,18 @@ Document errors() {
   Document document("errors",
                     "Which errors commands raise, and that a command which raises one does nothing else.");
   document.explain(kLimit, "only where MAX_EVAL_ORDER is 64 or less");
-  for (const bool two : {false, true}) MapErrors(document, two).add_all();
+  MapErrors map1(document, false), map2(document, true);
+  map1.add_all();
+  map2.add_all();
   grids(document);
   meshes(document);
   queries(document);
   enables_and_queries(document);
   primitives_and_units(document);
   lists_and_stacks(document);
+  map1.add_later_themes();
+  map2.add_later_themes();
+  compiled_errors(document);
   return document;
 }
 

@@ -73,6 +73,7 @@ Document map1_eval() {
   curves::special_nets(document);
   curves::rational(document);
   curves::hardest(document);
+  curves::high_orders_of_targets(document);
   return document;
 }
 
@@ -93,6 +94,7 @@ Document map2_eval() {
   surfaces::cancellation(document);
   surfaces::special_nets(document);
   surfaces::rational(document);
+  surfaces::highest_orders(document);
   return document;
 }
 

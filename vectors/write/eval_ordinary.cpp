@@ -55,6 +55,22 @@ void high_orders(Document& document) {
   }
 }
 
+void high_orders_of_targets(Document& document) {
+  Theme theme(document, "high-order-targets",
+              "every target with orders from 31 to 64, more than some implementations have",
+              {"EV-MAP1-BEZIER", "EV-MAP1-ORDER-ALL", "EV-MAP1-K", "EV-MAP1-COMPORDER"});
+  Dice& dice = theme.dice();
+  const auto add = [&](int order, int target, Type type) {
+    const Direction u = along(order);
+    const Map map = some_curve(dice, gl::kMap1Targets[static_cast<std::size_t>(target % 9)], u);
+    theme.add(value_case({map, type, at(inside(dice, u, type, 64))}));
+  };
+  for (int order = 31; order <= 63; ++order)
+    for (int i = 0; i < 3; ++i) add(order, 3 * order + i + order / 3, kTypes[(order + i) % 2]);
+  for (int target = 0; target < 9; ++target)
+    for (const Type type : kTypes) add(64, target, type);
+}
+
 void order_one(Document& document) {
   Theme theme(document, "order-one", "a single control point: a constant, whatever the argument",
               {"EV-MAP1-ORDER-ONE"});
@@ -236,6 +252,38 @@ void high_orders(Document& document) {
   for (const auto& [uorder, vorder] : kOrders)
     for (const Type type : kTypes)
       theme.add(inside_case(dice, some_surface(dice, GL_MAP2_INDEX, along(uorder), along(vorder)), type));
+}
+
+void highest_orders(Document& document) {
+  Theme both(document, "highest-order", "orders from 40 to 64 in both directions at once",
+             {"EV-MAP2-BEZIER", "EV-MAP2-ORDER-ALL"});
+  constexpr std::pair<int, int> kOrders[] = {{64, 64}, {40, 40}, {64, 33}, {35, 64}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const Type type : kTypes) {
+      if (i > 0 && type == kTypes[i % 2]) continue;  // either type of those that are not the largest
+      Dice& dice = both.dice();
+      const Direction u = along(kOrders[i].first), v = along(kOrders[i].second);
+      both.add(inside_case(dice, some_surface(dice, GL_MAP2_INDEX, u, v), type));
+    }
+  // Near a corner the last points count. Of 64 by 64 points the rule judges hardly anything: its part for
+  // underflow has a sum of 2^126.
+  for (const auto& [uorder, vorder] : {std::pair(50, 50), std::pair(33, 64)}) {
+    const Map map = some_surface(both.dice(), GL_MAP2_INDEX, along(uorder), along(vorder));
+    both.add(value_case({map, kTypes[uorder % 2], at(0x1.f8p-1), at(0x1.f8p-1)}));
+  }
+
+  Theme targets(document, "high-order-targets",
+                "every target with orders from 31 to 64 in one direction, up to 3 in the other",
+                {"EV-MAP2-BEZIER", "EV-MAP2-ORDER-ALL", "EV-MAP2-K", "EV-MAP2-COMPORDER"});
+  constexpr int kHigh[] = {31, 33, 36, 42, 50, 57, 63, 64};
+  for (int target = 0; target < 9; ++target)
+    for (int i = 0; i < 4; ++i) {
+      Dice& dice = targets.dice();
+      const Direction high = along(kHigh[(2 * target + i) % 8]), low = along(dice.between(1, 3));
+      const Map map =
+          some_surface(dice, any_target(target), i % 2 == 0 ? high : low, i % 2 == 0 ? low : high);
+      targets.add(inside_case(dice, map, kTypes[i / 2]));
+    }
 }
 
 void full_precision(Document& document) {

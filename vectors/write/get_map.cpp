@@ -261,6 +261,47 @@ void histories(Document& document) {
   }
 }
 
+void compiled_strides(Document& document) {
+  Theme theme(document, "list-stride", "maps with padding between their points, defined by a display list",
+              {"EV-DL-STRIDE-KEPT", "EV-DL-POINTS-COPIED"});
+  for (const GLenum target : all_targets())
+    for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+      const int k = k_of(target);
+      const Type type = kTypes[theme.count() / 2 % 2];
+      gl::Case c;
+      c.NewList(7, mode);
+      if (is_two(target))
+        map2(c, type, target, 0, 1, k + 1, 2, 0, 1, 2 * k + 5, 3, numbered(k + 1 + 2 * (2 * k + 5) + k));
+      else
+        map1(c, type, target, 0, 1, k + 2, 3, numbered(2 * (k + 2) + k));
+      c.EndList();
+      query_all(c, target, (is_two(target) ? 6 : 3) * k);
+      c.CallList(7);
+      query_all(c, target, (is_two(target) ? 6 : 3) * k);
+      theme.add(sequence(c));
+    }
+}
+
+void high_orders(Document& document) {
+  document.explain("order-above-8", "where MAX_EVAL_ORDER is at least the order of each map");
+  Theme theme(document, "high-order", "orders from 9 to 64 are accepted and come back",
+              {"EV-MAP1-ORDER-ALL", "EV-MAP2-ORDER-ALL", "EV-GETMAP-COUNT"});
+  constexpr std::pair<int, int> kOrders[] = {{9, 1}, {16, 9}, {30, 2}, {31, 3}, {33, 1}, {64, 2}};
+  for (const GLenum target : all_targets())
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto [larger, smaller] = kOrders[i];
+      const bool along_v = is_two(target) && i % 2 == 1;
+      Map map{target, {along_v ? smaller : larger, 0, 1}, {}, {}};
+      if (is_two(target)) map.v.order = along_v ? larger : smaller;
+      map.points = numbered(map.u.order * map.v.order * k_of(target));
+      gl::Case c;
+      define(c, kTypes[theme.count() % 2], map);
+      ask(c, 2, map, GL_ORDER);
+      ask(c, static_cast<int>(i % 2), map, GL_COEFF);
+      theme.add(sequence(c), {}, {"order-above-8"});
+    }
+}
+
 }  // namespace
 
 Document get_map() {
@@ -271,6 +312,8 @@ Document get_map() {
   integers(document);
   strides(document);
   histories(document);
+  compiled_strides(document);
+  high_orders(document);
   return document;
 }
 

@@ -213,6 +213,41 @@ void exact_ends(Document& document) {
   }
 }
 
+void targets(Document& document) {
+  Theme theme(document, "targets",
+              "points of grids of every target, orders up to 30; with x/w, y/w and z/w where there is a w",
+              {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-MESH1-COORDS", "EV-MESH2-COORDS"});
+  Dice& dice = theme.dice();
+  const auto value = [&](GLenum target, int c) {
+    const double x = simple(dice);
+    const bool is_w = c == 3 && (target == GL_MAP1_VERTEX_4 || target == GL_MAP2_VERTEX_4);
+    return is_w ? 1 + std::abs(x) : x;
+  };
+  const auto point = [&](Type type) {
+    constexpr Ends kGrids[] = {{0, 1}, {0.1, 0.7}, {1, 0}, {-0.3, 1.1}};
+    constexpr GLint kSegments[] = {3, 7, 10, 49, 100};
+    const Ends ends = of_type(dice.pick(kGrids), type);
+    const GLint segments = dice.pick(kSegments);
+    return Argument::grid(dice.between(-1, segments + 1), segments, ends.first, ends.second);
+  };
+  int turn = 0;
+  for (const GLenum target : gl::kMap1Targets)
+    for (const int order : {1, 2, 4, 9, 17, 30}) {
+      const Type type = kTypes[turn++ % 2];
+      const Map map = curve(target, along(order), [&](int, int c) { return value(target, c); });
+      theme.add(value_case({map, type, point(type)}), {}, {"1-D"});
+    }
+  constexpr std::pair<int, int> kOrders[] = {{2, 3}, {4, 4}, {9, 2}, {3, 9}, {30, 1}, {2, 30}};
+  for (const GLenum target : gl::kMap2Targets)
+    for (const auto& [uorder, vorder] : kOrders) {
+      const Type type = kTypes[turn++ % 2];
+      const Map map =
+          surface(target, along(uorder), along(vorder), [&](int, int, int c) { return value(target, c); });
+      const Argument u = point(type), v = point(type);
+      theme.add(value_case({map, type, u, v}), {}, {"2-D"});
+    }
+}
+
 }  // namespace
 
 Document grid() {
@@ -243,6 +278,7 @@ Document grid() {
     }
   }
   exact_ends(document);
+  targets(document);
   return document;
 }
 

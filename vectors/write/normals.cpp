@@ -40,7 +40,7 @@ Json accept(const AutomaticNormal& normal) {
   // The bound comes out of binary64, whose last bits may differ from machine to machine: rounded up to
   // binary32 it is the same everywhere.
   return {{"bound", hexadecimal(round_up(*acceptance->bound))},
-          {"either_sign", map.u.first > map.u.last || map.v.first > map.v.last}};
+          {"either_sign", (map.u.first > map.u.last) != (map.v.first > map.v.last)}};
 }
 
 }  // namespace

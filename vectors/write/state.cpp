@@ -1,5 +1,6 @@
 // Longer sequences: what is enabled, what wins, what is emitted, what stays as it was.
 #include <algorithm>
+#include <cmath>
 
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/tokens.h>
@@ -98,6 +99,51 @@ void initial(Document& document) {
         draw(c, two, -3, 7);
         draw(c, two, 0.5, 0);
       });
+}
+
+void limits(Document& document) {
+  Theme theme(document, "max-eval-order", "MAX_EVAL_ORDER is 8 or more, and maps of order 8 are accepted",
+              {"EV-INIT-MAXORDER", "EV-MAP1-ORDER-ALL", "EV-MAP2-ORDER-ALL"});
+  for (const Type type : kTypes)
+    for (const GLenum kind : gl::kMap1Targets)
+      add(theme, kPositions, [&](gl::Case& c) {
+        c.GetIntegerv(GL_MAX_EVAL_ORDER, gl::out<GLint>(1));
+        c.GetFloatv(GL_MAX_EVAL_ORDER, gl::out<GLfloat>(1));
+        c.GetDoublev(GL_MAX_EVAL_ORDER, gl::out<GLdouble>(1));
+        c.GetBooleanv(GL_MAX_EVAL_ORDER, gl::out<GLboolean>(1));
+        const int k = gl::components_of(kind);
+        define(c, type, {kind, {8, 0, 1}, {}, numbered(8 * k)});
+        query_all(c, kind, 8 * k);
+        define(c, type, {target_of(true, kind), {8, 0, 1}, {8, 0, 1}, numbered(64 * k)});
+        query_all(c, target_of(true, kind), 64 * k);
+      });
+}
+
+void high_orders(Document& document) {
+  document.explain("order-above-8", "where MAX_EVAL_ORDER is at least the order of each map");
+  Theme theme(document, "high-order", "points and meshes of maps of orders from 9 to 64",
+              {"EV-MAP1-ORDER-ALL", "EV-MAP2-ORDER-ALL", "EV-MAP1-BEZIER", "EV-MAP2-BEZIER"});
+  constexpr std::pair<int, int> kOrders[] = {{9, 9},  {16, 3}, {3, 16}, {30, 2}, {2, 30},
+                                             {33, 4}, {64, 1}, {1, 64}, {64, 8}};
+  Dice& dice = theme.dice();
+  for (const bool two : {false, true})
+    for (const GLenum kind : {GL_MAP1_VERTEX_3, GL_MAP1_VERTEX_4})
+      for (const auto& [uorder, vorder] : kOrders) {
+        if (!two && uorder < 9) continue;
+        const auto value = [&](int c) { return c == 3 ? 1 + std::abs(simple(dice)) / 16 : simple(dice); };
+        const Direction u{uorder, 0, 1}, v{vorder, 0, 1};
+        const Map map = two ? surface(target_of(true, kind), u, v, [&](int, int, int c) { return value(c); })
+                            : curve(kind, u, [&](int, int c) { return value(c); });
+        gl::Case c;
+        define(c, kTypes[theme.count() % 2], map);
+        c.Enable(map.target);
+        draw(c, two, 0.375, 0.75);
+        if (two)
+          c.EvalMesh2(GL_POINT, 0, 1, 0, 0);
+        else
+          c.EvalMesh1(GL_POINT, 0, 1);
+        theme.add(sequence(c), {}, {"order-above-8"});
+      }
 }
 
 void enables(Document& document) {
@@ -619,6 +665,8 @@ Document state() {
   long_meshes(document);
   steep_meshes(document);
   meshes_keep_state(document);
+  limits(document);
+  high_orders(document);
   return document;
 }
 

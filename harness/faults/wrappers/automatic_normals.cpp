@@ -112,6 +112,14 @@ EVALCTS_RULES(NoNormalsOverReversedDomains, production, must, "EV-AUTON-CURVED",
                     for (ObservedVertex& vertex : primitive.vertices) vertex.normal = {0, 0, 1};
                   },
                   kCount));
+EVALCTS_RULES(NormalsTurnedWhereBothAreReversed, production, must, "EV-AUTON-CURVED",
+              "over a domain that is reversed in u and in v normals are turned round",
+              before(kMap2, kU1 > kU2 && kV1 > kV2, set(kCount, 1)),
+              with_auto_normal(
+                  [](ObservedPrimitive& primitive) {
+                    for (ObservedVertex& vertex : primitive.vertices) scale(vertex.normal, -1);
+                  },
+                  kCount));
 EVALCTS_RULES(VertexWithoutNormalLost, production, must, "EV-AUTON-DEGENERATE",
               "a vertex whose normal has length 0 is not drawn",
               with_auto_normal([](ObservedPrimitive& primitive) {
