@@ -310,6 +310,8 @@ void glev_context::set_grid(int dimension, const std::array<Grid, 2>& grid) {
   }
   if (is_rejected_in_primitive()) return;
   eval_.grid[dimension - 1] = grid;
+  glev_plan* const plan = plans_[dimension - 1];
+  if (plan != nullptr && plan->has_one_reference()) return plan->set_grid(grid);
   drop_plan(dimension);
 }
 
