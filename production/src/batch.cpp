@@ -207,10 +207,11 @@ void evaluate_tangents(const glev_plan& plan, int direction, const Output& outpu
   });
 }
 
-// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats if it can.
-template <class U, class V, class Evaluate, class Normals>
+// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats and `doubles`
+// those of maps if they can.
+template <class U, class V, class Evaluate, class Normals, class Doubles>
 void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
-                  const Evaluate& evaluate, const Normals& normals) {
+                  const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
   const glev::DefaultEnvironment environment;
   for (int o = 0; o < kOutputs; ++o) {
     const Output& output = outputs[o];
@@ -222,7 +223,8 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else if (output.is_double) {
-      evaluate_in_double(plan.map(static_cast<Attribute>(o)), output, u, v);
+      const glev::PreparedMap& map = plan.map(static_cast<Attribute>(o));
+      if (!doubles(map, to)) evaluate_in_double(map, output, u, v);
     } else {
       evaluate(plan.map(static_cast<Attribute>(o)), to);
     }
@@ -306,7 +308,10 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
           plan->kernels().curve(map, u, batch.count, to);
         }
       },
-      [](const glev::Destination&) { return false; });
+      [](const glev::Destination&) { return false; },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        return !has_v && plan->kernels().double_curve(map, u, batch.count, to);
+      });
   return GLEV_SUCCESS;
 }
 
@@ -358,6 +363,9 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
       [&](const glev::Destination& to) {
         normals(*plan, range, to, false, aligned);
         return true;
+      },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        return plan->kernels().double_mesh(map, range, to, aligned);
       });
   return GLEV_SUCCESS;
 }
