@@ -15,8 +15,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FILTER = "^(Curve|Mesh|Call|Hard|Floor)/"
+FILTER = "^(Curve|Mesh|Call|Hard|Floor|Model|Plan|Double|Tangents|Batch|Scattered|Sink)/"
 HORNER, EXACT, FAST, PRODUCT = "float_Horner", "production", "production_fast", "Eigen"
+LOOP = "constant_order"
 WIDTHS = ("AVX2", "AVX-512")  # the instruction sets of the goals
 FAMILY = {"AVX2": "AVX2", "AVX-512": "AVX3"}  # how the names begin that Highway has for them
 
@@ -97,6 +98,49 @@ HARD = [
     ("points 0..9, order 10", "Hard/line/order:10"),
     ("points 0..29, order 30", "Hard/line/order:30"),
     ("random x 1e6 + 1e6, order 4", "Hard/offset/order:4"),
+]
+
+
+class Model:
+    """A line of the table of models: beside a float loop whose order is a constant, which knows the grid.
+
+    must: so many times what the loop takes, or None. unit: what the numbers are of.
+    """
+
+    def __init__(self, words, name, must=None, side=EXACT, loop=LOOP):
+        self.words, self.name, self.must, self.side, self.loop = words, name, must, side, loop
+
+
+WITH_MAP = "production_with_map"
+MODELS = [Model(f"teapot, {n} segments, plan at hand", f"Model/teapot/segments:{n}", must)
+          for n, must in ((4, None), (8, 3), (10, None), (16, 3), (32, None), (64, 2))]
+MODELS += [Model(f"teapot, {n} segments, with map and plan", f"Model/teapot/segments:{n}", must, WITH_MAP,
+                 f"{LOOP}_with_map") for n, must in ((8, 8), (64, None))]
+MODELS += [
+    Model("random floats, 8 segments, plan at hand", "Model/random/segments:8"),
+    Model("random floats, 64 segments, plan at hand", "Model/random/segments:64"),
+    Model("random floats, 7 segments, with map and plan", "Model/random/segments:7", None, WITH_MAP,
+          f"{LOOP}_with_map"),
+    Model("multiples of 2^-24, 8 segments, plan at hand", "Model/dyadic/segments:8"),
+    Model("bilinear random floats, 8 segments, plan at hand", "Model/bilinear/segments:8"),
+    Model("teapot, 64 segments, GLEV_FAST, plan at hand", "Model/teapot/segments:64", None, FAST),
+]
+
+# Work without a peer: what it may take, in ns, or None.
+OTHERS = [
+    ("Map2, plan and release, bicubic, a plan", "Plan/bicubic", 400),
+    ("Map2, plan and release, 64 x 64, a plan", "Plan/order:64", 15000),
+    ("MapGrid2, plan and release, a plan", "Plan/grid_alone", 50),
+    ("bicubic mesh, doubles", "Double/mesh", 30),
+    ("curve of order 4, scattered arguments, doubles", "Double/curve", 15),
+    ("both tangents of a bicubic mesh, floats", "Tangents/float", 8),
+    ("both tangents of a bicubic mesh, floats, GLEV_FAST", "Tangents/fast", 2),
+    ("both tangents of a bicubic mesh, doubles", "Tangents/double", 60),
+    ("glevEvaluate, curve of order 4, one argument", "Batch/count:1", 25),
+    ("glevEvaluate, curve of order 4, 8 arguments", "Batch/count:8", 5),
+    ("scattered bicubic points", "Scattered/bicubic", None),
+    ("scattered bicubic points, GLEV_FAST", "Scattered/fast", 0.5),
+    ("EvalMesh2 to a sink, 64 x 64 points", "Sink/mesh", 9),
 ]
 
 
@@ -189,6 +233,43 @@ def environment(context):
     return f"{date}, one core of {processor} ({caches}), {context['compiler']}, peers as packaged by {system}"
 
 
+def times(ns, peer):
+    return "-" if not ns or not peer else f"{three_digits(ns / peer)}x"
+
+
+def models(results):
+    """Those first that take longest beside the loop."""
+    rows = []
+    for model in MODELS:
+        loop, horner = results.side(model.name, model.loop), results.side(model.name, HORNER)
+        cells, worst = [], 0
+        for width in WIDTHS:
+            ns = results.side(model.name, model.side, width)
+            cells.append(f"{number(ns)} ({times(ns, loop)})" if ns else "-")
+            worst = max(worst, over(ns, loop) or 0)
+            if ns and loop and model.must and ns > model.must * loop:
+                warn(f"{model.words}: {width} takes {times(ns, loop)} what the loop takes, may take {model.must}x")
+        must = f"{model.must}x" if model.must else "-"
+        rows.append((-worst, line([model.words, number(loop), *cells, must, number(horner)])))
+    return head(["work", "loop, order a constant", "AVX2", "AVX-512", "must", "float Horner"]) + [
+        text for _, text in sorted(rows, key=lambda row: row[0])]
+
+
+def others(results):
+    """Those first that miss most what they may take."""
+    rows = []
+    for words, work, must in OTHERS:
+        cells, worst = [], 0
+        for width in WIDTHS:
+            ns = results.side(work, EXACT, width)
+            cells.append(number(ns))
+            worst = max(worst, over(ns, must) or 0)
+            if ns and must and ns > must:
+                warn(f"{words}: {width} takes {number(ns)} ns, may take {must}")
+        rows.append((-worst, line([words, *cells, f"{must}" if must else "-"])))
+    return head(["work", "AVX2", "AVX-512", "must"]) + [text for _, text in sorted(rows, key=lambda row: row[0])]
+
+
 def goals(results):
     lines = head(["work", "float Horner", "AVX2", "AVX-512", "must", "stretch", "matrix product", "best peer",
                   "floor AVX2 / AVX-512"])
@@ -246,7 +327,11 @@ def tables(results):
     words = (f"{environment(results.context)}.{wide} ns for a point; in brackets how many times as fast as "
              "float Horner that is, and the share of the floor that is reached.")
     hard_words = "Data that is hard to round, the same polynomial in three components, but for the last line:"
-    return "\n".join([words, "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
+    model_words = ("The models that people have, and the same work on random data; in brackets how many times as long "
+                   "as the loop that is, worst first:")
+    other_words = "Other work, in ns for a point if nothing else is said, worst first:"
+    return "\n".join([words, "", model_words, "", *models(results), "", other_words, "", *others(results), "",
+                      "Large work, beside float Horner:", "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
                       *hard(results)]) + "\n"
 
 
