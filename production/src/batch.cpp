@@ -207,6 +207,20 @@ void evaluate_tangents(const glev_plan& plan, int direction, const Output& outpu
   });
 }
 
+// // Point by point. v: null for curves.
+void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const glev::Input& u,
+                     const glev::Input* v, std::size_t count, const glev::Destination& to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 4> values;
+    const GridArgument at_v = glev::argument_at(v == nullptr ? 0 : (*v)[i]);
+    plan.kernels().point(map, glev::argument_at(u[i]), at_v, values.data());
+    for (std::size_t k = static_cast<std::size_t>(map.surface.components); k < 4; ++k)
+      values[k] = k == 3 ? 1 : 0;
+    std::memcpy(to.data + i * to.stride, values.data(),
+                static_cast<std::size_t>(to.components) * sizeof(float));
+  }
+}
+
 // All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats and `doubles`
 // those of maps if they can.
 template <class U, class V, class Evaluate, class Normals, class Doubles>
@@ -302,7 +316,10 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
       *plan, outputs, [&](std::size_t i) { return glev::argument_at(u[i]); },
       [&](std::size_t i, std::size_t) { return has_v ? glev::argument_at(v[i]) : GridArgument{}; },
       [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        if (has_v) {
+        constexpr std::size_t kFew = 2;  // for which vectors are not worth their preparation
+        if (batch.count <= kFew) {
+          evaluate_points(*plan, map, u, has_v ? &v : nullptr, batch.count, to);
+        } else if (has_v) {
           plan->kernels().surface(map, u, v, batch.count, to);
         } else {
           plan->kernels().curve(map, u, batch.count, to);

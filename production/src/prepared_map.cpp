@@ -247,7 +247,8 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
     double* const own = lowest + k * count;
     const std::array<int, 2> reduced = reduce_component(map, points + k, k, own);
     component.lowest = {own, 1, reduced, domain};
-    for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
+    component.lowest_largest = reduced == order ? component.largest : 0;
+    for (int i = 0; i < reduced[0] * reduced[1] && reduced != order; ++i) {
       component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
     }
     const int degree = reduced[0] + reduced[1] - 2;
