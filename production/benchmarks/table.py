@@ -15,7 +15,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FILTER = "^(Curve|Mesh|Call|Hard|Floor|Model|Plan|Double|Tangents|Batch|Scattered|Sink)/"
+FILTERS = {"models": "^(Model|Plan|Double|Tangents|Batch|Scattered|Sink|Mesh/order:4/dim:3/ring/production)/",
+           "peers": "^(Curve|Mesh|Call|Hard|Floor)/"}
 HORNER, EXACT, FAST, PRODUCT = "float_Horner", "production", "production_fast", "Eigen"
 LOOP = "constant_order"
 WIDTHS = ("AVX2", "AVX-512")  # the instruction sets of the goals
@@ -153,7 +154,7 @@ class Results:
             name = run.get("run_name", run["name"])
             if run.get("error_occurred"):
                 errors[name] = run["error_message"]
-            elif run.get("run_type", "iteration") == "iteration" and re.match(FILTER, name):
+            elif run.get("run_type", "iteration") == "iteration":
                 self.rate[name] = max(self.rate.get(name, 0), run["items_per_second"])
         for name, error in errors.items():
             warn(f"{name}: {error}")
@@ -321,21 +322,30 @@ def hard(results):
     return lines
 
 
-def tables(results):
+def where(results):
     wide = results.target["AVX-512"]
-    wide = f" AVX-512 is what Highway calls {wide}." if wide else ""
-    words = (f"{environment(results.context)}.{wide} ns for a point; in brackets how many times as fast as "
+    return environment(results.context) + "." + (f" AVX-512 is what Highway calls {wide}." if wide else "")
+
+
+def model_tables(results):
+    words = (f"{where(results)} ns for a point; in brackets how many times as long as the loop that takes. The work that "
+             "takes longest beside it stands first.")
+    other_words = "Other work, in ns for a point if nothing else is said; what misses its goal most stands first:"
+    return "\n".join([words, "", *models(results), "", other_words, "", *others(results)]) + "\n"
+
+
+def peer_tables(results):
+    words = (f"{where(results)} ns for a point; in brackets how many times as fast as "
              "float Horner that is, and the share of the floor that is reached.")
     hard_words = "Data that is hard to round, the same polynomial in three components, but for the last line:"
-    model_words = ("The models that people have, and the same work on random data; in brackets how many times as long "
-                   "as the loop that is, worst first:")
-    other_words = "Other work, in ns for a point if nothing else is said, worst first:"
-    return "\n".join([words, "", model_words, "", *models(results), "", other_words, "", *others(results), "",
-                      "Large work, beside float Horner:", "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
+    return "\n".join([words, "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
                       *hard(results)]) + "\n"
 
 
-def measure(program, quick, repetitions):
+TABLES = {"models": model_tables, "peers": peer_tables}
+
+
+def measure(program, quick, repetitions, which):
     """The benchmark's JSON. Pinned, so that no measurement moves to another core."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "results.json")
@@ -346,7 +356,7 @@ def measure(program, quick, repetitions):
             program = ROOT / "build/release/harness/benchmarks/evalcts-bench"
         cores = os.sched_getaffinity(0)
         os.sched_setaffinity(0, {max(cores)})
-        subprocess.run([program, f"--benchmark_filter={FILTER}",
+        subprocess.run([program, f"--benchmark_filter={'|'.join(FILTERS[w] for w in which)}",
                         "--benchmark_enable_random_interleaving=true",
                         f"--benchmark_repetitions={repetitions or (2 if quick else 12)}",
                         f"--benchmark_min_time={0.001 if quick else 0.05}",
@@ -356,9 +366,9 @@ def measure(program, quick, repetitions):
         return json.loads(out.read_text(encoding="utf-8"))
 
 
-def update(file, text):
-    """Puts the tables between the marks in the file."""
-    first, last = "<!-- tables of table.py -->\n", "<!-- end of the tables -->\n"
+def update(file, which, text):
+    """Puts the tables between their marks in the file."""
+    first, last = f"<!-- {which} of table.py -->\n", f"<!-- end of {which} -->\n"
     whole = file.read_text(encoding="utf-8")
     before, rest = whole.split(first)
     file.write_text(f"{before}{first}{text}\n{last}{rest.split(last)[1]}", encoding="utf-8")
@@ -367,6 +377,7 @@ def update(file, text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", choices=list(TABLES), help="these tables alone (default: all)")
     parser.add_argument("--quick", action="store_true", help="a look whether all of it runs")
     parser.add_argument("--repetitions", type=int, help="how often everything is measured (default: 12)")
     parser.add_argument("--program", type=pathlib.Path,
@@ -375,15 +386,18 @@ def main():
     parser.add_argument("--load", type=pathlib.Path, help="measurements of --save, instead of new ones")
     parser.add_argument("--update", type=pathlib.Path, help="a file: replaces its tables, and prints none")
     options = parser.parse_args()
+    which = [options.only] if options.only else list(TABLES)
     data = json.loads(options.load.read_text(encoding="utf-8")) if options.load else measure(
-        options.program, options.quick, options.repetitions)
+        options.program, options.quick, options.repetitions, which)
     if options.save:
         options.save.write_text(json.dumps(data, indent=1), encoding="utf-8")
-    text = tables(Results(data))
-    if options.update:
-        update(options.update, text)
-    else:
-        print(text, end="")
+    results = Results(data)
+    for tables in which:
+        text = TABLES[tables](results)
+        if options.update:
+            update(options.update, tables, text)
+        else:
+            print(text, end="")
 
 
 if __name__ == "__main__":
