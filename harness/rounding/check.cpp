@@ -35,6 +35,39 @@ std::array<double, 2> random_domain(Random& random) {
   }
 }
 
+// Data that models have, where ties and zeros are ordinary: multiples of a power of two, short decimals, and
+// such decimals in nets that are symmetric or antisymmetric.
+bool is_tie_rich(const Class& what) {
+  return what.data == "dyadic" || what.data == "decimal" || what.data == "symmetric";
+}
+
+void draw_tie_rich_points(Map& map, const Class& what, Random& random) {
+  const int n = map.uorder - 1, m = map.vorder - 1;
+  map.points.resize(static_cast<std::size_t>(map.uorder) * map.vorder * map.components);
+  const auto point = [&](int i, int j, int k) -> double& {
+    return map.points[static_cast<std::size_t>(i * map.vorder + j) * map.components + k];
+  };
+  const double range = random.once_in(2) ? 1 : std::ldexp(1, static_cast<int>(random.below(8)));
+  const double step = what.data == "dyadic" ? std::ldexp(range, -static_cast<int>(random.below(25)))
+                                            : std::pow(10, -1 - static_cast<double>(random.below(4)));
+  for (int k = 0; k < map.components; ++k) {
+    const double sign_u = random.once_in(2) ? 1 : -1, sign_v = random.once_in(2) ? 1 : -1;
+    const bool is_constant_along_u = random.once_in(6);
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= m; ++j) {
+        double& own = point(i, j, k);
+        own = static_cast<float>(std::round(random.between(-range, range) / step) * step);
+        if (is_constant_along_u && i > 0) own = point(0, j, k);
+        if (what.data != "symmetric") continue;
+        if (2 * i > n) own = sign_u * point(n - i, j, k);
+        if (2 * i == n && sign_u < 0) own = 0;
+        if (2 * j > m && m > 0) own = sign_v * point(i, m - j, k);
+        if (2 * j == m && m > 0 && sign_v < 0) own = 0;
+      }
+    }
+  }
+}
+
 Map random_map(const Class& what, Random& random) {
   Map map{what.uorder,
           std::max(what.vorder, 1),
@@ -44,7 +77,14 @@ Map random_map(const Class& what, Random& random) {
           {}};
   const std::array<double, 2> u = random_domain(random), v = random_domain(random);
   map.domain = {u[0], u[1], v[0], v[1]};
-  draw_points(map, what, random);
+  if (is_tie_rich(what)) {
+    const std::array<std::array<double, 2>, 4> domains = {{{0, 1}, {0, 1}, {1, 0}, {-1, 1}}};
+    const std::array<double, 2> own_u = domains[random.below(4)], own_v = domains[random.below(4)];
+    map.domain = {own_u[0], own_u[1], own_v[0], own_v[1]};
+    draw_tie_rich_points(map, what, random);
+  } else {
+    draw_points(map, what, random);
+  }
   return map;
 }
 
@@ -322,8 +362,13 @@ class Item {
 
   void at_arguments(std::size_t count) {
     std::vector<double> u(count), v(two_dimensional_ ? count : 0);
-    for (double& x : u) x = random_argument(map_.domain[0], map_.domain[1], random_);
-    for (double& x : v) x = random_argument(map_.domain[2], map_.domain[3], random_);
+    const auto argument = [&](double u1, double u2) {
+      if (!is_tie_rich(request_.what) || random_.once_in(4)) return random_argument(u1, u2, random_);
+      const auto parts = std::uint64_t{1} << random_.below(9);
+      return u1 + static_cast<double>(random_.below(parts + 1)) / static_cast<double>(parts) * (u2 - u1);
+    };
+    for (double& x : u) x = argument(map_.domain[0], map_.domain[1]);
+    for (double& x : v) x = argument(map_.domain[2], map_.domain[3]);
     const std::vector<std::vector<float>> expected = right(u, v);
     std::vector<float> got(count * map_.components);
     for (const auto& side : sides_) {
@@ -346,6 +391,11 @@ class Item {
   }
 
   Grid random_grid(double u1, double u2) {
+    if (is_tie_rich(request_.what) && !random_.once_in(8)) {
+      const std::array<std::int64_t, 4> others = {5, 10, 12, 20};
+      const std::int64_t few = std::int64_t{1} << random_.below(8);
+      return {random_.once_in(5) ? others[random_.below(4)] : few, u1, u2};
+    }
     const auto segments =
         static_cast<std::int64_t>(random_.once_in(2) ? 1 + random_.below(300) : 1u << random_.below(9));
     if (!random_.once_in(3)) return {segments, u1, u2};
@@ -448,6 +498,11 @@ std::vector<Class> classes() {
   }
   for (const auto& [u, v] : {std::pair{2, 2}, {4, 4}, {3, 8}, {1, 5}, {30, 30}}) {
     for (const std::string& kind : data) all.push_back({u, v, kind});
+  }
+  const std::vector<std::string> tie_rich = {"dyadic", "decimal", "symmetric"};
+  for (const auto& [u, v] :
+       {std::pair{2, 0}, {3, 0}, {4, 0}, {6, 0}, {2, 2}, {3, 3}, {4, 4}, {2, 4}, {6, 5}}) {
+    for (const std::string& kind : tie_rich) all.push_back({u, v, kind});
   }
   return all;
 }

@@ -15,8 +15,10 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FILTER = "^(Curve|Mesh|Call|Hard|Floor)/"
+FILTERS = {"models": "^(Model|Plan|Double|Tangents|Batch|Scattered|Sink|Mesh/order:4/dim:3/ring/production)/",
+           "peers": "^(Curve|Mesh|Call|Hard|Floor)/"}
 HORNER, EXACT, FAST, PRODUCT = "float_Horner", "production", "production_fast", "Eigen"
+LOOP = "constant_order"
 WIDTHS = ("AVX2", "AVX-512")  # the instruction sets of the goals
 FAMILY = {"AVX2": "AVX2", "AVX-512": "AVX3"}  # how the names begin that Highway has for them
 
@@ -100,6 +102,49 @@ HARD = [
 ]
 
 
+class Model:
+    """A line of the table of models: beside a float loop whose order is a constant, which knows the grid.
+
+    must: so many times what the loop takes, or None. unit: what the numbers are of.
+    """
+
+    def __init__(self, words, name, must=None, side=EXACT, loop=LOOP):
+        self.words, self.name, self.must, self.side, self.loop = words, name, must, side, loop
+
+
+WITH_MAP = "production_with_map"
+MODELS = [Model(f"teapot, {n} segments, plan at hand", f"Model/teapot/segments:{n}", must)
+          for n, must in ((4, None), (8, 3), (10, None), (16, 3), (32, None), (64, 2))]
+MODELS += [Model(f"teapot, {n} segments, with map and plan", f"Model/teapot/segments:{n}", must, WITH_MAP,
+                 f"{LOOP}_with_map") for n, must in ((8, 8), (64, None))]
+MODELS += [
+    Model("random floats, 8 segments, plan at hand", "Model/random/segments:8"),
+    Model("random floats, 64 segments, plan at hand", "Model/random/segments:64"),
+    Model("random floats, 7 segments, with map and plan", "Model/random/segments:7", None, WITH_MAP,
+          f"{LOOP}_with_map"),
+    Model("multiples of 2^-24, 8 segments, plan at hand", "Model/dyadic/segments:8"),
+    Model("bilinear random floats, 8 segments, plan at hand", "Model/bilinear/segments:8"),
+    Model("teapot, 64 segments, GLEV_FAST, plan at hand", "Model/teapot/segments:64", None, FAST),
+]
+
+# Work without a peer: what it may take, in ns, or None.
+OTHERS = [
+    ("Map2, plan and release, bicubic, a plan", "Plan/bicubic", 400),
+    ("Map2, plan and release, 64 x 64, a plan", "Plan/order:64", 15000),
+    ("MapGrid2, plan and release, a plan", "Plan/grid_alone", 50),
+    ("bicubic mesh, doubles", "Double/mesh", 30),
+    ("curve of order 4, scattered arguments, doubles", "Double/curve", 15),
+    ("both tangents of a bicubic mesh, floats", "Tangents/float", 8),
+    ("both tangents of a bicubic mesh, floats, GLEV_FAST", "Tangents/fast", 2),
+    ("both tangents of a bicubic mesh, doubles", "Tangents/double", 60),
+    ("glevEvaluate, curve of order 4, one argument", "Batch/count:1", 25),
+    ("glevEvaluate, curve of order 4, 8 arguments", "Batch/count:8", 5),
+    ("scattered bicubic points", "Scattered/bicubic", None),
+    ("scattered bicubic points, GLEV_FAST", "Scattered/fast", 0.5),
+    ("EvalMesh2 to a sink, 64 x 64 points", "Sink/mesh", 9),
+]
+
+
 class Results:
     def __init__(self, data):
         self.context = data["context"]
@@ -109,7 +154,7 @@ class Results:
             name = run.get("run_name", run["name"])
             if run.get("error_occurred"):
                 errors[name] = run["error_message"]
-            elif run.get("run_type", "iteration") == "iteration" and re.match(FILTER, name):
+            elif run.get("run_type", "iteration") == "iteration":
                 self.rate[name] = max(self.rate.get(name, 0), run["items_per_second"])
         for name, error in errors.items():
             warn(f"{name}: {error}")
@@ -189,6 +234,43 @@ def environment(context):
     return f"{date}, one core of {processor} ({caches}), {context['compiler']}, peers as packaged by {system}"
 
 
+def times(ns, peer):
+    return "-" if not ns or not peer else f"{three_digits(ns / peer)}x"
+
+
+def models(results):
+    """Those first that take longest beside the loop."""
+    rows = []
+    for model in MODELS:
+        loop, horner = results.side(model.name, model.loop), results.side(model.name, HORNER)
+        cells, worst = [], 0
+        for width in WIDTHS:
+            ns = results.side(model.name, model.side, width)
+            cells.append(f"{number(ns)} ({times(ns, loop)})" if ns else "-")
+            worst = max(worst, over(ns, loop) or 0)
+            if ns and loop and model.must and ns > model.must * loop:
+                warn(f"{model.words}: {width} takes {times(ns, loop)} what the loop takes, may take {model.must}x")
+        must = f"{model.must}x" if model.must else "-"
+        rows.append((-worst, line([model.words, number(loop), *cells, must, number(horner)])))
+    return head(["work", "loop, order a constant", "AVX2", "AVX-512", "must", "float Horner"]) + [
+        text for _, text in sorted(rows, key=lambda row: row[0])]
+
+
+def others(results):
+    """Those first that miss most what they may take."""
+    rows = []
+    for words, work, must in OTHERS:
+        cells, worst = [], 0
+        for width in WIDTHS:
+            ns = results.side(work, EXACT, width)
+            cells.append(number(ns))
+            worst = max(worst, over(ns, must) or 0)
+            if ns and must and ns > must:
+                warn(f"{words}: {width} takes {number(ns)} ns, may take {must}")
+        rows.append((-worst, line([words, *cells, f"{must}" if must else "-"])))
+    return head(["work", "AVX2", "AVX-512", "must"]) + [text for _, text in sorted(rows, key=lambda row: row[0])]
+
+
 def goals(results):
     lines = head(["work", "float Horner", "AVX2", "AVX-512", "must", "stretch", "matrix product", "best peer",
                   "floor AVX2 / AVX-512"])
@@ -240,17 +322,30 @@ def hard(results):
     return lines
 
 
-def tables(results):
+def where(results):
     wide = results.target["AVX-512"]
-    wide = f" AVX-512 is what Highway calls {wide}." if wide else ""
-    words = (f"{environment(results.context)}.{wide} ns for a point; in brackets how many times as fast as "
+    return environment(results.context) + "." + (f" AVX-512 is what Highway calls {wide}." if wide else "")
+
+
+def model_tables(results):
+    words = (f"{where(results)} ns for a point; in brackets how many times as long as the loop that takes. The work that "
+             "takes longest beside it stands first.")
+    other_words = "Other work, in ns for a point if nothing else is said; what misses its goal most stands first:"
+    return "\n".join([words, "", *models(results), "", other_words, "", *others(results)]) + "\n"
+
+
+def peer_tables(results):
+    words = (f"{where(results)} ns for a point; in brackets how many times as fast as "
              "float Horner that is, and the share of the floor that is reached.")
     hard_words = "Data that is hard to round, the same polynomial in three components, but for the last line:"
     return "\n".join([words, "", *goals(results), "", "All sides:", "", *peers(results), "", hard_words, "",
                       *hard(results)]) + "\n"
 
 
-def measure(program, quick, repetitions):
+TABLES = {"models": model_tables, "peers": peer_tables}
+
+
+def measure(program, quick, repetitions, which):
     """The benchmark's JSON. Pinned, so that no measurement moves to another core."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder, "results.json")
@@ -261,7 +356,7 @@ def measure(program, quick, repetitions):
             program = ROOT / "build/release/harness/benchmarks/evalcts-bench"
         cores = os.sched_getaffinity(0)
         os.sched_setaffinity(0, {max(cores)})
-        subprocess.run([program, f"--benchmark_filter={FILTER}",
+        subprocess.run([program, f"--benchmark_filter={'|'.join(FILTERS[w] for w in which)}",
                         "--benchmark_enable_random_interleaving=true",
                         f"--benchmark_repetitions={repetitions or (2 if quick else 12)}",
                         f"--benchmark_min_time={0.001 if quick else 0.05}",
@@ -271,9 +366,9 @@ def measure(program, quick, repetitions):
         return json.loads(out.read_text(encoding="utf-8"))
 
 
-def update(file, text):
-    """Puts the tables between the marks in the file."""
-    first, last = "<!-- tables of table.py -->\n", "<!-- end of the tables -->\n"
+def update(file, which, text):
+    """Puts the tables between their marks in the file."""
+    first, last = f"<!-- {which} of table.py -->\n", f"<!-- end of {which} -->\n"
     whole = file.read_text(encoding="utf-8")
     before, rest = whole.split(first)
     file.write_text(f"{before}{first}{text}\n{last}{rest.split(last)[1]}", encoding="utf-8")
@@ -282,6 +377,7 @@ def update(file, text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", choices=list(TABLES), help="these tables alone (default: all)")
     parser.add_argument("--quick", action="store_true", help="a look whether all of it runs")
     parser.add_argument("--repetitions", type=int, help="how often everything is measured (default: 12)")
     parser.add_argument("--program", type=pathlib.Path,
@@ -290,15 +386,18 @@ def main():
     parser.add_argument("--load", type=pathlib.Path, help="measurements of --save, instead of new ones")
     parser.add_argument("--update", type=pathlib.Path, help="a file: replaces its tables, and prints none")
     options = parser.parse_args()
+    which = [options.only] if options.only else list(TABLES)
     data = json.loads(options.load.read_text(encoding="utf-8")) if options.load else measure(
-        options.program, options.quick, options.repetitions)
+        options.program, options.quick, options.repetitions, which)
     if options.save:
         options.save.write_text(json.dumps(data, indent=1), encoding="utf-8")
-    text = tables(Results(data))
-    if options.update:
-        update(options.update, text)
-    else:
-        print(text, end="")
+    results = Results(data)
+    for tables in which:
+        text = TABLES[tables](results)
+        if options.update:
+            update(options.update, tables, text)
+        else:
+            print(text, end="")
 
 
 if __name__ == "__main__":

@@ -207,10 +207,25 @@ void evaluate_tangents(const glev_plan& plan, int direction, const Output& outpu
   });
 }
 
-// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats if it can.
-template <class U, class V, class Evaluate, class Normals>
+// // Point by point. v: null for curves.
+void evaluate_points(const glev_plan& plan, const glev::PreparedMap& map, const glev::Input& u,
+                     const glev::Input* v, std::size_t count, const glev::Destination& to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 4> values;
+    const GridArgument at_v = glev::argument_at(v == nullptr ? 0 : (*v)[i]);
+    plan.kernels().point(map, glev::argument_at(u[i]), at_v, values.data());
+    for (std::size_t k = static_cast<std::size_t>(map.surface.components); k < 4; ++k)
+      values[k] = k == 3 ? 1 : 0;
+    std::memcpy(to.data + i * to.stride, values.data(),
+                static_cast<std::size_t>(to.components) * sizeof(float));
+  }
+}
+
+// All outputs: `evaluate` those of maps that have a kernel, `normals` automatic ones of floats and `doubles`
+// those of maps if they can.
+template <class U, class V, class Evaluate, class Normals, class Doubles>
 void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, const V& v,
-                  const Evaluate& evaluate, const Normals& normals) {
+                  const Evaluate& evaluate, const Normals& normals, const Doubles& doubles) {
   const glev::DefaultEnvironment environment;
   for (int o = 0; o < kOutputs; ++o) {
     const Output& output = outputs[o];
@@ -222,7 +237,8 @@ void evaluate_all(const glev_plan& plan, const Outputs& outputs, const U& u, con
     } else if (o == static_cast<int>(Attribute::kNormal) && plan.automatic_normals()) {
       if (output.is_double || !normals(to)) evaluate_normals(plan, output, u, v);
     } else if (output.is_double) {
-      evaluate_in_double(plan.map(static_cast<Attribute>(o)), output, u, v);
+      const glev::PreparedMap& map = plan.map(static_cast<Attribute>(o));
+      if (!doubles(map, to)) evaluate_in_double(map, output, u, v);
     } else {
       evaluate(plan.map(static_cast<Attribute>(o)), to);
     }
@@ -300,13 +316,19 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
       *plan, outputs, [&](std::size_t i) { return glev::argument_at(u[i]); },
       [&](std::size_t i, std::size_t) { return has_v ? glev::argument_at(v[i]) : GridArgument{}; },
       [&](const glev::PreparedMap& map, const glev::Destination& to) {
-        if (has_v) {
+        constexpr std::size_t kFew = 2;  // for which vectors are not worth their preparation
+        if (batch.count <= kFew) {
+          evaluate_points(*plan, map, u, has_v ? &v : nullptr, batch.count, to);
+        } else if (has_v) {
           plan->kernels().surface(map, u, v, batch.count, to);
         } else {
           plan->kernels().curve(map, u, batch.count, to);
         }
       },
-      [](const glev::Destination&) { return false; });
+      [](const glev::Destination&) { return false; },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        return !has_v && plan->kernels().double_curve(map, u, batch.count, to);
+      });
   return GLEV_SUCCESS;
 }
 
@@ -358,6 +380,9 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
       [&](const glev::Destination& to) {
         normals(*plan, range, to, false, aligned);
         return true;
+      },
+      [&](const glev::PreparedMap& map, const glev::Destination& to) {
+        return plan->kernels().double_mesh(map, range, to, aligned);
       });
   return GLEV_SUCCESS;
 }

@@ -27,38 +27,51 @@ inline double centred_at(const Domain& domain, const GridArgument& argument) {
 // A row: its coefficients, four values for each power of x, after which vectors may read on; for x^0 both
 // ends of the interval. The error of the test contains the roundings of these and one more, as it contains
 // those of its own sums elsewhere.
-template <int kComponents, int kDegree>
+template <int kDegree>
 struct CentredRow {
   double power[4 * (kDegree + 1) + kLanes], high[4 + kLanes];
 
-  void set(const PreparedMap& map, const GridArgument& v) {
+  HWY_INLINE void set(const PreparedMap& map, const PreparedMap::Test& test, const GridArgument& v) {
+    constexpr int kValues = 4 * (kDegree + 1);
     const int m = map.surface.degree[1];
-    const double y = m == 0 ? 0 : centred_at(map.surface.domain[1], v);
-    const double* row = map.centred;
-    for (int i = 0; i <= kDegree; ++i, row += (m + 1) * kComponents) {
-      for (int k = 0; k < kComponents; ++k) {
-        double sum = row[m * kComponents + k];
-        for (int j = m - 1; j >= 0; --j) sum = sum * y + row[j * kComponents + k];
-        power[4 * i + k] = sum;
+    // That of a curve does not matter.
+    const double y_of_row = m == 0 ? 0.5 : centred_at(map.surface.domain[1], v);
+    const Vector y = hn::Set(kDoubles, y_of_row);
+    for (std::size_t first = 0; first < kValues; first += kLanes) {
+      const double* row = map.centred + first + static_cast<std::ptrdiff_t>(m) * kValues;
+      Vector sum = hn::LoadU(kDoubles, row);
+      for (int j = m - 1; j >= 0; --j) {
+        row -= kValues;
+        sum = hn::MulAdd(sum, y, hn::LoadU(kDoubles, row));
       }
+      hn::StoreU(sum, kDoubles, power + first);
     }
-    for (int k = 0; k < kComponents; ++k) {
-      high[k] = power[k] + map.centred_test.error[k];
-      power[k] -= map.centred_test.error[k];
+    // On a boundary and in the middle nothing was rounded, so that a row of zeros is one.
+    const bool may_vanish = y_of_row == 0 || std::fabs(y_of_row) == 1;
+    for (int k = 0; k < 4; ++k) {
+      double error = test.error[k];
+      if (may_vanish && error != 0 && map.centred_bits[k] <= kExactBits) {
+        bool vanishes = true;
+        for (int i = 0; i <= kDegree; ++i) vanishes = vanishes && power[4 * i + k] == 0;
+        if (vanishes) error = 0;
+      }
+      high[k] = power[k] + error;
+      power[k] -= error;
     }
   }
 };
 
-// The same in vectors, and what they give: both ends of the intervals, as floats.
-template <int kComponents, int kDegree>
+// The same in vectors, and what they give: both ends of the intervals, as floats. Where no operation rounds
+// the ends are the same, and one is computed.
+template <int kComponents, int kDegree, bool kExact>
 class CentredCurve {
  public:
   using Values = Sequence<Doubles, kComponents>;
 
-  HWY_INLINE CentredCurve(const CentredRow<kComponents, kDegree>& row, const Values& sequence) {
+  HWY_INLINE CentredCurve(const CentredRow<kDegree>& row, const Values& sequence) {
     for (std::size_t part = 0; part < Values::kPeriod; ++part) {
       for (int i = 0; i <= kDegree; ++i) power_[i][part] = sequence.values_of(row.power + 4 * i, part);
-      high_[part] = sequence.values_of(row.high, part);
+      if constexpr (!kExact) high_[part] = sequence.values_of(row.high, part);
     }
   }
 
@@ -66,7 +79,7 @@ class CentredCurve {
     Vector sum = power_[kDegree][part];
     for (int i = kDegree - 1; i > 0; --i) sum = hn::MulAdd(sum, x, power_[i][part]);
     *low = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, power_[0][part]));
-    *high = hn::DemoteTo(kHalves, hn::MulAdd(sum, x, high_[part]));
+    *high = kExact ? *low : hn::DemoteTo(kHalves, hn::MulAdd(sum, x, high_[part]));
   }
 
  private:
@@ -78,41 +91,84 @@ HWY_INLINE bool is_zero(Half value) {
   return hn::AllTrue(kBits, hn::Eq(hn::BitCast(kBits, value), hn::Zero(kBits)));
 }
 
-template <int kComponents, int kDegree>
-void evaluate_centred_rows(const PreparedMap& map, const MeshRange& range, const Destination& to,
-                           const double* x) {
+HWY_INLINE void clear_zeros(const std::uint32_t* known, Half* low, Half* high) {
+  const Half mask = hn::BitCast(kHalves, hn::LoadU(kBits, known));
+  *low = hn::And(*low, mask);
+  *high = hn::And(*high, mask);
+}
+
+// The components that vanish along the lines x = -1, 0 and 1, as bits.
+struct ZeroLines {
+  explicit ZeroLines(const PreparedMap& map) {
+    const auto [n, m] = map.surface.degree;
+    for (int k = 0; k < map.surface.components; ++k) {
+      if (map.centred_bits[k] > kExactBits) continue;
+      bool zero[3] = {true, true, true};
+      for (int j = 0; j <= m; ++j) {
+        const double* const own = map.centred + k + 4 * (n + 1) * j;
+        double even = 0, odd = 0;
+        for (int i = 0; i <= n; ++i) (i % 2 == 0 ? even : odd) += own[4 * i];
+        zero[0] = zero[0] && even == odd;
+        zero[1] = zero[1] && own[0] == 0;
+        zero[2] = zero[2] && even == -odd;
+      }
+      for (int line = 0; line < 3; ++line) at[line] |= static_cast<unsigned>(zero[line]) << k;
+    }
+  }
+  unsigned of(double x) const { return x == 0 ? at[1] : x == -1 ? at[0] : x == 1 ? at[2] : 0; }
+
+  unsigned at[3] = {};
+};
+
+// Intervals of which nothing is known; intervals, but zeros in certain columns; numbers.
+enum class Kind { kIntervals, kZeroColumns, kExact };
+
+template <int kComponents, int kDegree, Kind kKind>
+void evaluate_centred_rows(const PreparedMap& map, const PreparedMap::Test& test, const MeshRange& range,
+                           const Destination& to, const double* x) {
+  constexpr bool kExact = kKind == Kind::kExact, kZeros = kKind == Kind::kZeroColumns;
   constexpr std::size_t kColumns = 512, kRows = 16;  // what stays in the first cache
   static_assert(kColumns % kLanes == 0);
   using Values = Sequence<Doubles, kComponents>;
-  constexpr std::size_t kPeriod = Values::kPeriod, kGroup = Values::kGroup;
   const Values sequence;
   HWY_ALIGN double places[kComponents * kColumns];
   HWY_ALIGN float values[kComponents * kColumns];
-  CentredRow<kComponents, kDegree> row[kRows];
+  HWY_ALIGN std::uint32_t known[kZeros ? kComponents * kColumns : 1];  // 0 of zeros, else all bits
+  CentredRow<kDegree> row[kRows];
   for (std::size_t r0 = 0; r0 < range.rows; r0 += kRows) {
     const std::size_t rows = std::min(kRows, range.rows - r0);
-    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, range.v_of(r0 + r));
+    for (std::size_t r = 0; r < rows; ++r) row[r].set(map, test, range.v_of(r0 + r));
     for (std::size_t c0 = 0; c0 < range.columns; c0 += kColumns) {
       const std::size_t columns = std::min(kColumns, range.columns - c0), count = columns * kComponents;
       sequence.repeat(x + c0, columns, places);
+      if constexpr (kZeros) {
+        const ZeroLines zeros(map);
+        std::memset(known, 0xFF, sizeof known);
+        for (std::size_t c = 0; c < columns; ++c) {
+          const unsigned of = zeros.of(x[c0 + c]);
+          for (int k = 0; of != 0 && k < kComponents; ++k) {
+            if ((of >> k & 1) != 0) known[c * kComponents + static_cast<std::size_t>(k)] = 0;
+          }
+        }
+      }
       for (std::size_t r = 0; r < rows; ++r) {
-        const CentredCurve<kComponents, kDegree> curve(row[r], sequence);
+        const CentredCurve<kComponents, kDegree, kExact> curve(row[r], sequence);
         std::byte* const data = to.data + (r0 + r) * to.row_stride + c0 * to.stride;
         float* const out = is_packed<kComponents>(to) ? reinterpret_cast<float*>(data) : values;
         Half open = hn::Zero(kHalves);  // bits in which the ends differ
-        const auto evaluate = [&](std::size_t begin, float* group) HWY_ATTR {
-          for (std::size_t part = 0; part < kPeriod; ++part) {
-            Half low, high;
-            curve.evaluate(hn::Load(kDoubles, places + begin + part * kLanes), part, &low, &high);
-            open = hn::Or(open, hn::Xor(low, high));
-            hn::StoreU(high, kHalves, group + part * kLanes);
-          }
-        };
-        in_groups<kGroup>(count, out, evaluate);
+        in_vectors<kLanes, Values::kPeriod>(
+            count, out, [&](std::size_t begin, std::size_t part, float* vector) HWY_ATTR {
+              Half low, high;
+              curve.evaluate(hn::Load(kDoubles, places + begin), part, &low, &high);
+              if constexpr (kZeros) clear_zeros(known + begin, &low, &high);
+              if constexpr (!kExact) open = hn::Or(open, hn::Xor(low, high));
+              hn::StoreU(high, kHalves, vector);
+            });
         // Undecided lanes are rare (one in some strips), so a strip is checked once, at its end.
         for (std::size_t begin = is_zero(open) ? count : 0; begin < count; begin += kLanes) {
           Half low, high;
-          curve.evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % kPeriod, &low, &high);
+          curve.evaluate(hn::Load(kDoubles, places + begin), begin / kLanes % Values::kPeriod, &low, &high);
+          if constexpr (kZeros) clear_zeros(known + begin, &low, &high);
           const Half bits = hn::Xor(low, high);
           if (HWY_LIKELY(is_zero(bits))) continue;
           std::uint32_t is_open[kLanes];
@@ -127,6 +183,19 @@ void evaluate_centred_rows(const PreparedMap& map, const MeshRange& range, const
         if (out == values) scatter<kComponents>(values, columns, to, data);
       }
     }
+  }
+}
+
+template <int kComponents, int kDegree>
+void evaluate_centred_rows_of(const PreparedMap& map, const PreparedMap::Test& test, Kind kind,
+                              const MeshRange& range, const Destination& to, const double* x) {
+  switch (kind) {
+    case Kind::kIntervals:
+      return evaluate_centred_rows<kComponents, kDegree, Kind::kIntervals>(map, test, range, to, x);
+    case Kind::kZeroColumns:
+      return evaluate_centred_rows<kComponents, kDegree, Kind::kZeroColumns>(map, test, range, to, x);
+    case Kind::kExact:
+      return evaluate_centred_rows<kComponents, kDegree, Kind::kExact>(map, test, range, to, x);
   }
 }
 
@@ -150,10 +219,25 @@ bool evaluate_centred_mesh(const PreparedMap& map, const MeshRange& range, const
   place_columns(domain_u, range, n, kLargestGrowth, padded, x, s);
   for (std::size_t c = 0; c < padded; c += kLanes)
     hn::Store(hn::Sub(hn::Load(kDoubles, x + c), hn::Load(kDoubles, s + c)), kDoubles, x + c);
-  constexpr decltype(&evaluate_centred_rows<kComponents, 1>) kOf[kMaxCentredDegree] = {
-      evaluate_centred_rows<kComponents, 1>, evaluate_centred_rows<kComponents, 2>,
-      evaluate_centred_rows<kComponents, 3>};
-  kOf[n - 1](map, range, to, x);
+  // Without roundings an interval is one number.
+  PreparedMap::Test test = map.centred_test;
+  bool is_exact = true;
+  const int bits_of_arguments =
+      n * bits_of_places(domain_u, range.u) + (m == 0 ? 0 : m * bits_of_places(domain_v, range.v));
+  for (int k = 0; k < kComponents; ++k) {
+    if (map.centred_bits[k] + bits_of_arguments <= kExactBits) test.error[k] = 0;
+    is_exact = is_exact && test.error[k] == 0;
+  }
+  constexpr decltype(&evaluate_centred_rows_of<kComponents, 1>) kOf[kMaxCentredDegree] = {
+      evaluate_centred_rows_of<kComponents, 1>, evaluate_centred_rows_of<kComponents, 2>,
+      evaluate_centred_rows_of<kComponents, 3>};
+  Kind kind = is_exact ? Kind::kExact : Kind::kIntervals;
+  // Elsewhere a place that is rounded to such a line need not be on it.
+  if (!is_exact && spans(range.u, domain_u)) {
+    const auto [first, middle, last] = ZeroLines(map).at;
+    if ((first | middle | last) != 0) kind = Kind::kZeroColumns;
+  }
+  kOf[n - 1](map, test, kind, range, to, x);
   return true;
 }
 

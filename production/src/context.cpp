@@ -1,5 +1,6 @@
 #include "context.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -310,6 +311,8 @@ void glev_context::set_grid(int dimension, const std::array<Grid, 2>& grid) {
   }
   if (is_rejected_in_primitive()) return;
   eval_.grid[dimension - 1] = grid;
+  glev_plan* const plan = plans_[dimension - 1];
+  if (plan != nullptr && plan->has_one_reference()) return plan->set_grid(grid);
   drop_plan(dimension);
 }
 
@@ -331,11 +334,87 @@ void glev_context::mesh_primitive(glev_enum mode, const Body& body) {
   in_mesh_ = false;
 }
 
+namespace {
+
+// Positions of up to kMost columns and two rows of a mesh, or one column and kMost rows, by the kernel of
+// meshes.
+class MeshPart {
+ public:
+  static constexpr std::int64_t kMost = 64;
+
+  MeshPart(const glev_plan& plan, std::int64_t i, std::int64_t j, std::int64_t columns, std::int64_t rows) {
+    const glev::DefaultEnvironment environment;
+    const glev::MeshRange range = {
+        plan.grid(0), plan.grid(1), i, j, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
+    const std::size_t stride = sizeof position_[0];
+    plan.kernels().mesh(plan.map(Attribute::kVertex), range, false,
+                        {reinterpret_cast<std::byte*>(position_), stride, range.columns * stride, 4},
+                        scratch_);
+  }
+  const float (&operator[](std::int64_t point) const)[4] { return position_[point]; }
+
+ private:
+  float position_[2 * kMost][4];
+  alignas(glev::kCacheLine) std::byte scratch_[kMost * (glev::kMaxOrder + 2) * sizeof(double)];
+};
+
+}  // namespace
+
+void glev_context::emit_position(const glev_plan& plan, const float (&position)[4]) {
+  glev_vertex& vertex = current_.staged_for(&plan);
+  std::copy_n(position, 4, vertex.position);
+  emit(vertex);
+}
+
+// Calls body(first, count) for parts of the indices from `first` to `last`.
+template <class Body>
+static void for_each_part(std::int64_t first, std::int64_t last, const Body& body) {
+  for (std::int64_t i = first; i <= last; i += MeshPart::kMost)
+    body(i, std::min(MeshPart::kMost, last - i + 1));
+}
+
+// A row from (i1, j) on, or with is_column a column.
+void glev_context::emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
+                             std::int64_t last) {
+  for_each_part(first, last, [&](std::int64_t k, std::int64_t count) {
+    const MeshPart part = is_column ? MeshPart(plan, other, k, 1, count) : MeshPart(plan, k, other, count, 1);
+    for (std::int64_t point = 0; point < count; ++point) emit_position(plan, part[point]);
+  });
+}
+
+// Meshes of vertices alone.
+void glev_context::mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
+                                    std::int64_t j1, std::int64_t j2) {
+  if (mode == GLEV_POINT) {
+    mesh_primitive(GLEV_POINTS, [&] {
+      for (std::int64_t j = j1; j <= j2; ++j) emit_line(plan, false, j, i1, i2);
+    });
+  } else if (mode == GLEV_LINE) {
+    for (std::int64_t j = j1; j <= j2; ++j)
+      mesh_primitive(GLEV_LINE_STRIP, [&] { emit_line(plan, false, j, i1, i2); });
+    for (std::int64_t i = i1; i <= i2 && plan.dimension() == 2; ++i)
+      mesh_primitive(GLEV_LINE_STRIP, [&] { emit_line(plan, true, i, j1, j2); });
+  } else {
+    for (std::int64_t j = j1; j < j2; ++j) {
+      mesh_primitive(GLEV_QUAD_STRIP, [&] {
+        for_each_part(i1, i2, [&](std::int64_t i, std::int64_t count) {
+          const MeshPart part(plan, i, j, count, 2);
+          for (std::int64_t point = 0; point < count; ++point) {
+            emit_position(plan, part[point]);
+            emit_position(plan, part[count + point]);
+          }
+        });
+      });
+    }
+  }
+}
+
 void glev_context::eval_mesh1(glev_enum mode, glev_int i1, glev_int i2) {
   if (mode != GLEV_POINT && mode != GLEV_LINE) return record_error(GLEV_INVALID_ENUM);
   if (is_rejected_in_primitive()) return;
   const glev_plan* plan = plan_to_draw(1);
   if (plan == nullptr) return;
+  if (plan->has_vertices_only()) return mesh_of_vertices(*plan, mode, i1, i2, 0, 0);
 
   glev::NormalRow row(*plan);
   move_to({}, &row);
@@ -349,6 +428,7 @@ void glev_context::eval_mesh2(glev_enum mode, glev_int i1, glev_int i2, glev_int
   if (is_rejected_in_primitive()) return;
   const glev_plan* plan = plan_to_draw(2);
   if (plan == nullptr) return;
+  if (plan->has_vertices_only()) return mesh_of_vertices(*plan, mode, i1, i2, j1, j2);
 
   const auto u = [&](std::int64_t i) { return GridArgument{plan->grid(0), i}; };
   const auto v = [&](std::int64_t j) { return GridArgument{plan->grid(1), j}; };

@@ -162,6 +162,13 @@ struct glev_context {
   // A primitive of a mesh: what is drawn by `body`, between Begin and End.
   template <class Body>
   void mesh_primitive(glev_enum mode, const Body& body);
+  // Meshes of plans with nothing but vertices, of which many are evaluated at a time.
+  void mesh_of_vertices(const glev_plan& plan, glev_enum mode, std::int64_t i1, std::int64_t i2,
+                        std::int64_t j1, std::int64_t j2);
+  // The points from `first` to `last` of row or column `other`.
+  void emit_line(const glev_plan& plan, bool is_column, std::int64_t other, std::int64_t first,
+                 std::int64_t last);
+  void emit_position(const glev_plan& plan, const float (&position)[4]);
   void emit(const glev_vertex& vertex) { call_sink(sink_.vertex, &vertex); }
   template <class Callback, class... Arguments>
   void call_sink(Callback callback, Arguments... arguments) {

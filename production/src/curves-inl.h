@@ -60,7 +60,7 @@ void evaluate_low_curves(const PreparedMap& map, const Input& input, std::size_t
     Vector value[kUnroll][kComponents];
     for (int k = 0; k < kComponents; ++k) {
       for (int i = kDegree; i >= 0; --i) {
-        const Vector next = hn::Set(kDoubles, centred[i * kComponents + k]);
+        const Vector next = hn::Set(kDoubles, centred[4 * i + k]);
         for (std::size_t part = 0; part < kUnroll; ++part)
           value[part][k] = i == kDegree ? next : hn::MulAdd(value[part][k], x[part], next);
       }

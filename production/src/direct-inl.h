@@ -62,9 +62,10 @@ inline bool evaluate_directly(const glev_plan& plan, double u, double v, float* 
 // Cubics in powers of x and y, in a domain that has an exact inverse of its width.
 template <bool kSurface>
 bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* position) {
-  const DirectMap& map = plan.direct_map();
+  const DirectMap& direct = plan.direct_map();
+  const PreparedMap& map = plan.map(Attribute::kVertex);
   const auto place = [&](int direction, double argument) {
-    const auto& [scale, middle] = map.place[direction];
+    const auto& [scale, middle] = direct.place[direction];
     return hn::MulSub(hn::Set(kFour, argument), hn::Set(kFour, scale), hn::Set(kFour, middle));
   };
   const FourVector x = place(0, u);
@@ -82,14 +83,14 @@ bool evaluate_cubic_directly(const glev_plan& plan, double u, double v, float* p
       return value;
     };
     if constexpr (kSurface) {
-      sum[part] = cubic(centred + 48, y);
-      for (int i = 2; i >= 0; --i) sum[part] = hn::MulAdd(sum[part], x, cubic(centred + 16 * i, y));
+      sum[part] = cubic(centred + 48, x);
+      for (int j = 2; j >= 0; --j) sum[part] = hn::MulAdd(sum[part], y, cubic(centred + 16 * j, x));
     } else {
       sum[part] = cubic(centred, x);
     }
   }
   const bool inside = hn::AllTrue(kFour, hn::Le(farthest, hn::Set(kFour, 1)));
-  return is_settled(map.test, sum, 0xF, position) && inside && is_nearest(map.probe);
+  return is_settled(map.centred_test, sum, 0xF, position) && inside && is_nearest(map.probe);
 }
 
 }  // namespace glev::HWY_NAMESPACE

@@ -23,47 +23,56 @@ namespace enclosure {
 constexpr std::size_t kWidth = hn::MaxLanes(kFour);
 
 // As DoubleDouble, with the same names and errors.
+template <class V>
 struct Pairs {
-  FourVector high, low;
+  V high, low;
 };
+using FourPairs = Pairs<FourVector>;
 
-HWY_INLINE Pairs pairs_of(const DoubleDouble& x) { return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)}; }
+HWY_INLINE FourPairs pairs_of(const DoubleDouble& x) {
+  return {hn::Set(kFour, x.high), hn::Set(kFour, x.low)};
+}
 
-HWY_INLINE Pairs fast_two_sums(FourVector x, FourVector y) {
-  const FourVector sum = hn::Add(x, y);
+template <class V>
+HWY_INLINE Pairs<V> fast_two_sums(V x, V y) {
+  const V sum = hn::Add(x, y);
   return {sum, hn::Sub(y, hn::Sub(sum, x))};
 }
 
-HWY_INLINE Pairs two_sums(FourVector x, FourVector y) {
-  const FourVector sum = hn::Add(x, y), part = hn::Sub(sum, x);
+template <class V>
+HWY_INLINE Pairs<V> two_sums(V x, V y) {
+  const V sum = hn::Add(x, y), part = hn::Sub(sum, x);
   return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, part)), hn::Sub(y, part))};
 }
 
-HWY_INLINE Pairs two_products(FourVector x, FourVector y) {
-  const FourVector product = hn::Mul(x, y);
+template <class V>
+HWY_INLINE Pairs<V> two_products(V x, V y) {
+  const V product = hn::Mul(x, y);
 #if HWY_NATIVE_FMA
   return {product, hn::MulSub(x, y, product)};
 #else
-  const auto split = [](FourVector z) -> Pairs {
-    const FourVector shifted = hn::Mul(z, hn::Set(kFour, 0x1p27 + 1)),
-                     high = hn::Sub(shifted, hn::Sub(shifted, z));
+  const auto split = [](V z) -> Pairs<V> {
+    const V shifted = hn::Mul(z, hn::Set(hn::DFromV<V>(), 0x1p27 + 1)),
+            high = hn::Sub(shifted, hn::Sub(shifted, z));
     return {high, hn::Sub(z, high)};
   };
-  const Pairs a = split(x), b = split(y);
-  const FourVector rest = hn::Add(hn::Add(hn::Sub(hn::Mul(a.high, b.high), product), hn::Mul(a.high, b.low)),
-                                  hn::Mul(a.low, b.high));
+  const Pairs<V> a = split(x), b = split(y);
+  const V rest = hn::Add(hn::Add(hn::Sub(hn::Mul(a.high, b.high), product), hn::Mul(a.high, b.low)),
+                         hn::Mul(a.low, b.high));
   return {product, hn::Add(rest, hn::Mul(a.low, b.low))};
 #endif
 }
 
-HWY_INLINE Pairs add_pairs(const Pairs& x, const Pairs& y) {
-  const Pairs sum = two_sums(x.high, y.high);
+template <class V>
+HWY_INLINE Pairs<V> add_pairs(const Pairs<V>& x, const Pairs<V>& y) {
+  const Pairs<V> sum = two_sums(x.high, y.high);
   return two_sums(sum.high, hn::Add(sum.low, hn::Add(x.low, y.low)));
 }
 
-HWY_INLINE Pairs multiply_pairs(const Pairs& x, const Pairs& y) {
-  const Pairs product = two_products(x.high, y.high);
-  const FourVector cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
+template <class V>
+HWY_INLINE Pairs<V> multiply_pairs(const Pairs<V>& x, const Pairs<V>& y) {
+  const Pairs<V> product = two_products(x.high, y.high);
+  const V cross = hn::Add(hn::Mul(x.high, y.low), hn::Mul(x.low, y.high));
   return fast_two_sums(product.high, hn::Add(product.low, cross));
 }
 
@@ -71,8 +80,10 @@ HWY_INLINE Pairs multiply_pairs(const Pairs& x, const Pairs& y) {
 struct Row {
   alignas(32) double high[kMaxOrder], low[kMaxOrder];
 
-  HWY_INLINE Pairs load(std::size_t i) const { return {hn::Load(kFour, high + i), hn::Load(kFour, low + i)}; }
-  HWY_INLINE void put(std::size_t i, const Pairs& pairs) {
+  HWY_INLINE FourPairs load(std::size_t i) const {
+    return {hn::Load(kFour, high + i), hn::Load(kFour, low + i)};
+  }
+  HWY_INLINE void put(std::size_t i, const FourPairs& pairs) {
     hn::Store(pairs.high, kFour, high + i);
     hn::Store(pairs.low, kFour, low + i);
   }
@@ -90,11 +101,11 @@ inline DoubleDouble load_binomial(int n, int i) {
 // The sum of the terms times the powers of the ratio from 0 on.
 inline DoubleDouble sum_of(const Row& terms, int degree, const DoubleDouble& ratio) {
   const DoubleDouble square = ratio * ratio, third = square * ratio;
-  const Pairs fourth = pairs_of(square * square);
+  const FourPairs fourth = pairs_of(square * square);
   Row last;  // four sums of every fourth term, without its power below four
   const std::size_t end = round_up(degree + 1);
   for (std::size_t lane = 0; lane < 4; lane += kWidth) {
-    Pairs sum = terms.load(end - 4 + lane);
+    FourPairs sum = terms.load(end - 4 + lane);
     for (std::size_t i = end - 4; i != 0; i -= 4)
       sum = add_pairs(multiply_pairs(sum, fourth), terms.load(i - 4 + lane));
     last.put(lane, sum);
@@ -125,15 +136,16 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
       binomials.high[i] = binomial.high;
       binomials.low[i] = binomial.low;
     }
-    const Pairs ratio = pairs_of(in_u.ratio);
+    const FourPairs ratio = pairs_of(in_u.ratio);
     const int last = in_u.from_last ? n : 0, step = in_u.from_last ? -1 : 1;
     for (std::size_t j = 0; j < padded; j += kWidth) {
       const auto term = [&](int i) {
         const FourVector point =
             hn::LoadU(kFour, component.points + static_cast<std::ptrdiff_t>(i) * order_v + j);
-        return multiply_pairs({point, hn::Zero(kFour)}, pairs_of(binomials[static_cast<std::size_t>(i)]));
+        return multiply_pairs(FourPairs{point, hn::Zero(kFour)},
+                              pairs_of(binomials[static_cast<std::size_t>(i)]));
       };
-      Pairs sum = term(last);
+      FourPairs sum = term(last);
       for (int k = 1; k <= n; ++k) sum = add_pairs(multiply_pairs(sum, ratio), term(last + k * step));
       points.put(j, sum);
     }

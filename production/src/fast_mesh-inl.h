@@ -173,6 +173,10 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
     const bool has_bound = std::isfinite(map.component[k].unit);
     if (!has_bound || !(largest >= 0x1p-80 && largest <= 0x1p80)) return false;
   }
+  // Meshes of few points take longer. By the grid, not by the range, so that ranges agree where they meet.
+  constexpr std::int64_t kFewestSegments = 1 << 14;
+  const std::int64_t segments = static_cast<std::int64_t>(range.u.segments) * (m == 0 ? 1 : range.v.segments);
+  if (map.centred != nullptr && segments < kFewestSegments) return false;
   const Domain &domain_u = map.surface.domain[0], &domain_v = map.surface.domain[1];
   const std::int64_t i2 = range.last_column(), j2 = range.last_row();
   // All columns or rows at one argument, which may be on the boundary.
@@ -238,7 +242,7 @@ bool evaluate_fast_inside(const PreparedMap& map, const MeshRange& range, const 
 // The curve of a map at the first or last end of the domain of u, as a map of its own in u.
 inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred) {
   const auto [n, m] = map.surface.degree;
-  const int values = (m + 1) * map.surface.components;
+  const int values = (m + 1) * map.surface.components, row = 4 * (n + 1);
   PreparedMap edge = map;
   edge.surface.degree = {m, 0};
   edge.surface.domain = {map.surface.domain[1], Domain{}};
@@ -253,10 +257,12 @@ inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred
   }
   if (map.centred == nullptr) return edge;
   // At x = -1 or 1. The error of the test, which is that of the whole map, contains these roundings.
-  for (int j = 0; j < values; ++j) {
-    double sum = map.centred[n * values + j];
-    for (int i = n - 1; i >= 0; --i) sum = (is_last ? sum : -sum) + map.centred[i * values + j];
-    centred[j] = sum;
+  for (int j = 0; j <= m; ++j) {
+    for (int k = 0; k < 4; ++k) {
+      double sum = map.centred[row * j + 4 * n + k];
+      for (int i = n - 1; i >= 0; --i) sum = (is_last ? sum : 0.0 - sum) + map.centred[row * j + 4 * i + k];
+      centred[4 * j + k] = sum;
+    }
   }
   edge.centred = centred;
   return edge;
@@ -284,7 +290,7 @@ HWY_NOINLINE void round_boundary(const PreparedMap& map, const MeshRange& range,
     if (end == Parameter::End::kNeither) continue;
     constexpr std::size_t kRows = 2 * kStep;
     HWY_ALIGN double own_scratch[kRows * (kMaxOrder + 2)];
-    double centred[4 * (kMaxCentredDegree + 1)];
+    double centred[centred_values(kMaxCentredDegree, 0)] = {};
     const PreparedMap edge = edge_of(map, end == Parameter::End::kLast, centred);
     MeshRange part = {range.v, {}, range.j1, 0, 0, 1};
     for (std::size_t row = 0; row < range.rows; row += kRows, part.i1 += kRows) {

@@ -24,6 +24,7 @@
 #include "centred_mesh-inl.h"
 #include "curves-inl.h"
 #include "direct-inl.h"
+#include "doubles-inl.h"
 #include "enclosure-inl.h"
 #include "fast_mesh-inl.h"
 #include "mesh-inl.h"
@@ -62,6 +63,11 @@ void evaluate_mesh(const PreparedMap& map, const MeshRange& range, bool fast, co
   kOf[map.surface.components - 1](map, range, fast, to, scratch);
 }
 
+bool evaluate_double_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                          std::byte* scratch) {
+  return doubles::evaluate_mesh(map, range, to, reinterpret_cast<double*>(scratch));
+}
+
 constexpr Kernels make_kernels(const char* name) {
   return {.name = name,
           .point = evaluate_point,
@@ -72,7 +78,9 @@ constexpr Kernels make_kernels(const char* name) {
           .surface = evaluate_surface,
           .mesh = evaluate_mesh,
           .normals = normals::evaluate_mesh,
-          .encloses = enclosure::enclose_all};
+          .encloses = enclosure::enclose_all,
+          .double_curve = doubles::evaluate_curve,
+          .double_mesh = evaluate_double_mesh};
 }
 
 }  // namespace glev::HWY_NAMESPACE

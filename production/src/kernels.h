@@ -63,6 +63,11 @@ struct Kernels {
   void (*normals)(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
                   std::byte* scratch);
   Encloses encloses;  // for maps as that type says
+  // As curve and mesh, to doubles within one ULP. False, and nothing done, for maps and grids for which there
+  // is no good way. The bits do not depend on the instruction set.
+  bool (*double_curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
+  bool (*double_mesh)(const PreparedMap& map, const MeshRange& range, const Destination& to,
+                      std::byte* scratch);
 };
 
 // Bytes for so many columns of a map of so high a degree in u.

@@ -26,6 +26,11 @@ std::size_t values_of(std::array<int, 2> order, int components) {
   return static_cast<std::size_t>(order[0]) * order[1] * components;
 }
 
+std::size_t centred_values_of(const Map& map) {
+  if (std::max(map.order(0), map.order(1)) > glev::kMaxCentredDegree + 1) return 0;
+  return static_cast<std::size_t>(glev::centred_values(map.order(0) - 1, map.order(1) - 1));
+}
+
 // Of an array of values after which vectors may read on.
 std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
@@ -72,10 +77,9 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
   for (const int slot : winners) {
     if (slot < 0) continue;
     const Map& map = source.maps[slot];
-    bytes += 3 * bytes_of(values_of({map.order(0), map.order(1)}, kSlotTable[slot].components));
+    bytes += 2 * bytes_of(values_of({map.order(0), map.order(1)}, kSlotTable[slot].components));
+    bytes += bytes_of(centred_values_of(map));
   }
-  constexpr std::size_t kDirectValues = 4 * 16;
-  if (vertex_slot >= 0) bytes += bytes_of(kDirectValues);
   const bool has_tangents = vertex_slot >= 0 && (source.dimension == 2 || automatic_normals);
   if (has_tangents) {
     for (const int direction : {0, 1}) {
@@ -89,9 +93,9 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
   auto* plan = new (memory) glev_plan(allocator, bytes, source);
 
   auto* block = static_cast<std::byte*>(memory) + round_up(sizeof(glev_plan));
-  const auto take = [&block](std::array<int, 2> order, int components) {
+  const auto take = [&block](std::size_t values) {
     auto* net = reinterpret_cast<double*>(block);
-    block += bytes_of(values_of(order, components));
+    block += bytes_of(values);
     return net;
   };
   for (int a = 0; a < kAttributes; ++a) {
@@ -102,9 +106,10 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
     const std::array<int, 2> order = {map.order(0), map.order(1)};
     const double* points = map.points(slot);
     const std::array<glev::Domain, 2> domain = {map.domain(0), map.domain(1)};
-    double *const scaled = take(order, components), *const lowest = take(order, components);
-    plan->maps_[a] =
-        glev::prepare_map(points, order, components, domain, scaled, lowest, take(order, components));
+    double *const scaled = take(values_of(order, components)),
+                  *const lowest = take(values_of(order, components)),
+                  *const centred = take(centred_values_of(map));
+    plan->maps_[a] = glev::prepare_map(points, order, components, domain, scaled, lowest, centred);
     plan->maps_[a].encloses = source.kernels->encloses;
   }
 
@@ -115,7 +120,7 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
   if (plan->has_vertices_only_ && vertices.is_direct) {
     plan->direct_ = source.kernels->direct;
     if (glev::has_direct_map(vertices)) {
-      plan->direct_map_ = glev::direct_map_of(vertices, take({4, 4}, 4));
+      plan->direct_map_ = glev::direct_map_of(vertices);
       plan->direct_ = vertices.surface.degree[1] == 0 ? source.kernels->direct_cubic_curve
                                                       : source.kernels->direct_bicubic;
     }
@@ -127,10 +132,10 @@ glev_plan* glev_plan::create(const Allocator& allocator, const Source& source) {
     const std::array<int, 2> order = tangent_order(map, direction);
     if (order[direction] == 0) continue;
     const int components = kSlotTable[vertex_slot].components;
-    double* net = take(order, components);
+    double* net = take(values_of(order, components));
     differences_of(map.points(vertex_slot), {map.order(0), map.order(1)}, components, direction, net);
     const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-    largest[glev::kTangentU + direction] = largest_of(net, count, components);
+    if (automatic_normals) largest[glev::kTangentU + direction] = largest_of(net, count, components);
     glev::scale_by_binomials(net, order, components, net);
     plan->tangents_[direction] = {
         {order[0] - 1, order[1] - 1}, components, {map.domain(0), map.domain(1)}, net};

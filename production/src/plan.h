@@ -33,6 +33,9 @@ struct glev_plan {
 
   void retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
   void release() const;
+  // The holder of the only reference may change the grid.
+  bool has_one_reference() const { return references_.load(std::memory_order_acquire) == 1; }
+  void set_grid(const std::array<glev::Grid, 2>& grid) { grid_ = grid; }
 
   // 0 without a map.
   int components(glev::Attribute attribute) const { return surface(attribute).components; }

@@ -1,9 +1,12 @@
 #include "prepared_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 #include "binomials.h"
 #include "double_double.h"
@@ -53,30 +56,54 @@ bool is_direct(const PreparedMap& map) {
   return true;
 }
 
-// In one direction: `count` polynomials of degree n, neighbours `step` apart, from control points to the
-// coefficients of powers of x: R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n.
-void centre_along(int n, int step, double* values) {
-  double result[kMaxCentredDegree + 1] = {};
-  for (int i = 0; i <= n; ++i) {
-    double power[kMaxCentredDegree + 1] = {1};  // small integers
-    for (int k = 1; k <= n; ++k) {
-      const double sign = k <= i ? 1 : -1;
-      for (int j = k; j > 0; --j) power[j] += sign * power[j - 1];
-    }
-    const double weight = std::ldexp(static_cast<double>(binomial_row(n)[i]), -n);
-    for (int k = 0; k <= n; ++k) result[k] += weight * power[k] * values[i * step];
-  }
-  for (int k = 0; k <= n; ++k) values[k * step] = result[k];
+// Four values, those of a point, at a time.
+using Point = std::array<double, 4>;
+template <class Function>
+Point each(const Function& function) {
+  return {function(0), function(1), function(2), function(3)};
 }
 
-// To the coefficients of x^i y^j, in the order of the control points.
-void centre(std::array<int, 2> order, int components, double* values) {
-  const auto [columns, rows] = order;
-  for (int i = 0; i < columns; ++i) {
-    for (int k = 0; k < components; ++k)
-      centre_along(rows - 1, components, values + i * rows * components + k);
+// In one direction: from control points, `step` apart, to the coefficients of powers of x:
+// R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n, with at most n + 1 roundings.
+void centre_along(int n, int step, Point* points) {
+  Point &first = points[0], &last = points[n * step];
+  const auto ends = each([&](std::size_t k) { return first[k] + last[k]; }),
+             slope = each([&](std::size_t k) { return last[k] - first[k]; });
+  if (n == 1) {
+    for (std::size_t k = 0; k < 4; ++k) first[k] = ends[k] / 2, last[k] = slope[k] / 2;
+  } else if (n == 2) {
+    Point& middle = points[step];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double twice = 2 * middle[k];
+      first[k] = (ends[k] + twice) / 4, middle[k] = slope[k] / 2, last[k] = (ends[k] - twice) / 4;
+    }
+  } else if (n == 3) {
+    Point &second = points[step], &third = points[2 * step];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double middle = 3 * (second[k] + third[k]), tilt = third[k] - second[k];
+      first[k] = (ends[k] + middle) / 8, second[k] = 3 * (slope[k] + tilt) / 8;
+      third[k] = (3 * ends[k] - middle) / 8, last[k] = (slope[k] - 3 * tilt) / 8;
+    }
   }
-  for (int j = 0; j < rows * components; ++j) centre_along(columns - 1, rows * components, values + j);
+}
+
+// To the coefficients of x^i y^j, as PreparedMap::centred has them.
+void centre(const double* points, std::array<int, 2> order, int components, double* values) {
+  const auto [columns, rows] = order;
+  std::array<Point, (kMaxCentredDegree + 1) * (kMaxCentredDegree + 1)> net;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j, points += components) {
+      Point& point = net[static_cast<std::size_t>(j * columns + i)];
+      point = {0, 0, 0, 1};
+      // -0 is 0, so that no sum is -0.
+      for (int k = 0; k < components; ++k) point[static_cast<std::size_t>(k)] = points[k] + 0.0;
+    }
+  }
+  for (int i = 0; i < columns; ++i) centre_along(rows - 1, columns, &net[static_cast<std::size_t>(i)]);
+  for (int j = 0; j < rows; ++j) centre_along(columns - 1, 1, &net[static_cast<std::size_t>(j * columns)]);
+  const int count = columns * rows;
+  std::memcpy(values, net.data(), static_cast<std::size_t>(count) * sizeof(Point));
+  std::fill_n(values + 4 * count, centred_values(columns - 1, rows - 1) - 4 * count, 0.0);
 }
 
 // Whether centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the coefficients
@@ -95,7 +122,7 @@ bool is_centred_exactly(const double* points, std::ptrdiff_t count, int componen
 
 // The error of a test, for values in double.
 double error_bound(const PreparedComponent& component, double units, double growth) {
-  if (component.kind == PreparedComponent::Kind::kConstant && component.largest == 0) return 0;
+  if (component.kind != PreparedComponent::Kind::kUnclaimed && component.largest == 0) return 0;
   // Beyond that a Horner sum could overflow on the way, and Highway's conversions to float need not give
   // infinity.
   const bool is_safe = component.largest * growth <= 0x1p127;
@@ -105,21 +132,84 @@ double error_bound(const PreparedComponent& component, double units, double grow
   return is_safe && error >= 0x1p-145 ? error : HUGE_VAL;
 }
 
-PreparedMap::Test make_centred_test(const PreparedMap& map, const double* points, std::ptrdiff_t count) {
+// The test and the bits of one component.
+void bound_centred(PreparedMap& map, const double* points, std::ptrdiff_t count, int k) {
   const auto [n, m] = map.surface.degree;
-  const int components = map.surface.components;
-  PreparedMap::Test test;
-  for (int k = 0; k < components; ++k) {
-    const PreparedComponent& component = map.component[k];
-    double sum = 0, units = 0;
-    if (std::isfinite(component.unit)) {
-      for (std::ptrdiff_t i = 0; i < count; ++i) sum += std::fabs(map.centred[i * components + k]);
-      const bool is_exact = is_centred_exactly(points + k, count, components, component.largest);
-      units = centred_units(n, m, sum / component.largest, is_exact);
+  const PreparedComponent& component = map.component[k];
+  double sum = 0, units = 0;
+  map.centred_bits[k] = kManyBits;
+  if (std::isfinite(component.unit)) {
+    for (std::ptrdiff_t i = 0; i < count; ++i) sum += std::fabs(map.centred[4 * i + k]);
+    const bool is_exact = is_centred_exactly(points + k, count, map.surface.components, component.largest);
+    units = centred_units(n, m, sum / component.largest, is_exact);
+    if (is_exact && component.largest <= 0x1p120 && component.largest >= 0x1p-600) {
+      int exponent = 0, high = 0;
+      std::frexp(component.largest, &exponent);
+      map.centred_sum[k] = sum * (1 + 0x1p-40);  // the sum may be rounded
+      std::frexp(map.centred_sum[k], &high);
+      const double scale = std::ldexp(1, 51 - exponent);
+      std::int64_t all = 0;
+      for (std::ptrdiff_t i = 0; i < count; ++i)
+        all |= static_cast<std::int64_t>(map.centred[4 * i + k] * scale);
+      const int low = exponent - 51 + (all == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(all)));
+      map.centred_bits[k] = high - low;
     }
-    test.error[k] = error_bound(component, units, 1);
   }
-  return test;
+  map.centred_test.error[k] = error_bound(component, units, 1);
+}
+
+// // Control points, `step` apart, of degree n to those of a lower degree that the polynomial has; exact
+// where the coefficients of centre_along are.
+void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, double* to,
+                  std::ptrdiff_t to_step) {
+  const double first = points[0], last = points[n * step];
+  double c0 = (first + last) / 2, c1 = 0, c2 = 0;
+  if (n == 2) c0 = (first + last + 2 * points[step]) / 4, c1 = (last - first) / 2;
+  if (n == 3) {
+    const double second = points[step], third = points[2 * step];
+    c0 = (first + last + 3 * (second + third)) / 8;
+    c1 = 3 * ((last - first) + (third - second)) / 8;
+    c2 = 3 * ((first + last) - (second + third)) / 8;
+  }
+  if (lower == 0) to[0] = c0 + 0.0;
+  if (lower == 1) to[0] = c0 - c1 + 0.0, to[to_step] = c0 + c1 + 0.0;
+  if (lower == 2) {
+    to[0] = c0 - c1 + c2 + 0.0, to[to_step] = c0 - c2 + 0.0, to[2 * to_step] = c0 + c1 + c2 + 0.0;
+  }
+}
+
+// As reduce does, which takes longer: constants, and polynomials whose exact coefficients show their degrees.
+std::array<int, 2> reduce_component(const PreparedMap& map, const double* points, int k, double* reduced) {
+  const auto [n, m] = map.surface.degree;
+  const int components = map.surface.components, count = (n + 1) * (m + 1);
+  bool is_constant = true;
+  for (int i = 0; i < count; ++i) {
+    reduced[i] = points[i * components];
+    is_constant = is_constant && reduced[i] == reduced[0];
+  }
+  if (is_constant) {
+    reduced[0] += 0.0;
+    return {1, 1};
+  }
+  if (map.centred_bits[k] < kManyBits) {
+    int lowest_u = 0, lowest_v = 0;
+    const double* own = map.centred + k;
+    for (int j = 0; j <= m; ++j) {
+      for (int i = 0; i <= n; ++i, own += 4) {
+        if (*own != 0) lowest_u = std::max(lowest_u, i), lowest_v = j;
+      }
+    }
+    if (lowest_v < m) {
+      for (int i = 0; i <= n; ++i)
+        lower_degree(m, lowest_v, reduced + i * (m + 1), 1, reduced + i * (lowest_v + 1), 1);
+    }
+    if (lowest_u < n) {
+      for (int j = 0; j <= lowest_v; ++j)
+        lower_degree(n, lowest_u, reduced + j, lowest_v + 1, reduced + j, lowest_v + 1);
+    }
+    return {lowest_u + 1, lowest_v + 1};
+  }
+  return reduce({points, components, {n + 1, m + 1}, map.surface.domain}, reduced);
 }
 
 }  // namespace
@@ -128,11 +218,17 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
                         const std::array<Domain, 2>& domain, double* scaled, double* lowest,
                         double* centred) {
   PreparedMap map;
+  map.centred_bits.fill(kManyBits);
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
   scale_by_binomials(points, order, components, scaled);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
   // What vectors read beyond the last point.
   std::fill_n(scaled + count * components, 3, 0.0);
+  if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
+    centre(points, order, components, centred);
+    map.centred = centred;
+    for (int k = 0; k < components; ++k) map.centred_test.error[k] = HUGE_VAL;
+  }
   for (int k = 0; k < components; ++k) {
     PreparedComponent& component = map.component[k];
     component.unit = HUGE_VAL;
@@ -146,11 +242,13 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
     if (!all_finite) continue;
 
     component.kind = PreparedComponent::Kind::kGeneral;
-    double* const own = lowest + k * count;
-    const std::array<int, 2> reduced = reduce({points + k, components, order, domain}, own);
-    component.lowest = {own, 1, reduced, domain};
     component.unit = unit_of(order, domain, component.largest);
-    for (int i = 0; i < reduced[0] * reduced[1]; ++i) {
+    if (map.centred != nullptr) bound_centred(map, points, count, k);
+    double* const own = lowest + k * count;
+    const std::array<int, 2> reduced = reduce_component(map, points + k, k, own);
+    component.lowest = {own, 1, reduced, domain};
+    component.lowest_largest = reduced == order ? component.largest : 0;
+    for (int i = 0; i < reduced[0] * reduced[1] && reduced != order; ++i) {
       component.lowest_largest = std::max(component.lowest_largest, std::fabs(own[i]));
     }
     const int degree = reduced[0] + reduced[1] - 2;
@@ -172,12 +270,6 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   map.inverse_width = {invert_width(domain[0]), invert_width(domain[1])};
   map.test = make_test(map, weight_units(order[0] - 1, order[1] - 1, kRoundings), 1);
   map.is_direct = is_direct(map);
-  if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
-    std::copy_n(points, count * components, centred);
-    centre(order, components, centred);
-    map.centred = centred;
-    map.centred_test = make_centred_test(map, points, count);
-  }
   return map;
 }
 
@@ -187,22 +279,103 @@ bool has_direct_map(const PreparedMap& map) {
          (m == 0 || map.inverse_width[1] != 0);
 }
 
-DirectMap direct_map_of(const PreparedMap& map, double* centred) {
+DirectMap direct_map_of(const PreparedMap& map) {
   DirectMap direct;
   for (std::size_t d : {0, 1}) {
     const auto [u1, u2] = map.surface.domain[d];
     const double inverse = map.inverse_width[d];
     direct.place[d] = {2 * inverse, (u1 + u2) * inverse};
   }
-  const auto [n, m] = map.surface.degree;
-  const int components = map.surface.components, points = (n + 1) * (m + 1);
-  direct.test = map.centred_test;
-  for (int i = 0; i < points; ++i) {
-    std::copy_n(map.centred + i * components, components, centred + 4 * i);
-    if (components == 3) centred[4 * i + 3] = i == 0 ? 1 : 0;
-  }
-  direct.centred = centred;
   return direct;
+}
+
+namespace {
+
+// x of an argument inside the domain, exactly, and the bits behind its point. False if it is not known to be
+// dyadic.
+bool place_exactly(const PreparedMap& map, int direction, const GridArgument& argument, double* x,
+                   int* bits) {
+  *x = *bits = 0;
+  if (map.surface.degree[direction] == 0) return true;
+  const Domain& domain = map.surface.domain[direction];
+  const auto& [grid, index] = argument;
+  if (index == 0 || grid.u1 == grid.u2) {
+    const double u = grid.u1, scale = 2 * map.inverse_width[direction];
+    if (u == domain.u1 || u == domain.u2) {
+      *x = u == domain.u1 ? -1 : 1;
+      return true;
+    }
+    if (scale == 0) return false;
+    const double twice = u * scale;
+    const DoubleDouble place = two_sum(twice, -(domain.u1 + domain.u2) * (scale / 2));
+    if (twice / scale != u || place.low != 0 || !(std::fabs(place.high) < 1)) return false;
+    constexpr double kMost = 0x1p40;
+    const auto part = static_cast<std::int64_t>(place.high * kMost);
+    if (static_cast<double>(part) != place.high * kMost) return false;
+    *x = place.high;
+    *bits = part == 0 ? 0 : std::max(0, 40 - std::countr_zero(static_cast<std::uint64_t>(part)));
+    return true;
+  }
+  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2,
+             is_reversed = grid.u1 == domain.u2 && grid.u2 == domain.u1;
+  if ((!spans && !is_reversed) || index < 0 || index > grid.segments) return false;
+  // x = (2 i - n) / n
+  const int twos = std::countr_zero(static_cast<unsigned>(grid.segments));
+  const std::int64_t odd = grid.segments >> twos, part = 2 * index - grid.segments;
+  if (part % odd != 0) return false;
+  *x = static_cast<double>(is_reversed ? -part : part) / grid.segments;
+  *bits = part == 0 ? 0 : std::max(0, twos - std::countr_zero(static_cast<std::uint64_t>(part / odd)));
+  return true;
+}
+
+}  // namespace
+
+bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v,
+                      double* value) {
+  if (map.centred == nullptr || map.centred_bits[k] == kManyBits) return false;
+  const auto [n, m] = map.surface.degree;
+  double x, y;
+  int bits_u, bits_v;
+  const bool has_x = place_exactly(map, 0, u, &x, &bits_u), has_y = place_exactly(map, 1, v, &y, &bits_v);
+  const int bits = map.centred_bits[k], row = 4 * (n + 1);
+  std::array<double, kMaxCentredDegree + 1> curve;
+  // The coefficients along v at x. Where they are constant, or zero, y does not matter.
+  bool is_constant = has_x && bits + n * bits_u <= kExactBits;
+  const bool has_curve = is_constant;
+  for (int j = 0; j <= m && has_curve; ++j) {
+    const double* const own = map.centred + k + j * row;
+    double sum = own[4 * n];
+    for (int i = n - 1; i >= 0; --i) sum = sum * x + own[4 * i];
+    curve[static_cast<std::size_t>(j)] = sum;
+    is_constant = is_constant && (j == 0 || sum == 0);
+  }
+  if (!is_constant && has_curve && has_y && bits + n * bits_u + m * bits_v <= kExactBits) {
+    double sum = curve[static_cast<std::size_t>(m)];
+    for (int j = m - 1; j >= 0; --j) sum = sum * y + curve[static_cast<std::size_t>(j)];
+    curve[0] = sum;
+    is_constant = true;
+  }
+  // Those along u at y.
+  if (!is_constant && has_y && bits + m * bits_v <= kExactBits) {
+    is_constant = true;
+    for (int i = 0; i <= n && is_constant; ++i) {
+      const double* const own = map.centred + k + 4 * i;
+      double sum = own[m * row];
+      for (int j = m - 1; j >= 0; --j) sum = sum * y + own[j * row];
+      is_constant = i == 0 || sum == 0;
+      if (i == 0) curve[0] = sum;
+    }
+  }
+  *value = curve[0] + 0.0;  // -0 is 0
+  return is_constant;
+}
+
+int bits_of_places(const Domain& domain, const Grid& grid) {
+  const bool spans = grid.u1 == domain.u1 && grid.u2 == domain.u2,
+             is_reversed = grid.u1 == domain.u2 && grid.u2 == domain.u1;
+  const auto segments = static_cast<unsigned>(grid.segments);
+  if ((!spans && !is_reversed) || !std::has_single_bit(segments)) return kManyBits;
+  return std::max(0, std::countr_zero(segments) - 1);
 }
 
 double growth_of(const Parameter& at, int degree) {

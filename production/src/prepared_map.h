@@ -52,6 +52,10 @@ constexpr double centred_units(int n, int m, double sum, bool is_exact) {
 }
 // The highest degree for which that is a good way.
 inline constexpr int kMaxCentredDegree = 3;
+// Values of centred coefficients, which vectors may read and write beyond.
+constexpr int centred_values(int n, int m) { return 4 * (n + 1) * (m + 1) + 8; }
+// Of the significand of a double; and more than can be.
+inline constexpr int kExactBits = 53, kManyBits = 1 << 20;
 
 // No components: no map.
 struct PreparedMap {
@@ -63,8 +67,15 @@ struct PreparedMap {
     std::array<double, 4> error{};
   };
   Test test;  // of weights with parameters of locate
-  // Coefficients of the powers of x and y, as the control points are; null where a degree is too high.
+  // Coefficients of the powers of x and y: component k of that of x^i y^j is centred[row * j + 4 * i + k],
+  // with row = 4 * (degree[0] + 1); those that the map has not are (0,0,0,1)'s. Null where a degree is too
+  // high.
   const double* centred = nullptr;
+  // The sum of the magnitudes of the coefficients of a component is at most 2^high and all are multiples of
+  // 2^low, exactly: high - low. Horner's rule rounds nothing where these bits and those of the powers of x
+  // and y are at most kExactBits together. kManyBits if they are not exact or their magnitudes are extreme.
+  std::array<int, 4> centred_bits{};
+  std::array<double, 4> centred_sum{};  // at least that of the magnitudes
   // Of Horner's rule with those, inside the domain. Not below `test`, from which is_direct follows: control
   // points are blossoms at -1 and 1, so none is larger than the sum of the coefficients' magnitudes.
   Test centred_test;
@@ -88,20 +99,26 @@ struct DirectMap {
     double scale = 0, middle = 0;
   };
   std::array<Place, 2> place;
-  PreparedMap::Test test;
-  PreparedMap::Probe probe;
-  // Of PreparedMap::centred, four values each. The fourth one is that of w = 1 where the map has none.
-  const double* centred = nullptr;
 };
 
 // Control points without padding, v fastest, `points`; the arrays are the caller's: `scaled` has room for
-// three values more, `lowest` and `centred` for as many.
+// three values more, `lowest` for as many, `centred` for centred_values where both degrees are low.
 PreparedMap prepare_map(const double* points, std::array<int, 2> order, int components,
                         const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
 
-// Whether a map of vertices has one, and that, in room for 4 or 16 points.
+// Whether a map of vertices has one, and that.
 bool has_direct_map(const PreparedMap& map);
-DirectMap direct_map_of(const PreparedMap& map, double* centred);
+DirectMap direct_map_of(const PreparedMap& map);
+
+// // Component k inside the domain, where doubles hold all that Horner's rule computes, which is where ties
+// and zeros are ordinary: at dyadic places, and along lines at such places where it is constant. False, and
+// nothing claimed, elsewhere.
+bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v,
+                      double* value);
+
+// The bits behind the point of x at all points of a grid inside the domain, at most; kManyBits if they are
+// not known to be dyadic.
+int bits_of_places(const Domain& domain, const Grid& grid);
 
 // (|t| + |1 - t|)^degree: what an error inside the domain is multiplied with outside; rounded upward. At
 // least 1.

@@ -67,6 +67,8 @@ float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridAr
   if (component.kind == PreparedComponent::Kind::kConstant) return component.constant;
   if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v))
     return static_cast<float>(resolve_plainly(map, k, u, v) + 0.0);
+  double exact;
+  if (evaluate_exactly(map, k, u, v, &exact)) return static_cast<float>(exact);
   float result;
   if (component.kind == PreparedComponent::Kind::kLine &&
       resolve_on_line(component, component.line_direction == 0 ? u : v, &result))
@@ -80,6 +82,9 @@ double resolve_in_double(const PreparedMap& map, int k, const GridArgument& u, c
   const PreparedComponent& component = map.component[k];
   if (component.kind == PreparedComponent::Kind::kUnclaimed || !is_finite(u) || !is_finite(v))
     return resolve_plainly(map, k, u, v);
+  if (component.kind == PreparedComponent::Kind::kConstant) return component.lowest.points[0] + 0.0;
+  double exact;
+  if (evaluate_exactly(map, k, u, v, &exact)) return exact;
   const Enclosure enclosure = map.encloses(component.lowest, component.lowest_largest, u, v);
   // Half an ULP of rounding and this are less than one.
   if (!(enclosure.error <= 0x1p-54 * std::fabs(enclosure.value.high)))

@@ -6,8 +6,9 @@
 
 namespace glev {
 
-// Component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. Tries straight lines,
-// exactly, then double-double, and exact integers. For what is not finite, whatever double gives.
+// Component k of the map at (u, v): V rounded to nearest, ties to even; +0 for 0. Tries double
+// where it is exact, straight lines, exactly, then double-double, and exact integers. For what is not finite,
+// whatever double gives.
 float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v);
 // The same where a value in double with its bound, perhaps infinite, is known and may decide already.
 float resolve(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v, double value,

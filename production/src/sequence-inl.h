@@ -29,19 +29,12 @@ class Sequence {
   static constexpr std::size_t kPeriod = kComponents / std::gcd(std::size_t{kComponents}, kWidth);
   static constexpr std::size_t kGroup = kPeriod * kWidth;
 
-  Sequence() {
-    for (std::size_t i = 0; i < kComponents * kWidth; ++i) {
-      column_[i] = static_cast<Index>(i / kComponents);
-      component_[i] = static_cast<Index>(i % kComponents);
-    }
-  }
-
   // Each of so many values, and of those that fill the last vector, as often.
   HWY_INLINE void repeat(const Value* values, std::size_t count, Value* to) const {
     for (std::size_t c = 0; c < count; c += kWidth) {
       const Values value = hn::Load(kTag, values + c);
       for (std::size_t i = 0; i < kComponents * kWidth; i += kWidth) {
-        hn::Store(hn::TableLookupLanes(value, hn::SetTableIndices(kTag, column_ + i)), kTag,
+        hn::Store(hn::TableLookupLanes(value, hn::SetTableIndices(kTag, kTable.column + i)), kTag,
                   to + c * kComponents + i);
       }
     }
@@ -51,17 +44,27 @@ class Sequence {
   HWY_INLINE Values values_of(const Value* point, std::size_t part) const {
     if constexpr (kWidth >= 4) {
       return hn::TableLookupLanes(hn::LoadU(kTag, point),
-                                  hn::SetTableIndices(kTag, component_ + part * kWidth));
+                                  hn::SetTableIndices(kTag, kTable.component + part * kWidth));
     } else {
       HWY_ALIGN Value lanes[kWidth];
-      for (std::size_t i = 0; i < kWidth; ++i) lanes[i] = point[component_[part * kWidth + i]];
+      for (std::size_t i = 0; i < kWidth; ++i) lanes[i] = point[kTable.component[part * kWidth + i]];
       return hn::Load(kTag, lanes);
     }
   }
 
  private:
   using Index = hwy::MakeSigned<Value>;
-  HWY_ALIGN Index column_[kComponents * kWidth], component_[kComponents * kWidth];
+  struct Table {
+    HWY_ALIGN Index column[kComponents * kWidth], component[kComponents * kWidth];
+  };
+  static constexpr Table kTable = [] {
+    Table table{};
+    for (std::size_t i = 0; i < kComponents * kWidth; ++i) {
+      table.column[i] = static_cast<Index>(i / kComponents);
+      table.component[i] = static_cast<Index>(i % kComponents);
+    }
+    return table;
+  }();
 };
 
 // evaluate(begin, group) gives so many floats of `count`, those from `begin` on.
@@ -73,6 +76,28 @@ HWY_INLINE void in_groups(std::size_t count, float* out, const Evaluate& evaluat
     float group[kGroup];
     evaluate(begin, group);
     std::memcpy(out + begin, group, (count - begin) * sizeof(float));
+  }
+}
+
+// evaluate(begin, part, vector) gives the floats from `begin` on, a vector of them; `part` is that of a
+// period.
+template <std::size_t kWidth, std::size_t kPeriod, class Evaluate>
+HWY_INLINE void in_vectors(std::size_t count, float* out, const Evaluate& evaluate) {
+  constexpr std::size_t kGroup = kPeriod * kWidth;
+  std::size_t begin = 0;
+  for (; begin + kGroup <= count; begin += kGroup) {
+    for (std::size_t part = 0; part < kPeriod; ++part)
+      evaluate(begin + part * kWidth, part, out + begin + part * kWidth);
+  }
+  for (std::size_t part = 0; part < kPeriod; ++part, begin += kWidth) {
+    if (begin >= count) return;
+    if (begin + kWidth <= count) {
+      evaluate(begin, part, out + begin);
+      continue;
+    }
+    float vector[kWidth];
+    evaluate(begin, part, vector);
+    std::memcpy(out + begin, vector, (count - begin) * sizeof(float));
   }
 }
 

@@ -26,7 +26,7 @@ struct Centred {
         points(std::move(given)),
         scaled(points.size() + 3),
         lowest(points.size()),
-        coefficients(points.size()),
+        coefficients(glev::centred_values(3, 3)),
         map(glev::prepare_map(points.data(), order, components, {}, scaled.data(), lowest.data(),
                               coefficients.data())) {}
 
@@ -46,14 +46,15 @@ struct Centred {
     return tensor(basis(order[0] - 1, x), basis(order[1] - 1, y), points, components, k).value;
   }
 
+  double coefficient(int i, int j, int k) const { return map.centred[4 * (order[0] * j + i) + k]; }
+
   // By Horner's rule, in the numbers of T.
   template <class T, class From>
   T sum_of(int k, const T& x, const T& y, const From& from) const {
     T result = 0;
     for (int i = order[0] - 1; i >= 0; --i) {
       T row = 0;
-      for (int j = order[1] - 1; j >= 0; --j)
-        row = row * y + from(map.centred[(i * order[1] + j) * components + k]);
+      for (int j = order[1] - 1; j >= 0; --j) row = row * y + from(coefficient(i, j, k));
       result = result * x + row;
     }
     return result;
@@ -69,7 +70,7 @@ struct Centred {
   // The units of the bound where the coefficients are taken as exact or not.
   double error_units(int k, bool is_exact) const {
     double sum = 0;
-    for (std::size_t i = k; i < points.size(); i += components) sum += std::fabs(map.centred[i]);
+    for (int i = 0; i < order[0] * order[1]; ++i) sum += std::fabs(map.centred[4 * i + k]);
     return glev::centred_units(order[0] - 1, order[1] - 1, sum / largest_of(k), is_exact);
   }
 };

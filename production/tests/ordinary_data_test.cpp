@@ -110,6 +110,58 @@ TEST_F(OrdinaryData, QuadraticsGivenAsCubics) {
   expect_nearest_curve({0, 0, 0, 1, 4, 10});
 }
 
+// Symmetric and antisymmetric nets of short decimals and dyadic numbers, drawn with few segments, on every
+// instruction set: zeros and ties by the row.
+TEST_F(OrdinaryData, BicubicModelsOnDyadicGrids) {
+  constexpr std::size_t kComponents = 3;
+  Chance chance;
+  for (std::size_t t = 0; const char* target = glevGetTargetName(t); ++t) {
+    const glev_context_info info = {sizeof info, nullptr, target};
+    glev_context* other = nullptr;
+    ASSERT_EQ(glevCreateContext(&info, &other), GLEV_SUCCESS);
+    for (int round = 0; round < 60; ++round) {
+      const int n = chance.whole(2, 4), m = chance.whole(1, 4);
+      std::vector<float> points(static_cast<std::size_t>(n * m) * kComponents);
+      for (std::size_t k = 0; k < kComponents; ++k) {
+        const float unit = chance.one_of({0.1F, 0.01F, 0x1p-4F, 0x1p-22F}),
+                    sign = chance.one_of({0.0F, 1.0F, -1.0F});
+        const auto at = [&](int i, int j) -> float& {
+          return points[static_cast<std::size_t>(i * m + j) * kComponents + k];
+        };
+        for (int i = 0; i < n; ++i) {
+          for (int j = 0; j < m; ++j) {
+            at(i, j) = static_cast<float>(chance.whole(-2000, 2000)) * unit;
+            if (chance.whole(0, 1) == 0 && (i == 0 || i == n - 1)) at(i, j) = 0;
+            if (sign != 0 && 2 * i >= n - 1)
+              at(i, j) = 2 * i == n - 1 && sign < 0 ? 0 : sign * at(n - 1 - i, j);
+          }
+        }
+      }
+      glevMap2f(other, GLEV_MAP2_VERTEX_3, 0, 1, m * 3, n, 0, 1, 3, m, points.data());
+      glevEnable(other, GLEV_MAP2_VERTEX_3);
+      const int segments = chance.one_of({1, 2, 4, 8, 16, 32, 64, 10, 12});
+      glevMapGrid2f(other, segments, 0, 1, 4, 0, 1);
+      const Plan plan(other, 2);
+      const Floats mesh = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, {0, segments, 0, 4});
+      for (std::size_t k = 0; k < kComponents; ++k) {
+        std::vector<double> exact;
+        for (std::size_t i = k; i < points.size(); i += kComponents) exact.push_back(points[i]);
+        for (int j = 0; j <= 4; ++j) {
+          for (int i = 0; i <= segments; ++i) {
+            const float right =
+                nearest_float(exact_value(exact, {n, m}, Rational(i, segments), Rational(j, 4)));
+            const float got = mesh[static_cast<std::size_t>(j * (segments + 1) + i) * kComponents + k];
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(got), std::bit_cast<std::uint32_t>(right))
+                << target << ", orders " << n << " x " << m << ", " << segments << " segments, " << i << ", "
+                << j;
+          }
+        }
+      }
+    }
+    glevDestroyContext(other);
+  }
+}
+
 TEST_F(OrdinaryData, SmallIntegersAndConstants) {
   expect_nearest_curve({1, 2, 2, 1});
   expect_nearest_curve({1, 3, 3, 1});

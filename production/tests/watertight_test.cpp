@@ -126,8 +126,8 @@ TEST_F(Watertight, AlongAllEdgesInMeshes) {
 
 // Neighbours of other orders and numbers of segments meet at the arguments that they share.
 TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
-  for (int k = 0; k < 200; ++k) {
-    const int order = chance_.whole(2, 8);
+  for (int k = 0; k < 100; ++k) {
+    const int order = chance_.whole(2, 6);
     std::vector<float> shared(static_cast<std::size_t>(order) * kComponents);
     // Multiples of the order with few bits, so that the elevated points are floats.
     for (float& point : shared) point = static_cast<float>(order * chance_.whole(-30000, 30000));
@@ -143,9 +143,11 @@ TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
     const int segments = chance_.whole(1, 40), factor = chance_.whole(2, 5);
     const SharedEdge edge = chance_.one_of(all_edges()), other = chance_.one_of(all_edges());
     define_patch(edge, shared, chance_.whole(1, 6));
-    const Floats coarse = evaluate_mesh(edge, segments, 5, true, GLEV_FAST);
+    // So many that meshes of low degree are not correctly rounded for being small.
+    const int others = (1 << 14) / segments + 1;
+    const Floats coarse = evaluate_mesh(edge, segments, others, true, GLEV_FAST);
     define_patch(other, elevated, chance_.whole(1, 6));
-    const Floats fine = evaluate_mesh(other, segments * factor, 3, true, GLEV_FAST);
+    const Floats fine = evaluate_mesh(other, segments * factor, others, true, GLEV_FAST);
     Floats found;
     for (int i = 0; i <= segments; ++i)
       found.insert(found.end(), fine.begin() + static_cast<std::ptrdiff_t>(i) * factor * kComponents,
