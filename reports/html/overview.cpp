@@ -34,7 +34,7 @@ data count_cell(const Column& column, Verdict verdict) {
                          });
   data cell;
   cell.set("word", std::string(text_of(verdict).word));
-  cell.set("class", n == 0 ? "" : all_known && !record.tests.empty() ? "known" : class_of(verdict));
+  cell.set("class", n == 0 ? "zero" : all_known && !record.tests.empty() ? "known" : class_of(verdict));
   cell.set("n", fmt::format("{}", n));
   cell.set("link", n && !record.tests.empty()
                        ? data(link({{"on", column.label}, {"verdict", std::string(text_of(verdict).word)}}))

@@ -319,6 +319,7 @@ class Bugs(Browser):
         cells = self.js("return [...document.querySelectorAll('#bug-table tbody td')].map((td) => [td.className, td.textContent])")
         self.assertEqual(cells[0], ["bad", "1 test new"])
         self.assertEqual(cells[1], ["good", "not found"])  # reference
+        self.assertEqual(cells[2], ["absent", "not searched"])  # glx did not start
         self.assertEqual(cells[9], ["known", "1 test known"])
 
     def test_evidence_and_way_to_the_tests(self):

@@ -17,6 +17,12 @@ const requirements = data.requirements.map(([id, section, rule, source, since], 
   number, id: text(id), section: text(section) || 'Not in the catalogue', rule: text(rule), source: text(source),
   since: text(since), tests: []}));
 for (const test of tests) for (const number of test.requirements) requirements[number].tests.push(test);
+const rules = new Map();  // the two halves of a requirement, "/1-D" and "/2-D", are one rule
+for (const requirement of requirements) {
+  const rule = requirement.id.split('/')[0];
+  if (!rules.has(rule)) rules.set(rule, rules.size);
+  requirement.ruleNumber = rules.get(rule);
+}
 const requirementNamed = new Map(requirements.map((requirement) => [requirement.id, requirement]));
 const bugNamed = new Map(data.bugs.map((bug) => [bug.id, bug]));
 for (const bug of data.bugs)
@@ -73,9 +79,9 @@ function testsWith(needle, columns) {
     for (let i = FAILURES; i < record.length; ++i) if (failures[record[i]]) return 1;
     return 0;
   });
-  const rules = Uint8Array.from(data.requirements, (fields) => fields.some((field) => hit[field]));
+  const requirementHits = Uint8Array.from(data.requirements, (fields) => fields.some((field) => hit[field]));
   for (const {number, requirements: ids} of tests) {
-    out[number] = hit[data.tests[number][0]] || ids.some((id) => rules[id]) ||
+    out[number] = hit[data.tests[number][0]] || ids.some((id) => requirementHits[id]) ||
         columns.some((column) => records[data.outcomes[column][number]]);
   }
   return out;
@@ -91,18 +97,31 @@ const verdictFilters = {
 
 const isFiltered = (state) => Boolean(state.q.trim() || state.theme || state.verdict || state.level || state.differs);
 
-// The tests that the filters let through, in the order of the run.
+// The tests that the filters let through, in the order of the run. The latest answer is kept, because most
+// changes of the state are not of the filters.
+let latestFilters = null, latestTests = null;
 function matchingTests(state) {
-  const {columns} = state, verdict = verdictFilters[state.verdict] || (() => true);
-  const found = state.q.toLowerCase().split(/\s+/).filter(Boolean).map((needle) => testsWith(needle, columns));
-  return tests.filter((test) => {
+  const filters = JSON.stringify([state.columns, state.q, state.theme, state.verdict, state.level, state.differs]);
+  if (filters === latestFilters) return latestTests;
+  const outcomes = state.columns.map((column) => data.outcomes[column]);
+  const filter = state.verdict ? Uint8Array.from(data.records, (record) => Boolean(verdictFilters[state.verdict](record))) : null;
+  const found = state.q.toLowerCase().split(/\s+/).filter(Boolean).map((needle) => testsWith(needle, state.columns));
+  latestFilters = filters;
+  latestTests = tests.filter((test) => {
     if (state.theme && test.theme !== state.theme) return false;
     if (state.level && test.level !== state.level) return false;
     if (found.some((hits) => !hits[test.number])) return false;
-    const records = columns.map((column) => recordOf(test, column)).filter(Boolean);
-    return records.some(verdict) &&
-        (!state.differs || records.some((record) => record[VERDICT] !== records[0][VERDICT]));
+    let any = false, first = -1, differ = false;
+    for (const records of outcomes) {
+      const record = records[test.number];
+      if (record < 0) continue;
+      any ||= !filter || filter[record] === 1;
+      const verdict = data.records[record][VERDICT];
+      if (first < 0) first = verdict; else differ ||= verdict !== first;
+    }
+    return any && (differ || !state.differs);
   });
+  return latestTests;
 }
 
 // --- groups
@@ -116,8 +135,11 @@ const groupsBy = (items, keyOf) => {
   return groups;
 };
 
-const severityOf = (test, columns) =>
-  Math.min(...columns.map((column) => recordOf(test, column)?.[SEVERITY] ?? Infinity));
+function severityOf(test, columns) {
+  let least = Infinity;
+  for (const column of columns) least = Math.min(least, recordOf(test, column)?.[SEVERITY] ?? Infinity);
+  return least;
+}
 
 function worstFirst(some, columns) {
   const severities = new Map(some.map((test) => [test, severityOf(test, columns)]));

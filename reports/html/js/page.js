@@ -20,10 +20,10 @@ function renderTests() {
   replace('table', !tests.length ? el('p', null, 'No test was recorded.') :
                    !matching.length ? el('p', null, 'No test matches the filters.') :
                    byRequirement ? requirementsBySection(matching) : testsByTheme(matching));
-  const shown = new Set(matching.flatMap((test) => test.requirements.map((number) => requirements[number].id.split('/')[0])));
-  const all = new Set(requirements.map((requirement) => requirement.id.split('/')[0]));
+  const shown = new Uint8Array(rules.size);
+  for (const test of matching) for (const number of test.requirements) shown[requirements[number].ruleNumber] = 1;
   byId('filter-count').textContent =
-      `${matching.length} of ${tests.length} tests, ${shown.size} of ${all.size} requirements shown`;
+      `${matching.length} of ${tests.length} tests, ${shown.reduce((sum, n) => sum + n, 0)} of ${rules.size} requirements shown`;
   fit();
 }
 

@@ -157,8 +157,9 @@ function bugCell(bug, column) {
     return el('td', {class: found.known ? 'known' : 'bad'}, el('span', {class: 'part'}, count(found.tests.length, 'test')), ' ',
               el('small', null, found.known ? 'known' : 'new'));
   }
+  const records = data.outcomes[column].filter((record) => record >= 0).map((record) => data.records[record]);
   const searched = data.bugs.some((other) => other.found.has(column)) ||
-      !data.outcomes[column].some((record) => record >= 0 && data.records[record][VERDICT] <= WARNING);
+      (records.length > 0 && records.every((record) => record[VERDICT] > WARNING));
   return searched ? el('td', {class: 'good'}, 'not found') : el('td', {class: 'absent'}, 'not searched');
 }
 
@@ -238,7 +239,7 @@ function failureOf(number, above) {
   const failure = data.failures[number], lines = callsOf(failure);
   const same = above !== undefined && data.failures[above][CALLS] === failure[CALLS] && lines.length;
   return fold({class: 'case', open: above === undefined},
-              [text(failure[CASE]) || 'this test', ' ', faint(text(failure[DISTANCE]))],
+              [shownText(text(failure[CASE])) || 'this test', ' ', faint(text(failure[DISTANCE]))],
               () => [failureDetails(failure),
                      same ? el('p', null, 'The GL calls are those of the failure above.') :
                             program('GL calls of this case', lines, 'Copy calls')].filter(Boolean));
