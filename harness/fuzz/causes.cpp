@@ -175,24 +175,34 @@ gl::Case without_evaluators(const gl::Case& program) {
 }
 
 gl::Case commands_of_specification(const gl::Case& script) {
-  // Asked once for each entry point: a case of one command.
-  static std::map<EntryPoint, bool> known;
-  const auto is_known = [](const gl::Command& command) {
+  // A case of one command tells: it throws, or, for a name that is of another part of the GL
+  // (Enable(LIGHTING)), raises INVALID_ENUM. If the case asks for the error, the command is about it.
+  static std::map<EntryPoint, bool> known;  // asked once
+  const auto is_specified = [](const gl::Command& command, bool asks_for_error) {
     const auto found = known.find(command.entry);
-    if (found != known.end()) return found->second;
+    if (found != known.end() && !found->second) return false;
+    const std::string_view name = gl::name_of(command.entry);
+    const bool takes_a_name = name == "glEnable" || name == "glDisable" || name == "glIsEnabled" ||
+                              name == "glGetFloatv" || name == "glGetIntegerv" || name == "glGetDoublev" ||
+                              name == "glGetBooleanv";
+    if (found != known.end() && (!takes_a_name || asks_for_error)) return true;
     gl::Case one;
     one.add(command);
     try {
-      specify(one, 8);
-      return known[command.entry] = true;
+      const Specified specified = specify(one, 8);
+      known[command.entry] = true;
+      const std::vector<GLenum>& errors = specified.errors.front();
+      return !takes_a_name || asks_for_error || std::ranges::count(errors, GLenum{GL_INVALID_ENUM}) == 0;
     } catch (const std::logic_error&) {
       return known[command.entry] = false;
     }
   };
   gl::Case left(script.identity());
-  for (const gl::Command& command : script.commands()) {
-    if (gl::is_of_harness(command.entry)) throw std::invalid_argument("its case has several contexts");
-    if (is_known(command)) left.add(command);
+  const std::vector<gl::Command>& commands = script.commands();
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (gl::is_of_harness(commands[i].entry)) throw std::invalid_argument("its case has several contexts");
+    const bool asks_for_error = i + 1 < commands.size() && commands[i + 1].entry == EntryPoint::GetError;
+    if (is_specified(commands[i], asks_for_error)) left.add(commands[i]);
   }
   return left;
 }

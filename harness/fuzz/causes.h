@@ -18,7 +18,8 @@ std::set<std::string> words_of(const gl::Case& program);
 // The program without the commands that give the cause this word.
 gl::Case without_word(const gl::Case& program, const std::string& word);
 
-// The commands of the program that the executable specification has. Throws std::invalid_argument for a case
+// The commands of the program that the executable specification has, without those that enable or ask for
+// state that it does not have. Throws std::invalid_argument for a case
 // of several contexts.
 gl::Case commands_of_specification(const gl::Case& script);
 

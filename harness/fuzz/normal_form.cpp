@@ -281,8 +281,11 @@ NormalForm normal_form(const Finding& minimal, int max_eval_order) {
   if (kind == kPrimitives) return of_vertices(failure, facts);
   if (kind == "glGetError") return of_errors(failure, facts);
   if (kind.starts_with("glGet") && !kind.starts_with("glGetMap") && !kind.starts_with("glGetnMap") &&
-      facts.asks_for_current_values() && facts.evaluations > 0)
-    return of_current_values(what, facts, true);
+      facts.asks_for_current_values()) {
+    if (facts.evaluations > 0) return of_current_values(what, facts, true);
+    return {cause_from("current values without any evaluation", {trimmed(lists)}),
+            fmt::format("The current {} is wrong{} without any evaluation", noun_of(what, facts), lists)};
+  }
   if (kind.starts_with("gl")) {
     std::string command = kind.substr(2);
     while (!command.empty() && (command.back() == 'v' || command.back() == 'f' || command.back() == 'd' ||

@@ -149,8 +149,9 @@ void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResu
   if (bug.outside_evaluators) weight += ", explicit vertices show it as well";
   if (!bug.is_reduced()) weight += ", not reduced";
   weight += "; " + bug.id;
-  const std::size_t used = std::min(weight.size() + 3, kColumns - 6);
-  if (!bug.clause.empty()) weight += " [" + cut(one_line(bug.clause), kColumns - used) + "]";
+  constexpr std::size_t kLeast = 12;  // columns, brackets included
+  if (!bug.clause.empty() && weight.size() + kLeast < kColumns)
+    weight += " [" + cut(one_line(bug.clause), kColumns - weight.size() - 3) + "]";
   screen.line(weight, Colour::kFaint);
   if (unexpected.empty()) return;
   const TestRecord& first = *unexpected.front();
