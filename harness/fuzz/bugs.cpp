@@ -428,16 +428,21 @@ void find_bugs(RunResult& run, const BugRequest& request,
     if (!is_to_be_explained(test)) continue;
     ++tests;
     const auto found = reductions.find(test.name);
-    left += found == reductions.end() || !found->second.minimal;
-    late += found == reductions.end() || found->second.why_not == kOutOfTime;
+    const bool is_late = found == reductions.end() || found->second.why_not == kOutOfTime;
+    late += is_late;
+    left += !is_late && !found->second.minimal;
   }
-  run.bugs_note.clear();
+  std::vector<std::string> notes;
   if (left > 0)
-    run.bugs_note = fmt::format(
+    notes.push_back(fmt::format(
         "{} of {} failing tests could not be reduced to a minimal program and are grouped by requirement, by "
-        "what "
-        "differed and by their family{}",
-        left, tests, late > 0 ? fmt::format("; for {} of them {}", late, kOutOfTime) : "");
+        "what differed and by their family",
+        left, tests));
+  if (late > 0)
+    notes.push_back(
+        fmt::format("for {} of {} {} (--bug-seconds): they belong to the bugs of tests that fail alike", late,
+                    tests, kOutOfTime));
+  run.bugs_note = fmt::format("{}", fmt::join(notes, "; "));
 }
 
 }  // namespace evalcts::fuzz

@@ -103,6 +103,8 @@ std::string to_line(const ReductionEvent& event) {
   json data;
   if (const auto* start = std::get_if<TestStarted>(&event)) {
     data = {{"event", "start"}, {"name", start->name}};
+  } else if (std::holds_alternative<StillReducing>(event)) {
+    data = {{"event", "reducing"}};
   } else {
     const auto& reduction = std::get<Reduction>(event);
     data = {{"event", "reduction"}, {"test", reduction.test}, {"why_not", reduction.why_not}};

@@ -21,6 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kMostAttempts = 150;  // to make one program smaller
+constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
 
 // The causes of programs that random search found: most failures are of one of them.
 std::vector<std::string> known_causes() {
@@ -31,14 +32,18 @@ std::vector<std::string> known_causes() {
 
 class CaseReducer {
  public:
-  CaseReducer(const Subject& subject, double seconds)
+  CaseReducer(const Subject& subject, double seconds,
+              const std::function<void(const ReductionEvent&)>& report)
       : subject_(subject),
         seconds_(seconds),
+        report_(report),
         table_(subject.implementation->create_context()->table()),
         max_order_(subject.info.max_order()),
         shared_(SharedContext::of(subject)),
         reducer_(subject, shared_.get(), known_causes(), kMostAttempts,
-                 {.is_over = [this] { return is_over(); }}) {}
+                 {.alive = [this] { report_now_and_then(); },
+                  .is_over = [this] { return is_over(); },
+                  .takes_off = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
 
   Reduction reduce(const FailingCase& failing) {
     if (is_over()) return not_reduced(failing, kOutOfTime);
@@ -65,6 +70,7 @@ class CaseReducer {
     const gl::Case plain = forms_of(program).back();
     const std::string key = kind + ": " + gl::to_text(plain);
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
+    has_grid_ = has(program, "glMapGrid");
     Finding minimal = reducer_.explain(program, *found);
     // A wrong answer in it, such as a missing error, tells more than what comes of it.
     if (!kind.starts_with("gl"))
@@ -80,6 +86,25 @@ class CaseReducer {
  private:
   static Reduction not_reduced(const FailingCase& failing, const std::string& why) {
     return {failing.test, {}, why};
+  }
+
+  static bool has(const gl::Case& program, std::string_view stem) {
+    return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
+      return gl::name_of(command.entry).starts_with(stem);
+    });
+  }
+
+  // False for a mesh over the initial grid if the case has one of its own: what differs there may be another
+  // bug.
+  bool keeps_its_grid(const gl::Case& candidate) const {
+    return !has_grid_ || has(candidate, "glMapGrid") ||
+           (!has(candidate, "glEvalMesh") && !has(candidate, "glEvalPoint"));
+  }
+
+  void report_now_and_then() {
+    if (Clock::now() - reported_ < kReportReductionEvery) return;
+    report_(StillReducing());
+    reported_ = Clock::now();
   }
 
   bool is_over() const {
@@ -106,11 +131,14 @@ class CaseReducer {
 
   const Subject& subject_;
   const double seconds_;
+  const std::function<void(const ReductionEvent&)>& report_;
   const Clock::time_point begin_ = Clock::now();
+  Clock::time_point reported_ = begin_;
   const gl::Table table_;
   const int max_order_;
   std::unique_ptr<SharedContext> shared_;  // may be null
   Reducer reducer_;
+  bool has_grid_ = false;                   // of the case that is reduced
   std::map<std::string, Finding> reduced_;  // by kind of difference and plain form
 };
 
@@ -118,7 +146,7 @@ class CaseReducer {
 
 void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
             const std::function<void(const ReductionEvent&)>& report) {
-  CaseReducer reducer(subject, seconds);
+  CaseReducer reducer(subject, seconds, report);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!claims.take(i)) continue;
     report(TestStarted{cases[i].test});
