@@ -13,6 +13,13 @@ add_test(NAME help.compare COMMAND sh -c "diff -ru --exclude='checkout*' '${help
 set_tests_properties(help.write PROPERTIES FIXTURES_SETUP help)
 set_tests_properties(help.compare PROPERTIES FIXTURES_REQUIRED help LABELS script)
 
+# docs/known-bugs.md, from suites/bugs.
+set(known_bugs_page ${PROJECT_SOURCE_DIR}/docs/known-bugs.md)
+add_custom_target(known_bugs COMMAND sh -c "'$<TARGET_FILE:evalcts>' bugs --known > '${known_bugs_page}'" DEPENDS evalcts VERBATIM)
+add_test(NAME known_bugs.compare COMMAND sh -c "'$<TARGET_FILE:evalcts>' bugs --known | diff -u '${known_bugs_page}' - || \
+{ echo 'The target known_bugs rewrites docs/known-bugs.md.'; false; }")
+set_tests_properties(known_bugs.compare PROPERTIES LABELS script)
+
 # A page for each command. help2man takes the name of a page from the name of a program: each command gets a script.
 find_program(EVALCTS_HELP2MAN help2man)
 if(NOT EVALCTS_HELP2MAN)

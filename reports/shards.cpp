@@ -31,6 +31,35 @@ std::vector<TestRecord> tests_in_order(const Shards& shards) {
   return tests;
 }
 
+// A bug that several shards found is one.
+std::vector<Bug> bugs_of(const Shards& shards) {
+  std::map<std::string, Bug> by_id;
+  for (const auto& [number, shard] : shards)
+    for (const Bug& bug : shard->bugs) {
+      const auto [found, is_new] = by_id.try_emplace(bug.id, bug);
+      if (is_new) continue;
+      Bug whole = found->second;
+      // The shard that reduced it has the program.
+      if (!whole.is_reduced() && bug.is_reduced()) whole = bug;
+      const auto add = [](auto& all, const auto& a, const auto& b) {
+        all = a;
+        all.insert(all.end(), b.begin(), b.end());
+        std::ranges::sort(all);
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+      };
+      add(whole.tests, found->second.tests, bug.tests);
+      add(whole.explains, found->second.explains, bug.explains);
+      whole.level = std::max(found->second.level, bug.level);
+      whole.verdict = std::min(found->second.verdict, bug.verdict);
+      whole.breaks_real_programs = found->second.breaks_real_programs || bug.breaks_real_programs;
+      found->second = std::move(whole);
+    }
+  std::vector<Bug> bugs;
+  for (auto& [id, bug] : by_id) bugs.push_back(std::move(bug));
+  sort_by_importance(bugs);
+  return bugs;
+}
+
 RunResult merge(const Shards& shards, std::uint32_t count) {
   // One that has started knows the library.
   const auto started = std::find_if(shards.begin(), shards.end(),
@@ -55,6 +84,12 @@ RunResult merge(const Shards& shards, std::uint32_t count) {
     out.reason = fmt::format("shard {} of {}: {}", number, count,
                              shard->reason.empty() ? "not complete" : shard->reason);
   }
+  out.bugs = bugs_of(shards);
+  out.bugs_note.clear();
+  for (const auto& [number, shard] : shards)
+    if (!shard->bugs_note.empty())
+      out.bugs_note += fmt::format("{}shard {} of {}: {}", out.bugs_note.empty() ? "" : "; ", number, count,
+                                   shard->bugs_note);
   std::map<std::string, std::set<std::string>> readings;
   for (const auto& [number, shard] : shards)
     for (const auto& [text, followed] : shard->readings)

@@ -33,8 +33,9 @@ struct Command {
   std::function<int()> (*define)(CLI::App& app, const Call& call);
 };
 
-extern const Command kRunCommand, kListCommand, kCoverageCommand, kExplainCommand, kReproduceCommand,
-    kReportCommand, kFaultsCommand, kFuzzCommand, kRoundingCommand, kUlpCommand, kVectorsCommand;
+extern const Command kRunCommand, kBugsCommand, kListCommand, kCoverageCommand, kExplainCommand,
+    kReproduceCommand, kReportCommand, kFaultsCommand, kFuzzCommand, kRoundingCommand, kUlpCommand,
+    kVectorsCommand;
 
 // Options that several commands have.
 

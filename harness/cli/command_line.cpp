@@ -19,8 +19,8 @@ namespace {
 
 // In the order of the help.
 constexpr const Command* kCommands[] = {
-    &kRunCommand,    &kListCommand, &kCoverageCommand, &kExplainCommand, &kReproduceCommand, &kReportCommand,
-    &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};
+    &kRunCommand,    &kBugsCommand,   &kListCommand, &kCoverageCommand, &kExplainCommand, &kReproduceCommand,
+    &kReportCommand, &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};
 
 Call call_of(int argc, char** argv) {
   // The launcher says how it was called itself.

@@ -1,4 +1,4 @@
-// evalcts reproduce: a failure of the last run as a stand-alone C program.
+// evalcts reproduce: a failure or a bug of the last run as a stand-alone C program.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,7 +24,8 @@ namespace evalcts::cli {
 namespace {
 
 struct ReproduceOptions {
-  std::string failure;  // a test's name, NAME:test, or a part that only one failing test has
+  // A test's name, NAME:test, or a part that only one failing test has; a bug's ID, or NAME:ID.
+  std::string failure;
   std::string results;  // folder of the run; empty: the usual one
   std::string output;   // the file to write; empty: in the folder of the run
   std::string program;  // how evalcts was called
@@ -97,6 +98,44 @@ Candidate find(const std::vector<Candidate>& tests, const std::string& wanted) {
                                                       wanted, suggestions(failing)));
 }
 
+// The minimal program of a bug, as if it were a test.
+struct BugProgram {
+  TestRecord test;
+  std::string commands;  // JSON
+};
+
+// The one bug that is meant; none if no bug has this ID. A bug that was not reduced is its first test.
+std::optional<Candidate> find_bug(const std::list<RunResult>& runs, const std::string& wanted,
+                                  BugProgram& program) {
+  std::vector<std::pair<const RunResult*, const Bug*>> found;
+  for (const RunResult& run : runs)
+    for (const Bug& bug : run.bugs)
+      if (run.pass == Pass::kFreshContexts &&
+          (wanted == bug.id || wanted == run.implementation.name + ":" + bug.id))
+        found.emplace_back(&run, &bug);
+  if (found.empty()) return std::nullopt;
+  if (found.size() > 1) {
+    std::string names;
+    for (const auto& [run, bug] : found) names += fmt::format("\n  {}:{}", run->implementation.name, bug->id);
+    throw CannotReproduce(
+        fmt::format("{} implementations have the bug {}; name one of them:{}", found.size(), wanted, names));
+  }
+  const auto [run, bug] = found.front();
+  if (bug->commands.empty()) {
+    const auto test = std::ranges::find(run->tests, bug->tests.at(0), &TestRecord::name);
+    if (test == run->tests.end()) throw CannotReproduce(fmt::format("{} names no test of its run", wanted));
+    return Candidate{run, &*test};
+  }
+  program.commands = bug->commands;
+  program.test.name = bug->id;
+  program.test.requirements = bug->requirements;
+  program.test.level = bug->level;
+  program.test.verdict = bug->verdict;
+  program.test.message = bug->title;
+  program.test.failures = {bug->failure};
+  return Candidate{run, &program.test};
+}
+
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -137,17 +176,18 @@ bool read_events(const fs::path& path, std::optional<TestRecord>& record) {
   return started;
 }
 
-Replayed replay(const Candidate& failure) {
+// `program`: the commands of a program that is replayed instead of the test; may be empty.
+Replayed replay(const Candidate& failure, const std::string& program) {
   if (failure.run->suite_command.empty())
     throw CannotReproduce("the results come from another version of evalcts; run the test again:\n  " +
                           (failure.test->rerun.empty() ? "evalcts run" : failure.test->rerun));
   const TemporaryFolder folder;
   std::vector<std::string> command = replay_options(*failure.run);
   command.insert(command.begin(), places().suite_program.string());
-  std::ofstream(folder / "tests") << failure.name() << "\n";
-  command.insert(command.end(),
-                 {"--die-with-parent", "--tests", (folder / "tests").string(), "--records",
-                  (folder / "records").string(), "--reproduce", (folder / "program.c").string()});
+  std::ofstream(folder / "input") << (program.empty() ? failure.name() : program) << "\n";
+  command.insert(command.end(), {"--die-with-parent", program.empty() ? "--tests" : "--replay",
+                                 (folder / "input").string(), "--records", (folder / "records").string(),
+                                 "--reproduce", (folder / "program.c").string()});
   Replayed result;
   bool started = false;
   {
@@ -230,8 +270,11 @@ std::string compile_line(const Candidate& failure, const std::string& source) {
 int reproduce_or_throw(const ReproduceOptions& options) {
   const fs::path folder = options.results.empty() ? places().output : fs::path(options.results);
   std::list<RunResult> runs;
-  const Candidate failure = find(recorded_tests(folder, runs), options.failure);
-  const Replayed replayed = replay(failure);
+  const std::vector<Candidate> tests = recorded_tests(folder, runs);
+  BugProgram bug;
+  const std::optional<Candidate> found = find_bug(runs, options.failure, bug);
+  const Candidate failure = found ? *found : find(tests, options.failure);
+  const Replayed replayed = replay(failure, bug.commands);
 
   if (replayed.program.empty() || replayed.program.starts_with("#error ")) {
     std::string calls;
@@ -296,7 +339,8 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
   const auto options = std::make_shared<ReproduceOptions>();
   options->program = call.program;
   app.add_option("failure", options->failure,
-                 "the test's name, NAME:test, or a part of it that no other failing test has")
+                 "the test's name, NAME:test, or a part of it that no other failing test has; or the ID of a "
+                 "bug, see 'evalcts bugs'")
       ->required();
   app.add_option("--output", options->output, "the C file to write");
   app.add_option("--results", options->results, "folder with the results of the run");
@@ -305,9 +349,11 @@ std::function<int()> define_reproduce(CLI::App& app, const Call& call) {
 
 }  // namespace
 
-const Command kReproduceCommand = {"reproduce", "a stand-alone C program for a failure of the last run",
+const Command kReproduceCommand = {"reproduce",
+                                   "a stand-alone C program for a failure or a bug of the last run",
                                    R"(  $ evalcts reproduce IntegersSaturate/MAP1_INDEX
-  $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c)",
+  $ evalcts reproduce osmesa:GetMap.IntegersSaturate/MAP1_INDEX --output saturate.c
+  $ evalcts reproduce EV-GETMAP-SATURATE-2b7c)",
                                    define_reproduce};
 
 }  // namespace evalcts::cli

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <random>
 
+#include <evalcts/fuzz/bugs.h>
 #include <evalcts/results/baseline.h>
 #include <evalcts/results/filter.h>
 #include <evalcts/results/requirements.h>
@@ -24,6 +25,7 @@
 #include "environment.h"
 #include "pages.h"
 #include "places.h"
+#include "recorded.h"
 #include "terminal.h"
 
 namespace evalcts::cli {
@@ -45,6 +47,8 @@ struct RunOptions {
   std::string baseline;     // "DIR", "DIR/NAME", "NAME", "none", or empty for the shipped ones
   bool write_baseline = false;
   bool strict = false;
+  bool no_bugs = false;
+  double bug_seconds = 60;  // for reducing failing tests to minimal programs
   bool reuse_context = false;
   bool allow_unobserved = false;
   std::vector<std::string> interpretations;  // NAME=READING
@@ -201,20 +205,45 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   return request;
 }
 
+// Sets the bugs behind the failing tests.
+void find_bugs(RunResult& result, const RunRequest& request, const RunOptions& options, ProgressLine& line) {
+  if (std::ranges::none_of(result.tests, [](const TestRecord& test) { return is_failure(test.verdict); }))
+    return;
+  if (options.no_bugs || interrupted) {
+    result.bugs_note = options.no_bugs ? "--no-bugs: the failing tests were not reduced to distinct bugs"
+                                       : "interrupted before the failing tests were reduced to distinct bugs";
+    return;
+  }
+  const fs::path scratch = request.output / ("scratch-bugs-" + result.file_label());
+  fs::remove_all(scratch);
+  fs::create_directory(scratch);
+  fuzz::BugRequest bugs = {.suite_command = replay_options(result),
+                           .jobs = request.jobs,
+                           .seconds = options.bug_seconds,
+                           .scratch = scratch,
+                           .limits = request.limits};
+  bugs.suite_command.insert(bugs.suite_command.begin(), request.suite_program.string());
+  fuzz::find_bugs(result, bugs, [&](std::size_t done, std::size_t total) {
+    line.show(request.name, fmt::format("reducing failing tests, {} of {}", done, total));
+  });
+  fs::remove_all(scratch);
+}
+
 // The passes over one implementation; the second, over one shared context, follows the first.
-std::vector<RunResult> passes_over(RunRequest request, bool reuse_context, ProgressLine& line) {
+std::vector<RunResult> passes_over(RunRequest request, const RunOptions& options, ProgressLine& line) {
   Pace pace;
   const auto show = [&](const Progress& progress) {
     line.show(request.name,
               progress.phase == "test" ? pace.at(progress.done, progress.total) : progress.phase);
   };
   std::vector<RunResult> passes = {run_implementation(request, show)};
-  if (reuse_context && passes[0].is_complete()) {
+  if (options.reuse_context && passes[0].is_complete()) {
     const RunResult first = passes[0];
     pace = {};
     request.first_pass = &first;
     passes.push_back(run_implementation(request, show));
   }
+  for (RunResult& result : passes) find_bugs(result, request, options, line);
   return passes;
 }
 
@@ -270,7 +299,7 @@ int run(const RunOptions& options, const std::string& shard) {
                    : implementation.name.empty() ? "library"
                                                  : implementation.name;
     running.push_back(
-        std::async(std::launch::async, passes_over, request, options.reuse_context, std::ref(line)));
+        std::async(std::launch::async, passes_over, request, std::cref(options), std::ref(line)));
   }
   std::vector<RunResult> results;
   int code = kNothingUnexpected;
@@ -284,10 +313,9 @@ int run(const RunOptions& options, const std::string& shard) {
     }
     for (RunResult& result : passes) {
       const std::string label = result.file_label();
-      if (options.baseline != "none" && result.has_started()) {
+      if (options.baseline != "none" && result.has_started())
         apply_baseline(result, options, request, all_tests);
-        write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
-      }
+      write_atomically(output / fmt::format("results-{}.json", label), to_text(result));
       write_atomically(output / fmt::format("junit-{}.xml", label), reports::junit(result));
       line.print(options.quiet ? reports::terminal_line(result, shows_colour())
                                : reports::terminal_summary(result, catalogue(), shows_colour(),
@@ -341,6 +369,9 @@ std::function<int()> define_run(CLI::App& app, const Call& call) {
   add_repeatable(app, "--interpretation", options->interpretations,
                  "NAME=READING: the reading of an ambiguous text that is wanted, see 'evalcts list "
                  "interpretations'; may be repeated");
+  app.add_flag("--no-bugs", options->no_bugs, "do not reduce failing tests to distinct bugs");
+  app.add_option("--bug-seconds", options->bug_seconds, "how long failing tests are reduced to distinct bugs")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--reuse-context", options->reuse_context,
                "a second pass over one shared context, for defects that depend on history");
   add_allow_unobserved(app, options->allow_unobserved);

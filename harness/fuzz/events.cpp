@@ -1,4 +1,5 @@
 #include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/reduction.h>
 
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/json.h>
@@ -78,6 +79,51 @@ std::optional<CampaignEvent> parse_campaign_event(const std::string& line) {
 
 std::string to_text(const Finding& finding) {
   return to_json(finding).dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string to_text(const std::vector<FailingCase>& cases) {
+  json list = json::array();
+  for (const FailingCase& each : cases)
+    list.push_back({{"test", each.test}, {"what", each.what}, {"commands", each.commands}});
+  return list.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::vector<FailingCase> parse_failing_cases(const std::string& text) {
+  try {
+    std::vector<FailingCase> cases;
+    for (const json& data : json::parse(text))
+      cases.push_back({data.at("test"), data.at("what"), data.at("commands")});
+    return cases;
+  } catch (const json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+std::string to_line(const ReductionEvent& event) {
+  json data;
+  if (const auto* start = std::get_if<TestStarted>(&event)) {
+    data = {{"event", "start"}, {"name", start->name}};
+  } else if (std::holds_alternative<StillReducing>(event)) {
+    data = {{"event", "reducing"}};
+  } else {
+    const auto& reduction = std::get<Reduction>(event);
+    data = {{"event", "reduction"}, {"test", reduction.test}, {"why_not", reduction.why_not}};
+    if (reduction.minimal) data["finding"] = to_json(*reduction.minimal);
+  }
+  return data.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::optional<Reduction> parse_reduction(const std::string& line) {
+  try {
+    const json event = json::parse(line);
+    if (event.at("event") != json("reduction")) return std::nullopt;
+    Reduction reduction{event.at("test"), {}, event.at("why_not")};
+    if (event.contains("finding")) reduction.minimal = finding_from(event.at("finding"));
+    return reduction;
+  } catch (const json::exception&) {
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
 }
 
 std::string list_as_text(const std::vector<std::string>& list) { return json(list).dump(); }

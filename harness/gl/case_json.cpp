@@ -191,6 +191,14 @@ Case case_from_json(const json& commands) {
 
 std::string to_text(const Case& script) { return to_json(script).dump(); }
 
+std::string to_text_if_possible(const Case& script) {
+  try {
+    return to_text(script);
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
 Case parse_case(const std::string& text) {
   const json data = json::parse(text, nullptr, false);
   if (data.is_discarded()) throw std::invalid_argument("the program is not JSON");

@@ -174,7 +174,11 @@ std::string to_line(const Event& event) {
   struct Writer {
     json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
     json operator()(const CaseStarted& start) const {
-      return {{"event", "case"}, {"case", start.identity}, {"calls", start.calls}};
+      return {
+          {"event", "case"}, {"case", start.identity}, {"calls", start.calls}, {"commands", start.commands}};
+    }
+    json operator()(const CaseFailed& failed) const {
+      return {{"event", "failing-case"}, {"name", failed.test}, {"commands", failed.commands}};
     }
     json operator()(const TestFinished& result) const {
       return {{"event", "result"}, {"record", to_json(result.record)}};

@@ -342,6 +342,8 @@ class Run {
       progress_({"test", records_.size(), request_.tests.size(), start->name});
     } else if (const auto* result = std::get_if<TestFinished>(&event)) {
       records_[result->record.name] = result->record;
+    } else if (const auto* failed = std::get_if<CaseFailed>(&event)) {
+      result_.failing_cases[failed->test] = failed->commands;
     }
     if (!std::holds_alternative<RunEnded>(event)) append_to_records(event);
   }
@@ -376,6 +378,7 @@ class Run {
       failure.case_identity = last_case->identity;
       failure.message = message;
       failure.calls = last_case->calls;
+      if (!last_case->commands.empty()) result_.failing_cases[name] = last_case->commands;
       record.failures.push_back(failure);
     }
     // The file of records is complete without the result file: append what the child could not.

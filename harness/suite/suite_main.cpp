@@ -23,6 +23,7 @@
 #include <evalcts/backends/reused_context.h>
 #include <evalcts/fuzz/campaign.h>
 #include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
 #include <evalcts/results/event_file.h>
@@ -50,7 +51,8 @@ struct Options {
   std::uint32_t seed = 1;
   std::string records, tests, claims, answer, prove, reproduce;
   fuzz::Campaign campaign;
-  std::string known, deadly, replay;
+  std::string known, deadly, replay, reduce;
+  double reduce_seconds = 0;  // 0: no limit
   bool fuzz = false, describe = false, list = false, trace_cases = false, crash_control = false,
        die_with_parent = false, reuse_context = false;
 };
@@ -67,12 +69,23 @@ struct Program {
   std::unique_ptr<Implementation> implementation;
   std::unique_ptr<Implementation> reused;  // where all tests share a context
   std::size_t cases_left = 0;              // of the test in flight
+  const TestRecord* record = nullptr;      // of the test in flight
+  gl::Case latest_case;                    // of the test in flight
+  std::string failing_case;                // its first failing case as JSON text; empty: none yet
   std::unique_ptr<Captures> captures;
   std::unique_ptr<Reproduction> reproduction;
   Subject subject;
   std::unique_ptr<EventFile> records;
   std::unique_ptr<Claims> claims;  // where several processes share the list of tests
 };
+
+// Keeps the latest case of the test in flight if it is the first that failed.
+void keep_failing_case(Program& program) {
+  if (!program.record || !program.failing_case.empty() || program.record->failures.empty() ||
+      program.record->failures.front().case_identity != program.latest_case.identity())
+    return;
+  program.failing_case = gl::to_text_if_possible(program.latest_case);
+}
 
 // How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
 class GoogleTestAdapter : public testing::Test {
@@ -93,10 +106,17 @@ class GoogleTestAdapter : public testing::Test {
     program_.records->write(to_line(TestStarted{record.name}));
     const auto start = std::chrono::steady_clock::now();
     const Surroundings surroundings;
+    program_.record = &record;
+    program_.latest_case = {};
+    program_.failing_case.clear();
     evalcts::Test test(program_.subject, record);
     test.run(info.body);
+    keep_failing_case(program_);
+    program_.record = nullptr;
     record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::vector<std::string> changed = surroundings.put_back();
+    if (!program_.failing_case.empty())
+      program_.records->write(to_line(CaseFailed{record.name, program_.failing_case}));
     program_.records->write(to_line(TestFinished{record}));
     report(record);
     if (!changed.empty())
@@ -238,8 +258,7 @@ void parse(int argc, char** argv, Options& options) {
                  "file with the names of the tests to run, one a line, in this order; after a tab, how many "
                  "of its cases (a test that is cut short decides nothing)");
   app.add_option("--claims", options.claims,
-                 "file shared with other processes that have the same list: each test is run by one of them")
-      ->needs("--tests");
+                 "file shared with other processes that have the same list: each test is run by one of them");
   app.add_option("--answer", options.answer,
                  "file for the answer of the next three, instead of standard output");
   app.add_option("--reproduce", options.reproduce,
@@ -262,6 +281,10 @@ void parse(int argc, char** argv, Options& options) {
   app.add_flag("--fresh-contexts", options.campaign.fresh_contexts, "a context for each program")
       ->needs("--fuzz");
   app.add_option("--replay", options.replay, "play the program of this file (JSON) instead of tests");
+  app.add_option("--reduce", options.reduce,
+                 "reduce the failing cases of this file (JSON) to minimal programs instead of playing tests")
+      ->needs("--claims");
+  app.add_option("--reduce-seconds", options.reduce_seconds, "for how long")->needs("--reduce");
   app.add_flag("--trace-cases", options.trace_cases, "record the calls of each case before it is played");
   app.add_flag("--crash-control", options.crash_control,
                "play the last case of each test that --tests asks for with explicit vertices in the place of "
@@ -298,8 +321,14 @@ std::string with_names_taken_literally(const std::string& filter) {
   return taken;
 }
 
-// Random programs, or one from a file: 1 where the one from the file shows a difference.
+// Random programs, failing cases to reduce, or one program from a file: 1 where that shows a difference.
 int play_programs(const Program& program) {
+  if (!program.options.reduce.empty()) {
+    fuzz::reduce(program.subject, fuzz::parse_failing_cases(read_file(program.options.reduce)),
+                 *program.claims, program.options.reduce_seconds,
+                 [&](const fuzz::ReductionEvent& event) { program.records->write(fuzz::to_line(event)); });
+    return 0;
+  }
   const auto report = [&](const fuzz::CampaignEvent& event) { program.records->write(fuzz::to_line(event)); };
   if (program.options.fuzz) {
     fuzz::Campaign campaign = program.options.campaign;
@@ -357,7 +386,7 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
     return 0;
   }
   const bool answers = options.describe || !options.prove.empty();
-  const bool plays_programs = options.fuzz || !options.replay.empty();
+  const bool plays_programs = options.fuzz || !options.replay.empty() || !options.reduce.empty();
   const Depth depth = depth_named(options.depth).value_or(Depth::full);
   const std::vector<Chosen> tests =
       answers || plays_programs ? std::vector<Chosen>() : tests_to_register(options.tests, depth, filter);
@@ -385,10 +414,13 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       program.subject.readings[choice.substr(0, equals)] = choice.substr(equals + 1);
     }
     program.subject.before_case = [](const gl::Case& script) {
+      keep_failing_case(program);
+      program.latest_case = script;
       if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
-        program.records->write(to_line(CaseStarted{script.identity(), gl::all_calls(script)}));
+        program.records->write(
+            to_line(CaseStarted{script.identity(), gl::all_calls(script), gl::to_text_if_possible(script)}));
     };
     if (answers) {
       answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))

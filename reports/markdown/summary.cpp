@@ -92,6 +92,28 @@ std::string failures_of(const Column& column) {
   return out;
 }
 
+// The distinct bugs of one record, most important first.
+std::string bugs_of(const Column& column) {
+  const RunResult& record = column.record;
+  if (record.bugs.empty()) return {};
+  std::string out = fmt::format(
+      "\n{}: {}\n\n| bug | level | verdict | tests | unexpected | requirement | known in | ID |\n"
+      "| --- | --- | --- | --: | --: | --- | --- | --- |\n",
+      markdown_code(column.label), count(record.bugs.size(), "distinct bug"));
+  for (const Bug& bug : record.bugs) {
+    const auto unexpected = std::ranges::count_if(record.tests, [&](const TestRecord& test) {
+      return test.is_bad() && test.is_unexpected() && std::ranges::binary_search(bug.tests, test.name);
+    });
+    const std::string requirement = bug.requirements.empty() ? "" : bug.requirements.front().text();
+    out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", markdown_cell(bug.title),
+                       name_of(bug.level), text_of(bug.verdict).word, bug.tests.size(), unexpected,
+                       markdown_cell(requirement), bug.known_in.empty() ? "" : markdown_cell(bug.known_in),
+                       markdown_cell(bug.id));
+  }
+  if (!record.bugs_note.empty()) out += "\n" + markdown_code(record.bugs_note, kMostOfCommand) + "\n";
+  return out;
+}
+
 }  // namespace
 
 std::string markdown_summary(const std::vector<RunResult>& results, const std::vector<RunResult>& before) {
@@ -110,6 +132,10 @@ std::string markdown_summary(const std::vector<RunResult>& results, const std::v
     for (const std::string& label : comparisons.only_before)
       out += fmt::format("* {}: only in the earlier results\n", markdown_code(label));
   }
+
+  std::string bugs;
+  for (const Column& column : columns) bugs += bugs_of(column);
+  if (!bugs.empty()) out += "\n### Bugs\n" + bugs;
 
   std::string failures;
   for (const Column& column : columns) failures += failures_of(column);

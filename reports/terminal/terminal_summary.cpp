@@ -11,7 +11,8 @@ namespace evalcts::reports {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kMostInFull = 8;     // failures, where not all were asked for
+constexpr std::size_t kMostInFull = 8;  // failures, where not all were asked for
+constexpr std::size_t kMostBugs = 24;
 constexpr std::size_t kLinesInFull = 8;    // of a failure: commands take two lines
 constexpr std::size_t kLinesAtEnd = 7;     // what follows the failures, and the prompt
 constexpr std::size_t kMostOfSource = 24;  // columns
@@ -124,6 +125,55 @@ std::string demand(const TestRecord& test, const Catalogue& catalogue) {
   const std::string head = "  why: " + id + others + ": ";
   const std::size_t used = std::min(head.size() + source.size(), kColumns - 3);
   return id + others + ": " + cut(one_line(requirement->text), kColumns - used) + source;
+}
+
+// The failing tests that the baseline does not expect, of those that the bug explains.
+std::vector<const TestRecord*> unexpected_of(const Bug& bug, const RunResult& record) {
+  std::vector<const TestRecord*> tests;
+  for (const TestRecord& test : record.tests)
+    if (test.is_bad() && test.is_unexpected() && std::ranges::binary_search(bug.tests, test.name))
+      tests.push_back(&test);
+  return tests;
+}
+
+// A bug in two lines: its title; its weight and its ID. Two more if the baseline does not expect all of it:
+// what differs, and the command that makes a C program of it.
+void write_bug(Screen& screen, const Bug& bug, std::size_t number, const RunResult& record) {
+  const std::vector<const TestRecord*> unexpected = unexpected_of(bug, record);
+  screen.line(fmt::format("{:>2}. {}{}", number, bug.title,
+                          bug.known_in.empty() ? "" : fmt::format(" (known in {})", bug.known_in)),
+              unexpected.empty() ? Colour::kNone : colour_of(bug.verdict));
+  std::string weight = fmt::format("    {}, {}: {}", text_of(bug.verdict).word, name_of(bug.level),
+                                   count(bug.tests.size(), "test"));
+  if (!unexpected.empty()) weight += fmt::format(" ({} unexpected)", unexpected.size());
+  if (bug.breaks_real_programs) weight += ", real programs draw wrong";
+  if (bug.outside_evaluators) weight += ", explicit vertices show it as well";
+  if (!bug.is_reduced()) weight += ", not reduced";
+  weight += "; " + bug.id;
+  constexpr std::size_t kLeast = 12;  // columns, brackets included
+  if (!bug.clause.empty() && weight.size() + kLeast < kColumns)
+    weight += " [" + cut(one_line(bug.clause), kColumns - weight.size() - 3) + "]";
+  screen.line(weight, Colour::kFaint);
+  if (unexpected.empty()) return;
+  const TestRecord& first = *unexpected.front();
+  screen.line("    " + comparison(bug.failure, first));
+  std::string command = first.reproducer;
+  if (const std::size_t at = command.find(first.name); at != std::string::npos)
+    screen.uncut("    C program: " + command.replace(at, first.name.size(), bug.id));
+}
+
+// The distinct bugs, at most `most` of them.
+void write_bugs(Screen& screen, const RunResult& record, std::size_t most) {
+  std::size_t explained = 0;
+  for (const Bug& bug : record.bugs) explained += bug.tests.size();
+  screen.line("");
+  screen.line(fmt::format("{} behind {}, most important first", count(record.bugs.size(), "distinct bug"),
+                          count(explained, "failing test")),
+              Colour::kBold);
+  for (std::size_t i = 0; i < record.bugs.size() && i < most; ++i)
+    write_bug(screen, record.bugs[i], i + 1, record);
+  if (record.bugs.size() > most) screen.line(fmt::format("and {} more", record.bugs.size() - most));
+  screen.line("'evalcts bugs' shows each with its program, --verbose the failing tests");
 }
 
 // An unexpected failure in five lines.
@@ -253,6 +303,13 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
       others.push_back(&test);
     }
   }
+  // Tests that a bug explains are details of it.
+  if (!record.bugs.empty()) {
+    write_bugs(screen, record, kMostBugs);
+    if (!verbose)
+      std::erase_if(failing, [&](const TestRecord* test) { return record.bug_of(test->name) != nullptr; });
+  }
+
   const auto worse = [](const TestRecord* a, const TestRecord* b) { return a->severity() < b->severity(); };
   std::stable_sort(failing.begin(), failing.end(), worse);
   std::stable_sort(others.begin(), others.end(), worse);
@@ -286,6 +343,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
   screen.line("");
   if (left)
     screen.line("and " + count(left, "unexpected result") + " more; --verbose and index.html show all");
+  if (!record.bugs_note.empty()) screen.whole_line("note: " + record.bugs_note, Colour::kFaint);
   if (record.confirmed_by_group)
     screen.line("so many failed that " + count(record.confirmed_by_group, "unexpected failure") +
                 " had another of the same kind played again instead");

@@ -159,6 +159,31 @@ TEST(Shards, TogetherAreTheWholeRun) {
   }
 }
 
+TEST(Shards, FindTheSameBugs) {
+  const auto shard = [](int number, json bugs) {
+    json record = result("x", {outcome("A." + std::to_string(number), "fail")});
+    record["shard"] = fmt::format("{}-of-2", number);
+    record["bugs"] = std::move(bugs);
+    record["bugs_note"] = number == 1 ? "1 of 2 was not reduced" : "";
+    return record;
+  };
+  const json unreduced = {
+      {"id", "EV-A-1"}, {"title", "a"}, {"tests", {"A.1"}}, {"why_not_reduced", "no time"}};
+  const json reduced = {{"id", "EV-A-1"},     {"title", "a"},         {"tests", {"A.2"}},
+                        {"verdict", "crash"}, {"explains", {"EV-A"}}, {"commands", {{"End"}}}};
+  const json other = {{"id", "EV-B-2"}, {"title", "b"}, {"tests", {"A.2"}}, {"verdict", "fail"}};
+  const std::vector<RunResult> merged = merge_of({shard(1, {unreduced}), shard(2, {reduced, other})});
+  ASSERT_EQ(merged.size(), 1u);
+  ASSERT_EQ(merged[0].bugs.size(), 2u);
+  const Bug& bug = merged[0].bugs[0];
+  EXPECT_EQ(bug.id, "EV-A-1");
+  EXPECT_EQ(bug.tests, (std::vector<std::string>{"A.1", "A.2"}));
+  EXPECT_EQ(bug.verdict, Verdict::kCrash);
+  EXPECT_TRUE(bug.is_reduced());
+  EXPECT_EQ(bug.commands, R"([["End"]])");
+  EXPECT_EQ(merged[0].bugs_note, "shard 1 of 2: 1 of 2 was not reduced");
+}
+
 TEST(Shards, WhatIsMissingIsSaid) {
   const std::vector<RunResult> merged = merge_of({shard(2, 3, {outcome("A.2", "pass")})});
   ASSERT_EQ(merged.size(), 1u);
@@ -232,6 +257,23 @@ TEST(Markdown, CountsChangesAndFailures) {
 * `x`: fail `A.b`: `2 of 12 values`
   * run just this test: `./evalcts run --filter A.b`
 )");
+}
+
+TEST(Markdown, ListsTheDistinctBugs) {
+  const std::string text = markdown_of({read_sample("results-osmesa.json")});
+  EXPECT_TRUE(contains(text, R"(
+### Bugs
+
+`osmesa`: 4 distinct bugs
+
+| bug | level | verdict | tests | unexpected | requirement | known in | ID |
+| --- | --- | --- | --: | --: | --- | --- | --- |
+| `EvalMesh2 behind CallList crashes` | must | crash | 1 | 1 | `EV-MESH2-FILL` |  | `EV-MESH2-FILL-1a2b` |
+)")) << text;
+  EXPECT_TRUE(contains(text, "| must | fail | 1 | 0 | `EV-MAP1-ERR-STRIDE` | `Mesa 21.0 to 22.3` |")) << text;
+  EXPECT_TRUE(contains(text, "`1 of 4 failing tests was not reduced: the time for reduction was over`"))
+      << text;
+  EXPECT_FALSE(contains(markdown_of({read_sample("results-reference.json")}), "### Bugs"));
 }
 
 TEST(Markdown, NothingUnexpected) {

@@ -47,9 +47,71 @@ TEST(Terminal, NoteOnTheImplementation) {
   EXPECT_NE(markdown_of({record}).find("**note**: `" + note), std::string::npos);
 }
 
-TEST(Terminal, TellsTheWorstFirst) {
+// The sample as it was before bugs were looked for.
+json sample_without_bugs() {
+  json record = read_sample("results-osmesa.json");
+  record.erase("bugs");
+  record.erase("bugs_note");
+  return record;
+}
+
+TEST(Terminal, TellsTheDistinctBugsFirst) {
   const std::string text =
       terminal_of(read_sample("results-osmesa.json"), read_sample("requirements.json"), false, false);
+  EXPECT_TRUE(contains(text, R"(
+4 distinct bugs behind 4 failing tests, most important first
+ 1. EvalMesh2 behind CallList crashes
+    crash, must: 1 test (1 unexpected), explicit vertices show it as well; EV-MESH2-FILL-1a2b [GL 1.0 §5.1]
+    crash: expected no crash, got signal 11 (SIGSEGV, Segmentation fault)
+    C program: ./evalcts reproduce osmesa:EV-MESH2-FILL-1a2b
+ 2. Map2Output.HugeGrid does not end
+    timeout, must: 1 test (1 unexpected), not reduced; EV-MESH2-FILL-77c0 [GL 1.0 §5.1]
+)")) << text;
+  EXPECT_TRUE(contains(text, R"(
+ 4. Map1 with a stride below the number of values of a point raises no error (known in Mesa 21.0 ...
+    fail, must: 1 test; EV-MAP1-ERR-STRIDE-e301 [GL 1.0 §5.1; P-glMap1]
+'evalcts bugs' shows each with its program, --verbose the failing tests
+)")) << text;
+  EXPECT_TRUE(contains(text, "\nnote: 1 of 4 failing tests was not reduced")) << text;
+  // The tests that they explain are left to --verbose; what no bug explains is not.
+  EXPECT_FALSE(contains(text, "fail     Map1Values.Bezier")) << text;
+  EXPECT_TRUE(contains(text, "\ninternal-error Map2Values.Rational\n")) << text;
+  EXPECT_TRUE(contains(terminal_of(read_sample("results-osmesa.json"), nullptr, false, true),
+                       "fail     Map1Values.Bezier"));
+}
+
+TEST(Terminal, ListsBugsWithTheirPrograms) {
+  const auto list = [](bool verbose) {
+    return bug_list(read_run_result(read_sample("results-osmesa.json")),
+                    catalogue_of(read_sample("requirements.json")), false, verbose);
+  };
+  const std::string text = list(false);
+  EXPECT_TRUE(text.starts_with("osmesa: 4 distinct bugs behind 4 failing tests\n")) << text;
+  EXPECT_TRUE(contains(text, R"(
+3. EvalCoord with a map of texture coordinates: texture coordinate s of the vertex is wrong
+   EV-MAP1-BEZIER-09d4: fail, must; 1 failing test, 2 requirements
+)")) << text;
+  EXPECT_TRUE(contains(text, R"(
+   what differs: texcoord[0].s of vertex 0
+   expected: 0.25 (0x1p-2)
+   captured: 0.3 (0x1.333334p-2)
+   minimal program:
+     glMap1d(GL_MAP1_TEXTURE_COORD_1, 0.0, 1.0, 1, 2, (GLdouble[]){0.0, 0.5});
+)")) << text;
+  EXPECT_TRUE(contains(text, "   not reduced: the time for reduction was over\n")) << text;
+  EXPECT_TRUE(contains(text, "   known: mesa-stride-not-checked, in Mesa 21.0 to 22.3\n")) << text;
+  EXPECT_TRUE(contains(text, "\nnote: 1 of 4 failing tests was not reduced")) << text;
+  RunResult many = read_run_result(read_sample("results-osmesa.json"));
+  many.bugs[0].tests = {"A.1", "A.2", "A.3", "A.4", "A.5", "A.6", "A.7"};
+  EXPECT_TRUE(
+      contains(bug_list(many, Catalogue(), false, false), "tests: A.1, A.2, A.3, A.4, A.5, and 2 more\n"));
+  EXPECT_TRUE(contains(bug_list(many, Catalogue(), false, true), "A.5, A.6, A.7\n"));
+  for (const char c : bug_list(read_run_result(hostile_record()), Catalogue(), false, true))
+    EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << static_cast<int>(c);
+}
+
+TEST(Terminal, TellsTheWorstFirst) {
+  const std::string text = terminal_of(sample_without_bugs(), read_sample("requirements.json"), false, false);
   EXPECT_EQ(text,
             R"(osmesa: Mesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6
 interrupted: interrupted by SIGINT
@@ -147,7 +209,8 @@ TEST(Terminal, ColourOnlyOnRequest) {
   const json record = read_sample("results-osmesa.json");
   EXPECT_FALSE(contains(terminal_of(record, nullptr, false, true), "\x1b"));
   const std::string coloured = terminal_of(record, nullptr, true, false);
-  EXPECT_TRUE(contains(coloured, "\x1b[31mcrash"));
+  EXPECT_TRUE(contains(coloured, "\x1b[31m 1. EvalMesh2 behind CallList crashes\x1b[0m\n"));
+  EXPECT_TRUE(contains(terminal_of(sample_without_bugs(), nullptr, true, false), "\x1b[31mcrash"));
   const auto starts = std::count(coloured.begin(), coloured.end(), '\x1b');
   EXPECT_EQ(starts % 2, 0) << "every colour ends";
 }

@@ -33,7 +33,7 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
                  const PageOptions& options = {});
 
 // A short summary in GitHub's and GitLab's Markdown, for a pull request: counts for each record, changes, the
-// unexpected failures (at most ten of each record). Text of a record stands in code spans only, so that it
+// distinct bugs, the unexpected failures (at most ten of each record). Text of a record stands in code spans only, so that it
 // cannot become markup or a mention.
 std::string markdown_summary(const std::vector<RunResult>& results,
                              const std::vector<RunResult>& before = {});
@@ -67,7 +67,8 @@ std::vector<RunResult> merge_shards(const std::vector<RunResult>& results);
 // that it never looks whole; a run that never started is one skipped testcase.
 std::string junit(const RunResult& result);
 
-// What to read first after a run, worst first: counts, then each unexpected failure in five lines (the test
+// What to read first after a run, worst first: counts, then the distinct bugs, most important first; if they
+// were not looked for, or with verbose, each unexpected failure in five lines (the test
 // and its case; what was expected and what came; which requirement says so; the command that runs just it;
 // the commands that open it in a debugger and make a C program of it), one of each requirement before the
 // second of any. Without verbose at most 8 failures, on lines of 100 columns; the commands are never cut.
@@ -77,6 +78,10 @@ std::string junit(const RunResult& result);
 // Ends with a newline.
 std::string terminal_summary(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose,
                              std::size_t lines = 0);
+
+// The distinct bugs of a run for a terminal, most important first: each with its requirements, what was
+// expected and captured, its minimal program as C, and at most 5 of the tests that it explains (verbose: all).
+std::string bug_list(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose);
 
 // What it came to in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects".
 // Ends with a newline.

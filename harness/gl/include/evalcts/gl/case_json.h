@@ -19,6 +19,8 @@ Case case_from_json(const nlohmann::json& commands);
 
 // The same as text.
 std::string to_text(const Case& script);
+// Empty where to_text() throws.
+std::string to_text_if_possible(const Case& script);
 Case parse_case(const std::string& text);
 
 }  // namespace evalcts::gl

@@ -91,6 +91,9 @@ struct RunResult {
   ImplementationRecord implementation;
   Counts counts{};  // by verdict
   std::vector<TestRecord> tests;
+  // The commands of the first failing case of a test, by its name, as JSON text (gl/case_json.h). Not part of
+  // result files.
+  std::map<std::string, std::string> failing_cases;
   std::vector<Bug> bugs;  // what explains the failing tests, most important first
   std::string bugs_note;  // why `bugs` is missing, or not all of it was reduced; empty if neither is so
 

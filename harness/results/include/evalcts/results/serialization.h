@@ -37,6 +37,12 @@ struct TestStarted {
 struct CaseStarted {
   std::string identity;
   std::vector<std::string> calls;  // as C
+  std::string commands;            // to replay: JSON text (gl/case_json.h); empty if there is no such form
+};
+// The first failing case of a test, before TestFinished.
+struct CaseFailed {
+  std::string test;
+  std::string commands;  // as of CaseStarted
 };
 struct TestFinished {
   TestRecord record;
@@ -46,7 +52,7 @@ struct RunEnded {};
 struct OtherEvent {
   std::string line;
 };
-using Event = std::variant<TestStarted, CaseStarted, TestFinished, RunEnded, OtherEvent>;
+using Event = std::variant<TestStarted, CaseStarted, CaseFailed, TestFinished, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // None if the line is not an event, such as a line that was cut off.

@@ -1,0 +1,76 @@
+// evalcts bugs: the distinct bugs of a run, each with its minimal program.
+#include <evalcts/reports.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include <evalcts/fuzz/bugs.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/known_bugs.h>
+#include <evalcts/results/requirements.h>
+#include "command.h"
+#include "places.h"
+#include "result_files.h"
+#include "terminal.h"
+
+namespace evalcts::cli {
+namespace {
+
+struct BugsOptions {
+  std::vector<std::string> results;  // files and folders; empty: the usual folder
+  bool verbose = false;
+  bool known = false;
+};
+
+// docs/known-bugs.md
+std::string known_bugs_page() {
+  std::vector<std::string> programs;
+  for (const KnownBug& bug : known_bugs())
+    programs.push_back(
+        bug.program.empty()
+            ? ""
+            : fmt::format("{}", fmt::join(fuzz::readable_calls(gl::parse_case(bug.program)), "\n")));
+  return known_bugs_as_markdown(known_bugs(), programs);
+}
+
+int bugs(const BugsOptions& options) {
+  if (options.known) {
+    std::cout << known_bugs_page();
+    return kNothingUnexpected;
+  }
+  try {
+    const std::vector<std::string> wanted =
+        options.results.empty() ? std::vector{places().output.string()} : options.results;
+    for (const RunResult& result : read_results(wanted, false))
+      std::cout << reports::bug_list(result, catalogue(), shows_colour(), options.verbose) << "\n";
+  } catch (const CannotReadResults& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  } catch (const FormatError& error) {
+    std::cerr << "evalcts: " << error.what() << "\n";
+    return kWrongUse;
+  }
+  return kNothingUnexpected;
+}
+
+std::function<int()> define_bugs(CLI::App& app, const Call&) {
+  const auto options = std::make_shared<BugsOptions>();
+  app.add_option("results", options->results,
+                 "result files, and folders with results (default: those of the last run)");
+  app.add_flag("--verbose", options->verbose, "all tests that each bug explains");
+  app.add_flag("--known", options->known,
+               "the bugs that are known of implementations, as Markdown, instead of those of a run");
+  return [options] { return bugs(*options); };
+}
+
+}  // namespace
+
+const Command kBugsCommand = {"bugs",
+                              "the distinct bugs behind the failing tests of a run, most important first",
+                              R"(  $ evalcts bugs
+  $ evalcts bugs results-osmesa.json --verbose)",
+                              define_bugs};
+
+}  // namespace evalcts::cli

@@ -1,0 +1,448 @@
+#include <evalcts/fuzz/bugs.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <regex>
+#include <set>
+#include <tuple>
+
+#include <evalcts/fuzz/normal_form.h>
+#include <evalcts/gl/call_log.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/files.h>
+#include <evalcts/results/hash.h>
+#include <evalcts/results/known_bugs.h>
+#include <evalcts/results/requirements.h>
+#include <evalcts/results/text.h>
+#include <evalcts/runner/interruption.h>
+#include "causes.h"
+#include "legal.h"
+#include "shrink.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLookAtReducers = 0.02;
+constexpr std::size_t kMostCalls = 40;    // lines of a minimal program: a screen
+constexpr std::size_t kMostOfText = 80;   // columns of a requirement's text in a title
+constexpr int kMostAttemptsOfDeath = 60;  // to make a crash smaller: each is a process
+constexpr double kSecondsOfDeath = 10;    // ... and for one of them
+constexpr double kSecondsOfHang = 2;      // for a program that hung before
+constexpr double kSecondsOfCase = 30;     // without an event from a process that reduces
+constexpr int kMostEmptyReducers = 3;
+constexpr char kDiedOnTheWay[] = "the library died while its failing case was reduced";
+
+bool is_to_be_explained(const TestRecord& test) {
+  return is_failure(test.verdict) && !test.also_in_fresh_context;
+}
+
+std::string without_digits(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return text;
+}
+
+// "Mesh1.LastIsExact/LINE/Executed" -> "Mesh.LastIsExact".
+std::string family_of(const std::string& test) { return without_digits(test.substr(0, test.find('/'))); }
+
+// Reduces failing cases in child processes, and crashes by playing candidates in processes of their own.
+class BugHunt {
+ public:
+  BugHunt(const RunResult& run, const BugRequest& request,
+          const std::function<void(std::size_t, std::size_t)>& progress)
+      : run_(run), request_(request), progress_(progress) {}
+
+  std::map<std::string, Reduction> reduce_all() {
+    const std::vector<const TestRecord*> tests = in_order();
+    total_ = tests.size();
+    std::vector<FailingCase> cases;
+    std::vector<const TestRecord*> deaths;
+    for (const TestRecord* test : tests) {
+      const Failure* const failure = test->failures.empty() ? nullptr : &test->failures.front();
+      if (is_death(test->verdict)) {
+        deaths.push_back(test);
+      } else {
+        cases.push_back({test->name, failure ? failure->what : "", commands_of(*test)});
+      }
+    }
+    reduce(cases);
+    for (const TestRecord* test : deaths) {
+      take(reduce_death(*test));
+      if (interrupted) break;
+    }
+    return std::move(reductions_);
+  }
+
+ private:
+  // Of its first failing case; empty if there is none as data.
+  std::string commands_of(const TestRecord& test) const {
+    const auto found = run_.failing_cases.find(test.name);
+    return found == run_.failing_cases.end() ? std::string() : found->second;
+  }
+
+  double seconds_left() const {
+    return request_.seconds - std::chrono::duration<double>(Clock::now() - begin_).count();
+  }
+
+  // One of each group of tests that look alike first, then the second of each, and so on.
+  std::vector<const TestRecord*> in_order() const {
+    std::map<std::string, std::size_t> seen;
+    std::vector<std::pair<std::size_t, const TestRecord*>> order;
+    for (const TestRecord& test : run_.tests)
+      if (is_to_be_explained(test)) order.emplace_back(seen[likeness_of(test)]++, &test);
+    std::ranges::stable_sort(order, {}, &std::pair<std::size_t, const TestRecord*>::first);
+    std::vector<const TestRecord*> tests;
+    for (const auto& [number, test] : order) tests.push_back(test);
+    return tests;
+  }
+
+  void take(Reduction reduction) {
+    const std::string test = reduction.test;
+    reductions_[test] = std::move(reduction);
+    progress_(reductions_.size(), total_);
+  }
+
+  fs::path scratch(std::size_t job, const char* extension) const {
+    return request_.scratch / fmt::format("reduce-{}.{}", job + 1, extension);
+  }
+
+  void reduce(const std::vector<FailingCase>& cases) {
+    const fs::path list = request_.scratch / "failing-cases.json", taken = request_.scratch / "reduce-claims";
+    write_atomically(list, to_text(cases));
+    Claims::create(taken, cases.size());
+    const Claims claims(taken);
+    std::vector<std::unique_ptr<SuiteChild>> jobs(
+        std::min(static_cast<std::size_t>(std::max(request_.jobs, 1)), cases.size()));
+    const auto start = [&](std::size_t job) {
+      std::vector<std::string> command = request_.suite_command;
+      command.insert(command.end(),
+                     {"--die-with-parent", "--reduce", list.string(), "--claims", taken.string(), "--records",
+                      scratch(job, "jsonl").string(), "--reduce-seconds",
+                      fmt::format("{:.3f}", std::max(seconds_left(), 0.001))});
+      fs::remove(scratch(job, "jsonl"));
+      Limits limits = request_.limits;
+      limits.seconds_per_test = kSecondsOfCase;
+      jobs[job] = std::make_unique<SuiteChild>(command, scratch(job, "jsonl"), scratch(job, "log"), limits);
+    };
+    for (std::size_t job = 0; job < jobs.size(); ++job) start(job);
+    int empty_starts = 0;
+    for (std::size_t running = jobs.size(); running > 0;)
+      for (std::size_t job = 0; job < jobs.size(); ++job) {
+        if (!jobs[job]) continue;
+        const bool ended =
+            jobs[job]->look(kLookAtReducers / static_cast<double>(running), {}, [this](const Event& event) {
+              const auto* other = std::get_if<OtherEvent>(&event);
+              if (std::optional<Reduction> reduction = other ? parse_reduction(other->line) : std::nullopt)
+                take(*std::move(reduction));
+            });
+        if (!ended) continue;
+        const ChildRun child = jobs[job]->run();
+        jobs[job].reset();
+        --running;
+        if (!child.cannot_write.empty()) throw CannotWrite(child.cannot_write);
+        if (child.complete || interrupted || claims.all_taken()) continue;
+        if (child.in_flight.empty() && ++empty_starts >= kMostEmptyReducers) continue;
+        start(job);
+        ++running;
+      }
+    for (const FailingCase& each : cases)
+      if (!reductions_.contains(each.test)) take({each.test, {}, kDiedOnTheWay});
+  }
+
+  // --- crashes and hangs
+
+  // True if the program comes to its end in a process of its own.
+  bool ends_alone(const gl::Case& program, double patience) {
+    const fs::path file = request_.scratch / "alone.json", events = request_.scratch / "alone.jsonl";
+    write_atomically(file, gl::to_text(program));
+    fs::remove(events);
+    std::vector<std::string> command = request_.suite_command;
+    command.insert(command.end(),
+                   {"--die-with-parent", "--replay", file.string(), "--records", events.string()});
+    Limits limits = request_.limits;
+    limits.seconds_per_test = patience;
+    SuiteChild child(command, events, request_.scratch / "alone.log", limits);
+    while (!child.look(kLookAtReducers)) continue;
+    return child.run().complete;
+  }
+
+  Reduction reduce_death(const TestRecord& test) {
+    const auto not_reduced = [&](const std::string& why) { return Reduction{test.name, {}, why}; };
+    if (seconds_left() <= 0) return not_reduced(kOutOfTime);
+    if (commands_of(test).empty())
+      return not_reduced("the case in which the library died has no plain form as data");
+    gl::Case program;
+    try {
+      program = commands_of_specification(gl::parse_case(commands_of(test)));
+    } catch (const std::invalid_argument& error) {
+      return not_reduced(error.what());
+    }
+    const bool hung = test.verdict == Verdict::kTimeout;
+    const std::string how = hung ? "timeout" : "crash";
+    const double patience = hung ? kSecondsOfHang : request_.limits.seconds_per_test;
+    const Clock::time_point begin = Clock::now();
+    const auto dies = [&](const gl::Case& candidate) {
+      return !interrupted && seconds_left() > 0 &&
+             std::chrono::duration<double>(Clock::now() - begin).count() < kSecondsOfDeath &&
+             specify_if_defined(candidate, max_eval_order()) && !ends_alone(candidate, patience);
+    };
+    // Most deaths are of a cause that has been seen: the commands of that alone show it then.
+    for (const gl::Case& form : forms_of(program)) {
+      const std::optional<Specified> specified = specify_if_defined(form, max_eval_order());
+      for (const Finding& seen : deaths_)
+        if (specified && seen.failure.what == how)
+          if (const auto reduced = with_words_of(seen.cause, form); reduced && dies(*reduced))
+            return {test.name, seen, ""};
+    }
+    if (!dies(program))
+      return not_reduced(seconds_left() <= 0
+                             ? kOutOfTime
+                             : "the commands that the executable specification has do not show it");
+    gl::Case minimal = shrink(program, dies, kMostAttemptsOfDeath);
+    Finding finding;
+    finding.outside_evaluators = dies(without_evaluators(minimal));
+    if (finding.outside_evaluators) minimal = without_evaluators(minimal);
+    finding.program = minimal;
+    finding.cause = cause_of(minimal, how);
+    finding.requirement = requirement_of(minimal, how);
+    finding.failure.what = how;
+    finding.failure.message = test.message;
+    finding.failure.expected = "the program is played to its end";
+    finding.failure.captured = how;
+    deaths_.push_back(finding);
+    return {test.name, finding, ""};
+  }
+
+  // The commands of the program that the cause names; none if it does not have all of them.
+  static std::optional<gl::Case> with_words_of(const std::string& cause, const gl::Case& program) {
+    const std::string words = ", " + cause.substr(0, cause.find(": ")) + ", ";
+    gl::Case reduced = program;
+    for (const std::string& word : words_of(program))
+      if (words.find(", " + word + ", ") == std::string::npos) reduced = without_word(reduced, word);
+    return cause_of(reduced, cause.substr(cause.find(": ") + 2)) == cause ? std::optional(reduced)
+                                                                          : std::nullopt;
+  }
+
+  int max_eval_order() const {
+    return static_cast<int>(std::clamp<std::int64_t>(run_.implementation.max_eval_order.value_or(8), 8, 64));
+  }
+
+  const RunResult& run_;
+  const BugRequest& request_;
+  const std::function<void(std::size_t, std::size_t)>& progress_;
+  const Clock::time_point begin_ = Clock::now();
+  std::map<std::string, Reduction> reductions_;
+  std::size_t total_ = 0;
+  std::vector<Finding> deaths_;  // minimal programs in which the library died
+};
+
+// --- grouping
+
+std::string id_of(const std::string& requirement, const std::string& cause) {
+  return fmt::format("{}-{:04x}", requirement, fnv1a<std::uint32_t>(cause) & 0xFFFFu);
+}
+
+// The requirement that the minimal program is about, if it is one of its tests; otherwise the one that most
+// of its tests name first.
+std::string decisive(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
+  std::map<std::string, std::size_t> times;
+  for (const TestRecord* test : tests) {
+    for (const RequirementId& id : test->requirements)
+      if (id.id == of_program) return of_program;
+    if (!test->requirements.empty()) ++times[test->requirements.front().id];
+  }
+  if (times.empty()) return of_program;
+  return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
+}
+
+// What is known of a group while tests are added to it.
+struct Group {
+  std::vector<const TestRecord*> tests;
+  std::optional<Finding> minimal;  // the smallest
+  std::string title, why_not_reduced;
+  std::string cause;
+};
+
+// True if the other finding is smaller, and takes the place of the first.
+bool keep_smaller(std::optional<Finding>& minimal, const Finding& other) {
+  const auto size = [](const Finding& finding) {
+    return std::tuple(finding.outside_evaluators, finding.program.commands().size(),
+                      gl::to_text_if_possible(finding.program).size());
+  };
+  if (minimal && size(*minimal) <= size(other)) return false;
+  minimal = other;
+  return true;
+}
+
+Bug bug_from(const Group& group, const ImplementationRecord& implementation, int max_eval_order) {
+  Bug bug;
+  bug.cause = group.cause;
+  bug.why_not_reduced = group.minimal ? "" : group.why_not_reduced;
+  std::set<RequirementId> explained;
+  bug.level = Level::quality;
+  bug.verdict = Verdict::kPass;
+  for (const TestRecord* test : group.tests) {
+    bug.tests.push_back(test->name);
+    explained.insert(test->requirements.begin(), test->requirements.end());
+    bug.level = std::max(bug.level, test->level);
+    bug.verdict = std::min(bug.verdict, test->verdict);
+    bug.breaks_real_programs = bug.breaks_real_programs || test->name.starts_with("RealPrograms.");
+  }
+  std::ranges::sort(bug.tests);
+  bug.explains = {explained.begin(), explained.end()};
+  const std::string requirement = decisive(group.minimal ? group.minimal->requirement : "", group.tests);
+  bug.requirements = {requirement};
+  const Requirement* const entry = catalogue().find(requirement);
+  if (entry) bug.clause = entry->source;
+  bug.id = id_of(requirement, bug.cause);
+  if (group.minimal) {
+    bug.title = normal_form(*group.minimal, max_eval_order).title;
+    bug.failure = group.minimal->failure;
+    bug.failure.calls = readable_calls(group.minimal->program);
+    bug.failure.case_identity = "minimal program";
+    bug.commands = gl::to_text_if_possible(group.minimal->program);
+    bug.outside_evaluators = group.minimal->outside_evaluators;
+  } else {
+    const TestRecord& first = *group.tests.front();
+    if (!first.failures.empty()) bug.failure = first.failures.front();
+    if (bug.failure.message.empty()) bug.failure.message = first.message;
+    bug.title = fmt::format("{} {}: {}", family_of(first.name),
+                            first.verdict == Verdict::kCrash     ? "crashes"
+                            : first.verdict == Verdict::kTimeout ? "hangs"
+                                                                 : "fails",
+                            cut(one_line(entry ? entry->text : first.message), kMostOfText));
+  }
+  if (const KnownBug* const known = known_bug_with_sign(bug.cause, implementation)) {
+    bug.known = known->id;
+    bug.known_in = fmt::format("{}", fmt::join(known->affects, ", "));
+    bug.id = id_of(known->requirements.front().id, known->id);
+    bug.title = known->title;
+    bug.requirements = known->requirements;
+    bug.clause = known->clause;
+  }
+  return bug;
+}
+
+}  // namespace
+
+std::string likeness_of(const TestRecord& test) {
+  const std::string requirement = test.requirements.empty() ? "" : test.requirements.front().id;
+  std::string what = is_death(test.verdict) ? std::string(text_of(test.verdict).word) : "";
+  if (what.empty() && !test.failures.empty()) what = kind_of(test.failures.front().what);
+  return fmt::format("{}; {}; {}", family_of(test.name), without_digits(requirement), what);
+}
+
+std::vector<std::string> readable_calls(const gl::Case& program) {
+  static const std::regex kHexadecimal("-?0x[0-9a-f.]+p[+-]?[0-9]+f?");
+  std::vector<std::string> lines;
+  for (const std::string& line : gl::all_calls(program, kMostCalls)) {
+    std::string readable;
+    auto from = line.cbegin();
+    for (std::sregex_iterator it(line.begin(), line.end(), kHexadecimal), end; it != end; ++it) {
+      readable.append(from, (*it)[0].first);
+      from = (*it)[0].second;
+      const std::string text = it->str();
+      const bool single = text.back() == 'f';
+      const double value = std::strtod(text.c_str(), nullptr);
+      // A decimal of few digits that is exact stands for itself.
+      const double scaled = value * 1e6;
+      const bool exact =
+          std::abs(scaled) < 1e15 && scaled == std::trunc(scaled) && std::fma(value, 1e6, -scaled) == 0;
+      if (exact)
+        readable += fmt::format("{}{}", value, single ? "f" : "");
+      else
+        readable +=
+            fmt::format("{} /* {} */", text,
+                        single ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value));
+    }
+    readable.append(from, line.cend());
+    lines.push_back(std::move(readable));
+  }
+  return lines;
+}
+
+std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
+                         int max_eval_order) {
+  std::map<std::string, Group> groups;  // by known bug or cause
+  std::map<std::string, std::string>
+      of_likeness;  // key of the group that a reduced test with this likeness is in
+  const auto key_of = [&](const std::string& cause) {
+    const KnownBug* const known = known_bug_with_sign(cause, run.implementation);
+    return known ? "known: " + known->id : cause;
+  };
+  const auto add = [&](const TestRecord& test, const std::string& cause, const Finding* minimal,
+                       const std::string& why) {
+    Group& group = groups[key_of(cause)];
+    group.tests.push_back(&test);
+    if ((minimal && keep_smaller(group.minimal, *minimal)) || group.cause.empty()) group.cause = cause;
+    if (group.why_not_reduced.empty()) group.why_not_reduced = why;
+  };
+  std::vector<std::pair<const TestRecord*, std::string>> left;  // with the reason
+  for (const TestRecord& test : run.tests) {
+    if (!is_to_be_explained(test)) continue;
+    const auto found = reductions.find(test.name);
+    if (found == reductions.end() || !found->second.minimal) {
+      left.emplace_back(&test, found == reductions.end() ? std::string(kOutOfTime) : found->second.why_not);
+      continue;
+    }
+    const std::string cause = normal_form(*found->second.minimal, max_eval_order).cause;
+    add(test, cause, &*found->second.minimal, "");
+    of_likeness.try_emplace(likeness_of(test), cause);
+  }
+  for (const auto& [test, why] : left) {
+    const auto alike = of_likeness.find(likeness_of(*test));
+    if (why == kOutOfTime && alike != of_likeness.end())
+      add(*test, alike->second, nullptr, "");
+    else
+      add(*test, "not reduced; " + likeness_of(*test), nullptr, why);
+  }
+  std::vector<Bug> bugs;
+  for (const auto& [key, group] : groups) bugs.push_back(bug_from(group, run.implementation, max_eval_order));
+  sort_by_importance(bugs);
+  return bugs;
+}
+
+void find_bugs(RunResult& run, const BugRequest& request,
+               const std::function<void(std::size_t, std::size_t)>& progress) {
+  const int max_eval_order =
+      static_cast<int>(std::clamp<std::int64_t>(run.implementation.max_eval_order.value_or(8), 8, 64));
+  std::map<std::string, Reduction> reductions;
+  if (run.pass == Pass::kFreshContexts) {
+    reductions = BugHunt(run, request, progress).reduce_all();
+  } else {
+    for (const TestRecord& test : run.tests)
+      reductions[test.name] = {test.name, {}, "it depends on what was played before in the same context"};
+  }
+  run.bugs = bugs_of(run, reductions, max_eval_order);
+  std::size_t tests = 0, left = 0, late = 0;
+  for (const TestRecord& test : run.tests) {
+    if (!is_to_be_explained(test)) continue;
+    ++tests;
+    const auto found = reductions.find(test.name);
+    const bool is_late = found == reductions.end() || found->second.why_not == kOutOfTime;
+    late += is_late;
+    left += !is_late && !found->second.minimal;
+  }
+  std::vector<std::string> notes;
+  if (left > 0)
+    notes.push_back(fmt::format(
+        "{} of {} failing tests could not be reduced to a minimal program and are grouped by requirement, by "
+        "what differed and by their family",
+        left, tests));
+  if (late > 0)
+    notes.push_back(
+        fmt::format("for {} of {} {} (--bug-seconds): they belong to the bugs of tests that fail alike", late,
+                    tests, kOutOfTime));
+  run.bugs_note = fmt::format("{}", fmt::join(notes, "; "));
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,119 @@
+#include "reducer.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "causes.h"
+#include "legal.h"
+#include "shrink.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+constexpr int kInShared = 5;  // attempts for one in a fresh context
+
+}  // namespace
+
+Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std::string> causes,
+                 int most_attempts, Hooks hooks)
+    : subject_(subject),
+      shared_(shared),
+      table_(subject.implementation->create_context()->table()),
+      max_order_(subject.info.max_order()),
+      causes_(std::move(causes)),
+      most_attempts_(most_attempts),
+      hooks_(std::move(hooks)) {
+  // A cause that needs fewer commands comes first: where both show, it is the one.
+  std::ranges::stable_sort(causes_, {}, &std::string::size);
+}
+
+Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
+  const std::string kind = kind_of(finding.failure.what);
+  // What differs is an answer or a vertex: only that is looked at again.
+  const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
+  std::string wanted = kind;
+  const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
+    if (hooks_.alive) hooks_.alive();
+    if ((hooks_.is_over && hooks_.is_over()) ||
+        with_what_exists(subject_.info, table_, candidate).commands().size() < candidate.commands().size())
+      return {};
+    const std::optional<Specified> of_candidate = specify_if_defined(candidate, max_order_);
+    if (!of_candidate || (hooks_.takes_off && !hooks_.takes_off(candidate))) return {};
+    std::optional<Finding> found = judge(candidate, *of_candidate).finding;
+    return found && kind_of(found->failure.what) == wanted ? std::move(found) : std::nullopt;
+  };
+  bool outside = false;
+  const auto still = [&](const gl::Case& candidate) {
+    std::optional<Finding> found = look_at(candidate, [&](const gl::Case& c, const Specified& specified) {
+      return judge_program(subject_, c, specified, look);
+    });
+    if (!found) return false;
+    finding = *std::move(found);
+    finding.outside_evaluators = outside;
+    return true;
+  };
+  const auto still_in_shared = [&](const gl::Case& candidate) {
+    return look_at(candidate, [&](const gl::Case& c,
+                                  const Specified& specified) { return shared_->judge(c, specified, look); })
+        .has_value();
+  };
+  const auto landed = [&] {
+    if (hooks_.landed) hooks_.landed();
+    return finding;
+  };
+  // Most differences are of a cause that has been seen: the commands of that alone show it then. Which one it
+  // can be, is soon known in the shared context.
+  const std::vector<gl::Case> forms = forms_of(program);
+  const auto is_known = [&](bool in_shared) {
+    for (const gl::Case& form : forms) {
+      const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
+      for (const std::string& cause : causes_)
+        if (of_form && cause.ends_with(": " + wanted) &&
+            (!in_shared || reduced_to(cause, form, *of_form, still_in_shared)) &&
+            reduced_to(cause, form, *of_form, still)) {
+          finding.cause = cause;
+          return true;
+        }
+    }
+    return false;
+  };
+  bool known = (shared_ && is_known(true)) || is_known(false);
+  if (!known && look == Look::vertices && kind != kPrimitives) {
+    // Where vertices are lost and others come twice, their number is right and nothing else of them.
+    wanted = kPrimitives;
+    known = is_known(false);
+    wanted = kind;
+  }
+  if (known) return landed();
+  const auto smaller = [&](const gl::Case&) {
+    if (hooks_.smaller) hooks_.smaller(finding);
+  };
+  // Where it goes wrong with the control as well, that stands for it, whose cause names no evaluation: it
+  // cannot hide what only that shows.
+  gl::Case shown = program;
+  const auto shows_outside = [&](const gl::Case& control) {
+    outside = true;
+    return outside = still(control);
+  };
+  int most = most_attempts_;
+  if (shows_outside(without_evaluators(program))) {
+    shown = finding.program;
+    most /= 4;  // nobody has to debug that
+  }
+  smaller(shown);  // so that it is not lost where the library dies on the way
+  for (const std::string& word : words_of(shown))
+    if (still(without_word(shown, word))) shown = finding.program;
+  // All the way in the shared context first, where a program costs little: from there it is short in fresh
+  // ones.
+  if (shared_ && !careful && still_in_shared(shown)) {
+    const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
+    if (still(small)) shown = small;
+  }
+  shrink(shown, still, most, smaller);
+  if (!outside) shows_outside(without_evaluators(gl::Case(finding.program)));
+  causes_.push_back(finding.cause);
+  return landed();
+}
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,157 @@
+#include <evalcts/fuzz/reduction.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <evalcts/fuzz/events.h>
+#include <evalcts/gl/case_json.h>
+#include "causes.h"
+#include "legal.h"
+#include "reducer.h"
+#include "shrink.h"
+
+namespace evalcts::fuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kMostAttempts = 150;  // to make one program smaller
+constexpr auto kReportReductionEvery = std::chrono::milliseconds(500);
+
+// The causes of programs that random search found: most failures are of one of them.
+std::vector<std::string> known_causes() {
+  std::set<std::string> causes;
+  for (const KnownFinding& finding : known_findings()) causes.insert(cause_of(finding.program, finding.what));
+  return {causes.begin(), causes.end()};
+}
+
+class CaseReducer {
+ public:
+  CaseReducer(const Subject& subject, double seconds,
+              const std::function<void(const ReductionEvent&)>& report)
+      : subject_(subject),
+        seconds_(seconds),
+        report_(report),
+        table_(subject.implementation->create_context()->table()),
+        max_order_(subject.info.max_order()),
+        shared_(SharedContext::of(subject)),
+        reducer_(subject, shared_.get(), known_causes(), kMostAttempts,
+                 {.alive = [this] { report_now_and_then(); },
+                  .is_over = [this] { return is_over(); },
+                  .takes_off = [this](const gl::Case& candidate) { return keeps_its_grid(candidate); }}) {}
+
+  Reduction reduce(const FailingCase& failing) {
+    if (is_over()) return not_reduced(failing, kOutOfTime);
+    if (failing.commands.empty())
+      return not_reduced(failing, "the test compares several cases, or its case has no plain form as data");
+    gl::Case script = gl::parse_case(failing.commands);
+    script.set_identity("program");
+    gl::Case program;
+    try {
+      program = with_what_exists(subject_.info, table_, commands_of_specification(script));
+    } catch (const std::invalid_argument& error) {
+      return not_reduced(failing, error.what());
+    }
+    const std::optional<Specified> specified = specify_if_defined(program, max_order_);
+    if (!specified)
+      return not_reduced(failing, "the specification does not define everything that its case does");
+    const bool is_answer = kind_of(failing.what).starts_with("gl");
+    std::optional<Finding> found =
+        judge_program(subject_, program, *specified, is_answer ? Look::answers : Look::vertices).finding;
+    if (!found) found = judge_program(subject_, program, *specified, Look::all).finding;
+    if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
+
+    const std::string kind = kind_of(found->failure.what);
+    const gl::Case plain = forms_of(program).back();
+    const std::string key = kind + ": " + gl::to_text(plain);
+    if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
+    has_grid_ = has(program, "glMapGrid");
+    Finding minimal = reducer_.explain(program, *found);
+    // A wrong answer in it, such as a missing error, tells more than what comes of it.
+    if (!kind.starts_with("gl"))
+      if (const std::optional<Specified> of_minimal = specify_if_defined(minimal.program, max_order_))
+        if (const std::optional<Finding> answer =
+                judge_program(subject_, minimal.program, *of_minimal, Look::answers).finding)
+          minimal = reducer_.explain(gl::Case(minimal.program), *answer);
+    if (is_over()) return not_reduced(failing, kOutOfTime);
+    if (fails_alike(plain, kind)) reduced_[key] = minimal;
+    return {failing.test, minimal, ""};
+  }
+
+ private:
+  static Reduction not_reduced(const FailingCase& failing, const std::string& why) {
+    return {failing.test, {}, why};
+  }
+
+  static bool has(const gl::Case& program, std::string_view stem) {
+    return std::ranges::any_of(program.commands(), [&](const gl::Command& command) {
+      return gl::name_of(command.entry).starts_with(stem);
+    });
+  }
+
+  // False for a mesh over the initial grid if the case has one of its own: what differs there may be another
+  // bug.
+  bool keeps_its_grid(const gl::Case& candidate) const {
+    return !has_grid_ || has(candidate, "glMapGrid") ||
+           (!has(candidate, "glEvalMesh") && !has(candidate, "glEvalPoint"));
+  }
+
+  void report_now_and_then() {
+    if (Clock::now() - reported_ < kReportReductionEvery) return;
+    report_(StillReducing());
+    reported_ = Clock::now();
+  }
+
+  bool is_over() const {
+    return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - begin_).count() >= seconds_;
+  }
+
+  // The case alone does not differ from the executable specification.
+  static std::string why_it_does_not_show(const gl::Case& script, const gl::Case& program) {
+    for (const gl::Command& command : script.commands()) {
+      const auto is_same = [&](const gl::Command& other) { return other.entry == command.entry; };
+      if (std::ranges::none_of(program.commands(), is_same))
+        return fmt::format("the executable specification does not have {}", gl::name_of(command.entry));
+    }
+    return "what the test compares is not a difference from the executable specification";
+  }
+
+  bool fails_alike(const gl::Case& program, const std::string& kind) {
+    const std::optional<Specified> specified = specify_if_defined(program, max_order_);
+    if (!specified) return false;
+    const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
+    const std::optional<Finding> found = judge_program(subject_, program, *specified, look).finding;
+    return found && kind_of(found->failure.what) == kind;
+  }
+
+  const Subject& subject_;
+  const double seconds_;
+  const std::function<void(const ReductionEvent&)>& report_;
+  const Clock::time_point begin_ = Clock::now();
+  Clock::time_point reported_ = begin_;
+  const gl::Table table_;
+  const int max_order_;
+  std::unique_ptr<SharedContext> shared_;  // may be null
+  Reducer reducer_;
+  bool has_grid_ = false;                   // of the case that is reduced
+  std::map<std::string, Finding> reduced_;  // by kind of difference and plain form
+};
+
+}  // namespace
+
+void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
+            const std::function<void(const ReductionEvent&)>& report) {
+  CaseReducer reducer(subject, seconds, report);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!claims.take(i)) continue;
+    report(TestStarted{cases[i].test});
+    report(reducer.reduce(cases[i]));
+  }
+}
+
+}  // namespace evalcts::fuzz

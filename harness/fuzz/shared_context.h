@@ -1,0 +1,81 @@
+// One context for many programs, beside the fresh ones of others. Private to harness/fuzz.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+
+#include <evalcts/backends/reused_context.h>
+#include <evalcts/fuzz/campaign.h>
+
+namespace evalcts::fuzz {
+
+inline constexpr std::size_t kMostHistory = 8;  // programs that a shared context remembers
+
+class SharedContext {
+ public:
+  // Null where the implementation makes no such contexts, or none is needed: a sink is as fast without.
+  static std::unique_ptr<SharedContext> of(const Subject& fresh) {
+    const std::unique_ptr<Context> one = fresh.implementation->create_beside();
+    return one && !one->has_sink() ? std::make_unique<SharedContext>(fresh) : nullptr;
+  }
+
+  explicit SharedContext(const Subject& fresh) : beside_(*fresh.implementation), subject_(fresh) { renew(); }
+
+  Judged judge(const gl::Case& program, const Specified& specified, Look look = Look::all) {
+    history_.push_back(program);
+    if (history_.size() > kMostHistory + 1) history_.pop_front();
+    return judge_program(subject_, program, specified, look);
+  }
+
+  // The program that was judged last, behind so many that were played before it; empty where there were less.
+  gl::Case behind(std::size_t count) const {
+    gl::Case joint(history_.back().identity());
+    if (count >= history_.size()) return joint;
+    for (std::size_t i = history_.size() - 1 - count; i < history_.size(); ++i) joint.append(history_[i]);
+    return joint;
+  }
+
+  void renew() {
+    reused_ = nullptr;
+    reused_ = reuse_context(beside_, subject_.info, Programs::kept);
+    subject_.implementation = reused_.get();
+    history_.clear();
+  }
+
+ private:
+  // Current again whenever something is played: the first of each case is what restores its state.
+  class BesideContext final : public Context {
+   public:
+    explicit BesideContext(std::unique_ptr<Context> inner) : inner_(std::move(inner)) {}
+    const gl::Table& table() const override { return inner_->table(); }
+    gl::Trace play(const gl::Case& script) override {
+      inner_->make_current();
+      return inner_->play(script);
+    }
+
+   private:
+    std::unique_ptr<Context> inner_;
+  };
+  class Beside final : public Implementation {
+   public:
+    explicit Beside(Implementation& inner) : inner_(inner) {}
+    std::string name() const override { return inner_.name(); }
+    std::string library() const override { return inner_.library(); }
+    std::unique_ptr<Context> create_context() override {
+      std::unique_ptr<Context> context = inner_.create_beside();
+      if (!context) throw CannotStart("there is no room for another context");
+      return std::make_unique<BesideContext>(std::move(context));
+    }
+
+   private:
+    Implementation& inner_;
+  };
+
+  Beside beside_;
+  Subject subject_;
+  std::unique_ptr<Implementation> reused_;
+  std::deque<gl::Case> history_;
+};
+
+}  // namespace evalcts::fuzz

@@ -1,0 +1,315 @@
+// Failing tests become distinct bugs: minimal programs, their normal form, grouping.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include <evalcts/fuzz/bugs.h>
+#include <evalcts/fuzz/events.h>
+#include <evalcts/fuzz/normal_form.h>
+#include <evalcts/gl/case_json.h>
+#include <evalcts/results/baseline.h>
+#include <evalcts/results/known_bugs.h>
+#include <evalcts/results/requirements.h>
+
+namespace evalcts::fuzz {
+namespace {
+
+constexpr int kMaxOrder = 30;
+
+Finding finding(const std::string& program, const std::string& what, const std::string& message = {}) {
+  Finding made;
+  made.program = gl::parse_case(program);
+  made.failure.what = what;
+  made.failure.message = message;
+  made.cause = cause_of(made.program, what);
+  made.requirement = requirement_of(made.program, what);
+  return made;
+}
+
+std::string cause_of_program(const std::string& program, const std::string& what,
+                             const std::string& message = {}) {
+  return normal_form(finding(program, what, message), kMaxOrder).cause;
+}
+
+// Maps of a position and of a colour or normal, and one evaluated point in between.
+std::string curve(const std::string& attribute, int values, const std::string& before,
+                  const std::string& evaluation, const std::string& behind) {
+  std::string points;
+  for (int i = 0; i < values; ++i) points += i ? ", 0.5" : "0.5";
+  return fmt::format(
+      R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 3, 1, {{"f32": [0, 0, 0]}}], ["Map1d", "{0}", 0, 1, {1}, 1, {{"f64": [{2}]}}],
+      ["Enable", "GL_MAP1_VERTEX_3"], ["Enable", "{0}"], {3} ["Begin", "GL_POINTS"], {4}, ["End"] {5}])",
+      attribute, values, points, before, evaluation, behind);
+}
+
+TEST(NormalForm, LeavesOutHowAWrongCurrentValueWasNoticed) {
+  const std::string cause = "current values after an evaluation";
+  // By a query; by the next vertex; by the next evaluated vertex, whose map is off; in two dimensions.
+  EXPECT_EQ(cause_of_program(curve("GL_MAP1_COLOR_4", 4, "", R"(["EvalCoord1f", 0])",
+                                   R"(, ["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 4}])"),
+                             "glGetFloatv"),
+            cause);
+  EXPECT_EQ(cause_of_program(curve("GL_MAP1_NORMAL", 3, "",
+                                   R"(["EvalCoord1dv", {"f64": [0]}], ["Vertex3f", 0, 0, 0])", ""),
+                             "normal.z of vertex 1"),
+            cause);
+  EXPECT_EQ(
+      cause_of_program(
+          curve(
+              "GL_MAP1_TEXTURE_COORD_2", 2, "", R"(["EvalPoint1", 0])",
+              R"(, ["Disable", "GL_MAP1_TEXTURE_COORD_2"], ["Begin", "GL_POINTS"], ["EvalCoord1f", 0], ["End"])"),
+          "texture coordinate 0.s of vertex 1"),
+      cause);
+  EXPECT_EQ(cause_of_program(R"([["Map2f", "GL_MAP2_VERTEX_3", 0, 1, 3, 1, 0, 1, 3, 1, {"f32": [0, 0, 0]}],
+      ["Map2f", "GL_MAP2_NORMAL", 0, 1, 3, 1, 0, 1, 3, 1, {"f32": [1, 0, 0]}], ["Enable", "GL_MAP2_VERTEX_3"],
+      ["Enable", "GL_MAP2_NORMAL"], ["EvalMesh2", "GL_POINT", 0, 0, 0, 0],
+      ["GetFloatv", "GL_CURRENT_NORMAL", {"out": "f32", "count": 3}]])",
+                             "glGetFloatv"),
+            cause);
+}
+
+TEST(NormalForm, KeepsWhatMakesAnotherBug) {
+  std::set<std::string> causes;
+  const auto add = [&](const std::string& program, const std::string& what, const std::string& message = {}) {
+    const std::string cause = cause_of_program(program, what, message);
+    EXPECT_TRUE(causes.insert(cause).second) << cause;
+  };
+  const std::string vertex = R"(["EvalCoord1f", 0], ["Vertex3f", 0, 0, 0])";
+  add(curve("GL_MAP1_NORMAL", 3, "", vertex, ""), "normal.z of vertex 1");
+  add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""),
+      "color.R of vertex 0");  // no evaluation before
+  add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""),
+      "normal.x of vertex 0");  // an evaluated value
+  add(curve("GL_MAP1_NORMAL", 3, "", R"(["EvalCoord1f", 0])", ""), "position.x of vertex 0");
+  add(R"([["Map1f", "GL_MAP1_NORMAL", 0, 1, 3, 1, {"f32": [1, 0, 0]}], ["Enable", "GL_MAP1_NORMAL"],
+      ["Begin", "GL_POINTS"], ["EvalCoord1f", 0], ["Vertex3f", 0, 0, 0], ["End"]])",
+      "normal.z of vertex 0");  // without a vertex map
+  for (const char* mode : {"GL_COMPILE", "GL_COMPILE_AND_EXECUTE"})
+    add(curve("GL_MAP1_NORMAL", 3, fmt::format(R"(["NewList", 1, "{}"],)", mode), vertex,
+              R"(, ["EndList"], ["CallList", 1])"),
+        "normal.z of vertex 1");
+  add(R"([["Enable", "GL_MAP1_VERTEX_3"], ["EvalMesh1", "GL_POINT", 0, 1]])", "position.x of vertex 1");
+  add(R"([["Enable", "GL_MAP1_VERTEX_3"], ["MapGrid1f", 3, 0, 1], ["EvalMesh1", "GL_POINT", 0, 1]])",
+      "position.x of vertex 1");
+  add(R"([["Enable", "GL_MAP1_VERTEX_3"], ["EvalMesh1", "GL_POINT", 0, 1]])", "number of vertices");
+  add(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["GetError"]])", "glGetError",
+      "missing error: after glMap1f");
+  add(R"([["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["GetError"]])", "glGetError",
+      "wrong error: after glMap1f");
+  add(R"([["NewList", 1, "GL_COMPILE"], ["Map1f", "GL_MAP1_VERTEX_3", 0, 1, 2, 1, {"f32": [0, 0, 0]}], ["EndList"],
+      ["CallList", 1], ["GetError"]])",
+      "glGetError", "missing error: after glCallList");
+  add(R"([["GetMapiv", "GL_MAP1_INDEX", "GL_COEFF", {"out": "i32", "count": 1}]])", "glGetMapiv");
+}
+
+// Random search has found some 60 programs on Mesa, which has some 20 bugs.
+TEST(NormalForm, PutsTheFindingsOfRandomSearchIntoFewGroups) {
+  std::set<std::string> causes;
+  for (const KnownFinding& known : known_findings()) {
+    Finding as_finding;
+    as_finding.program = known.program;
+    as_finding.failure.what = known.what;
+    as_finding.failure.message = "wrong error: somewhere";
+    const NormalForm form = normal_form(as_finding, kMaxOrder);
+    EXPECT_FALSE(form.title.empty());
+    causes.insert(form.cause);
+  }
+  EXPECT_LE(causes.size(), 26u);
+  EXPECT_GE(causes.size(), 10u);
+}
+
+TEST(ReadableCalls, ShowDecimalAndHexadecimalValues) {
+  gl::Case c;
+  c.Map1f(GL_MAP1_INDEX, 0.25f, 1, 1, 2, std::vector<GLfloat>{0.1f, -1.5f});
+  c.EvalCoord1d(0.1);
+  EXPECT_EQ(readable_calls(c), (std::vector<std::string>{
+                                   "glMap1f(GL_MAP1_INDEX, 0.25f, 1.0f, 1, 2, (GLfloat[]){0x1.99999ap-4f /* "
+                                   "0.1 */, -1.5f});",
+                                   "glEvalCoord1d(0x1.999999999999ap-4 /* 0.1 */);"}));
+}
+
+// --- grouping --------------------------------------------------------------------------------------------
+
+TestRecord failing(const std::string& name, const std::string& requirement, const std::string& what = "x",
+                   Verdict verdict = Verdict::kFail, Level level = Level::must) {
+  TestRecord test;
+  test.name = name;
+  test.requirements = {requirement};
+  test.verdict = verdict;
+  test.level = level;
+  Failure failure;
+  failure.what = what;
+  test.failures = {failure};
+  return test;
+}
+
+constexpr char kMeshOverTheInitialGrid[] =
+    R"([["Enable", "GL_MAP1_VERTEX_3"], ["EvalMesh1", "GL_POINT", 0, 1]])";
+constexpr char kSameInTwoDimensions[] =
+    R"([["Enable", "GL_MAP2_VERTEX_3"], ["EvalMesh2", "GL_POINT", 0, 1, 0, 0], ["Flush"]])";
+
+TEST(Bugs, OneForEachNormalFormMostImportantFirst) {
+  RunResult run;
+  run.tests = {failing("Mesh1.A/x", "EV-MESH1-POINT"), failing("Mesh2.A/x", "EV-MESH2-POINT"),
+               failing("GetMap.B", "EV-GETMAP-SATURATE"),
+               failing("Lists.C", "EV-DL-NESTED", "", Verdict::kCrash),
+               failing("Mesh1.D", "EV-MESH1-COORDS")};
+  run.tests.push_back(failing("Fine.E", "EV-MAP1-COPY"));
+  run.tests.back().verdict = Verdict::kPass;
+  const std::map<std::string, Reduction> reductions = {
+      {"Mesh1.A/x", {"Mesh1.A/x", finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""}},
+      {"Mesh2.A/x", {"Mesh2.A/x", finding(kSameInTwoDimensions, "position.x of vertex 1"), ""}},
+      {"GetMap.B",
+       {"GetMap.B",
+        finding(R"([["GetMapiv", "GL_MAP1_INDEX", "GL_COEFF", {"out": "i32", "count": 1}]])", "glGetMapiv"),
+        ""}},
+      {"Lists.C",
+       {"Lists.C", finding(R"([["NewList", 1, "GL_COMPILE"], ["CallList", 2], ["EndList"]])", "crash"), ""}},
+      {"Mesh1.D", {"Mesh1.D", {}, "reason"}}};
+  const std::vector<Bug> bugs = bugs_of(run, reductions, kMaxOrder);
+  ASSERT_EQ(bugs.size(), 4u);
+  EXPECT_EQ(bugs[0].tests, std::vector<std::string>{"Lists.C"});
+  EXPECT_EQ(bugs[0].verdict, Verdict::kCrash);
+  EXPECT_EQ(bugs[1].tests, (std::vector<std::string>{"Mesh1.A/x", "Mesh2.A/x"}));
+  EXPECT_EQ(bugs[1].explains, (std::vector<RequirementId>{"EV-MESH1-POINT", "EV-MESH2-POINT"}));
+  EXPECT_EQ(bugs[1].failure.calls.size(), 2u) << "the smaller program stands for both";
+  EXPECT_TRUE(bugs[1].is_reduced());
+  EXPECT_FALSE(bugs[1].title.empty());
+  EXPECT_TRUE(bugs[1].id.starts_with(bugs[1].requirements.at(0).text() + "-")) << bugs[1].id;
+  const auto unreduced = std::ranges::find(bugs, false, &Bug::is_reduced);
+  ASSERT_NE(unreduced, bugs.end());
+  EXPECT_EQ(unreduced->tests, std::vector<std::string>{"Mesh1.D"});
+  EXPECT_EQ(unreduced->why_not_reduced, "reason");
+  EXPECT_EQ(unreduced->commands, "");
+  for (const Bug& bug : bugs) EXPECT_TRUE(catalogue().find(bug.requirements.at(0))) << bug.id;
+}
+
+TEST(Bugs, WhatIsNotReducedIsGroupedByLikeness) {
+  RunResult run;
+  run.tests = {failing("Mesh1.Last/LINE", "EV-MESH1-EXACT-N", "position.x of vertex 3"),
+               failing("Mesh2.Last/FILL/Nested", "EV-MESH2-EXACT-N", "position.y of vertex 12"),
+               failing("Mesh2.Last/POINT", "EV-MESH2-EXACT-N", "number of vertices"),
+               failing("Mesh2.First/POINT", "EV-MESH2-EXACT-N", "position.y of vertex 12")};
+  EXPECT_EQ(likeness_of(run.tests[0]), "Mesh.Last; EV-MESH-EXACT-N; position");
+  std::map<std::string, Reduction> reductions;
+  for (const TestRecord& test : run.tests) reductions[test.name] = {test.name, {}, "a picture"};
+  std::vector<Bug> bugs = bugs_of(run, reductions, kMaxOrder);
+  ASSERT_EQ(bugs.size(), 3u);
+  EXPECT_EQ(bugs[0].tests, (std::vector<std::string>{"Mesh1.Last/LINE", "Mesh2.Last/FILL/Nested"}));
+  EXPECT_EQ(bugs[0].why_not_reduced, "a picture");
+  EXPECT_EQ(bugs[0].failure.what, "position.x of vertex 3");
+
+  // Those for which no time was left join one that was reduced and is alike.
+  reductions["Mesh1.Last/LINE"] = {"Mesh1.Last/LINE",
+                                   finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""};
+  bugs = bugs_of(run, reductions, kMaxOrder);
+  EXPECT_EQ(bugs.size(), 4u) << "for another reason they do not";
+  reductions["Mesh2.Last/FILL/Nested"].why_not = kOutOfTime;
+  bugs = bugs_of(run, reductions, kMaxOrder);
+  ASSERT_EQ(bugs.size(), 3u);
+  EXPECT_EQ(bugs[0].tests.size(), 2u);
+  EXPECT_TRUE(bugs[0].is_reduced());
+}
+
+TEST(Bugs, KnownOnesAreNamedAndNothingIsExcused) {
+  RunResult run;
+  run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
+  const KnownBug* const initial =
+      known_bug_with_sign("evaluated values; EvalMesh on the initial grid", run.implementation);
+  ASSERT_TRUE(initial);
+  run.tests = {failing("Mesh1.A/x", "EV-MESH1-POINT")};
+  std::vector<Bug> bugs = bugs_of(
+      run, {{"Mesh1.A/x", {"Mesh1.A/x", finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""}}},
+      kMaxOrder);
+  ASSERT_EQ(bugs.size(), 1u);
+  EXPECT_EQ(bugs[0].known, initial->id);
+  EXPECT_EQ(bugs[0].title, initial->title);
+  EXPECT_TRUE(bugs[0].known_in.starts_with("Mesa")) << bugs[0].known_in;
+  EXPECT_EQ(bugs[0].verdict, Verdict::kFail);
+  // On another product it may have another root cause.
+  run.implementation.version = "another";
+  bugs = bugs_of(run, {}, kMaxOrder);
+  EXPECT_EQ(bugs.at(0).known, "");
+}
+
+TEST(Bugs, ThoseWithDifferentSignsOfAKnownBugAreOne) {
+  RunResult run;
+  run.implementation.version = "4.5 (Compatibility Profile) Mesa 22.3.6";
+  for (const char* name : {"Mesh2.FlatShading", "Mesh2.NoDiagonals"})
+    run.tests.push_back(
+        failing(name, name == std::string("Mesh2.FlatShading") ? "EV-MESH2-FLAT" : "EV-MESH2-ISQUADS",
+                "glReadPixels"));
+  std::map<std::string, Reduction> reductions;
+  for (const TestRecord& test : run.tests) reductions[test.name] = {test.name, {}, "a picture"};
+  EXPECT_EQ(bugs_of(run, reductions, kMaxOrder).size(), 1u);
+  run.implementation.version = "another";
+  EXPECT_EQ(bugs_of(run, reductions, kMaxOrder).size(), 2u);
+}
+
+TEST(Bugs, OfRealProgramsAreMarked) {
+  RunResult run;
+  run.tests = {failing("RealPrograms.Teapot", "EV-MESH2-FILL")};
+  EXPECT_TRUE(bugs_of(run, {}, kMaxOrder).at(0).breaks_real_programs);
+}
+
+TEST(Reductions, GoThroughTheirText) {
+  const Reduction reduction = {"A.b", finding(kMeshOverTheInitialGrid, "position.x of vertex 1", "m"), ""};
+  const std::optional<Reduction> read = parse_reduction(to_line(reduction));
+  ASSERT_TRUE(read && read->minimal);
+  EXPECT_EQ(read->test, "A.b");
+  EXPECT_EQ(gl::to_text(read->minimal->program), gl::to_text(reduction.minimal->program));
+  EXPECT_EQ(read->minimal->failure.message, "m");
+  EXPECT_FALSE(parse_reduction(to_line(ReductionEvent(TestStarted{"A.b"}))));
+  EXPECT_FALSE(parse_reduction(to_line(StillReducing())));
+  EXPECT_FALSE(parse_reduction("{"));
+  const std::vector<FailingCase> cases = parse_failing_cases(to_text({{"A.b", "position", "[]"}}));
+  ASSERT_EQ(cases.size(), 1u);
+  EXPECT_EQ(cases[0].commands, "[]");
+  EXPECT_THROW(parse_failing_cases("{]"), std::invalid_argument);
+}
+
+// --- known bugs --------------------------------------------------------------------------------------------
+
+TEST(KnownBugs, AreWhole) {
+  EXPECT_GE(known_bugs().size(), 10u);
+  EXPECT_EQ(lint(known_bugs()), std::vector<std::string>());
+  for (const KnownBug& bug : known_bugs()) {
+    if (bug.program.empty()) continue;
+    EXPECT_NO_THROW(gl::parse_case(bug.program)) << bug.id;
+    EXPECT_LE(gl::parse_case(bug.program).commands().size(), 20u) << bug.id;
+  }
+}
+
+// Baseline entries name them in the comments above: "bug: ID."
+TEST(KnownBugs, AreNamedByBaselines) {
+  std::set<std::string> named;
+  for (const BaselineFiles& files : BaselineFiles::read_all(BASELINES))
+    for (const auto& [test, entry] : files.entries) {
+      if (!entry.reason.starts_with("bug: ")) continue;
+      const std::string id = entry.reason.substr(5, entry.reason.find_first_of(". ", 5) - 5);
+      EXPECT_TRUE(find_known_bug(id)) << files.name << ", " << test << ": " << id;
+      named.insert(id);
+    }
+  EXPECT_GE(named.size(), 10u);
+}
+
+TEST(KnownBugs, MistakesAreNamed) {
+  std::vector<KnownBug> bugs = parse_known_bugs(
+      R"({"bugs": [{"id": "a", "title": "t", "product": "p", "affects": ["Mesa"], "requirements": ["EV-MAP1-COPY"], "clause": "c",
+      "expected": "e", "captured": "x", "cause": "c", "real_programs": "r", "verified": "v", "signs": ["s"]}]})");
+  EXPECT_EQ(lint(bugs), std::vector<std::string>());
+  bugs.push_back(bugs[0]);
+  EXPECT_EQ(lint(bugs), (std::vector<std::string>{"a: another bug has the same ID",
+                                                  "a: another bug has the sign 's', too"}));
+  bugs.pop_back();
+  bugs[0].clause.clear();
+  bugs[0].requirements = {"EV-NO-SUCH"};
+  EXPECT_EQ(lint(bugs),
+            (std::vector<std::string>{"a: 'clause' is missing", "a: there is no requirement EV-NO-SUCH"}));
+  EXPECT_THROW(parse_known_bugs("{"), FormatError);
+}
+
+}  // namespace
+}  // namespace evalcts::fuzz
