@@ -251,14 +251,20 @@ std::string id_of(const std::string& requirement, const std::string& cause) {
   return fmt::format("{}-{:04x}", requirement, fnv1a<std::uint32_t>(cause) & 0xFFFFu);
 }
 
-// The requirement that the minimal program is about, if it is one of its tests; otherwise the one that most
-// of its tests name first.
+// The requirements that a fail violates, or that a warning is about.
+std::vector<RequirementId> violated_by(const TestRecord& test) {
+  return test.is_bad() ? test.blamed() : test.requirements;
+}
+
+// The requirement that the minimal program is about, if one of its tests violates it; otherwise the one that
+// most of its tests violate first.
 std::string decisive(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
   std::map<std::string, std::size_t> times;
   for (const TestRecord* test : tests) {
-    for (const RequirementId& id : test->requirements)
+    const std::vector<RequirementId> violated = violated_by(*test);
+    for (const RequirementId& id : violated)
       if (id.id == of_program) return of_program;
-    if (!test->requirements.empty()) ++times[test->requirements.front().id];
+    if (!violated.empty()) ++times[violated.front().id];
   }
   if (times.empty()) return of_program;
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
@@ -292,7 +298,8 @@ Bug bug_from(const Group& group, const ImplementationRecord& implementation, int
   bug.verdict = Verdict::kPass;
   for (const TestRecord* test : group.tests) {
     bug.tests.push_back(test->name);
-    explained.insert(test->requirements.begin(), test->requirements.end());
+    const std::vector<RequirementId> violated = violated_by(*test);
+    explained.insert(violated.begin(), violated.end());
     bug.level = std::max(bug.level, test->level);
     bug.verdict = std::min(bug.verdict, test->verdict);
     bug.breaks_real_programs = bug.breaks_real_programs || test->name.starts_with("RealPrograms.");
@@ -335,7 +342,8 @@ Bug bug_from(const Group& group, const ImplementationRecord& implementation, int
 }  // namespace
 
 std::string likeness_of(const TestRecord& test) {
-  const std::string requirement = test.requirements.empty() ? "" : test.requirements.front().id;
+  const std::vector<RequirementId> violated = violated_by(test);
+  const std::string requirement = violated.empty() ? "" : violated.front().id;
   std::string what = is_death(test.verdict) ? std::string(text_of(test.verdict).word) : "";
   if (what.empty() && !test.failures.empty()) what = kind_of(test.failures.front().what);
   return fmt::format("{}; {}; {}", family_of(test.name), without_digits(requirement), what);
