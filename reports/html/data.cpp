@@ -110,6 +110,11 @@ class Writer {
  public:
   Writer() { strings_.number_of({}); }  // 0 is the empty text
 
+  void add_requirement(const std::string& id) {
+    requirements_.emplace(id, static_cast<Number>(requirements_.size()));
+  }
+  Number requirement(const RequirementId& id) const { return requirements_.at(id.text()); }
+
   Number text(const std::string& text) { return strings_.number_of(text); }
 
   Number failure(const Failure& failure) {
@@ -122,13 +127,16 @@ class Writer {
   }
 
   Number record(const TestRecord& test) {
+    Numbers violated;
+    for (const RequirementId& id : test.blamed()) violated.push_back(requirement(id));
     Numbers out{static_cast<Number>(test.verdict),
                 static_cast<Number>(test.severity()),
                 flags_of(test),
                 text(test.message),
                 text(baseline_sentence(test)),
                 text(facts_of(test)),
-                text(accuracy_of(test))};
+                text(accuracy_of(test)),
+                violations_.number_of(violated)};
     for (const Failure& one : test.failures) out.push_back(failure(one));
     return records_.number_of(out);
   }
@@ -143,26 +151,30 @@ class Writer {
     out["strings"] = strings_.as_json();
     out["calls"] = calls_.as_json();
     out["failures"] = failures_.as_json();
+    out["violations"] = violations_.as_json();
     out["records"] = records_.as_json();
     out["commands"] = commands_.as_json();
   }
 
  private:
   Numbering<std::string> strings_;
-  Numbering<Numbers> calls_, failures_, records_, commands_;
+  Numbering<Numbers> calls_, failures_, violations_, records_, commands_;
+  std::map<std::string, Number> requirements_;
 };
 
-// The requirements that the tests name, in the order of the catalogue, those that it does not hold at the
-// end.
+// The requirements that the tests name or violate, in the order of the catalogue, those that it does not hold
+// at the end.
 std::vector<std::string> requirements_of(const std::vector<Row>& rows, const Catalogue& catalogue) {
   std::set<std::pair<std::size_t, std::string>> ordered;
   for (const Row& row : rows)
     for (const TestRecord* test : row.outcomes) {
       if (!test) continue;
-      for (const RequirementId& id : test->requirements) {
+      const auto add = [&](const RequirementId& id) {
         const Requirement* known = catalogue.find(id);
         ordered.emplace(known ? known->place : std::numeric_limits<std::size_t>::max(), id.text());
-      }
+      };
+      for (const RequirementId& id : test->requirements) add(id);
+      for (const RequirementId& id : test->blamed()) add(id);
     }
   std::vector<std::string> out;
   for (const auto& [place, id] : ordered) out.push_back(id);
@@ -248,11 +260,10 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
   out["earlier"] = earlier;
 
   json& requirements = out["requirements"] = json::array();
-  std::map<std::string, Number> requirement_numbers;
   for (const std::string& id : requirements_of(rows, catalogue)) {
     const Requirement* known = catalogue.find(id);
     const Requirement requirement = known ? *known : Requirement{};
-    requirement_numbers.emplace(id, static_cast<Number>(requirements.size()));
+    writer.add_requirement(id);
     requirements.push_back({writer.text(id), writer.text(requirement.section), writer.text(requirement.text),
                             writer.text(requirement.source), writer.text(requirement.since)});
   }
@@ -274,7 +285,7 @@ std::string page_data(const std::vector<Column>& columns, std::size_t earlier, c
       if (!outcome) continue;
       // Records of different versions of the suite may name different requirements.
       for (const RequirementId& id : outcome->requirements) {
-        const Number number = requirement_numbers.at(id.text());
+        const Number number = writer.requirement(id);
         if (std::find(test.begin() + 2, test.end(), number) == test.end()) test.push_back(number);
       }
     }

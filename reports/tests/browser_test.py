@@ -410,6 +410,22 @@ class Filters(Browser):
         self.assertIn("glEvalCoord1f(0x1.8p+0f);", self.js(text))
 
 
+class Violations(Browser):
+    def test_a_failure_for_another_requirement_decides_nothing(self):
+        fail = {"name": "A.a", "verdict": "fail", "requirements": ["EV-1", "EV-2"], "violated": ["EV-2", "EV-3"]}
+        good = {"name": "A.b", "verdict": "pass", "requirements": ["EV-1"]}
+        self.open(write_page(arguments.write_pages, "violated", [record("x", [fail]), record("y", [fail, good])]),
+                  state="#view=requirements")
+        cells = {name: self.js("return [...arguments[0].closest('tr').children].slice(1).map((e) => e.textContent)", self.toggle(name))
+                 for name in ("EV-1", "EV-2", "EV-3")}
+        self.assertEqual(cells, {"EV-1": ["not decided other failures hide it", "✓ pass 1 of 2"], "EV-2": ["✗ fail", "✗ fail"],
+                                 "EV-3": ["✗ fail", "✗ fail"]})
+        self.open("violated/index.html", state="#open=A.a")
+        text = driver.find_element(By.CSS_SELECTOR, "#table .detail").text
+        self.assertIn("Violated: EV-2, EV-3", text)
+        self.assertIn("Not decided because of this failure: EV-1", text)
+
+
 class Address(Browser):
     """The address holds the state; the browser's history leads through it."""
 

@@ -97,7 +97,8 @@ class Html(unittest.TestCase):
                 for verdict, _, _, *texts in data["records"]:
                     self.assertLess(verdict, size["verdicts"])
                     self.assertLess(max(texts[:4]), size["strings"])
-                    self.assertLess(max(texts[4:], default=-1), size["failures"])
+                    self.assertLess(texts[4], size["violations"])
+                    self.assertLess(max(texts[5:], default=-1), size["failures"])
                 for *texts, calls in data["failures"]:
                     self.assertEqual(len(texts), 8)
                     self.assertLess(max(texts), size["strings"])

@@ -135,6 +135,23 @@ TEST(Html, RecordsInTheData) {
   EXPECT_EQ(text_of(data, commands[0]), std::string("run --filter '\0; rm -r'", 23));
 }
 
+// A test that fails for another requirement than its own violates that one.
+TEST(Html, ViolatedRequirementsInTheData) {
+  json fail = {{"name", "A.b"}, {"verdict", "fail"}, {"requirements", {"EV-1", "EV-2"}}}, elsewhere = fail;
+  elsewhere["violated"] = {"EV-2", "EV-3"};
+  const json data =
+      data_of(html_of({named("x", json::array({fail})), named("y", json::array({elsewhere}))}, nullptr));
+  const auto violated = [&](std::size_t column) {
+    std::vector<std::string> out;
+    for (const json& number : data["violations"][record_of(data, column, "A.b")[7].get<std::size_t>()])
+      out.push_back(text_of(data, data["requirements"][number.get<std::size_t>()][0]));
+    return out;
+  };
+  EXPECT_EQ(violated(0), (std::vector<std::string>{"EV-1", "EV-2"}));
+  EXPECT_EQ(violated(1), (std::vector<std::string>{"EV-2", "EV-3"}));
+  EXPECT_EQ(data["tests"][0].size(), 2u + 2u);  // its own requirements only
+}
+
 // Records that tell the same, to the last word, are one, and so are their calls.
 TEST(Html, NothingStandsInTheDataTwice) {
   const auto failing = [](const std::string& name, const char* captured, double seconds) {

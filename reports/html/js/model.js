@@ -6,7 +6,7 @@ const words = data.verdicts.map(([word]) => word);
 const FAIL = words.indexOf('fail'), WARNING = words.indexOf('quality-warning'), PASS = words.indexOf('pass');
 
 // Fields of records and failures.
-const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5, ACCURACY = 6, FAILURES = 7;
+const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5, ACCURACY = 6, VIOLATED = 7, FAILURES = 8;
 const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // flags
 const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8;
 
@@ -16,7 +16,13 @@ const testNamed = new Map(tests.map((test) => [test.name, test]));
 const requirements = data.requirements.map(([id, section, rule, source, since], number) => ({
   number, id: text(id), section: text(section) || 'Not in the catalogue', rule: text(rule), source: text(source),
   since: text(since), tests: []}));
-for (const test of tests) for (const number of test.requirements) requirements[number].tests.push(test);
+// The tests that are about a requirement, and those that found it violated.
+for (const test of tests) {
+  const its = new Set(test.requirements);
+  for (const outcomes of data.outcomes)
+    for (const number of data.violations[data.records[outcomes[test.number]]?.[VIOLATED]] || []) its.add(number);
+  for (const number of its) requirements[number].tests.push(test);
+}
 const rules = new Map();  // the two halves of a requirement, "/1-D" and "/2-D", are one rule
 for (const requirement of requirements) {
   const rule = requirement.id.split('/')[0];
@@ -75,7 +81,7 @@ function testsWith(needle, columns) {
     return calls[failure[CALLS]];
   });
   const records = Uint8Array.from(data.records, (record) => {
-    for (let i = MESSAGE; i < FAILURES; ++i) if (hit[record[i]]) return 1;
+    for (let i = MESSAGE; i < VIOLATED; ++i) if (hit[record[i]]) return 1;
     for (let i = FAILURES; i < record.length; ++i) if (failures[record[i]]) return 1;
     return 0;
   });
@@ -153,19 +159,33 @@ function statesOf(some, column) {
   return counts;
 }
 
-// The verdict on a requirement in one column: what any of these tests found bad, then a warning, then a pass;
-// undecided only if all tests are. None if there is no test.
-function verdictOn(some, column) {
-  const records = some.map((test) => recordOf(test, column)).filter(Boolean);
-  if (!records.length) return null;
-  const worst = records.reduce((a, b) => (b[SEVERITY] < a[SEVERITY] ? b : a));
-  const has = (verdict) => records.some((record) => record[VERDICT] === verdict);
-  const verdict = worst[VERDICT] <= FAIL ? worst[VERDICT] : has(WARNING) ? WARNING : has(PASS) ? PASS : worst[VERDICT];
-  const same = records.filter((record) => record[VERDICT] === verdict);
-  const known = verdict <= FAIL && records.every((record) => record[VERDICT] > FAIL || record[FLAGS] & KNOWN);
-  const state = verdict <= FAIL ? (known ? EXPECTED_FAILURE : BAD) :
-      verdict === WARNING ? NOTICE : verdict === PASS ? GOOD : UNDECIDED;
-  return {verdict, state, known, n: same.length, of: records.length};
+// The verdict on a requirement in one column: what any of these tests found violated, then a warning, then a
+// pass; undecided only if all tests are. A test that fails for other requirements decides this one not. None if
+// there is no test.
+function verdictOn(requirement, some, column) {
+  let worst = null, all = 0, hidden = 0;
+  const counts = new Array(words.length).fill(0), knownFailures = [0, 0];
+  for (const test of some) {
+    const record = recordOf(test, column);
+    if (!record) continue;
+    const bad = record[VERDICT] <= FAIL, violated = bad && data.violations[record[VIOLATED]].includes(requirement.number);
+    if (!violated && !test.requirements.includes(requirement.number)) continue;
+    ++all;
+    if (bad && !violated) {
+      ++hidden;
+      continue;
+    }
+    ++counts[record[VERDICT]];
+    if (bad) ++knownFailures[record[FLAGS] & KNOWN ? 1 : 0];
+    if (!worst || record[SEVERITY] < worst[SEVERITY]) worst = record;
+  }
+  if (!all) return null;
+  if (!worst) return {verdict: -1, state: UNDECIDED, known: false, n: hidden, of: all};
+  const bad = knownFailures[0] + knownFailures[1] > 0;
+  const verdict = bad || !(counts[WARNING] + counts[PASS]) ? worst[VERDICT] : counts[WARNING] ? WARNING : PASS;
+  const known = bad && !knownFailures[0];
+  const state = bad ? (known ? EXPECTED_FAILURE : BAD) : verdict === WARNING ? NOTICE : verdict === PASS ? GOOD : UNDECIDED;
+  return {verdict, state, known, n: counts[verdict], of: all};
 }
 
 // What was not decided: one entry for each verdict, reason and list of tests; columns that agree share it.

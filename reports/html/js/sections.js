@@ -47,9 +47,10 @@ function testCell(test, column) {
             notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
 }
 
-function requirementCell(tests, column) {
-  const cell = verdictOn(tests, column);
+function requirementCell(requirement, tests, column) {
+  const cell = verdictOn(requirement, tests, column);
   if (!cell) return el('td', {class: 'absent'}, 'no test');
+  if (cell.verdict < 0) return el('td', {class: 'none'}, 'not decided', el('small', null, ' other failures hide it'));
   const notes = [cell.n < cell.of ? `${cell.n} of ${cell.of}` : '', cell.known ? 'known' : ''].filter(Boolean);
   return el('td', {class: stateClasses[cell.state]}, symbolOf(cell.verdict), ` ${words[cell.verdict]}`,
             notes.length ? el('small', null, ` ${notes.join(', ')}`) : null);
@@ -110,7 +111,7 @@ function requirementRows(requirement, some) {
   const row = el('tr', {class: 'requirement'},
                  el('th', {scope: 'row'}, toggle('requirement', requirement.id, open, requirement.id),
                     requirement.rule ? el('div', {class: 'headline'}, requirement.rule) : null),
-                 columns.map((column) => requirementCell(some, column)));
+                 columns.map((column) => requirementCell(requirement, some, column)));
   if (!open) return [row];
   return [row, wide(columns, 'detail',
                     requirement.source ? el('p', null, faint(`Source: ${requirement.source}`, requirement.since ? `, since ${requirement.since}` : '')) : null,
@@ -138,8 +139,8 @@ function requirementsBySection(matching) {
                    section, count(some.length, 'requirement'),
                    columns.map((column) => {
                      const counts = [0, 0, 0, 0, 0];
-                     for (const [, its] of some) {
-                       const cell = verdictOn(its, column);
+                     for (const [requirement, its] of some) {
+                       const cell = verdictOn(requirement, its, column);
                        if (cell) ++counts[cell.state];
                      }
                      return summaryCell(counts, 'test');
@@ -252,6 +253,15 @@ function commandLine(purpose, command, button) {
   return command ? el('p', {class: 'run'}, faint(`${purpose}: `), el('code', null, command), ' ', copyButton(button, command)) : null;
 }
 
+// The requirements that the failure violates, and those of the test that it leaves undecided.
+function violations(test, record) {
+  if (record[VERDICT] > FAIL) return null;
+  const ids = (numbers) => numbers.map((number, i) => [i ? ', ' : '', link(`requirement=${requirements[number].id}`, requirements[number].id)]);
+  const violated = data.violations[record[VIOLATED]], hidden = test.requirements.filter((number) => !violated.includes(number));
+  return [violated.length ? el('p', null, 'Violated: ', ids(violated)) : null,
+          hidden.length ? el('p', null, 'Not decided because of this failure: ', ids(hidden)) : null];
+}
+
 // One description for all columns that came out alike, to the last word.
 function outcome(test, columns) {
   const record = recordOf(test, columns[0]), failures = record.slice(FAILURES);
@@ -259,6 +269,7 @@ function outcome(test, columns) {
             el('h3', null, chip(record), ' ', labels(columns)),
             text(record[MESSAGE]) ? el('p', null, shownText(text(record[MESSAGE]))) : null,
             text(record[BASELINE]) ? el('p', null, text(record[BASELINE])) : null,
+            violations(test, record),
             text(record[FACTS]) ? el('p', null, faint(text(record[FACTS]))) : null,
             text(record[ACCURACY]) ? el('p', {class: 'faint'}, shownText(text(record[ACCURACY]))) : null,
             failures.map((failure, i) => failureOf(failure, failures[i - 1])),
