@@ -29,7 +29,7 @@ required='g++ cmake ninja-build libboost-dev libgtest-dev libcli11-dev nlohmann-
 required=${required//$'\n '/}
 benchmarks='libbenchmark-dev libmpfr-dev libeigen3-dev libsisl-dev libocct-modeling-data-dev libosd-dev libglu1-mesa-dev'
 everything="$required libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran pkg-config libpng-dev clang clang-tidy-14
-  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
+  clang-format-14 gcovr chromium chromium-driver python3-selenium help2man codespell doxygen gnuplot-nox libopenmpi-dev openmpi-bin dpkg-dev mmdebstrap
   $benchmarks"
 everything=${everything//$'\n '/}
 
@@ -540,7 +540,7 @@ check "asan-ubsan passed" grep -qE "^asan-ubsan +passed +[0-9]+ s$" <<<"$output"
 scenario "test: installs for its stages"
 evalcts test --preset debug
 exits 0
-called "libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran pkg-config libpng-dev libglu1-mesa-dev help2man gnuplot-nox libopenmpi-dev openmpi-bin ["
+called "libosmesa6 xvfb python3 bsdutils libmpfi-dev gfortran pkg-config libpng-dev libglu1-mesa-dev help2man codespell doxygen gnuplot-nox libopenmpi-dev openmpi-bin ["
 called "ctest --preset debug in"
 called_not release
 
