@@ -349,7 +349,10 @@ int play_programs(const Program& program) {
   TestRecord record;
   record.name = "program";
   record.verdict = finding ? Verdict::kFail : Verdict::kPass;
-  if (finding) record.failures = {finding->failure};
+  if (finding) {
+    record.failures = {finding->failure};
+    record.message = finding->failure.message;
+  }
   program.records->write(to_line(TestFinished{record}));
   return finding ? 1 : 0;
 }

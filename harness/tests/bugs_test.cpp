@@ -1,8 +1,11 @@
 // Failing tests become distinct bugs: minimal programs, their normal form, grouping.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include <evalcts/fuzz/bugs.h>
@@ -309,6 +312,59 @@ TEST(KnownBugs, MistakesAreNamed) {
   EXPECT_EQ(lint(bugs),
             (std::vector<std::string>{"a: 'clause' is missing", "a: there is no requirement EV-NO-SUCH"}));
   EXPECT_THROW(parse_known_bugs("{"), FormatError);
+}
+
+// --- from tests to bugs ------------------------------------------------------------------------------------
+
+// The bugs of production with this fault, seen by these tests.
+RunResult run_with_fault(const std::string& fault, const std::vector<std::string>& tests) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("evalcts-bugs-{}", getpid());
+  fs::create_directories(folder);
+  const std::vector<std::string> suite = {FAULTY_SUITE_PROGRAM, "--fault", fault, "--implementation",
+                                          "production"};
+  std::ofstream list(folder / "tests");
+  for (const std::string& test : tests) list << test << "\n";
+  list.close();
+  std::vector<std::string> command = suite;
+  command.insert(command.end(),
+                 {"--tests", (folder / "tests").string(), "--records", (folder / "records").string()});
+  RunResult run;
+  run.implementation.max_eval_order = kMaxOrder;
+  SuiteChild child(command, folder / "records", folder / "log", {});
+  while (!child.look(0.05, {}, [&](const Event& event) {
+    if (const auto* failed = std::get_if<CaseFailed>(&event))
+      run.failing_cases[failed->test] = failed->commands;
+    if (const auto* result = std::get_if<TestFinished>(&event)) run.tests.push_back(result->record);
+  })) {
+  }
+  find_bugs(run, {.suite_command = suite, .jobs = 2, .seconds = 300, .scratch = folder, .limits = {}},
+            [](std::size_t, std::size_t) {});
+  fs::remove_all(folder);
+  return run;
+}
+
+// One mistake is one bug, however many tests see it, in whatever dimension and through whatever command.
+TEST(FaultyImplementation, HasOneBug) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> faults = {
+      {"OrderZeroTaken",
+       {"Map1Errors.OrderTooLow/MAP1_COLOR_4_d", "Map1Errors.OrderTooLow/MAP1_COLOR_4_f/Compiled",
+        "Map1Errors.OrderTooLow/MAP1_VERTEX_3_f"}},
+      {"VertexAfterEvaluationHasInitialNormal",
+       {"Evaluation.MixedWithVertex/EvalCoord1d", "Evaluation.MixedWithVertex/EvalCoord2f",
+        "Evaluation.MixedWithVertex/EvalPoint1"}}};
+  for (const auto& [fault, tests] : faults) {
+    SCOPED_TRACE(fault);
+    const RunResult run = run_with_fault(fault, tests);
+    EXPECT_EQ(run.tests.size(), tests.size());
+    ASSERT_EQ(run.bugs.size(), 1u);
+    const Bug& bug = run.bugs[0];
+    EXPECT_EQ(bug.tests.size(), tests.size());
+    EXPECT_TRUE(bug.is_reduced()) << bug.why_not_reduced;
+    EXPECT_LE(bug.failure.calls.size(), 10u);
+    EXPECT_EQ(bug.known, "");
+    EXPECT_EQ(run.bugs_note, "");
+  }
 }
 
 }  // namespace
