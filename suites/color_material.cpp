@@ -69,9 +69,9 @@ void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& 
                               const gl::Case& without, const gl::Case& drawing) {
   const Part& control = drawn_once("ColorMaterial: " + name, [&] {
     const gl::Case vertices = explicit_commands(t, drawing);
-    const Picture picture = feedback(t, "control: explicit vertices", state, vertices);
+    const Picture picture = feedback(t, gl::control("explicit vertices"), state, vertices);
     require_an_effect(picture,
-                      feedback(t, "control: explicit vertices, in another state", without, vertices));
+                      feedback(t, gl::control("explicit vertices, in another state"), without, vertices));
     return picture.parts.at(0);
   });
   Picture picture = feedback(t, "evaluated", state, drawing);
@@ -110,10 +110,8 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-
     std::vector<gl::Ref> before, after;
   };
   const auto write = [&](bool evaluated, bool flush) {
-    Queried queried{gl::Case(fmt::format("{}queried {}", evaluated ? "" : "control: explicit vertices, ",
-                                         flush ? "after Flush" : "at once")),
-                    {},
-                    {}};
+    const std::string identity = flush ? "queried after Flush" : "queried at once";
+    Queried queried{gl::Case(evaluated ? identity : gl::control("explicit vertices, " + identity)), {}, {}};
     gl::Case& c = queried.script;
     light(c);
     track(c, tracked);
@@ -232,8 +230,8 @@ EVALCTS_TEST(ColorMaterial, NextVertexWithoutVertexMap, must, "EV-CMAT-NOVERTEX/
   // The control proves that a vertex shows the tracked colour: in Mesa 22.3 explicit vertices lose it as
   // well.
   const Part& control = drawn_once("ColorMaterial: no vertex map " + label(tracked), [&] {
-    const Picture picture = feedback(t, "control: a vertex", state, drawing(false));
-    require_an_effect(picture, feedback(t, "control: a vertex, not tracked", untracked, drawing(false)));
+    const Picture picture = feedback(t, gl::control("a vertex"), state, drawing(false));
+    require_an_effect(picture, feedback(t, gl::control("a vertex, not tracked"), untracked, drawing(false)));
     return picture.parts.at(0);
   });
   Picture picture = feedback(t, "a vertex after evaluations without a vertex map", state, drawing(true));

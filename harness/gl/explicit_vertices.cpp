@@ -57,7 +57,7 @@ class MeshOfVertices {
 }  // namespace
 
 Case with_explicit_vertices(const Case& script) {
-  Case control(script.identity());
+  Case control = script.without_commands();
   std::vector<int> places;
   bool in_primitive = false;
   for (const Command& written : script.commands()) {

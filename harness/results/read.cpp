@@ -228,7 +228,7 @@ std::optional<Event> parse_event(const std::string& line) {
     const JsonObject in(value, "event");
     const std::string kind = in.text("event");
     if (kind == "start") return TestStarted{in.text("name")};
-    if (kind == "case") return CaseStarted{in.text("case"), in.texts("calls")};
+    if (kind == "case") return CaseStarted{in.text("case"), in.boolean("control"), in.texts("calls")};
     if (kind == "end") return RunEnded{};
     const auto record = in.object("record");
     if (kind == "result" && record && record->has("verdict")) return TestFinished{read_test(*record)};

@@ -149,7 +149,9 @@ std::string to_line(const Event& event) {
   struct Writer {
     json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
     json operator()(const CaseStarted& start) const {
-      return {{"event", "case"}, {"case", start.identity}, {"calls", start.calls}};
+      json event = {{"event", "case"}, {"case", start.identity}, {"calls", start.calls}};
+      if (start.is_control) event["control"] = true;
+      return event;
     }
     json operator()(const TestFinished& result) const {
       return {{"event", "result"}, {"record", to_json(result.record)}};

@@ -324,7 +324,7 @@ int play_programs(const Program& program) {
 void play_without_evaluators(const Program& program, const gl::Case& script) {
   gl::Case control = script;
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
-    control = gl::Case(script.identity());
+    control = script.without_commands();
     for (const gl::Command& command : script.commands())
       if (!gl::name_of(command.entry).starts_with("glEval")) control.add(command);
   }
@@ -378,7 +378,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
-        program.records->write(to_line(CaseStarted{script.identity(), gl::all_calls(script)}));
+        program.records->write(
+            to_line(CaseStarted{script.identity(), script.is_control(), gl::all_calls(script)}));
     };
     if (answers) {
       answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))

@@ -36,6 +36,7 @@ struct TestStarted {
 // Only if cases are traced, before each case.
 struct CaseStarted {
   std::string identity;
+  bool is_control;                 // explicit vertices in the place of evaluation
   std::vector<std::string> calls;  // as C
 };
 struct TestFinished {
