@@ -16,13 +16,6 @@ struct Forward<Owner, method> {
   static Result call(Parameters... parameters) { return (Owner::current->*method)(parameters...); }
 };
 
-// C functions that take the context first.
-template <class Owner, class Handle, class Result, class... Parameters,
-          Result (*function)(Handle*, Parameters...)>
-struct Forward<Owner, function> {
-  static Result call(Parameters... parameters) { return function(Owner::current, parameters...); }
-};
-
 // Fills in every command of entry_points.def that `Class` has a method for.
 template <class Owner, class Class>
 gl::Table bind_methods() {
