@@ -69,9 +69,9 @@ void expect_lit_like_explicit(Test& t, const std::string& name, const gl::Case& 
                               const gl::Case& without, const gl::Case& drawing) {
   const Part& control = drawn_once("ColorMaterial: " + name, [&] {
     const gl::Case vertices = explicit_commands(t, drawing);
-    const Picture picture = feedback(t, "control: explicit vertices", state, vertices);
+    const Picture picture = feedback(t, gl::control("explicit vertices"), state, vertices);
     require_an_effect(picture,
-                      feedback(t, "control: explicit vertices, in another state", without, vertices));
+                      feedback(t, gl::control("explicit vertices, in another state"), without, vertices));
     return picture.parts.at(0);
   });
   Picture picture = feedback(t, "evaluated", state, drawing);
@@ -110,10 +110,8 @@ EVALCTS_TEST(ColorMaterial, MaterialUntouched, must, "EV-CMAT-NOSTATE/1-D", "EV-
     std::vector<gl::Ref> before, after;
   };
   const auto write = [&](bool evaluated, bool flush) {
-    Queried queried{gl::Case(fmt::format("{}queried {}", evaluated ? "" : "control: explicit vertices, ",
-                                         flush ? "after Flush" : "at once")),
-                    {},
-                    {}};
+    const std::string identity = flush ? "queried after Flush" : "queried at once";
+    Queried queried{gl::Case(evaluated ? identity : gl::control("explicit vertices, " + identity)), {}, {}};
     gl::Case& c = queried.script;
     light(c);
     track(c, tracked);
@@ -157,8 +155,8 @@ gl::Case one_vertex() {
 const Part& tracked_vertex(Test& t, GLenum tracked) {
   return drawn_once("ColorMaterial: a vertex " + label(tracked), [&] {
     const auto& [untracked, state] = lit(tracked);
-    const Picture picture = feedback(t, "control: a vertex", state, one_vertex());
-    require_an_effect(picture, feedback(t, "control: a vertex, not tracked", untracked, one_vertex()));
+    const Picture picture = feedback(t, gl::control("a vertex"), state, one_vertex());
+    require_an_effect(picture, feedback(t, gl::control("a vertex, not tracked"), untracked, one_vertex()));
     return picture.parts.at(0);
   });
 }

@@ -159,7 +159,7 @@ constexpr GLuint kCopy = 1;
 // Everything set in the first context, then copied to a fresh one by the mask. Throws NotObservable where
 // what has nothing to do with evaluators is not copied either.
 void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
-  gl::Case control("control: the clear colour");
+  gl::Case control(gl::control("the clear colour"));
   control.ClearColor(0.25f, 0.5f, 0.75f, 1.0f);
   control.OtherContextEVALCTS(kCopy);
   control.CopyContextEVALCTS(0, kCopy, GL_COLOR_BUFFER_BIT);

@@ -103,8 +103,9 @@ void expect_current_untouched(Test& t, GLenum target, const Query& query, Setter
       const int vertices = short_one ? 1 : t.by_depth(300, 1000, 30000);
       const Map map = random_map(t, target, 4), carrier = random_map(t, GL_MAP1_VERTEX_3, 4);
       observed |= expect_kept(t, [&](bool evaluated) {
-        gl::Case c(fmt::format("{}{}: setting {} then {} vertices",
-                               evaluated ? "" : "control: ", label(target), variant, vertices));
+        const std::string identity =
+            fmt::format("{}: setting {} then {} vertices", label(target), variant, vertices);
+        gl::Case c(evaluated ? identity : gl::control(identity));
         define(c, map);
         define(c, carrier);
         c.Enable(GL_MAP1_VERTEX_3);
@@ -202,9 +203,10 @@ EVALCTS_TEST(CurrentValues, EveryOrderOfSetting, must, "EV-CUR-COLOR/1-D", "EV-C
   bool observed = false;
   for (const Setting& setting : settings(t)) {
     observed |= expect_kept(t, [&](bool evaluated) {
-      gl::Case c(fmt::format("{}order {}{}{} with {} colour and {} texture components",
-                             evaluated ? "" : "control: ", setting.order[0], setting.order[1],
-                             setting.order[2], setting.color, setting.texture));
+      const std::string identity =
+          fmt::format("order {}{}{} with {} colour and {} texture components", setting.order[0],
+                      setting.order[1], setting.order[2], setting.color, setting.texture);
+      gl::Case c(evaluated ? identity : gl::control(identity));
       for (const Map& map : maps) define_and_enable(c, map);
       set_all(c, setting);
       const gl::Ref before = queried.ask(c);
@@ -338,7 +340,7 @@ EVALCTS_TEST(CurrentValues, OtherUnits, must, "EV-CUR-OTHERUNITS/1-D", by(gl::cu
 void expect_same_as_explicit(Test& t, const std::string& identity,
                              const std::function<std::vector<gl::Ref>(gl::Case&, bool evaluated)>& write) {
   std::vector<gl::Ref> refs;
-  gl::Case with_vertex("control: " + identity), with_evaluation(identity);
+  gl::Case with_vertex(gl::control(identity)), with_evaluation(identity);
   write(with_vertex, false);
   refs = write(with_evaluation, true);
   const Played control = t.play(with_vertex);

@@ -47,7 +47,7 @@ struct Answers {
 
 // The commands in a debug context, each twice: a command of a case writes one array, so that sources and
 // types are fetched one after the other.
-Answers answers(Test& t, const std::string& identity, const std::vector<NamedCalls>& commands) {
+Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCalls>& commands) {
   struct Fetched {
     gl::Ref error, count, array;
   };
@@ -84,7 +84,7 @@ EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
 (Test& t) {
   t.require(4, 3, "GL_KHR_debug");
   const Answers control =
-      answers(t, "control: Enable", {{"Enable of nothing", [](gl::Case& c) { c.Enable(GL_POINTS); }}});
+      answers(t, gl::control("Enable"), {{"Enable of nothing", [](gl::Case& c) { c.Enable(GL_POINTS); }}});
   if (control.all[0].error != GL_INVALID_ENUM || !control.all[0].is_reported())
     throw NotObservable("pipeline: the debug context has no message for the error of another command");
   const std::vector<NamedCalls> commands = mistakes();

@@ -86,7 +86,7 @@ void expect_colors(Test& t, const gl::Case& state, const std::vector<Color>& col
       }
     return {};
   };
-  const Picture control = feedback(t, "control: explicit vertices", state, draw(false));
+  const Picture control = feedback(t, gl::control("explicit vertices"), state, draw(false));
   if (const std::string why = wrong(control.parts.at(0)); !why.empty())
     throw NotObservable("pipeline: with explicit vertices " + why);
   Picture picture = feedback(t, "evaluated", state, draw(true));

@@ -48,7 +48,8 @@ std::size_t count_segments(const Drawing& drawing) {
 EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_POINTS);
-  const Picture control = feedback(t, "control: explicit points", inside_and_half_outside(drawings, false));
+  const Picture control =
+      feedback(t, gl::control("explicit points"), inside_and_half_outside(drawings, false));
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
     const std::vector<FeedbackPrimitive> points = primitives_of(control.parts[i]);
     const std::size_t all = count_vertices(drawings[i % drawings.size()]);
@@ -64,7 +65,8 @@ EVALCTS_TEST(Feedback, PointMesh, must, "EV-FB-POINT")
 EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
-  const Picture control = feedback(t, "control: explicit strips", inside_and_half_outside(drawings, false));
+  const Picture control =
+      feedback(t, gl::control("explicit strips"), inside_and_half_outside(drawings, false));
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
     const std::vector<FeedbackPrimitive> lines = primitives_of(control.parts[i]);
     const bool whole = i < drawings.size();
@@ -94,7 +96,7 @@ bool starts_elsewhere(const Drawing& drawing, const Part& part) {
 EVALCTS_TEST(Feedback, LineStarts, quality, "EV-FB-LINE")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_LINE_STRIP);
-  const Picture control = feedback(t, "control: explicit strips", scenes_of(drawings, false));
+  const Picture control = feedback(t, gl::control("explicit strips"), scenes_of(drawings, false));
   for (std::size_t i = 0; i < drawings.size(); ++i)
     if (starts_elsewhere(drawings[i], control.parts[i]))
       throw NotObservable("pipeline: LINE_RESET_TOKEN stands within explicit strips");
@@ -145,7 +147,7 @@ EVALCTS_TEST(Feedback, FillMesh, must, "EV-FB-FILL")
 (Test& t) {
   const std::vector<Drawing> drawings = meshes(t, GL_QUAD_STRIP);
   const Picture control =
-      feedback(t, "control: explicit quad strips", scenes_of(drawings, false, "inside", not_moved()));
+      feedback(t, gl::control("explicit quad strips"), scenes_of(drawings, false, "inside", not_moved()));
   const Part& expected = control.parts[0];
   const std::vector<double> whole(kQuads, -double{kWidth} * kHeight);  // clockwise
   if (!are_all(primitives_of(expected), {GL_POLYGON_TOKEN}) || !alike(areas_of(expected).values, whole))
@@ -208,7 +210,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
   for (Drawing& drawing : all_drawings(t))
     if (drawing.primitive != GL_POINTS) drawings.push_back(std::move(drawing));
   const Picture control =
-      feedback(t, "control: explicit texture coordinates", scenes_of(drawings, false, "", state));
+      feedback(t, gl::control("explicit texture coordinates"), scenes_of(drawings, false, "", state));
   for (std::size_t i = 0; i < points; ++i)
     if (i % kEach) require_an_effect(control.parts[i].values, control.parts[i - i % kEach].values);
   Picture picture = feedback(t, "evaluated", scenes_of(drawings, true, "", state));
@@ -253,10 +255,11 @@ EVALCTS_TEST(Feedback, Colors, must, "EV-FB-COLOR", combine(kColorStages))
   const std::vector<Drawing> drawings = lighting ? meshes(t) : meshes_of_colors_beyond_1(t);
   gl::Case state;
   stage.set(state);
-  const Picture control = feedback(t, "control: explicit vertices", scenes_of(drawings, false, "", state));
+  const Picture control =
+      feedback(t, gl::control("explicit vertices"), scenes_of(drawings, false, "", state));
   if (lighting) {
     require_an_effect(control,
-                      feedback(t, "control: explicit vertices, not lit", scenes_of(drawings, false)));
+                      feedback(t, gl::control("explicit vertices, not lit"), scenes_of(drawings, false)));
   } else if (!std::ranges::all_of(control.parts, is_clamped)) {
     throw NotObservable("pipeline: the colours of explicit vertices are not clamped");
   }
@@ -296,7 +299,7 @@ EVALCTS_TEST(Feedback, FlatColors, must, "EV-FB-COLOR")
     for (Scene& scene : scenes_of(quads, evaluated, "inside", not_moved())) all.push_back(std::move(scene));
     return all;
   };
-  const Picture control = feedback(t, "control: explicit vertices", scenes(false));
+  const Picture control = feedback(t, gl::control("explicit vertices"), scenes(false));
   Picture picture = feedback(t, "evaluated", scenes(true));
   bool observed = false;
   for (std::size_t i = 1; i < picture.parts.size(); ++i) {

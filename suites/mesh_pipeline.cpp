@@ -188,7 +188,7 @@ Picture outlined_meshes(Test& t, std::initializer_list<bool> flags) {
     add_outlined(strips, flag, explicit_strips(t, mesh(GL_FILL)));
     add_outlined(evaluated, flag, mesh(GL_FILL));
   }
-  require_quads(feedback(t, "control: explicit quad strips", strips));
+  require_quads(feedback(t, gl::control("explicit quad strips"), strips));
   return feedback(t, "evaluated", evaluated);
 }
 
@@ -235,7 +235,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS")
   });
   const auto is_edge = [](std::size_t part) { return part % 3 != 0; };
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas, GL_RED);
+      pixels(t, gl::control("explicit quad strips"), state, explicit_strips(t, mesh(GL_FILL)), areas, GL_RED);
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (lit(control.parts[i]) != is_edge(i))
       throw NotObservable("pipeline: explicit quad strips do not show their edges and nothing else");
@@ -262,7 +262,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
   twisted.EvalMesh2(GL_FILL, 0, kColumns, 0, kRows);
   const gl::Case strips = explicit_strips(t, twisted);
 
-  const Outlines expected = outlines_of(feedback(t, "control: vertices", {}, strips).parts[0]);
+  const Outlines expected = outlines_of(feedback(t, gl::control("vertices"), {}, strips).parts[0]);
   if (expected.corners.size() != (kColumns + 1) * (kRows + 1))
     throw NotObservable("pipeline: explicit quad strips do not come out whole");
   Picture polygons = feedback(t, "vertices", {}, twisted);
@@ -273,7 +273,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
   for_each_quad([&](int i, int j) {
     middles.push_back({kLeft + kWidth * i + kWidth / 2, kBottom + kHeight * j + kHeight / 2});
   });
-  const Picture control = pixels(t, "control: middles of the quads", {}, strips, middles);
+  const Picture control = pixels(t, gl::control("middles of the quads"), {}, strips, middles);
   Picture picture = pixels(t, "middles of the quads", {}, twisted, middles);
   for (std::size_t i = 0; i < middles.size(); ++i) {
     if (!lit(control.parts[i])) throw NotObservable("pipeline: explicit quad strips do not come out whole");
@@ -290,7 +290,7 @@ EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
 void expect_flat(Test& t, const gl::Case& state, bool first_vertex) {
   const std::vector<Area> areas = samples_in_halves();
   const Picture control =
-      pixels(t, "control: explicit quad strips", state, explicit_strips(t, mesh(GL_FILL)), areas);
+      pixels(t, gl::control("explicit quad strips"), state, explicit_strips(t, mesh(GL_FILL)), areas);
   std::size_t sample = 0;
   for_each_quad([&](int i, int j) {
     const auto color = first_vertex ? color_at(i, j) : color_at(i + 1, j + 1);
@@ -311,7 +311,7 @@ EVALCTS_TEST(Mesh2, FlatShading, must, "EV-MESH2-FLAT")
 EVALCTS_TEST(Mesh2, FlatShadingByTheFirstVertex, must, "EV-MESH2-FLAT-FIRST")
 (Test& t) {
   t.require(3, 2, "GL_ARB_provoking_vertex");
-  gl::Case question("control: whether quads follow");
+  gl::Case question(gl::control("whether quads follow"));
   const gl::Ref follow = question.GetIntegerv(GL_QUADS_FOLLOW_PROVOKING_VERTEX_CONVENTION, gl::out<GLint>(1));
   const bool quads_follow = t.play(question).trace().values<GLint>(follow)[0] != 0;
   gl::Case state;
@@ -342,7 +342,7 @@ void expect_facings(Test& t, const std::vector<Facing>& facings, bool automatic_
     evaluated.emplace_back(facing.name, facing.state, drawing);
     strips.emplace_back(facing.name, facing.state, explicit_strips(t, drawing));
   }
-  const Picture control = pixels(t, "control: explicit quad strips", strips, areas);
+  const Picture control = pixels(t, gl::control("explicit quad strips"), strips, areas);
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
     const Part& part = control.parts[i];
     const Facing& facing = facings[i / areas.size()];
@@ -440,7 +440,7 @@ constexpr Stages kStages[] = {{"MODE_AND_CULLING", false, kModesAndCulling}, {"O
 // middles, or feedback.
 class Looks {
  public:
-  Looks(Test& t, const Stages& stages, const std::string& identity, const std::vector<gl::Case>& drawings)
+  Looks(Test& t, const Stages& stages, const gl::Identity& identity, const std::vector<gl::Case>& drawings)
       : drawings_(drawings.size()),
         scenes_(drawings_ * (1 + stages.stages.size())),
         picture_(take(t, stages, identity, drawings)) {}
@@ -457,7 +457,7 @@ class Looks {
   }
 
  private:
-  static Picture take(Test& t, const Stages& stages, const std::string& identity,
+  static Picture take(Test& t, const Stages& stages, const gl::Identity& identity,
                       const std::vector<gl::Case>& drawings) {
     std::vector<Scene> scenes;
     const auto add = [&](const char* name, gl::Case state) {
@@ -498,7 +498,7 @@ EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", co
 (Test& t, const Stages& stages) {
   const std::vector<gl::Case> meshes = {mesh(GL_POINT), mesh(GL_LINE)};
   const Looks control(
-      t, stages, "control: explicit vertices",
+      t, stages, gl::control("explicit vertices"),
       {explicit_strips(t, meshes[0]), explicit_strips(t, meshes[1]), explicit_strips(t, mesh(GL_FILL))});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage) {
     if (!control.has_effect(stage, 2, kEffect))
@@ -523,7 +523,7 @@ EVALCTS_TEST(Mesh2, LinesAndPointsAreNoPolygons, must, "EV-MESH2-NOPOLYMODE", co
 EVALCTS_TEST(Mesh2, FillsArePolygons, must, "EV-MESH2-NOPOLYMODE", combine(kStages))
 (Test& t, const Stages& stages) {
   const gl::Case evaluated = mesh(GL_FILL);
-  const Looks control(t, stages, "control: explicit quad strips", {explicit_strips(t, evaluated)});
+  const Looks control(t, stages, gl::control("explicit quad strips"), {explicit_strips(t, evaluated)});
   for (std::size_t stage = 1; stage <= stages.stages.size(); ++stage)
     if (!control.has_effect(stage, 0, kEffect))
       throw NotObservable("pipeline: the stage does not show with explicit polygons");

@@ -97,7 +97,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
   const gl::Case state = state_of(stipple);
   const gl::Case strips = without_edge_flags(explicit_commands(t, evaluated));
   const Picture control =
-      pixels(t, "control: explicit line strips",
+      pixels(t, gl::control("explicit line strips"),
              {{"", {}, strips}, {"", state, apart(strips)}, {"", state, strips}}, areas, GL_RED);
   const std::size_t count = areas.size();
   const auto values = [&](std::size_t scene) {
@@ -121,7 +121,7 @@ void expect_stipple(Test& t, const Stipple& stipple, const gl::Case& evaluated,
 // (U-FEEDBACK-RESET).
 void expect_starts(Test& t, const gl::Case& evaluated) {
   const gl::Case state = state_of(kStipples[0]);
-  const Picture control = feedback(t, "control: explicit line strips", state,
+  const Picture control = feedback(t, gl::control("explicit line strips"), state,
                                    without_edge_flags(explicit_commands(t, evaluated)));
   const std::vector<bool> expected = starts_of(control.parts[0]);
   for (std::size_t i = 0; i < expected.size(); ++i)

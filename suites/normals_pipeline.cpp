@@ -77,7 +77,7 @@ EVALCTS_TEST(AutomaticNormals, Transformed, must, "EV-AUTON-FFTRANSFORM", combin
   add(controls, false, explicit_points);
   add(controls, true, explicit_points);
   add(evaluations, true, evaluated);
-  Picture control = feedback(t, "control: explicit vertices", controls);
+  Picture control = feedback(t, gl::control("explicit vertices"), controls);
   const std::size_t count = stage.matrices.size();
   for (std::size_t i = 0; i < count; ++i)
     require_an_effect(control.parts[count + i].values, control.parts[i].values);
@@ -106,7 +106,7 @@ EVALCTS_TEST(AutomaticNormals, LitAsUnits, must, "EV-AUTON-UNIT")
       for (gl::Value& value : command.arguments) value = std::get<float>(value) / 2;
     controls.back().commands.add(command);
   }
-  const Picture control = feedback(t, "control: explicit vertices", controls);
+  const Picture control = feedback(t, gl::control("explicit vertices"), controls);
   require_an_effect(control.parts.front().values, control.parts.back().values);
   expect_like_explicit(feedback(t, "evaluated", evaluated), control);
 };
@@ -122,7 +122,7 @@ EVALCTS_TEST(AutomaticNormals, InitiallyOff, must, "EV-INIT-AUTON-OFF")
   gl::Case automatic;
   automatic.Enable(GL_AUTO_NORMAL);
   automatic.append(evaluated);
-  const Picture control = feedback(t, "control: explicit vertices",
+  const Picture control = feedback(t, gl::control("explicit vertices"),
                                    {{"the current normal", state, explicit_commands(t, evaluated)},
                                     {"generated normals", state, explicit_commands(t, automatic)}});
   require_an_effect(control.parts[0].values, control.parts[1].values);
@@ -182,7 +182,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
       }
     }
   }
-  const Picture control = feedback(t, "control: explicit vertices", with_normals);
+  const Picture control = feedback(t, gl::control("explicit vertices"), with_normals);
   for (std::size_t i = 0; i < normals.size(); ++i)
     for (const FeedbackPrimitive& point : primitives_of(control.parts[i]))
       if (!alike(std::vector<double>(&point.vertices[0][8], &point.vertices[0][11]), normals[i]))

@@ -184,13 +184,13 @@ void require_programs(Test& t, const std::string& color_source,
     drawing.Vertex4f(static_cast<float>(p[0]), static_cast<float>(p[1]), 0, 1);
   }
   drawing.End();
-  const Picture control = feedback(t, "control: explicit vertices", state, drawing);
+  const Picture control = feedback(t, gl::control("explicit vertices"), state, drawing);
   const std::string why = wrong_points(
       control.parts.at(0), std::size(kAt), [&](double) { return shown; }, kPositionAt);
   if (!why.empty()) throw NotObservable("pipeline: with explicit vertices " + why);
 }
 
-void expect_points(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+void expect_points(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                    std::size_t count, const std::function<Color(double)>& color) {
   Picture picture = feedback(t, identity, state, drawing);
   const std::string why = wrong_points(picture.parts.at(0), count, color, kPositionAt);

@@ -172,7 +172,7 @@ EVALCTS_TEST_PAIR(Ordering.SeesEarlierState1, Ordering.SeesEarlierState2, must,
     drawn_before += prediction.primitives.size();
     vertices.append(as_explicit_commands(prediction));
   }
-  const Picture control = feedback(t, "control: explicit vertices", {}, vertices);
+  const Picture control = feedback(t, gl::control("explicit vertices"), {}, vertices);
   // Each change shows.
   const std::vector<double>& values = control.values();
   const auto size = static_cast<std::ptrdiff_t>(values.size() / all.size());

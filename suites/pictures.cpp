@@ -34,7 +34,7 @@ std::string name_of(const Area& area) {
 
 }  // namespace
 
-Picture feedback(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
+Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
   struct Refs {
     gl::Ref buffer, count;
@@ -58,7 +58,7 @@ Picture feedback(Test& t, const std::string& identity, const std::vector<Scene>&
   return picture;
 }
 
-Picture feedback(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing) {
+Picture feedback(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing) {
   return feedback(t, identity, {Scene("in feedback mode", state, drawing)});
 }
 
@@ -89,7 +89,7 @@ void forget_stipple_starts(Picture& feedback) {
     std::ranges::replace(part.values, double{GL_LINE_RESET_TOKEN}, double{GL_LINE_TOKEN});
 }
 
-Picture pixels(Test& t, const std::string& identity, const std::vector<Scene>& scenes,
+Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes,
                const std::vector<Area>& areas, GLenum format) {
   gl::Case c(identity);
   c.Viewport(0, 0, kSide, kSide);
@@ -113,7 +113,7 @@ Picture pixels(Test& t, const std::string& identity, const std::vector<Scene>& s
   return picture;
 }
 
-Picture pixels(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+Picture pixels(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                const std::vector<Area>& areas, GLenum format) {
   return pixels(t, identity, {Scene("", state, drawing)}, areas, format);
 }

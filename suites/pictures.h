@@ -48,9 +48,9 @@ struct Picture {
 
 // The scenes in feedback mode, a part each: tokens, each vertex as (x, y, z, w) of the window, colour and
 // texture coordinates. Throws NotObservable where there is more than the buffer holds.
-Picture feedback(Test& t, const std::string& identity, const std::vector<Scene>& scenes);
+Picture feedback(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes);
 // One drawing under the state.
-Picture feedback(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing);
+Picture feedback(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing);
 
 // A primitive of such a picture. A LINE_RESET_TOKEN is a token of its own.
 struct FeedbackPrimitive {
@@ -72,10 +72,10 @@ struct Area {
 
 // The areas of the frame buffer, a part each, after each scene; before it the frame buffer is cleared to 0
 // (its depth to 1). format: GL_RGBA, GL_RED or GL_DEPTH_COMPONENT.
-Picture pixels(Test& t, const std::string& identity, const std::vector<Scene>& scenes,
+Picture pixels(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
 // One drawing under the state.
-Picture pixels(Test& t, const std::string& identity, const gl::Case& state, const gl::Case& drawing,
+Picture pixels(Test& t, const gl::Identity& identity, const gl::Case& state, const gl::Case& drawing,
                const std::vector<Area>& areas, GLenum format = GL_RGBA);
 
 bool alike(const std::vector<double>& a, const std::vector<double>& b, double tolerance = kTolerance);

@@ -16,7 +16,7 @@ enum class View {
   pixel,     // one pixel in the middle, for what feedback does not show
 };
 
-Picture look(Test& t, View view, const std::string& identity, const gl::Case& state,
+Picture look(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
              const gl::Case& drawing) {
   if (view == View::pixel) {
     gl::Case large_points = state;
@@ -28,7 +28,7 @@ Picture look(Test& t, View view, const std::string& identity, const gl::Case& st
   return picture;
 }
 
-void expect_like_explicit(Test& t, View view, const std::string& identity, const gl::Case& state,
+void expect_like_explicit(Test& t, View view, const gl::Identity& identity, const gl::Case& state,
                           const gl::Case& evaluated, const Part& control) {
   Picture picture = look(t, view, identity, state, evaluated);
   evalcts::expect_like_explicit(picture.played, picture.parts.at(0), control);
@@ -127,8 +127,8 @@ EVALCTS_TEST(Pipeline, Stage, must, "EV-COORD-TRANSFORM/1-D", combine(kStages).b
 
   const gl::Case vertices = explicit_commands(t, evaluated);
   const Part& control = drawn_once(std::string("stage ") + stage.name, [&] {
-    const Picture picture = look(t, view, "control: explicit vertices", staged, vertices);
-    require_an_effect(picture, look(t, view, "control: without the stage", plain, vertices));
+    const Picture picture = look(t, view, gl::control("explicit vertices"), staged, vertices);
+    require_an_effect(picture, look(t, view, gl::control("without the stage"), plain, vertices));
     return picture.parts.at(0);
   });
   expect_like_explicit(t, view, "evaluated", staged, evaluated, control);
@@ -199,7 +199,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
     return c;
   };
   const Part& control = drawn_once(std::string("between ") + between.name, [&] {
-    const Picture picture = look(t, view, "control: explicit vertices", state, draw_both(false));
+    const Picture picture = look(t, view, gl::control("explicit vertices"), state, draw_both(false));
     const std::vector<double>& values = picture.values();
     const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     require_an_effect(std::vector<double>(half, values.end()), std::vector<double>(values.begin(), half));
@@ -228,8 +228,8 @@ EVALCTS_TEST(Pipeline, CurrentEdgeFlag, must, "EV-ATTR-NOMAPS/1-D", by(without_l
   gl::Case flags = as_explicit_commands(prediction);
   gl::Case all_edges = without_edge_flags(flags);
 
-  const Picture control = look(t, view, "control: explicit vertices", state, flags);
-  require_an_effect(control, look(t, view, "control: all edges", state, all_edges));
+  const Picture control = look(t, view, gl::control("explicit vertices"), state, flags);
+  require_an_effect(control, look(t, view, gl::control("all edges"), state, all_edges));
   expect_like_explicit(t, view, "evaluated", state, evaluated, control.parts.at(0));
 };
 

@@ -21,7 +21,7 @@ struct Counted {
   GLuint count(std::size_t i) const { return played.trace().values<GLuint>(queries[i])[0]; }
 };
 
-Counted count(Test& t, const std::string& identity, GLenum target, const std::vector<Scene>& scenes) {
+Counted count(Test& t, const gl::Identity& identity, GLenum target, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
   c.Viewport(0, 0, kSide, kSide);
   std::vector<gl::Ref> queries;
@@ -45,7 +45,7 @@ void expect_counted_like_explicit(Test& t, GLenum target, const std::vector<Draw
   empty.EvalMesh2(GL_FILL, 0, kColumns, 1, 0);
   vertices.emplace_back("nothing", gl::Case());
   evaluated.emplace_back("meshes of empty ranges", empty);
-  const Counted control = count(t, "control: explicit vertices", target, vertices);
+  const Counted control = count(t, gl::control("explicit vertices"), target, vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     if ((control.count(i) == 0) != (i == drawings.size()))
       throw NotObservable("pipeline: explicit vertices are not counted");
@@ -79,7 +79,7 @@ struct Conditional {
   std::size_t lit(gl::Ref read) const { return count_lit(played, read); }
 };
 
-Conditional render(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
+Conditional render(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
   c.Viewport(0, 0, kSide, kSide);
   c.ClearColor(0, 0, 0, 0);
@@ -107,7 +107,7 @@ Conditional render(Test& t, const std::string& identity, const std::vector<Scene
 }
 
 void expect_discarded(Test& t, const std::vector<Drawing>& drawings) {
-  const Conditional control = render(t, "control: explicit vertices", scenes_of(drawings, false));
+  const Conditional control = render(t, gl::control("explicit vertices"), scenes_of(drawings, false));
   for (std::size_t i = 0; i < drawings.size(); ++i)
     if (control.lit(control.failed[i]) > 0 || control.lit(control.passed[i]) == 0)
       throw NotObservable("pipeline: explicit vertices are not discarded, or are whatever the query says");

@@ -40,7 +40,7 @@ GLenum mode_of(GLenum primitive) {
   return primitive == GL_POINTS ? GL_POINTS : primitive == GL_LINE_STRIP ? GL_LINES : GL_TRIANGLES;
 }
 
-Recordings record(Test& t, const std::string& identity, const std::vector<Scene>& scenes,
+Recordings record(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes,
                   const std::vector<Drawing>& drawings) {
   gl::Case c(identity);
   c.Viewport(0, 0, kSide, kSide);
@@ -197,7 +197,8 @@ EVALCTS_TEST(Pipeline, TransformFeedback, must, "EV-PIPE-XFB")
 (Test& t) {
   t.require(3, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
-  require_recorded(record(t, "control: explicit vertices", scenes_of(drawings, false), drawings), drawings);
+  require_recorded(record(t, gl::control("explicit vertices"), scenes_of(drawings, false), drawings),
+                   drawings);
   Recordings recordings = record(t, "evaluated", scenes_of(drawings, true), drawings);
   for (const Recording& recording : recordings.all) recordings.played.expect_no_error(recording.error);
   expect_recorded(recordings, drawings);
@@ -217,7 +218,7 @@ EVALCTS_TEST(Pipeline, RasterizerDiscard, must, "EV-PIPE-DISCARD")
     return all;
   };
   const auto is_discarded = [&](std::size_t i) { return i < drawings.size(); };
-  const Recordings control = record(t, "control: explicit vertices", scenes(false), drawings);
+  const Recordings control = record(t, gl::control("explicit vertices"), scenes(false), drawings);
   require_recorded(control, drawings);
   for (std::size_t i = 0; i < control.all.size(); ++i)
     if ((count_lit(control.played, control.all[i].read) == 0) != is_discarded(i))

@@ -47,7 +47,7 @@ struct Attempts {
 
 // Begin, where it is refused, is closed by End, whose own error, INVALID_OPERATION without Begin, says the
 // same.
-Attempts attempts(Test& t, const std::string& identity, const std::vector<Drawing>& drawings,
+Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawing>& drawings,
                   const Prepare& prepare, GLenum counted, bool evaluated) {
   Attempts attempts = {gl::Case(identity), {}, {}, {}, {}};
   gl::Case& c = attempts.script;
@@ -96,7 +96,7 @@ GLuint counted_by(const Played& played, const Attempt& attempt) {
 
 void expect_refused_like_begin(Test& t, const std::vector<Drawing>& drawings, const Prepare& prepare,
                                GLenum error, GLenum counted = 0) {
-  const Attempts controls = attempts(t, "control: Begin", drawings, prepare, counted, false);
+  const Attempts controls = attempts(t, gl::control("Begin"), drawings, prepare, counted, false);
   const Played control = t.play(controls.script);
   for (const Program& program : controls.prepared.programs) require_linked(control, program);
 

@@ -41,7 +41,7 @@ struct Selection {
 };
 
 // The scenes in selection mode: scene i has the name i + 1.
-Selection select(Test& t, const std::string& identity, const std::vector<Scene>& scenes) {
+Selection select(Test& t, const gl::Identity& identity, const std::vector<Scene>& scenes) {
   gl::Case c(identity);
   const gl::Ref buffer = c.SelectBuffer(kRoom, gl::out<GLuint>(kRoom));
   c.RenderMode(GL_SELECT);
@@ -115,7 +115,7 @@ EVALCTS_TEST(Selection, Hits, must, "EV-SEL-HIT")
     for (Scene& scene : scenes_of(drawings, true, place.name, state)) evaluated.push_back(std::move(scene));
     for (Scene& scene : scenes_of(drawings, false, place.name, state)) vertices.push_back(std::move(scene));
   }
-  const Selection control = select(t, "control: explicit vertices", vertices);
+  const Selection control = select(t, gl::control("explicit vertices"), vertices);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Place& place = kPlaces[i / drawings.size()];
     double low = 1, high = 0;
@@ -153,7 +153,7 @@ EVALCTS_TEST(Selection, CulledMesh, must, "EV-SEL-CULLED")
       // The quads are clockwise.
       culled.push_back(face == GL_FRONT_AND_BACK || (front == GL_CW) == (face == GL_FRONT));
     }
-  const Selection control = select(t, "control: explicit quad strips", vertices);
+  const Selection control = select(t, gl::control("explicit quad strips"), vertices);
   for (std::size_t i = 0; i < culled.size(); ++i)
     if ((control.hit_of(static_cast<GLuint>(i + 1)) == nullptr) != culled[i])
       throw NotObservable("pipeline: explicit quad strips are culled otherwise");
@@ -191,7 +191,7 @@ EVALCTS_TEST(Selection, EmptyMesh, must, "EV-SEL-EMPTY")
   }
   const auto empty = static_cast<GLuint>(scenes.size());
   const Drawing drawn = meshes(t, GL_LINE_STRIP)[0];
-  const Selection control = select(t, "control: explicit vertices",
+  const Selection control = select(t, gl::control("explicit vertices"),
                                    {Scene("nothing", gl::Case()), Scene("a line", drawn.vertices)});
   if (control.names() != std::vector<GLuint>{2})
     throw NotObservable("pipeline: explicit vertices do not hit, or nothing does");

@@ -45,7 +45,7 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::c
     const float x = static_cast<float>(vertex) / 16;
     return std::vector<float>{x, 0.5f - x / 2, 0.25f, 3 + x, x, -x, 7, 2, 1 - x, 4, x / 2, -3};
   };
-  const auto draw = [&](const char* identity, bool evaluated) {
+  const auto draw = [&](const gl::Identity& identity, bool evaluated) {
     gl::Case c(identity);
     enable_all_maps(t, c);
     c.Begin(GL_POINTS);
@@ -69,7 +69,7 @@ EVALCTS_TEST(ShaderAttributes, WithoutMaps, must, "EV-ATTR-NOMAPS/1-D", by(gl::c
     return std::pair{kVertices, std::size_t{0}};
   };
   const RecordedVaryings control =
-      t.record_varyings(draw("control: explicit vertices", false), shader, kVertices);
+      t.record_varyings(draw(gl::control("explicit vertices"), false), shader, kVertices);
   if (control.vertices != kVertices || mismatch(control).first != kVertices)
     throw NotObservable("pipeline: these attributes do not reach the shader with explicit vertices, either");
 
@@ -107,7 +107,7 @@ EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
   VaryingShader generic = shader_with("attribute vec4 zero;\n", "zero");
   generic.locations = {{0, "zero"}};
 
-  const auto draw = [&](const char* identity, bool evaluated) {
+  const auto draw = [&](const gl::Identity& identity, bool evaluated) {
     gl::Case c(identity);
     c.Begin(GL_POINTS);
     for (std::size_t i = 0; i < kVertices; ++i)
@@ -118,7 +118,7 @@ EVALCTS_TEST(ShaderAttributes, GenericZero, must, "EV-ATTR-GENERIC0/1-D",
   const auto both = [&](const gl::Case& c) {
     return std::pair{t.record_varyings(c, conventional, kVertices), t.record_varyings(c, generic, kVertices)};
   };
-  const auto [control, generic_control] = both(draw("control: explicit vertices", false));
+  const auto [control, generic_control] = both(draw(gl::control("explicit vertices"), false));
   if (control.vertices != kVertices || control.values != generic_control.values)
     throw NotObservable("pipeline: generic attribute 0 is not the vertex with explicit vertices, either");
 

@@ -68,7 +68,7 @@ void require_transformed_texture(const Stage& stage, const Drawing& drawing, con
 // In feedback mode, where the primitives stay whole.
 void expect_stages_in_feedback(Test& t, const std::vector<Stage>& stages,
                                const std::vector<Drawing>& drawings) {
-  const Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
   require_each_effect(control, drawings.size());
   for (std::size_t i = 0; i < control.parts.size(); ++i)
     require_transformed_texture(stages[i / drawings.size()], drawings[i % drawings.size()], control.parts[i]);
@@ -187,7 +187,7 @@ EVALCTS_TEST(Pipeline, ClippedPointsAndLines, must, "EV-PIPE-CLIPPLANE")
   std::vector<Drawing> drawings = meshes(t, GL_POINTS);
   for (Drawing& drawing : meshes(t, GL_LINE_STRIP)) drawings.push_back(std::move(drawing));
   const std::vector<Stage> stages = clip_stages();
-  const Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  const Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
   // The second plane leaves the curve as it is.
   for (std::size_t i = drawings.size(); i < control.parts.size(); ++i)
     if (i < 2 * drawings.size() || drawings[i % drawings.size()].two)
@@ -206,7 +206,7 @@ EVALCTS_TEST(Pipeline, ClippedQuads, must, "EV-PIPE-CLIPPLANE")
     for (const int x : {kLeft + 4, kPlaneAt - 3, kPlaneAt + 2, kLeft + kWidth * kColumns - 4})
       areas.push_back({x, y});
   const Picture control =
-      pixels(t, "control: explicit quad strips", staged(stages, drawings, false), areas, GL_RED);
+      pixels(t, gl::control("explicit quad strips"), staged(stages, drawings, false), areas, GL_RED);
   for (std::size_t i = 0; i < control.parts.size(); ++i) {
     const bool clipped = i >= areas.size() && areas[i % areas.size()].x > kPlaneAt;
     if (lit(control.parts[i]) == clipped) throw NotObservable("pipeline: explicit quads are not clipped");
@@ -260,7 +260,7 @@ void expect_fog(Test& t, const std::vector<Stage>& stages) {
   for (const Drawing& drawing : drawings) {
     const std::vector<Area> areas = vertex_pixels(drawing.two);
     const Picture control =
-        pixels(t, "control: explicit vertices, " + drawing.name, staged(stages, {drawing}, false), areas);
+        pixels(t, gl::control("explicit vertices, " + drawing.name), staged(stages, {drawing}, false), areas);
     const auto values = [&](std::size_t stage) {
       std::vector<double> all;
       for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -322,7 +322,7 @@ EVALCTS_TEST(Pipeline, FlatLines, must, "EV-PIPE-FLATLINE")
         for (const int off : {kOffEnds, kHeight - kOffEnds})
           add(kLeft + kWidth * i, kBottom + kHeight * j + off, patch_color_at(i, j + 1));
     const Picture control =
-        pixels(t, "control: explicit line strips, " + drawing.name, state, drawing.vertices, areas);
+        pixels(t, gl::control("explicit line strips, " + drawing.name), state, drawing.vertices, areas);
     for (std::size_t i = 0; i < colors.size(); ++i)
       if (!alike(control.parts[i].values, {colors[i].begin(), colors[i].end()}))
         throw NotObservable("pipeline: explicit segments do not have the colour of their second vertices");
@@ -351,7 +351,7 @@ EVALCTS_TEST(Pipeline, NoPrimitiveRestart, must, "EV-PIPE-NORESTART")
     stage.state.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   }
   const std::vector<Drawing> drawings = all_drawings(t);
-  Picture control = feedback(t, "control: explicit vertices", staged(stages, drawings, false));
+  Picture control = feedback(t, gl::control("explicit vertices"), staged(stages, drawings, false));
   forget_stipple_starts(control);
   const auto is_as_without = [&](const Picture& picture, std::size_t i) {
     return alike(picture.parts[i].values, picture.parts[i % drawings.size()].values);

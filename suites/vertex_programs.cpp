@@ -48,7 +48,7 @@ void set_values_without_maps(gl::Case& c) {
 
 constexpr Named<bool> kKinds[] = {{"SHADER", false}, {"ASSEMBLY", true}};
 
-Picture look(Test& t, const Named<bool>& kind, const std::string& identity,
+Picture look(Test& t, const Named<bool>& kind, const gl::Identity& identity,
              const std::vector<Drawing>& drawings, bool evaluated, bool with_program = true) {
   gl::Case state;
   set_up_texture(state);
@@ -72,8 +72,8 @@ EVALCTS_TEST(Pipeline, VertexPrograms, must, "EV-PIPE-VS", combine(kKinds))
 (Test& t, const Named<bool>& kind) {
   kind.value ? require_extension(t, "GL_ARB_vertex_program") : t.require(2, 0);
   const std::vector<Drawing> drawings = all_drawings(t);
-  const Picture control = look(t, kind, "control: explicit vertices", drawings, false);
-  const Picture without = look(t, kind, "control: explicit vertices, no program", drawings, false, false);
+  const Picture control = look(t, kind, gl::control("explicit vertices"), drawings, false);
+  const Picture without = look(t, kind, gl::control("explicit vertices, no program"), drawings, false, false);
   for (std::size_t i = 0; i < drawings.size(); ++i)
     require_an_effect(control.parts[i].values, without.parts[i].values);
   Picture picture = look(t, kind, "evaluated", drawings, true);
@@ -108,8 +108,8 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
   t.require(3, 0);
   for (const Drawing& drawing : all_drawings(t)) {
     if (drawing.primitive != GL_POINTS) continue;
-    const auto script = [&](const std::string& identity, const gl::Case& commands) {
-      gl::Case c(identity + drawing.name);
+    const auto script = [&](const gl::Identity& identity, const gl::Case& commands) {
+      gl::Case c(identity);
       set_values_without_maps(c);
       c.append(commands);
       return c;
@@ -147,10 +147,10 @@ EVALCTS_TEST(Pipeline, VertexShaderAttributes, must, "EV-PIPE-VS")
       return recorded.vertices == vertices && !recorded.overflow && first_wrong(recorded) == expected.size();
     };
     const RecordedVaryings control =
-        t.record_varyings(script("control: ", drawing.vertices), kEachAttribute, vertices);
+        t.record_varyings(script(gl::control(drawing.name), drawing.vertices), kEachAttribute, vertices);
     if (!whole(control))
       throw NotObservable("pipeline: the shader does not see all attributes of explicit vertices");
-    const gl::Case evaluated = script("", drawing.evaluated);
+    const gl::Case evaluated = script(drawing.name, drawing.evaluated);
     const RecordedVaryings seen = in_order(t.record_varyings(evaluated, kEachAttribute, vertices));
     if (whole(seen)) continue;
     const std::size_t where = first_wrong(seen);

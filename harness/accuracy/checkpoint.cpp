@@ -2,23 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <boost/crc.hpp>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <limits>
 
 #include <reference/rounding.h>
 
 #include <evalcts/accuracy/table.h>
 #include <evalcts/results/files.h>
-#include <evalcts/runner/interruption.h>
+#include "checkpoint_json.h"
+#include "numbers.h"
 
 namespace evalcts::accuracy {
 namespace {
 
 using nlohmann::json;
+
+constexpr const char* kFormat = "evalcts-sweep-1";
 
 std::string checksum_of(const json& checkpoint) {
   const std::string text = checkpoint.dump();
@@ -27,35 +25,23 @@ std::string checksum_of(const json& checkpoint) {
   return fmt::format("{:08x}", crc.checksum());
 }
 
-json hex_points(const std::vector<double>& points) {
-  json all = json::array();
-  for (const double point : points) all.push_back(hex(point));
-  return all;
-}
-
-json largest_as_json(const SweepTask& task, const SweepResult::Largest& largest) {
-  if (largest.error == 0) return nullptr;
-  const float u = float_of(largest.number);
-  const reference::Rational exact = SweptPolynomial(task.map, largest.component).exactly(u).value;
-  const float right = reference::round_to_float(exact);
-  json value = {{"error", std::isfinite(largest.error) ? json(largest.error) : json(nullptr)},
-                {"at", hex(u)},
-                {"number", largest.number},
-                {"got", {{"value", hex(largest.got)}, {"bits", bits(largest.got)}}},
-                {"right", {{"value", hex(right)}, {"bits", bits(right)}}},
-                {"exact", reference::describe(exact)}};
-  if (task.map.map.components > 1) value["component"] = largest.component;
+json largest_as_json(const SweepTask& task, const SweepResult::Largest& found) {
+  const std::optional<LargestError> largest = largest_error(task, found);
+  if (!largest) return nullptr;
+  json value = {{"error", number_as_json(largest->error)},
+                {"at", hex(largest->at)},
+                {"number", found.number},
+                {"got", float_as_json(largest->got)},
+                {"right", float_as_json(largest->right)},
+                {"exact", largest->exact}};
+  if (task.map.map.components > 1) value["component"] = found.component;
   return value;
 }
 
 SweepResult::Largest largest_from(const json& value) {
   if (value.is_null()) return {};
-  const auto number = value.at("got").at("bits").get<std::string>();
-  return {
-      value.at("error").is_null() ? std::numeric_limits<double>::infinity() : value.at("error").get<double>(),
-      value.at("number").get<std::int64_t>(),
-      std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(number, nullptr, 16))),
-      value.value("component", 0)};
+  return {number_from(value.at("error")), value.at("number").get<std::int64_t>(), float_from(value.at("got")),
+          value.value("component", 0)};
 }
 
 // Nothing of what is a curve of one component as texture coordinate.
@@ -69,18 +55,8 @@ json map_as_json(const SweptMap& map) {
   return value;
 }
 
-// strtod, since std::stod refuses subnormal numbers.
-double number_from(const json& value) {
-  const auto text = value.get<std::string>();
-  char* end = nullptr;
-  const double x = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') throw std::invalid_argument("no number: " + text);
-  return x;
-}
-
 SweptMap map_from(const json& checkpoint) {
-  std::vector<double> points;
-  for (const json& point : checkpoint.at("points")) points.push_back(number_from(point));
+  std::vector<double> points = hex_list_from(checkpoint.at("points"));
   if (!checkpoint.contains("map")) return points;
   const json& value = checkpoint.at("map");
   SweptMap map;
@@ -91,7 +67,7 @@ SweptMap map_from(const json& checkpoint) {
   if (map.two_dimensional) {
     value.at("orders").at(1).get_to(map.map.vorder);
     map.along_v = as_text(value.at("swept")) == "v";
-    map.other = static_cast<float>(number_from(value.at("other")));
+    map.other = static_cast<float>(hex_from(value.at("other")));
   }
   map.map.points = std::move(points);
   return map;
@@ -99,9 +75,7 @@ SweptMap map_from(const json& checkpoint) {
 
 // Its JSON without the checksum, which fits.
 json read_whole(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-  json checkpoint = json::parse(content, nullptr, false);
+  json checkpoint = json::parse(read_file(file), nullptr, false);
   if (!checkpoint.is_object() || !checkpoint.contains("checksum"))
     throw std::invalid_argument("no whole JSON");
   const json checksum = checkpoint["checksum"];
@@ -123,44 +97,93 @@ void for_counts(Result& result, const Each& each) {
 
 }  // namespace
 
-json identity_of(const SweepTask& task, const ImplementationInfo& info) {
-  json implementation = {{"kind", info.name}};
-  for (const auto& [name, value] : {std::pair{"library", &info.library},
-                                    {"vendor", &info.vendor},
-                                    {"renderer", &info.renderer},
-                                    {"version", &info.version}})
+namespace {
+
+json to_json(const SweepIdentity& identity) {
+  const SweepTask& task = identity.task;
+  json implementation = {{"kind", identity.kind}};
+  for (const auto& [name, value] : {std::pair{"library", &identity.library},
+                                    {"vendor", &identity.vendor},
+                                    {"renderer", &identity.renderer},
+                                    {"version", &identity.gl_version}})
     if (!value->empty()) implementation[name] = *value;
-  json identity = {{"format", "evalcts-sweep-1"},
-                   {"evalcts_version", EVALCTS_VERSION},
-                   {"implementation", implementation},
-                   {"points", hex_points(task.map.map.points)},
-                   {"interval", {hex(task.from), hex(task.to)}},
-                   {"shard", fmt::format("{}/{}", task.shard + 1, task.shards)},
-                   {"block", kBlock}};
-  if (!task.map.is_plain_curve()) identity["map"] = map_as_json(task.map);
+  json out = {{"format", kFormat},
+              {"evalcts_version", identity.evalcts_version},
+              {"implementation", implementation},
+              {"points", hex_as_json(task.map.map.points)},
+              {"interval", {hex(task.from), hex(task.to)}},
+              {"shard", fmt::format("{}/{}", task.shard + 1, task.shards)},
+              {"block", kBlock}};
+  if (!task.map.is_plain_curve()) out["map"] = map_as_json(task.map);
+  return out;
+}
+
+// Throws json::exception, std::logic_error.
+SweepIdentity identity_from(const json& checkpoint) {
+  const json& implementation = checkpoint.at("implementation");
+  const auto text = [&](const char* name) { return implementation.value(name, ""); };
+  const json& interval = checkpoint.at("interval");
+  SweepIdentity identity{checkpoint.at("evalcts_version"),
+                         implementation.at("kind"),
+                         text("library"),
+                         text("vendor"),
+                         text("renderer"),
+                         text("version"),
+                         {map_from(checkpoint), static_cast<float>(hex_from(interval.at(0))),
+                          static_cast<float>(hex_from(interval.at(1)))}};
+  const auto shard = checkpoint.at("shard").get<std::string>();
+  const std::size_t slash = shard.find('/');
+  SweepTask& task = identity.task;
+  task.shard = std::stoll(shard.substr(0, slash)) - 1;
+  task.shards = std::stoll(shard.substr(slash + 1));
+  if (task.shards < 1 || task.shard < 0 || task.shard >= task.shards || checkpoint.at("block") != kBlock)
+    throw std::invalid_argument("a shard or block that there is not");
   return identity;
 }
 
-json checkpoint_of(const SweepTask& task, const json& identity, const SweepState& state, double seconds) {
-  const bool complete = state.done.size() == task.blocks_of_shard();
+json to_json(const Checkpoint& checkpoint) {
+  const SweepTask& task = checkpoint.identity.task;
+  const SweepResult& found = checkpoint.state.result;
   json result = json::object();
-  for_counts(state.result, [&](const char* name, std::uint64_t count) { result[name] = count; });
-  result["histogram"] = state.result.histogram;
-  result["worst_ulp"] = largest_as_json(task, state.result.ulp);
-  result["worst_condition_aware"] = largest_as_json(task, state.result.condition_aware);
-  result["digest"] = fmt::format("{:016x}", state.result.digest);
-  json checkpoint = identity;
-  checkpoint["status"] = complete ? "complete" : "unfinished";
-  checkpoint["proven"] = complete && task.shards == 1;
-  checkpoint["blocks_done"] = state.done.ranges();
-  checkpoint["result"] = result;
-  checkpoint["seconds"] = seconds;
-  return checkpoint;
+  for_counts(found, [&](const char* name, std::uint64_t count) { result[name] = count; });
+  result["histogram"] = found.histogram;
+  result["worst_ulp"] = largest_as_json(task, found.ulp);
+  result["worst_condition_aware"] = largest_as_json(task, found.condition_aware);
+  result["digest"] = fmt::format("{:016x}", found.digest);
+  json out = to_json(checkpoint.identity);
+  out["status"] = checkpoint.status();
+  out["proven"] = checkpoint.is_proven();
+  out["blocks_done"] = checkpoint.state.done.ranges();
+  out["result"] = result;
+  out["seconds"] = checkpoint.seconds;
+  return out;
 }
 
-void write_checkpoint(const std::filesystem::path& file, json checkpoint) {
+}  // namespace
+
+SweepIdentity identity_of(const SweepTask& task, const ImplementationInfo& info) {
+  return {EVALCTS_VERSION, info.name, info.library, info.vendor, info.renderer, info.version, task};
+}
+
+std::string to_text(const SweepIdentity& identity) { return to_json(identity).dump(); }
+
+std::optional<LargestError> largest_error(const SweepTask& task, const SweepResult::Largest& found) {
+  if (found.error == 0) return std::nullopt;
+  const float at = float_of(found.number);
+  const reference::Rational exact = SweptPolynomial(task.map, found.component).exactly(at).value;
+  return LargestError{found.error, at, found.got, reference::round_to_float(exact),
+                      reference::describe(exact)};
+}
+
+bool Checkpoint::is_complete() const { return state.done.size() == identity.task.blocks_of_shard(); }
+
+std::string with_checksum(json checkpoint) {
   checkpoint["checksum"] = checksum_of(checkpoint);
-  write_atomically(file, checkpoint.dump(1) + "\n");
+  return checkpoint.dump(1) + "\n";
+}
+
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint) {
+  write_atomically(file, with_checksum(to_json(checkpoint)));
 }
 
 namespace {
@@ -185,7 +208,7 @@ SweepState state_from(const json& checkpoint, const SweepTask& task) {
 
 }  // namespace
 
-Resumed read_checkpoint(const std::filesystem::path& file, const SweepTask& task, const json& identity) {
+Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentity& identity) {
   json checkpoint;
   const auto damaged = [&](const char* how) {
     return BadCheckpoint(fmt::format(
@@ -198,20 +221,21 @@ Resumed read_checkpoint(const std::filesystem::path& file, const SweepTask& task
   } catch (const std::invalid_argument& problem) {
     throw damaged(problem.what());
   }
-  for (const auto& [name, value] : identity.items())
+  const json asked = to_json(identity);
+  for (const auto& [name, value] : asked.items())
     if (const json& other = checkpoint.value(name, json()); other != value)
       throw BadCheckpoint(
           fmt::format("{} is of another sweep: its {} is {}, not {}; name another file with --checkpoint, or "
                       "move it away",
                       file.string(), name, other.dump(), value.dump()));
   // What is now only in the file.
-  if (checkpoint.contains("map") && !identity.contains("map"))
+  if (checkpoint.contains("map") && !asked.contains("map"))
     throw BadCheckpoint(
         fmt::format("{} is of another sweep: of another kind of map; name another file with "
                     "--checkpoint, or move it away",
                     file.string()));
   try {
-    return {state_from(checkpoint, task), checkpoint.at("seconds").get<double>()};
+    return {identity, state_from(checkpoint, identity.task), checkpoint.at("seconds").get<double>()};
   } catch (const json::exception& problem) {
     throw damaged(problem.what());
   } catch (const std::logic_error& problem) {
@@ -219,11 +243,9 @@ Resumed read_checkpoint(const std::filesystem::path& file, const SweepTask& task
   }
 }
 
-json merged(const std::vector<std::filesystem::path>& files) {
-  json whole;  // of the first, as if it were the only one
-  SweepTask task;
-  std::optional<SweepState> state;
-  double seconds = 0;
+Checkpoint merged(const std::vector<std::filesystem::path>& files) {
+  std::optional<Checkpoint> whole;  // as of the first file's sweep without shards
+  json first;
   std::vector<bool> seen;
   for (const std::filesystem::path& file : files) {
     const auto refused = [&](const std::string& why) {
@@ -231,44 +253,33 @@ json merged(const std::vector<std::filesystem::path>& files) {
     };
     try {
       const json checkpoint = read_whole(file);
-      if (checkpoint.value("format", "") != "evalcts-sweep-1") throw refused("is no sweep");
-      SweepTask own{map_from(checkpoint), static_cast<float>(number_from(checkpoint.at("interval").at(0))),
-                    static_cast<float>(number_from(checkpoint.at("interval").at(1)))};
-      const auto shard = checkpoint.at("shard").get<std::string>();
-      const std::size_t slash = shard.find('/');
-      own.shard = std::stoll(shard.substr(0, slash)) - 1;
-      own.shards = std::stoll(shard.substr(slash + 1));
-      if (own.shards < 1 || own.shard < 0 || own.shard >= own.shards || checkpoint.at("block") != kBlock)
-        throw std::invalid_argument("a shard or block that there is not");
-      SweepState part = state_from(checkpoint, own);
-      if (part.done.size() != own.blocks_of_shard())
+      if (checkpoint.value("format", "") != kFormat) throw refused("is no sweep");
+      const SweepIdentity own = identity_from(checkpoint);
+      const SweepState part = state_from(checkpoint, own.task);
+      if (part.done.size() != own.task.blocks_of_shard())
         throw refused("is unfinished: its command goes on with it");
-      json identity;
-      for (const char* name :
-           {"format", "evalcts_version", "implementation", "points", "map", "interval", "block"})
-        if (checkpoint.contains(name)) identity[name] = checkpoint[name];
-      if (!state) {
-        whole = identity;
-        task = own;
-        task.shard = 0;
-        task.shards = 1;
-        seen.assign(static_cast<std::size_t>(own.shards), false);
-        state.emplace(SweepState{BlockSet(task.blocks()), {}});
+      const std::string shard = checkpoint.at("shard");
+      if (!whole) {
+        first = checkpoint;
+        seen.assign(static_cast<std::size_t>(own.task.shards), false);
+        whole.emplace(Checkpoint{own, {BlockSet(own.task.blocks()), {}}, 0});
+        whole->identity.task.shard = 0;
+        whole->identity.task.shards = 1;
       }
       for (const char* name :
            {"format", "evalcts_version", "implementation", "points", "map", "interval", "block"})
-        if (identity.value(name, json()) != whole.value(name, json()))
+        if (checkpoint.value(name, json()) != first.value(name, json()))
           throw refused(fmt::format("is of another sweep: its {} is {}, not {}", name,
-                                    identity.value(name, json()).dump(), whole.value(name, json()).dump()));
-      if (own.shards != static_cast<std::int64_t>(seen.size()))
+                                    checkpoint.value(name, json()).dump(), first.value(name, json()).dump()));
+      if (own.task.shards != static_cast<std::int64_t>(seen.size()))
         throw refused(fmt::format("is shard {}: the others are of {}", shard, seen.size()));
-      if (seen[static_cast<std::size_t>(own.shard)])
+      if (seen[static_cast<std::size_t>(own.task.shard)])
         throw refused(fmt::format("is shard {} once more", shard));
-      seen[static_cast<std::size_t>(own.shard)] = true;
-      for (std::int64_t block = 0; block < task.blocks(); ++block)
-        if (part.done.contains(block)) state->done.insert(block);
-      state->result.add(part.result);
-      seconds += checkpoint.at("seconds").get<double>();
+      seen[static_cast<std::size_t>(own.task.shard)] = true;
+      for (std::int64_t block = 0; block < own.task.blocks(); ++block)
+        if (part.done.contains(block)) whole->state.done.insert(block);
+      whole->state.result.add(part.result);
+      whole->seconds += checkpoint.at("seconds").get<double>();
     } catch (const json::exception& problem) {
       throw refused(fmt::format("is damaged ({})", problem.what()));
     } catch (const std::logic_error& problem) {
@@ -280,8 +291,7 @@ json merged(const std::vector<std::filesystem::path>& files) {
     if (!seen[i]) missing += fmt::format("{}{}/{}", missing.empty() ? "" : ", ", i + 1, seen.size());
   if (!missing.empty())
     throw BadCheckpoint(fmt::format("shards are missing: {}; nothing was written", missing));
-  whole["shard"] = "1/1";
-  return checkpoint_of(task, whole, *state, seconds);
+  return *std::move(whole);
 }
 
 }  // namespace evalcts::accuracy

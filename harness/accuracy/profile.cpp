@@ -8,13 +8,10 @@
 #include <reference/bernstein_form.h>
 #include <reference/rounding.h>
 
-#include <evalcts/accuracy/table.h>
 #include <evalcts/gl/tokens.h>
 
 namespace evalcts::accuracy {
 namespace {
-
-using nlohmann::json;
 
 constexpr int kArgumentsOfBin = 16;
 constexpr int kLog2Steps = 24;
@@ -28,6 +25,24 @@ int sign_at(const reference::BernsteinForm& form, int step, int log2_steps) {
   const reference::Rational value =
       form.evaluate(reference::Argument::coordinate(std::ldexp(static_cast<double>(step), -log2_steps)));
   return value.is_zero() ? 0 : value > 0 ? 1 : -1;
+}
+
+}  // namespace
+
+const std::vector<ProfileCurve>& profile_curves() {
+  static const std::vector<ProfileCurve> all = {
+      {"cubic", "a cubic with three zeros", {0.37F, -0.98F, 0.87F, -0.31F}},
+      {"triple-zero", "(1 - 2u)^3, a zero of three", {1, -1, 1, -1}},
+      {"order-10",
+       "degree 9, ordinary control points",
+       {-0.96515F, -0.28550F, -0.97586F, 0.36928F, -0.55154F, 0.79035F, 0.60867F, -0.48497F, -0.63306F,
+        -0.35262F}},
+      {"order-20",
+       "degree 19, control points of alternating sign: all terms are large, their sum is small",
+       {1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,
+        0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F}},
+  };
+  return all;
 }
 
 // By bisection, where the sign changes on a grid that is fine enough for curves like these.
@@ -50,39 +65,11 @@ std::vector<double> zeros_of(const ProfileCurve& curve) {
     }
     before = now;
   }
+  for (double& zero : zeros) zero = std::round(zero * 1e7) / 1e7;
   return zeros;
 }
 
-}  // namespace
-
-const std::vector<ProfileCurve>& profile_curves() {
-  static const std::vector<ProfileCurve> all = {
-      {"cubic", "a cubic with three zeros", {0.37F, -0.98F, 0.87F, -0.31F}},
-      {"triple-zero", "(1 - 2u)^3, a zero of three", {1, -1, 1, -1}},
-      {"order-10",
-       "degree 9, ordinary control points",
-       {-0.96515F, -0.28550F, -0.97586F, 0.36928F, -0.55154F, 0.79035F, 0.60867F, -0.48497F, -0.63306F,
-        -0.35262F}},
-      {"order-20",
-       "degree 19, control points of alternating sign: all terms are large, their sum is small",
-       {1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,
-        0.75F, -1.25F, 1,     -0.75F, 1.25F, -1,     0.75F, -1.25F, 1,     -0.75F}},
-  };
-  return all;
-}
-
-json profile_curves_as_json() {
-  json all = json::array();
-  for (const ProfileCurve& curve : profile_curves()) {
-    json points = json::array(), zeros = json::array();
-    for (const double point : curve.points) points.push_back(hex(point));
-    for (const double zero : zeros_of(curve)) zeros.push_back(std::round(zero * 1e7) / 1e7);
-    all.push_back({{"name", curve.name}, {"what", curve.what}, {"points", points}, {"zeros", zeros}});
-  }
-  return all;
-}
-
-json profile_as_json(Subject& subject, const std::string& target_name, const ProfileCurve& curve) {
+Profile measure_profile(Subject& subject, const std::string& target_name, const ProfileCurve& curve) {
   const GLenum target = target_of(target_name, false);
   Map map{static_cast<int>(curve.points.size()), 1, gl::components_of(target), true, {0, 1, 0, 1}, {}};
   for (const double point : curve.points) map.points.insert(map.points.end(), map.components, point);
@@ -90,7 +77,6 @@ json profile_as_json(Subject& subject, const std::string& target_name, const Pro
   // Not all of them in the middle between two fractions of short denominators.
   Random random(1, 0);
   const reference::BernsteinForm form = form_of(curve);
-  json by_ulp = json::array(), by_condition = json::array();
   std::vector<float> u(kProfileBins), results(u.size() * map.components);
   std::vector<double> ulp(kProfileBins), condition(kProfileBins);
   for (int i = 0; i < kArgumentsOfBin; ++i) {
@@ -108,13 +94,14 @@ json profile_as_json(Subject& subject, const std::string& target_name, const Pro
       if (!exact.value.is_zero()) ulp[bin] = std::max(ulp[bin], reference::ulp_distance(got, exact.value));
     }
   }
-  // Four digits are more than a picture shows; no JSON number is infinite.
-  const auto rounded = [](double x) {
-    return std::isfinite(x) ? json(std::stod(fmt::format("{:.4g}", x))) : json(nullptr);
+  // Four digits are more than a picture shows.
+  const auto round = [](std::vector<double>& errors) {
+    for (double& error : errors)
+      if (std::isfinite(error)) error = std::stod(fmt::format("{:.4g}", error));
   };
-  for (const double x : ulp) by_ulp.push_back(rounded(x));
-  for (const double x : condition) by_condition.push_back(rounded(x));
-  return {{"name", curve.name}, {"max_ulp", by_ulp}, {"max_condition_aware", by_condition}};
+  round(ulp);
+  round(condition);
+  return {curve.name, {}, std::move(ulp), std::move(condition)};
 }
 
 }  // namespace evalcts::accuracy

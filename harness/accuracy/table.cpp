@@ -13,8 +13,6 @@
 namespace evalcts::accuracy {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kArguments = 256, kArgumentsOfLarge = 64;
 constexpr int kLarge = 200;  // control points
 
@@ -22,35 +20,6 @@ constexpr int kLarge = 200;  // control points
 float random_argument(Random& random) {
   if (random.once_in(16)) return static_cast<float>(random.below(17)) / 16;
   return static_cast<float>(std::ldexp(static_cast<double>(random.below((1u << 24) + 1)), -24));
-}
-
-// No JSON number is infinite.
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
-
-json worst_as_json(const Worst& worst) {
-  if (worst.error < 0) return nullptr;
-  const Input& input = worst.input;
-  json points = json::array();
-  for (const double point : input.points) points.push_back(hex(point));
-  json at = {hex(input.u)};
-  if (input.two_dimensional) at.push_back(hex(input.v));
-  json orders = {input.uorder};
-  if (input.two_dimensional) orders.push_back(input.vorder);
-  return {{"error", number(worst.error)},
-          {"found_by", worst.climbed ? "climbing" : "sample"},
-          {"orders", orders},
-          {"points", points},
-          {"at", at},
-          {"got", {{"value", hex(worst.got)}, {"bits", bits(worst.got)}}},
-          {"right", {{"value", hex(worst.right)}, {"bits", bits(worst.right)}}},
-          {"exact", worst.exact}};
-}
-
-json head_as_json(const RowRequest& request) {
-  json orders = {request.what.uorder};
-  if (request.what.vorder > 0) orders.push_back(request.what.vorder);
-  return {
-      {"name", request.what.name()}, {"orders", orders}, {"data", request.what.data}, {"seed", request.seed}};
 }
 
 }  // namespace
@@ -109,39 +78,6 @@ float replay(Subject& subject, const std::string& target_name, const Input& inpu
   const std::vector<float> v(input.two_dimensional ? 1 : 0, input.v);
   subject.evaluate(target, map, std::span(&input.u, 1), v, results);
   return results[0];
-}
-
-json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors,
-                 const Errors& sample, std::uint64_t climbed) {
-  json row = head_as_json(request);
-  if (subject.has_targets()) row["target"] = request.target;
-  if (!subject.capture().empty()) row["capture"] = subject.capture();
-  row["proven"] = false;
-  row["values"] = errors.values;
-  row["not_correctly_rounded"] = errors.not_correctly_rounded;
-  row["not_finite"] = errors.not_finite;
-  row["max_ulp"] = errors.values > 0 ? number(errors.ulp.error) : json(0);
-  row["mean_ulp"] = number(errors.mean_ulp());
-  row["max_condition_aware"] = errors.values > 0 ? number(errors.condition_aware.error) : json(0);
-  row["mean_condition_aware"] = number(errors.mean_condition_aware());
-  row["climbed"] = climbed;
-  row["sample_max_ulp"] = errors.values > 0 ? number(sample.ulp.error) : json(0);
-  row["sample_max_condition_aware"] = errors.values > 0 ? number(sample.condition_aware.error) : json(0);
-  row["histogram"] = errors.histogram;
-  row["zeros"] = {{"values", errors.zeros}, {"wrong", errors.zeros_wrong}};
-  row["without_terms"] = {{"values", errors.without_terms}, {"wrong", errors.without_terms_wrong}};
-  for (const auto& [name, worst] : {std::pair{"worst_ulp", &errors.ulp},
-                                    {"worst_condition_aware", &errors.condition_aware},
-                                    {"worst_zero", &errors.zero}})
-    if (worst->error >= 0) row[name] = worst_as_json(*worst);
-  return row;
-}
-
-json row_as_json(const RowRequest& request, const std::string& why_not_measured) {
-  json row = head_as_json(request);
-  row["target"] = request.target;
-  row["not_measured"] = why_not_measured;
-  return row;
 }
 
 std::string hex(double value) { return fmt::format("{:a}", value); }

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
 
-#include <evalcts/gl/bind_methods.h>
+#include <evalcts/gl/table.h>
 #include "kinds.h"
 
 namespace evalcts {
@@ -15,122 +16,28 @@ struct CurrentHandle {
   static inline thread_local glev_context* current = nullptr;
 };
 
+// Returns a command of this type that calls `function` on the current context; null if `function` does not
+// take the command's parameters.
+template <class Result, class... Parameters, class Function>
+auto forward(Result (*)(Parameters...), Function) -> Result (*)(Parameters...) {
+  if constexpr (std::is_invocable_v<Function, glev_context*, Parameters...>) {
+    return
+        [](Parameters... parameters) -> Result { return Function()(CurrentHandle::current, parameters...); };
+  } else {
+    return nullptr;
+  }
+}
+
+// Every command of entry_points.def that the library has a function for, glevMap1f for Map1f.
 gl::Table bind_functions() {
   gl::Table table;
-#define BIND(name) table.name = &Forward<CurrentHandle, &glev##name>::call
-  BIND(Map1f);
-  BIND(Map1d);
-  BIND(Map2f);
-  BIND(Map2d);
-  BIND(MapGrid1f);
-  BIND(MapGrid1d);
-  BIND(MapGrid2f);
-  BIND(MapGrid2d);
-  BIND(EvalCoord1f);
-  BIND(EvalCoord1d);
-  BIND(EvalCoord1fv);
-  BIND(EvalCoord1dv);
-  BIND(EvalCoord2f);
-  BIND(EvalCoord2d);
-  BIND(EvalCoord2fv);
-  BIND(EvalCoord2dv);
-  BIND(EvalPoint1);
-  BIND(EvalPoint2);
-  BIND(EvalMesh1);
-  BIND(EvalMesh2);
-  BIND(GetMapfv);
-  BIND(GetMapdv);
-  BIND(GetMapiv);
-  BIND(GetnMapfv);
-  BIND(GetnMapdv);
-  BIND(GetnMapiv);
-  BIND(Enable);
-  BIND(Disable);
-  BIND(IsEnabled);
-  BIND(GetBooleanv);
-  BIND(GetIntegerv);
-  BIND(GetFloatv);
-  BIND(GetDoublev);
-  BIND(GetString);
-  BIND(GetError);
-  BIND(Flush);
-  BIND(Finish);
-  BIND(Begin);
-  BIND(End);
-  BIND(Vertex2f);
-  BIND(Vertex2d);
-  BIND(Vertex3f);
-  BIND(Vertex3d);
-  BIND(Vertex4f);
-  BIND(Vertex4d);
-  BIND(Vertex2fv);
-  BIND(Vertex3fv);
-  BIND(Vertex4fv);
-  BIND(Vertex2dv);
-  BIND(Vertex3dv);
-  BIND(Vertex4dv);
-  BIND(Color3f);
-  BIND(Color3d);
-  BIND(Color4f);
-  BIND(Color4d);
-  BIND(Color3fv);
-  BIND(Color3dv);
-  BIND(Color4fv);
-  BIND(Color4dv);
-  BIND(Normal3f);
-  BIND(Normal3d);
-  BIND(Normal3fv);
-  BIND(Normal3dv);
-  BIND(TexCoord1f);
-  BIND(TexCoord2f);
-  BIND(TexCoord3f);
-  BIND(TexCoord4f);
-  BIND(TexCoord1d);
-  BIND(TexCoord2d);
-  BIND(TexCoord3d);
-  BIND(TexCoord4d);
-  BIND(TexCoord1fv);
-  BIND(TexCoord2fv);
-  BIND(TexCoord3fv);
-  BIND(TexCoord4fv);
-  BIND(TexCoord1dv);
-  BIND(TexCoord2dv);
-  BIND(TexCoord3dv);
-  BIND(TexCoord4dv);
-  BIND(MultiTexCoord1f);
-  BIND(MultiTexCoord2f);
-  BIND(MultiTexCoord3f);
-  BIND(MultiTexCoord4f);
-  BIND(MultiTexCoord1d);
-  BIND(MultiTexCoord2d);
-  BIND(MultiTexCoord3d);
-  BIND(MultiTexCoord4d);
-  BIND(MultiTexCoord1fv);
-  BIND(MultiTexCoord2fv);
-  BIND(MultiTexCoord3fv);
-  BIND(MultiTexCoord4fv);
-  BIND(MultiTexCoord1dv);
-  BIND(MultiTexCoord2dv);
-  BIND(MultiTexCoord3dv);
-  BIND(MultiTexCoord4dv);
-  BIND(Indexf);
-  BIND(Indexd);
-  BIND(Indexfv);
-  BIND(Indexdv);
-  BIND(EdgeFlag);
-  BIND(EdgeFlagv);
-  BIND(ActiveTexture);
-  BIND(NewList);
-  BIND(EndList);
-  BIND(CallList);
-  BIND(CallLists);
-  BIND(ListBase);
-  BIND(GenLists);
-  BIND(IsList);
-  BIND(DeleteLists);
-  BIND(PushAttrib);
-  BIND(PopAttrib);
-#undef BIND
+#define GL_ENTRY(name, kinds)                                                                                \
+  table.name = forward(table.name,                                                                           \
+                       [](auto* context, auto... arguments) -> decltype(glev##name(context, arguments...)) { \
+                         return glev##name(context, arguments...);                                           \
+                       });
+#include <evalcts/gl/entry_points.def>
+#undef GL_ENTRY
   return table;
 }
 

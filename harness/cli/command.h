@@ -47,6 +47,9 @@ CLI::Option* add_shard(CLI::App& app, std::string& shard, const std::string& des
 // --allow-unobserved
 CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow);
 
+// Prints "evalcts: " and the message to standard error, and returns kWrongUse.
+int wrong_use(const std::string& message);
+
 // Prints to standard error, and returns true, if less than half of the `asked` things ("tests") could be
 // observed on the implementation.
 bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,

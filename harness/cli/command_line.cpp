@@ -71,6 +71,11 @@ CLI::Option* add_allow_unobserved(CLI::App& app, bool& allow) {
                       "exit code 0 even if most of what was asked for cannot be observed");
 }
 
+int wrong_use(const std::string& message) {
+  std::cerr << "evalcts: " << message << "\n";
+  return kWrongUse;
+}
+
 bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t observed, std::uint64_t asked,
                                const char* things) {
   if (2 * observed >= asked) return false;

@@ -16,29 +16,22 @@ int digest(const UlpOptions& options) {
   UlpOptions chosen = options;
   if (chosen.implementations.empty() && options.library.empty() && options.context.empty())
     chosen.implementations.emplace_back("production");
-  if (chosen.implementations.size() > 1) {
-    std::cerr << "evalcts: --digest is for one implementation\n";
-    return kWrongUse;
-  }
+  if (chosen.implementations.size() > 1) return wrong_use("--digest is for one implementation");
   stop_when_asked();
   try {
     const accuracy::StreamSource source = accuracy::stream_source(implementation_of(chosen));
     const std::uint64_t values = options.values.value_or(kValuesOfDigest);
     const std::uint64_t sum =
         accuracy::digest(source, {values, options.seed, options.jobs.value_or(usual_jobs())}, interrupted);
-    if (interrupted) {
-      std::cerr << "evalcts: interrupted\n";
-      return kWrongUse;
-    }
+    if (interrupted) return wrong_use("interrupted");
     std::cout << fmt::format("digest {:016x} of {} results, seed {}: {} {} {}\n", sum, values, options.seed,
                              source.info.name, clean(source.info.renderer), clean(source.info.version));
     return kNothingUnexpected;
   } catch (const CannotStart& reason) {
-    std::cerr << "evalcts: " << reason.what() << "\n";
+    return wrong_use(reason.what());
   } catch (const NotObservable& reason) {
-    std::cerr << "evalcts: " << reason.what() << "\n";
+    return wrong_use(reason.what());
   }
-  return kWrongUse;
 }
 
 }  // namespace evalcts::cli

@@ -99,9 +99,8 @@ int explain(const std::string& name) {
     std::cout << fmt::format("{}: {}\n", name, text_of(*verdict).meaning);
     return kNothingUnexpected;
   }
-  std::cerr << fmt::format(
-      "evalcts: '{}' is no requirement, interpretation, test or verdict; see 'evalcts list'\n", name);
-  return kWrongUse;
+  return wrong_use(
+      fmt::format("'{}' is no requirement, interpretation, test or verdict; see 'evalcts list'", name));
 }
 
 std::function<int()> define_explain(CLI::App& app, const Call&) {

@@ -38,10 +38,7 @@ constexpr const char* kTypicalFaults =
 int legal(const FaultsOptions& options, const fs::path& output) {
   std::vector<faults::ListedFault> chosen =
       matching(faults::list_faults(places().faulty_suite_program, "--list-variations"), options.filter);
-  if (chosen.empty()) {
-    std::cerr << fmt::format("evalcts: no variation matches '{}'\n", options.filter);
-    return kWrongUse;
-  }
+  if (chosen.empty()) return wrong_use(fmt::format("no variation matches '{}'", options.filter));
   if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
   const fs::path scratch = output / "scratch-variations";
   fs::remove_all(scratch);
@@ -98,8 +95,7 @@ int faults(const FaultsOptions& options) {
   std::vector<faults::ListedFault> chosen =
       matching(faults::list_faults(places().faulty_suite_program), options.filter);
   if (chosen.empty()) {
-    std::cerr << fmt::format("evalcts: no fault matches '{}'; see 'evalcts list faults'\n", options.filter);
-    return kWrongUse;
+    return wrong_use(fmt::format("no fault matches '{}'; see 'evalcts list faults'", options.filter));
   }
   const bool all = options.filter.empty() && options.shard.empty();
   if (!options.shard.empty()) chosen = Shard::parse(options.shard, "/")->part_of(chosen);
@@ -154,8 +150,7 @@ int faults(const FaultsOptions& options) {
                         decided.size());
   line.print(text + fmt::format("\nTable: {}\n", (output / "faults.md").string()));
   if (interrupted) {
-    std::cerr << "evalcts: interrupted; what was obtained is in the output folder\n";
-    return kWrongUse;
+    return wrong_use("interrupted; what was obtained is in the output folder");
   }
   return counts[FaultOutcome::kSurvives] > 0 || (options.complete && !without.empty()) ? kUnexpected
                                                                                        : kNothingUnexpected;

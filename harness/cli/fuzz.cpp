@@ -43,10 +43,8 @@ std::map<std::string, std::string> known_causes() {
 }
 
 int fuzz(const FuzzOptions& options) {
-  if (options.implementation.empty() && options.library.empty() && options.context.empty()) {
-    std::cerr << "evalcts: fuzz needs --implementation, --library or --context\n";
-    return kWrongUse;
-  }
+  if (options.implementation.empty() && options.library.empty() && options.context.empty())
+    return wrong_use("fuzz needs --implementation, --library or --context");
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const FolderLock lock = claim(output, "evalcts fuzz");
   stop_when_asked();
@@ -88,10 +86,8 @@ int fuzz(const FuzzOptions& options) {
                     hunt.not_repeated);
   if (hunt.slow) text += fmt::format("{} took too long, but not once more by themselves\n", hunt.slow);
   line.print(clean(text));
-  if (!hunt.cannot_start.empty()) {
-    std::cerr << fmt::format("evalcts: {}: {}\n", request.name, clean(hunt.cannot_start));
-    return kWrongUse;
-  }
+  if (!hunt.cannot_start.empty())
+    return wrong_use(fmt::format("{}: {}", request.name, clean(hunt.cannot_start)));
   if (interrupted) std::cerr << "evalcts: interrupted; what was found is in the output folder\n";
   if (unexpected > 0) return kUnexpected;
   if (!options.allow_unobserved &&

@@ -137,14 +137,13 @@ class MpiWorld final : public World {
   int rank() const override { return rank_; }
   int size() const override { return size_; }
 
-  void lead(const accuracy::SweepTask& task, const nlohmann::json& identity,
-            const accuracy::StreamSource& source, int threads, accuracy::SweepState& state,
-            const std::atomic<bool>& stop,
+  void lead(const accuracy::SweepIdentity& identity, const accuracy::StreamSource& source, int threads,
+            accuracy::SweepState& state, const std::atomic<bool>& stop,
             const std::function<void(const accuracy::SweepState&)>& progress) override {
-    accuracy::OwnBlocks blocks(task, state, stop, progress);
+    accuracy::OwnBlocks blocks(identity.task, state, stop, progress);
     // The messages are this thread's.
-    std::thread own([&] { accuracy::work(task, source, threads, blocks); });
-    listen(&blocks, identity.dump());
+    std::thread own([&] { accuracy::work(identity.task, source, threads, blocks); });
+    listen(&blocks, accuracy::to_text(identity));
     own.join();
     blocks.end();
   }
@@ -156,7 +155,7 @@ class MpiWorld final : public World {
     RemoteBlocks blocks;
     try {
       const accuracy::StreamSource own = source();
-      send(0, kHello, accuracy::identity_of(task, own.info).dump());
+      send(0, kHello, accuracy::to_text(accuracy::identity_of(task, own.info)));
       accuracy::work(task, own, threads, blocks);
       blocks.end();
     } catch (const std::exception& problem) {

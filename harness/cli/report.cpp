@@ -34,11 +34,9 @@ int report(const ReportOptions& options) {
     before = read_results(options.before, true);
     if (!before.empty()) changes = reports::changes(results, before);
   } catch (const CannotReadResults& error) {
-    std::cerr << "evalcts: " << error.what() << "\n";
-    return kWrongUse;
+    return wrong_use(error.what());
   } catch (const FormatError& error) {
-    std::cerr << "evalcts: " << error.what() << "\n";
-    return kWrongUse;
+    return wrong_use(error.what());
   }
   const FolderLock lock = claim(output, "evalcts report");
   for (const RunResult& result : results)
@@ -48,8 +46,7 @@ int report(const ReportOptions& options) {
     write_pages(output, results, before);
     write_atomically(output / "requirements.md", reports::requirements_table(results, catalogue()));
   } catch (const std::runtime_error& failure) {
-    std::cerr << "evalcts: " << failure.what() << "; choose another folder with --output\n";
-    return kWrongUse;
+    return wrong_use(failure.what() + std::string("; choose another folder with --output"));
   }
   std::cout << fmt::format("Report: {}\n", (output / "index.html").string());
   return changes.regressions ? kUnexpected : kNothingUnexpected;

@@ -327,11 +327,9 @@ int reproduce(const ReproduceOptions& options) {
   try {
     return reproduce_or_throw(options);
   } catch (const CannotReproduce& error) {
-    std::cerr << "evalcts: " << clean(error.what()) << "\n";
-    return kWrongUse;
+    return wrong_use(clean(error.what()));
   } catch (const FormatError& error) {
-    std::cerr << "evalcts: the results do not follow their format: " << clean(error.what()) << "\n";
-    return kWrongUse;
+    return wrong_use("the results do not follow their format: " + clean(error.what()));
   }
 }
 

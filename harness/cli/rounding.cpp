@@ -61,13 +61,11 @@ int rounding(const RoundingOptions& options) {
       if (options.exact != 0) report(name + ", exact", rounding::check(request, interrupted));
     }
   } catch (const std::invalid_argument& problem) {
-    std::cerr << fmt::format("evalcts: {}\n", problem.what());
-    return kWrongUse;
+    return wrong_use(problem.what());
   }
   if (!any && !interrupted) {
-    std::cerr << fmt::format(
-        "evalcts: no class of maps matches '{}'; without --filter all of them are tried\n", options.filter);
-    return kWrongUse;
+    return wrong_use(
+        fmt::format("no class of maps matches '{}'; without --filter all of them are tried", options.filter));
   }
   line.print(fmt::format("seed {}: {} values, {} wrong{}\n", options.seed, total.samples, total.wrong,
                          interrupted ? " (interrupted)" : ""));

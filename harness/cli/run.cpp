@@ -264,10 +264,6 @@ void apply_baseline(RunResult& result, const RunOptions& options, const RunReque
 }
 
 int run(const RunOptions& options, const std::string& shard) {
-  const auto wrong_use = [](const std::string& words) {
-    std::cerr << "evalcts: " << words << "\n";
-    return kWrongUse;
-  };
   if (const std::string wrong = wrong_options(options); !wrong.empty()) return wrong_use(wrong);
   RunRequest request = request_of(options, shard);
   const std::vector<ImplementationOptions> chosen = chosen_implementations(options);

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <utility>
 #include <variant>
 
 #include <reference/bernstein.h>
@@ -31,72 +32,70 @@
 namespace evalcts::cli {
 namespace {
 
-using nlohmann::json;
 namespace fs = std::filesystem;
 
-// A sweep of another map gets another file.
-std::string usual_name(const std::string& label, const json& identity) {
-  const std::string text = identity.dump();
+// The file of the options, or one whose name has a checksum of the identity: a sweep of another map gets
+// another file.
+fs::path file_of(const UlpOptions& options, const accuracy::SweepIdentity& identity) {
+  if (!options.checkpoint.empty()) return options.checkpoint;
+  const std::string text = accuracy::to_text(identity);
   boost::crc_32_type crc;
   crc.process_bytes(text.data(), text.size());
-  return fmt::format("sweep-{}-{:08x}.json", label, crc.checksum());
-}
-
-std::string largest_in_words(const json& checkpoint, const char* which, const char* unit) {
-  const json& largest = checkpoint["result"][which];
-  if (largest.is_null()) return {};
-  return fmt::format(
-      "largest{}: {} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n",
-      checkpoint["proven"].get<bool>() ? " (proven)" : " so far",
-      largest["error"].is_null() ? "inf" : fmt::format("{:.6g}", largest["error"].get<double>()), unit,
-      largest["at"].get<std::string>(), largest["got"]["value"].get<std::string>(),
-      largest["got"]["bits"].get<std::string>(), largest["right"]["value"].get<std::string>(),
-      largest["right"]["bits"].get<std::string>(), largest["exact"].get<std::string>());
-}
-
-// `ulp` and `condition_aware`: what follows the largest errors.
-std::string sweep_in_words(const json& checkpoint, const std::string& ulp,
-                           const std::string& condition_aware) {
-  const json& result = checkpoint["result"];
-  const double values = std::max(1.0, result["values"].get<double>());
-  const double seconds = checkpoint["seconds"];
-  std::string text = fmt::format(
-      "{} values: {} not correctly rounded ({:.4g} %), {} of them not finite where the right result is; {} "
-      "of {} "
-      "exact zeros wrong\n",
-      result["values"].get<std::uint64_t>(), result["not_correctly_rounded"].get<std::uint64_t>(),
-      100 * result["not_correctly_rounded"].get<double>() / values, result["not_finite"].get<std::uint64_t>(),
-      result["zeros_wrong"].get<std::uint64_t>(), result["zeros"].get<std::uint64_t>());
-  text += largest_in_words(checkpoint, "worst_ulp", "ULP") + ulp;
-  text += largest_in_words(checkpoint, "worst_condition_aware", "beside the condition") + condition_aware;
-  text += fmt::format("digest {}; {:.1f} s, {:.1f} million values a second, {} of them by the exact route\n",
-                      result["digest"].get<std::string>(), seconds, values / seconds / 1e6,
-                      result["decided_exactly"].get<std::uint64_t>());
-  return text;
+  return (options.output.empty() ? places().output : fs::path(options.output)) /
+         fmt::format("sweep-{}-{:08x}.json", options.label.empty() ? identity.kind : options.label,
+                     crc.checksum());
 }
 
 // The command that evaluates the input of an error again.
-std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& task, const json& largest) {
-  if (largest.is_null()) return {};
+std::string replay_line(const UlpOptions& options, const accuracy::SweepTask& task, int component, float at) {
   const accuracy::Map& map = task.map.map;
   std::vector<std::string> command = {options.program, "ulp"}, points, orders = {std::to_string(map.uorder)};
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command.insert(command.end(), {option, value});
   };
   if (task.map.two_dimensional) orders.push_back(std::to_string(map.vorder));
-  for (std::size_t i = largest.value("component", 0); i < map.points.size(); i += map.components)
+  for (std::size_t i = static_cast<std::size_t>(component); i < map.points.size(); i += map.components)
     points.push_back(accuracy::hex(map.points[i]));
-  const std::string at = largest["at"], other = accuracy::hex(task.map.other);
+  const std::string swept = accuracy::hex(at), other = accuracy::hex(task.map.other);
   add("--implementation", implementation_of(options).name);
   add("--library", options.library.empty() ? "" : fs::absolute(options.library).lexically_normal().string());
   add("--context", options.context);
   add("--target", task.map.target);
   add("--orders", fmt::format("{}", fmt::join(orders, ",")));
   command.push_back(fmt::format("--points={}", fmt::join(points, ",")));
-  command.push_back("--at=" + (!task.map.two_dimensional ? at
-                               : task.map.along_v        ? other + "," + at
-                                                         : at + "," + other));
+  command.push_back("--at=" + (!task.map.two_dimensional ? swept
+                               : task.map.along_v        ? other + "," + swept
+                                                         : swept + "," + other));
   return "  " + shell_line(command) + "\n";
+}
+
+// One of the largest errors, and how to see it again if there are options of a sweep.
+std::string in_words(const accuracy::Checkpoint& sweep, const accuracy::SweepResult::Largest& found,
+                     const char* unit, const UlpOptions* options) {
+  const auto largest = accuracy::largest_error(sweep.identity.task, found);
+  if (!largest) return {};
+  using accuracy::bits, accuracy::hex;
+  return fmt::format("largest{}: {:.6g} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n{}",
+                     sweep.is_proven() ? " (proven)" : " so far", largest->error, unit, hex(largest->at),
+                     hex(largest->got), bits(largest->got), hex(largest->right), bits(largest->right),
+                     largest->exact,
+                     options ? replay_line(*options, sweep.identity.task, found.component, largest->at) : "");
+}
+
+std::string in_words(const accuracy::Checkpoint& sweep, const UlpOptions* options) {
+  const accuracy::SweepResult& result = sweep.state.result;
+  const double values = std::max(1.0, static_cast<double>(result.values));
+  return fmt::format(
+             "{} values: {} not correctly rounded ({:.4g} %), {} of them not finite where the right result "
+             "is; {} of {} exact zeros wrong\n",
+             result.values, result.not_correctly_rounded,
+             100 * static_cast<double>(result.not_correctly_rounded) / values, result.not_finite,
+             result.zeros_wrong, result.zeros) +
+         in_words(sweep, result.ulp, "ULP", options) +
+         in_words(sweep, result.condition_aware, "beside the condition", options) +
+         fmt::format(
+             "digest {:016x}; {:.1f} s, {:.1f} million values a second, {} of them by the exact route\n",
+             result.digest, sweep.seconds, values / sweep.seconds / 1e6, result.decided_exactly);
 }
 
 // The map of the options; a message where there is none.
@@ -178,61 +177,129 @@ int processes_of_environment() {
 int merge(const UlpOptions& options) {
   try {
     std::vector<fs::path> files(options.merge.begin(), options.merge.end());
-    const json whole = accuracy::merged(files);
-    const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-    const std::string label =
-        options.label.empty() ? whole["implementation"]["kind"].get<std::string>() : options.label;
-    json identity = whole;
-    for (const char* name : {"status", "proven", "blocks_done", "result", "seconds"}) identity.erase(name);
-    const fs::path file =
-        options.checkpoint.empty() ? output / usual_name(label, identity) : fs::path(options.checkpoint);
+    const accuracy::Checkpoint whole = accuracy::merged(files);
+    const fs::path file = file_of(options, whole.identity);
     std::error_code error;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-    if (fs::exists(file)) {
-      std::cerr << fmt::format(
-          "evalcts: {} is there already: move it away, or name another file with --checkpoint\n",
-          file.string());
-      return kWrongUse;
-    }
+    if (fs::exists(file))
+      return wrong_use(fmt::format(
+          "{} is there already: move it away, or name another file with --checkpoint", file.string()));
     accuracy::write_checkpoint(file, whole);
-    std::cout << sweep_in_words(whole, {}, {}) << fmt::format("complete: {}\n", file.string());
+    std::cout << in_words(whole, nullptr) << fmt::format("complete: {}\n", file.string());
     return kNothingUnexpected;
   } catch (const std::runtime_error& problem) {
-    std::cerr << fmt::format("evalcts: {}\n", problem.what());
-    return kWrongUse;
+    return wrong_use(problem.what());
   }
 }
 
-int sweep(const UlpOptions& options) {
-  if (join_world == nullptr && processes_of_environment() > 1) {
-    const std::string why_not = become_mpi_program();
-    std::cerr << fmt::format("evalcts: {}\n", why_not);
-    return kWrongUse;
-  }
-  std::unique_ptr<World> world;
-  const auto wrong_use = [&](const std::string& words) {
-    if (!world || world->rank() == 0) std::cerr << "evalcts: " << words << "\n";
-    return kWrongUse;
-  };
-  try {
-    if (join_world != nullptr) world = join_world();
-  } catch (const CannotStart& reason) {
-    return wrong_use(reason.what());
-  }
-  // What is wrong here is wrong in every process.
-  auto map = map_of(options);
-  if (const auto* const wrong = std::get_if<std::string>(&map)) return wrong_use(*wrong);
-  if (!options.at.empty()) return wrong_use("--sweep has no --at: it goes --from one float --to another");
-  if (options.implementations.size() > 1) return wrong_use("--sweep is for one implementation");
-  if (!(options.from <= options.to) || !std::isfinite(options.from) || !std::isfinite(options.to))
-    return wrong_use("--from and --to are finite floats, in this order");
+namespace {
 
+// The sweep of the options; a message if they are of none.
+std::variant<accuracy::SweepTask, std::string> task_of(const UlpOptions& options) {
+  auto map = map_of(options);
+  if (const auto* const wrong = std::get_if<std::string>(&map)) return *wrong;
+  if (!options.at.empty()) return "--sweep has no --at: it goes --from one float --to another";
+  if (options.implementations.size() > 1) return "--sweep is for one implementation";
+  if (!(options.from <= options.to) || !std::isfinite(options.from) || !std::isfinite(options.to))
+    return "--from and --to are finite floats, in this order";
   accuracy::SweepTask task{std::get<accuracy::SweptMap>(std::move(map)), options.from, options.to};
   if (!options.shard.empty()) {
     const Shard shard = *Shard::parse(options.shard, "/");
     task.shard = shard.number - 1;
     task.shards = shard.count;
   }
+  return task;
+}
+
+std::string headline(const UlpOptions& options, const accuracy::SweepTask& task,
+                     const ImplementationInfo& info, const World* world) {
+  std::vector<std::string> points;
+  for (const double point : task.map.map.points) points.push_back(accuracy::hex(point));
+  return fmt::format("{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}{}\n",
+                     options.label.empty() ? info.name : options.label, clean(info.renderer),
+                     clean(info.version), task.map.is_plain_curve() ? "" : task.map.target + ", ",
+                     fmt::join(options.orders, " x "), fmt::join(points, ","), accuracy::hex(task.from),
+                     accuracy::hex(task.to),
+                     !task.map.two_dimensional ? ""
+                     : task.map.along_v        ? " for v, u = " + accuracy::hex(task.map.other)
+                                               : " for u, v = " + accuracy::hex(task.map.other),
+                     task.shards > 1 ? ", shard " + options.shard : "",
+                     world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "");
+}
+
+// Rank 0, which keeps the checkpoint. Throws CannotStart, NotObservable, BadCheckpoint.
+int sweep_here(const UlpOptions& options, const accuracy::SweepTask& task, int jobs, World*& world) {
+  const accuracy::StreamSource source = accuracy::stream_source(implementation_of(options));
+  if (source.info.max_eval_order > 0 && std::ranges::max(options.orders) > source.info.max_eval_order)
+    return wrong_use(fmt::format("GL_MAX_EVAL_ORDER is {} there", source.info.max_eval_order));
+  accuracy::Checkpoint sweep{accuracy::identity_of(task, source.info),
+                             {accuracy::BlockSet(task.blocks()), {}}};
+  const fs::path file = file_of(options, sweep.identity);
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  if (access((file.has_parent_path() ? file.parent_path() : fs::path(".")).c_str(), W_OK) != 0)
+    return wrong_use(fmt::format("cannot write {}", file.string()));
+
+  ProgressLine line;
+  if (fs::exists(file)) {
+    sweep = accuracy::read_checkpoint(file, sweep.identity);
+    line.print(fmt::format("{}: {} of {} blocks were done before\n", file.string(), sweep.state.done.size(),
+                           task.blocks_of_shard()));
+  }
+  line.print(headline(options, task, source.info, world));
+  const auto start = std::chrono::steady_clock::now();
+  const auto here = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double seconds_before = sweep.seconds;
+  const std::int64_t done_before = sweep.state.done.size();
+  const auto checkpoint_now = [&](const accuracy::SweepState& now) {
+    const double seconds = here();
+    accuracy::write_checkpoint(file, {sweep.identity, now, seconds_before + seconds});
+    const auto done = static_cast<double>(now.done.size() - done_before);
+    const auto left = static_cast<double>(task.blocks_of_shard() - now.done.size());
+    line.show("sweep",
+              fmt::format("{:.1f} %, {:.1f} million values a second, {:.0f} s left",
+                          100.0 * static_cast<double>(now.done.size()) /
+                              static_cast<double>(std::max<std::int64_t>(1, task.blocks_of_shard())),
+                          done * accuracy::kBlock / seconds / 1e6, done > 0 ? left * seconds / done : 0.0));
+  };
+  if (!sweep.is_complete()) {
+    if (world) {
+      std::exchange(world, nullptr)
+          ->lead(sweep.identity, source, jobs, sweep.state, interrupted, checkpoint_now);
+    } else {
+      accuracy::sweep(task, source, jobs, sweep.state, interrupted, checkpoint_now);
+    }
+  }
+  sweep.seconds = seconds_before + here();
+  line.print(in_words(sweep, &options));
+  line.print(fmt::format("{}: {}\n", sweep.status(), file.string()));
+  if (sweep.is_complete()) return kNothingUnexpected;
+  return wrong_use("interrupted; the same command goes on from there");
+}
+
+}  // namespace
+
+int sweep(const UlpOptions& options) {
+  if (join_world == nullptr && processes_of_environment() > 1) {
+    const std::string why_not = become_mpi_program();
+    return wrong_use(why_not);
+  }
+  std::unique_ptr<World> world;
+  // One process says so.
+  const auto said_once = [&](const std::string& words) {
+    return !world || world->rank() == 0 ? wrong_use(words) : kWrongUse;
+  };
+  try {
+    if (join_world != nullptr) world = join_world();
+  } catch (const CannotStart& reason) {
+    return said_once(reason.what());
+  }
+  // What is wrong here is wrong in every process.
+  const auto given = task_of(options);
+  if (const auto* const wrong = std::get_if<std::string>(&given)) return said_once(*wrong);
+  const auto& task = std::get<accuracy::SweepTask>(given);
   const int jobs = options.jobs.value_or(world && world->size() > 1 ? 1 : usual_jobs());
   stop_when_asked();
   if (world && world->rank() > 0) {
@@ -240,87 +307,21 @@ int sweep(const UlpOptions& options) {
         task, [&] { return accuracy::stream_source(implementation_of(options)); }, jobs);
     return kNothingUnexpected;
   }
-  // The others wait for orders, whatever happens here.
+  // The others wait for orders, whatever happens here; none if they have been led.
   struct Dismissal {
     World* others;
     ~Dismissal() {
       if (others != nullptr) others->dismiss();
     }
   } dismissal{world.get()};
-  ProgressLine line;
   try {
-    const accuracy::StreamSource source = accuracy::stream_source(implementation_of(options));
-    if (source.info.max_eval_order > 0 &&
-        *std::max_element(options.orders.begin(), options.orders.end()) > source.info.max_eval_order)
-      return wrong_use(fmt::format("GL_MAX_EVAL_ORDER is {} there", source.info.max_eval_order));
-    const json identity = accuracy::identity_of(task, source.info);
-    const std::string label = options.label.empty() ? source.info.name : options.label;
-    const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
-    const fs::path file =
-        options.checkpoint.empty() ? output / usual_name(label, identity) : fs::path(options.checkpoint);
-    std::error_code error;
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-    if (access((file.has_parent_path() ? file.parent_path() : fs::path(".")).c_str(), W_OK) != 0)
-      return wrong_use(fmt::format("cannot write {}", file.string()));
-
-    accuracy::SweepState state{accuracy::BlockSet(task.blocks()), {}};
-    double before = 0;
-    if (fs::exists(file)) {
-      accuracy::Resumed resumed = accuracy::read_checkpoint(file, task, identity);
-      state = std::move(resumed.state);
-      before = resumed.seconds;
-      line.print(fmt::format("{}: {} of {} blocks were done before\n", file.string(), state.done.size(),
-                             task.blocks_of_shard()));
-    }
-    line.print(
-        fmt::format("{}: {} {}, {}order {}, control points {}, every float from {} to {}{}{}\n", label,
-                    clean(source.info.renderer), clean(source.info.version),
-                    task.map.is_plain_curve() ? "" : task.map.target + ", ", fmt::join(options.orders, " x "),
-                    fmt::join(identity["points"].get<std::vector<std::string>>(), ","),
-                    accuracy::hex(task.from), accuracy::hex(task.to),
-                    !task.map.two_dimensional ? ""
-                    : task.map.along_v        ? " for v, u = " + accuracy::hex(task.map.other)
-                                              : " for u, v = " + accuracy::hex(task.map.other),
-                    (task.shards > 1 ? ", shard " + options.shard : "") +
-                        (world && world->size() > 1 ? fmt::format(", {} processes", world->size()) : "")));
-    const auto start = std::chrono::steady_clock::now();
-    const std::int64_t done_before = state.done.size();
-    const auto checkpoint_now = [&](const accuracy::SweepState& now) {
-      const double here = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      json checkpoint = accuracy::checkpoint_of(task, identity, now, before + here);
-      accuracy::write_checkpoint(file, checkpoint);
-      const auto done = static_cast<double>(now.done.size() - done_before);
-      const auto left = static_cast<double>(task.blocks_of_shard() - now.done.size());
-      line.show("sweep",
-                fmt::format("{:.1f} %, {:.1f} million values a second, {:.0f} s left",
-                            100.0 * static_cast<double>(now.done.size()) /
-                                static_cast<double>(std::max<std::int64_t>(1, task.blocks_of_shard())),
-                            done * accuracy::kBlock / here / 1e6, done > 0 ? left * here / done : 0.0));
-      return checkpoint;
-    };
-    if (state.done.size() < task.blocks_of_shard()) {
-      if (world) {
-        dismissal.others = nullptr;
-        world->lead(task, identity, source, jobs, state, interrupted, checkpoint_now);
-      } else {
-        accuracy::sweep(task, source, jobs, state, interrupted, checkpoint_now);
-      }
-    }
-    const json last = accuracy::checkpoint_of(
-        task, identity, state,
-        before + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    line.print(sweep_in_words(last, replay_line(options, task, last["result"]["worst_ulp"]),
-                              replay_line(options, task, last["result"]["worst_condition_aware"])));
-    line.print(fmt::format("{}: {}\n", last["status"].get<std::string>(), file.string()));
-    if (as_text(last["status"]) == "complete") return kNothingUnexpected;
-    std::cerr << "evalcts: interrupted; the same command goes on from there\n";
-    return kWrongUse;
+    return sweep_here(options, task, jobs, dismissal.others);
   } catch (const CannotStart& reason) {
-    return wrong_use(reason.what());
+    return said_once(reason.what());
   } catch (const NotObservable& reason) {
-    return wrong_use(reason.what());
+    return said_once(reason.what());
   } catch (const accuracy::BadCheckpoint& reason) {
-    return wrong_use(reason.what());
+    return said_once(reason.what());
   }
 }
 

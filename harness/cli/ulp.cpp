@@ -13,6 +13,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <variant>
 
 #include <evalcts/accuracy_page.h>
 #include <evalcts/reports.h>
@@ -21,6 +22,7 @@
 #include <reference/rounding.h>
 
 #include <evalcts/accuracy/profile.h>
+#include <evalcts/accuracy/report.h>
 #include <evalcts/accuracy/search.h>
 #include <evalcts/accuracy/table.h>
 #include <evalcts/results/files.h>
@@ -59,63 +61,50 @@ std::vector<accuracy::RowRequest> chosen_rows(const UlpOptions& options) {
 
 // ---- The process that measures
 
-json info_as_json(const ImplementationInfo& info) {
-  json entry = {{"kind", info.name}, {"max_eval_order", info.max_eval_order}};
-  for (const auto& [name, value] : {std::pair{"library", &info.library},
-                                    {"vendor", &info.vendor},
-                                    {"renderer", &info.renderer},
-                                    {"version", &info.version}})
-    if (!value->empty()) entry[name] = *value;
-  return entry;
-}
-
 int measure_rows(const UlpOptions& options) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::ofstream file(options.rows);
-  const auto write = [&](const json& line) { file << line.dump() << std::endl; };
+  const auto write = [&](const accuracy::Line& line) { file << accuracy::to_text(line) << std::endl; };
   try {
     const auto subject = accuracy::open_subject(implementation_of(options));
     const ImplementationInfo info = subject->info();
-    write({{"implementation", info_as_json(info)}});
+    write(info);
+    // Writes the line that `measure` returns, or `otherwise` with the reason why there is none.
+    const auto write_measured = [&](std::size_t order, const auto& measure, const auto& otherwise) {
+      try {
+        if (info.max_eval_order > 0 && static_cast<GLint>(order) > info.max_eval_order)
+          throw NotObservable(fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order));
+        write(measure());
+      } catch (const NotObservable& reason) {
+        write(otherwise(reason.what()));
+      } catch (const gl::MissingEntryPoint& missing) {
+        write(otherwise(missing.what()));
+      }
+    };
     for (const accuracy::RowRequest& request : chosen_rows(options)) {
       // What has no targets is measured once.
       if (!subject->has_targets() && request.target != targets_of(options).front()) break;
-      const int order = std::max(request.what.uorder, request.what.vorder);
-      if (info.max_eval_order > 0 && order > info.max_eval_order) {
-        write(accuracy::row_as_json(request, fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order)));
-        continue;
-      }
-      try {
+      const auto measure = [&] {
         const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
         accuracy::Errors errors = sample;
         const std::uint64_t climbed = options.climb.value_or(options.values.value_or(kValuesOfRow));
         accuracy::climb(*subject, request, climbed, errors, interrupted);
-        write(accuracy::row_as_json(request, *subject, errors, sample, climbed));
-      } catch (const NotObservable& reason) {
-        write(accuracy::row_as_json(request, reason.what()));
-      } catch (const gl::MissingEntryPoint& missing) {
-        write(accuracy::row_as_json(request, missing.what()));
-      }
+        return accuracy::row_of(request, *subject, errors, sample, climbed);
+      };
+      write_measured(static_cast<std::size_t>(std::max(request.what.uorder, request.what.vorder)), measure,
+                     [&](const char* why) { return accuracy::not_measured(request, why); });
     }
     for (const accuracy::ProfileCurve& curve : accuracy::profile_curves()) {
       if (interrupted) break;
-      const auto not_measured = [&](const std::string& why) {
-        write({{"profile", {{"name", curve.name}, {"not_measured", why}}}});
-      };
-      if (info.max_eval_order > 0 && static_cast<int>(curve.points.size()) > info.max_eval_order) {
-        not_measured(fmt::format("GL_MAX_EVAL_ORDER is {}", info.max_eval_order));
-        continue;
-      }
-      try {
-        write({{"profile", accuracy::profile_as_json(*subject, targets_of(options).front(), curve)}});
-      } catch (const NotObservable& reason) {
-        not_measured(reason.what());
-      } catch (const gl::MissingEntryPoint& missing) {
-        not_measured(missing.what());
-      }
+      write_measured(
+          curve.points.size(),
+          [&] { return accuracy::measure_profile(*subject, targets_of(options).front(), curve); },
+          [&](const char* why) {
+            return accuracy::Profile{curve.name, why, {}, {}};
+          });
     }
   } catch (const CannotStart& reason) {
-    write({{"cannot_start", reason.what()}});
+    write(accuracy::NotStarted{reason.what()});
   }
   return file ? kNothingUnexpected : kWrongUse;
 }
@@ -123,10 +112,6 @@ int measure_rows(const UlpOptions& options) {
 // ---- One input
 
 int replay(const UlpOptions& options) {
-  const auto wrong_use = [](const std::string& words) {
-    std::cerr << "evalcts: " << words << "\n";
-    return kWrongUse;
-  };
   if (const std::string wrong = wrong_points(options); !wrong.empty()) return wrong_use(wrong);
   if (options.at.size() != options.orders.size())
     return wrong_use("one input has --at u, or u,v for a surface");
@@ -169,12 +154,18 @@ int replay(const UlpOptions& options) {
 
 // ---- What comes of it
 
-std::string joined(const json& strings) {
-  return fmt::format("{}", fmt::join(strings.get<std::vector<std::string>>(), ","));
+std::string in_hex(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(accuracy::hex(value));
+  return fmt::format("{}", fmt::join(texts, ","));
+}
+
+std::string argument_of(const accuracy::Input& input) {
+  return in_hex(input.two_dimensional ? std::vector<double>{input.u, input.v} : std::vector<double>{input.u});
 }
 
 std::vector<std::string> how_to_replay(const UlpOptions& options, const std::string& implementation,
-                                       const json& row, const json& worst) {
+                                       const accuracy::Row& row, const accuracy::Input& input) {
   std::vector<std::string> command = {options.program, "ulp"};
   const auto add = [&](const std::string& option, const std::string& value) {
     if (!value.empty()) command.insert(command.end(), {option, value});
@@ -182,90 +173,80 @@ std::vector<std::string> how_to_replay(const UlpOptions& options, const std::str
   add("--implementation", implementation);
   add("--library", options.library.empty() ? "" : fs::absolute(options.library).lexically_normal().string());
   add("--context", options.context);
-  if (row.contains("target")) add("--target", row["target"]);
-  add("--orders", fmt::format("{}", fmt::join(worst["orders"].get<std::vector<int>>(), ",")));
+  add("--target", row.target);
+  add("--orders", input.two_dimensional ? fmt::format("{},{}", input.uorder, input.vorder)
+                                        : std::to_string(input.uorder));
   // A value that begins with '-' has to stand in the same word.
-  command.push_back("--points=" + joined(worst["points"]));
-  add("--at", joined(worst["at"]));
+  command.push_back("--points=" + in_hex(input.points));
+  add("--at", argument_of(input));
   return command;
 }
 
-std::string number(const json& value) {
-  return value.is_null() ? "inf" : fmt::format("{:.4g}", value.get<double>());
-}
-
-double share(const json& row) {
-  const double values = row["values"];
-  return values > 0 ? row["not_correctly_rounded"].get<double>() / values : 0;
-}
-
 // The row's name, with its target where there are several.
-std::string name_of(const json& row, bool with_target) {
-  return row["name"].get<std::string>() +
-         (with_target && row.contains("target") ? "/" + row["target"].get<std::string>() : "");
+std::string name_of(const accuracy::Row& row, bool with_target) {
+  return row.what.name() + (with_target && !row.target.empty() ? "/" + row.target : "");
 }
 
-std::string worst_in_words(const json& row, const char* which, const char* unit) {
-  const json& worst = row[which];
-  std::string replay = shell_line(worst["replay"].get<std::vector<std::string>>());
-  return fmt::format("  {} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n    {}\n",
-                     number(worst["error"]), unit, joined(worst["at"]),
-                     worst["got"]["value"].get<std::string>(), worst["got"]["bits"].get<std::string>(),
-                     worst["right"]["value"].get<std::string>(), worst["right"]["bits"].get<std::string>(),
-                     worst["exact"].get<std::string>(), replay);
+using WorstResult = std::optional<accuracy::WorstResult>;
+
+std::string worst_in_words(const WorstResult& result, const char* unit) {
+  const accuracy::Worst& worst = result->worst;
+  return fmt::format("  {:.4g} {}, at {}: {} ({}), correctly rounded {} ({}); exact {}\n    {}\n",
+                     worst.error, unit, argument_of(worst.input), accuracy::hex(worst.got),
+                     accuracy::bits(worst.got), accuracy::hex(worst.right), accuracy::bits(worst.right),
+                     worst.exact, shell_line(result->replay));
 }
 
 // What the largest error is known from; no search proves that there is no larger one.
-std::string found_by(const json& row, const char* which) {
-  return row.contains(which) ? row[which]["found_by"].get<std::string>() : "-";
+const char* found_by(const WorstResult& result) {
+  return !result ? "-" : result->worst.climbed ? "climbing" : "sample";
 }
 
-// null counts as infinite
-double error_of(const json& row, const char* which) {
-  const json& value = row[which];
-  return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
-}
-
-std::string in_words(const json& entry, bool with_target, bool verbose) {
-  std::string text = entry["name"].get<std::string>() + ":";
-  for (const char* part : {"vendor", "renderer", "version"})
-    if (entry.contains(part)) text += " " + clean(entry[part].get<std::string>());
+std::string in_words(const accuracy::MeasuredImplementation& entry, bool with_target, bool verbose) {
+  std::string text = entry.name + ":";
+  if (entry.info)
+    for (const std::string* part : {&entry.info->vendor, &entry.info->renderer, &entry.info->version})
+      if (!part->empty()) text += " " + clean(*part);
   text += "\n";
-  if (entry.contains("reason")) text += fmt::format("  {}\n", clean(entry["reason"].get<std::string>()));
-  if (entry["rows"].empty()) return text;
+  if (!entry.reason.empty()) text += fmt::format("  {}\n", clean(entry.reason));
+  if (entry.rows.empty()) return text;
   text += fmt::format("{:<27} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n", "maps", "values",
                       "misround.", "max ULP", "mean ULP", "max cond.", "mean cond.", "nonfin", "zeros wrong",
                       "largest found by");
-  const json* largest[2] = {nullptr, nullptr};
-  constexpr const char* kMaxima[2] = {"max_ulp", "max_condition_aware"};
-  constexpr std::pair<const char*, const char*> kWorst[2] = {
-      {"worst_ulp", "ULP"}, {"worst_condition_aware", "beside the condition"}};
-  for (const json& row : entry["rows"]) {
-    if (row.contains("not_measured")) {
-      text += fmt::format("{:<27} not measured: {}\n", name_of(row, with_target),
-                          row["not_measured"].get<std::string>());
+  struct Kind {
+    double accuracy::Row::*maximum;
+    WorstResult accuracy::Row::*worst;
+    const char* unit;
+    const accuracy::Row* largest = nullptr;
+  };
+  Kind kinds[] = {
+      {&accuracy::Row::max_ulp, &accuracy::Row::worst_ulp, "ULP"},
+      {&accuracy::Row::max_condition_aware, &accuracy::Row::worst_condition_aware, "beside the condition"}};
+  for (const accuracy::Row& row : entry.rows) {
+    if (!row.not_measured.empty()) {
+      text += fmt::format("{:<27} not measured: {}\n", name_of(row, with_target), row.not_measured);
       continue;
     }
-    const std::uint64_t zeros = row["zeros"]["values"], zeros_wrong = row["zeros"]["wrong"];
-    text += fmt::format("{:<27} {:>8} {:>7.2f} % {:>10} {:>10} {:>10} {:>10} {:>6} {:>13}  {}\n",
-                        name_of(row, with_target), row["values"].get<std::uint64_t>(), 100 * share(row),
-                        number(row["max_ulp"]), number(row["mean_ulp"]), number(row["max_condition_aware"]),
-                        number(row["mean_condition_aware"]), row["not_finite"].get<std::uint64_t>(),
-                        zeros == 0 ? "-" : fmt::format("{} of {}", zeros_wrong, zeros),
-                        found_by(row, "worst_ulp") + ", " + found_by(row, "worst_condition_aware"));
-    for (int i = 0; i < 2; ++i) {
-      if (!row.contains(kWorst[i].first)) continue;
-      if (verbose) text += worst_in_words(row, kWorst[i].first, kWorst[i].second);
+    const double share =
+        row.values > 0 ? static_cast<double>(row.not_correctly_rounded) / static_cast<double>(row.values) : 0;
+    text +=
+        fmt::format("{:<27} {:>8} {:>7.2f} % {:>10.4g} {:>10.4g} {:>10.4g} {:>10.4g} {:>6} {:>13}  {}, {}\n",
+                    name_of(row, with_target), row.values, 100 * share, row.max_ulp, row.mean_ulp,
+                    row.max_condition_aware, row.mean_condition_aware, row.not_finite,
+                    row.zeros.values == 0 ? "-" : fmt::format("{} of {}", row.zeros.wrong, row.zeros.values),
+                    found_by(row.worst_ulp), found_by(row.worst_condition_aware));
+    for (Kind& kind : kinds) {
+      if (!(row.*kind.worst)) continue;
+      if (verbose) text += worst_in_words(row.*kind.worst, kind.unit);
       // Near the end of the range floats are coarser than that unit, whatever was computed.
-      if (i == 1 && as_text(row["data"]) == "extreme") continue;
-      if (largest[i] == nullptr || error_of(row, kMaxima[i]) > error_of(*largest[i], kMaxima[i]))
-        largest[i] = &row;
+      if (&kind == &kinds[1] && row.what.data == "extreme") continue;
+      if (!kind.largest || row.*kind.maximum > kind.largest->*kind.maximum) kind.largest = &row;
     }
   }
-  for (int i = 0; i < 2 && !verbose; ++i)
-    if (largest[i] != nullptr)
-      text += "worst in " + name_of(*largest[i], with_target) + ":\n" +
-              worst_in_words(*largest[i], kWorst[i].first, kWorst[i].second);
+  for (const Kind& kind : kinds)
+    if (kind.largest && !verbose)
+      text += "worst in " + name_of(*kind.largest, with_target) + ":\n" +
+              worst_in_words(kind.largest->*kind.worst, kind.unit);
   return text;
 }
 
@@ -283,8 +264,7 @@ std::optional<std::string> drawn(const fs::path& output, const std::string& scri
   fs::remove(picture, error);
   ChildProcess gnuplot({"/usr/bin/env", "gnuplot", "--default-settings", commands.string()}, "");
   const std::optional<Ending> ending = gnuplot.wait(kSecondsForAPicture);
-  std::ifstream stream(picture);
-  const std::string svg((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::string svg = read_file(picture);
   fs::remove(commands, error);
   fs::remove(picture, error);
   if (!ending || ending->signalled || ending->value != 0) return std::nullopt;
@@ -300,11 +280,11 @@ struct Measurement {
   std::optional<Ending> ending = std::nullopt;
 };
 
-std::vector<json> lines_of(const fs::path& file) {
-  std::vector<json> lines;
+std::vector<accuracy::Line> lines_of(const fs::path& file) {
+  std::vector<accuracy::Line> lines;
   std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);)
-    if (json value = json::parse(line, nullptr, false); value.is_object()) lines.push_back(std::move(value));
+  for (std::string text; std::getline(stream, text);)
+    if (std::optional<accuracy::Line> line = accuracy::parse_line(text)) lines.push_back(*std::move(line));
   return lines;
 }
 
@@ -335,40 +315,39 @@ void start(Measurement& measurement, const UlpOptions& options) {
 }
 
 // The implementation's part of the document. Files that have nothing more to say are removed.
-json result_of(const Measurement& measurement, const UlpOptions& options) {
-  json entry = {{"name", measurement.name},
-                {"status", "complete"},
-                {"rows", json::array()},
-                {"profiles", json::array()}};
-  for (json& line : lines_of(measurement.rows)) {
-    if (line.contains("implementation")) {
-      entry.update(line["implementation"]);
-    } else if (line.contains("cannot_start")) {
-      entry["status"] = "not-started";
-      entry["reason"] = line["cannot_start"];
-    } else if (line.contains("profile")) {
-      entry["profiles"].push_back(std::move(line["profile"]));
+accuracy::MeasuredImplementation result_of(const Measurement& measurement, const UlpOptions& options) {
+  using Status = accuracy::MeasuredImplementation::Status;
+  accuracy::MeasuredImplementation entry;
+  entry.name = measurement.name;
+  for (accuracy::Line& line : lines_of(measurement.rows)) {
+    if (auto* const info = std::get_if<ImplementationInfo>(&line)) {
+      entry.info = std::move(*info);
+    } else if (const auto* const not_started = std::get_if<accuracy::NotStarted>(&line)) {
+      entry.status = Status::kNotStarted;
+      entry.reason = not_started->reason;
+    } else if (auto* const profile = std::get_if<accuracy::Profile>(&line)) {
+      entry.profiles.push_back(std::move(*profile));
     } else {
-      for (const char* which : {"worst_ulp", "worst_condition_aware", "worst_zero"})
-        if (line.contains(which))
-          line[which]["replay"] = how_to_replay(options, measurement.implementation, line, line[which]);
-      entry["rows"].push_back(std::move(line));
+      auto& row = entry.rows.emplace_back(std::get<accuracy::Row>(std::move(line)));
+      for (WorstResult* const worst : {&row.worst_ulp, &row.worst_condition_aware, &row.worst_zero})
+        if (*worst)
+          (*worst)->replay = how_to_replay(options, measurement.implementation, row, (*worst)->worst.input);
     }
   }
   const bool well = measurement.ending && !measurement.ending->signalled && measurement.ending->value == 0;
   if (interrupted) {
     // The row in flight is lost with its process.
-    entry["status"] = "interrupted";
-    entry["reason"] = "interrupted; these rows were finished";
+    entry.status = Status::kInterrupted;
+    entry.reason = "interrupted; these rows were finished";
   } else if (!well) {
-    entry["status"] = "crashed";
-    entry["reason"] =
+    entry.status = Status::kCrashed;
+    entry.reason =
         fmt::format("the process ended with {}; its output: {}",
                     measurement.ending ? describe(*measurement.ending) : "nothing", measurement.log.string());
   }
   std::error_code error;
   fs::remove(measurement.rows, error);
-  if (as_text(entry["status"]) != "crashed") fs::remove(measurement.log, error);
+  if (entry.status != Status::kCrashed) fs::remove(measurement.log, error);
   return entry;
 }
 
@@ -414,9 +393,8 @@ std::string write_page(const fs::path& output, const json& document) {
 int page_again(const UlpOptions& options) {
   const fs::path output = options.output.empty() ? places().output : fs::path(options.output);
   const auto wrong = [&](const std::string& why) {
-    std::cerr << fmt::format("evalcts: '{}': {}; --page takes the ulp.json that 'evalcts ulp' has written\n",
-                             options.page, clean(why));
-    return kWrongUse;
+    return wrong_use(fmt::format("'{}': {}; --page takes the ulp.json that 'evalcts ulp' has written",
+                                 options.page, clean(why)));
   };
   std::ifstream stream(options.page);
   if (!stream) return wrong("cannot be read");
@@ -470,10 +448,6 @@ int ulp(const UlpOptions& options) {
   if (!options.page.empty()) return page_again(options);
   if (!options.orders.empty() || !options.points.empty() || !options.at.empty()) return replay(options);
 
-  const auto wrong_use = [](const std::string& words) {
-    std::cerr << "evalcts: " << words << "\n";
-    return kWrongUse;
-  };
   std::vector<std::string> known = own_subject_names();
   for (const ImplementationKind& kind : implementation_kinds()) known.push_back(kind.name);
   for (const std::string& name : options.implementations)
@@ -520,22 +494,17 @@ int ulp(const UlpOptions& options) {
   for (Measurement& measurement : all) measurement.child.reset();  // killed, where it still runs
 
   const bool with_target = targets_of(options).size() > 1;
-  json document = {{"format", "evalcts-ulp-1"},
-                   {"evalcts_version", EVALCTS_VERSION},
-                   {"command", options.command},
-                   {"status", interrupted ? "interrupted" : "complete"},
-                   {"seed", options.seed},
-                   {"targets", targets_of(options)},
-                   {"curves", accuracy::profile_curves_as_json()},
-                   {"implementations", json::array()}};
+  accuracy::Report report{options.command, interrupted, options.seed, targets_of(options), {}};
   int code = interrupted ? kWrongUse : kNothingUnexpected;
   for (const Measurement& measurement : all) {
-    json entry = result_of(measurement, options);
+    using Status = accuracy::MeasuredImplementation::Status;
+    const accuracy::MeasuredImplementation& entry =
+        report.implementations.emplace_back(result_of(measurement, options));
     line.print(in_words(entry, with_target, options.verbose) + "\n");
-    if (as_text(entry["status"]) == "crashed") code = std::max(code, kUnexpected);
-    if (as_text(entry["status"]) == "not-started" && named) code = std::max(code, kWrongUse);
-    document["implementations"].push_back(std::move(entry));
+    if (entry.status == Status::kCrashed) code = std::max(code, kUnexpected);
+    if (entry.status == Status::kNotStarted && named) code = std::max(code, kWrongUse);
   }
+  const json document = accuracy::to_json(report);
   write_atomically(output / "ulp.json", document.dump(1) + "\n");
   write_atomically(output / "ulp.csv", reports::table_csv(document));
   write_atomically(output / "ulp-profiles.csv", reports::profiles_csv(document));

@@ -38,9 +38,8 @@ int write_vectors(const VectorsOptions& options) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || access(folder.c_str(), W_OK) != 0) {
-    std::cerr << fmt::format("evalcts: cannot write into '{}'; choose another folder with --output\n",
-                             folder.string());
-    return kWrongUse;
+    return wrong_use(
+        fmt::format("cannot write into '{}'; choose another folder with --output", folder.string()));
   }
   std::size_t cases = 0, bytes = 0;
   try {
@@ -51,8 +50,7 @@ int write_vectors(const VectorsOptions& options) {
       bytes += written.bytes;
     });
   } catch (const std::runtime_error& problem) {
-    std::cerr << fmt::format("evalcts: {}\n", problem.what());
-    return kWrongUse;
+    return wrong_use(problem.what());
   }
   std::cout << fmt::format("{:<12} {:>5} cases {:>9} bytes\nWritten into {}\n", "all", cases, bytes,
                            folder.string());

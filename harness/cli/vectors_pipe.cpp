@@ -76,13 +76,11 @@ int emit_vectors(const VectorsOptions& options) {
   try {
     for (const nlohmann::json& file : files_of(options)) std::cout << vectors::emit(file);
   } catch (const vectors::Malformed& problem) {
-    std::cerr << fmt::format("evalcts: {}\n", problem.what());
-    return kWrongUse;
+    return wrong_use(problem.what());
   }
   std::cout.flush();
   if (std::cout) return kNothingUnexpected;
-  std::cerr << "evalcts: the reader of the pipe has gone before the end\n";
-  return kWrongUse;
+  return wrong_use("the reader of the pipe has gone before the end");
 }
 
 int check_vectors(const VectorsOptions& options) {
@@ -106,8 +104,7 @@ int check_vectors(const VectorsOptions& options) {
       code = std::max(code, kWrongUse);
     }
   } catch (const vectors::Malformed& problem) {
-    std::cerr << fmt::format("evalcts: {}\n", problem.what());
-    return kWrongUse;
+    return wrong_use(problem.what());
   }
   return code;
 }

@@ -18,9 +18,8 @@ class World {
 
   // Rank 0, once: as accuracy::sweep(), while the other ranks take blocks as they ask for them. A rank that
   // cannot start, or whose implementation is another one than `identity` says, ends it with CannotStart.
-  virtual void lead(const accuracy::SweepTask& task, const nlohmann::json& identity,
-                    const accuracy::StreamSource& source, int threads, accuracy::SweepState& state,
-                    const std::atomic<bool>& stop,
+  virtual void lead(const accuracy::SweepIdentity& identity, const accuracy::StreamSource& source,
+                    int threads, accuracy::SweepState& state, const std::atomic<bool>& stop,
                     const std::function<void(const accuracy::SweepState&)>& progress) = 0;
   // Rank 0, instead of lead(): there is nothing to do.
   virtual void dismiss() = 0;

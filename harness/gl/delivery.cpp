@@ -77,7 +77,7 @@ bool is_vertex(EntryPoint entry) {
 class OnGrids {
  public:
   OnGrids(const Case& script, bool meshes) : script_(script), meshes_(meshes) {
-    delivered_.script.set_identity(script.identity());
+    delivered_.script = script.without_commands();
   }
 
   DeliveredCase apply() {
@@ -274,7 +274,7 @@ class OnGrids {
 };
 
 DeliveredCase one_for_one(const Case& script, bool doubles, bool arrays) {
-  DeliveredCase delivered{Case(script.identity()), {}};
+  DeliveredCase delivered{script.without_commands(), {}};
   for (const Command& command : script.commands()) {
     const auto at = coordinates(command);
     const gl::Ref ref = delivered.script.add(!at.empty()             ? eval_coord(at, doubles, arrays)

@@ -41,7 +41,7 @@ bool is_compiled(const Command& command) {
 class ThroughLists {
  public:
   ThroughLists(const Case& script, Lists lists) : script_(script), lists_(lists) {
-    delivered_.script.set_identity(script.identity());
+    delivered_.script = script.without_commands();
     delivered_.positions.resize(script.commands().size());
   }
 

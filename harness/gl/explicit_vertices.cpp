@@ -109,7 +109,7 @@ class MeshOfVertices {
 // Begin and End; `follow(command)` sees each command before.
 template <class Follow, class Evaluate, class Mesh>
 Case with_replaced(const Case& script, const Follow& follow, const Evaluate& evaluate, const Mesh& mesh) {
-  Case control(script.identity());
+  Case control = script.without_commands();
   std::vector<int> places;
   bool in_primitive = false;
   for (const Command& written : script.commands()) {

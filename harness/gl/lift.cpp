@@ -60,7 +60,7 @@ GLenum in_two_dimensions(GLenum token) {
 }
 
 Case lift(const Case& script, bool along_v) {
-  Case lifted(script.identity());
+  Case lifted = script.without_commands();
   std::int64_t maps = 0;
   for (const Command& command : script.commands()) {
     switch (command.entry) {

@@ -253,7 +253,8 @@ std::optional<Event> parse_event(const std::string& line) {
     const JsonObject in(value, "event");
     const std::string kind = in.text("event");
     if (kind == "start") return TestStarted{in.text("name")};
-    if (kind == "case") return CaseStarted{in.text("case"), in.texts("calls"), in.text("commands")};
+    if (kind == "case")
+      return CaseStarted{in.text("case"), in.boolean("control"), in.texts("calls"), in.text("commands")};
     if (kind == "failing-case") return CaseFailed{in.text("name"), in.text("commands")};
     if (kind == "end") return RunEnded{};
     const auto record = in.object("record");

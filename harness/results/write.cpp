@@ -174,8 +174,10 @@ std::string to_line(const Event& event) {
   struct Writer {
     json operator()(const TestStarted& start) const { return {{"event", "start"}, {"name", start.name}}; }
     json operator()(const CaseStarted& start) const {
-      return {
+      json event = {
           {"event", "case"}, {"case", start.identity}, {"calls", start.calls}, {"commands", start.commands}};
+      if (start.is_control) event["control"] = true;
+      return event;
     }
     json operator()(const CaseFailed& failed) const {
       return {{"event", "failing-case"}, {"name", failed.test}, {"commands", failed.commands}};

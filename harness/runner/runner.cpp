@@ -15,7 +15,6 @@
 #include <set>
 #include <thread>
 
-#include <evalcts/results/control_case.h>
 #include <evalcts/runner/child_process.h>
 #include <evalcts/runner/claims.h>
 #include <evalcts/runner/question.h>
@@ -426,7 +425,7 @@ class Run {
       return;
     }
     const std::string last_case = alone.last_case ? alone.last_case->identity : "";
-    if (!alone.in_flight.empty() && is_control(last_case)) {
+    if (!alone.in_flight.empty() && alone.last_case && alone.last_case->is_control) {
       add_record(name, Verdict::kNotObservable, fmt::format("pipeline: {} in '{}'", how, last_case));
       return;
     }

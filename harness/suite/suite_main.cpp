@@ -363,7 +363,7 @@ int play_programs(const Program& program) {
 void play_without_evaluators(const Program& program, const gl::Case& script) {
   std::vector<gl::Case> controls = fuzz::controls_without_evaluators(script);
   if (predict(script, program.subject.info.max_order()).vertex_count() == 0) {
-    gl::Case without(script.identity());
+    gl::Case without = script.without_commands();
     for (const gl::Command& command : script.commands())
       if (!gl::name_of(command.entry).starts_with("glEval")) without.add(command);
     controls.front() = fuzz::without_evaluators(without);
@@ -422,8 +422,8 @@ int run(int argc, char** argv, const Wrapping& wrapping) {
       if (program.options.crash_control && program.cases_left == 1) play_without_evaluators(program, script);
       if (program.cases_left-- == 0) throw std::runtime_error("no more cases of this test were asked for");
       if (program.options.trace_cases)
-        program.records->write(
-            to_line(CaseStarted{script.identity(), gl::all_calls(script), gl::to_text_if_possible(script)}));
+        program.records->write(to_line(CaseStarted{script.identity(), script.is_control(),
+                                                   gl::all_calls(script), gl::to_text_if_possible(script)}));
     };
     if (answers) {
       answer(options, options.describe ? to_text(description_of(program.subject, options.implementation))

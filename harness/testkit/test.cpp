@@ -9,7 +9,6 @@
 
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/display_lists.h>
-#include <evalcts/results/control_case.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/testkit/reproduction.h>
 #include "schedule.h"
@@ -94,7 +93,7 @@ Played Test::play(const gl::Case& written) {
     std::vector<std::string> names;
     for (const GLenum error : left_over) names.push_back(gl::error_name(error));
     const std::string captured = fmt::format("{}", fmt::join(names, ", "));
-    if (is_control(script.identity()))
+    if (script.is_control())
       throw NotObservable(fmt::format("pipeline: '{}' leaves {} behind", script.identity(), captured));
     Failure failure;
     failure.case_identity = script.identity();

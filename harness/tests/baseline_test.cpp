@@ -5,6 +5,10 @@
 
 #include <fstream>
 
+#include <evalcts/results/files.h>
+
+#include "contains.h"
+
 namespace evalcts {
 namespace {
 
@@ -107,7 +111,7 @@ TEST_F(Baselines, OneMoreFailingValueIsUnexpected) {
   RunResult more = record({test("A.B", Verdict::kFail, {"case 1: x", "case 2: y", "case 3: z"})});
   baseline.apply(more);
   EXPECT_FALSE(more.tests[0].expected_by_baseline);
-  EXPECT_NE(more.tests[0].message.find("other cases"), std::string::npos);
+  EXPECT_TRUE(contains(more.tests[0].message, "other cases"));
 
   RunResult deeper = more;  // a depth without a signature is not compared
   deeper.depth = Depth::thorough;
@@ -137,7 +141,7 @@ TEST_F(Baselines, BadFilesAreRefusedWithFileAndLine) {
       read("m");
       ADD_FAILURE() << body;
     } catch (const BadBaseline& error) {
-      EXPECT_NE(std::string(error.what()).find("m-fails.txt:"), std::string::npos);
+      EXPECT_TRUE(contains(error.what(), "m-fails.txt:"));
     }
   }
   write("m-fails.txt", "# reason\nA.B,Fail\n");  // no header
@@ -191,7 +195,7 @@ TEST_F(Baselines, BadPatternsAreRefusedWithFileAndLine) {
         BaselineFiles::read_all(folder_);
         ADD_FAILURE() << text;
       } catch (const BadBaseline& error) {
-        EXPECT_NE(std::string(error.what()).find(file + message), std::string::npos) << error.what();
+        EXPECT_TRUE(contains(error.what(), file + message));
       }
     }
     fs::remove(folder_ / file);
@@ -225,8 +229,7 @@ TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
   result.seed = 2;
   read("m").renewed(result, "m", "").write(folder_);
   EXPECT_EQ(read("m").entries().at("A.B").signatures.at("quick"), "1-1");
-  std::ifstream file(folder_ / "m-signatures.txt");
-  EXPECT_NE(std::string(std::istreambuf_iterator<char>(file), {}).find("seed 1"), std::string::npos);
+  EXPECT_TRUE(contains(read_file(folder_ / "m-signatures.txt"), "seed 1"));
 }
 
 // What fails with fresh contexts belongs into the other baseline.

@@ -89,16 +89,12 @@ TEST_F(CProgram, AnswersOfEveryKind) {
   const Outcome missing_error =
       outcome({.answer = returned_error, .accepted = {{0x500, 0x500}}, .expected = "GL_INVALID_ENUM"});
   EXPECT_EQ(missing_error.code, 1);
-  EXPECT_NE(missing_error.text.find("glGetError(): expected GL_INVALID_ENUM, got GL_NO_ERROR"),
-            std::string::npos)
-      << missing_error.text;
+  EXPECT_TRUE(contains(missing_error.text, "glGetError(): expected GL_INVALID_ENUM, got GL_NO_ERROR"));
   EXPECT_EQ(outcome({.answer = {Of::element, order, 0}, .accepted = {{2, 2}}}).code, 0);
   const Outcome wrong_order = outcome({.answer = {Of::element, order, 0}, .accepted = {{3, 3}}});
   EXPECT_EQ(wrong_order.code, 1);
-  EXPECT_NE(
-      wrong_order.text.find("values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2"),
-      std::string::npos)
-      << wrong_order.text;
+  EXPECT_TRUE(contains(wrong_order.text,
+                       "values[0] of glGetMapiv(GL_MAP1_INDEX, GL_ORDER, values): expected 3, got 2"));
   EXPECT_EQ(outcome({.answer = {Of::element, values, 1}, .accepted = {{7, 7}}}).code, 0);
   EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 2}}}).code, 0);
   EXPECT_EQ(outcome({.answer = {Of::written, values}, .accepted = {{0, 1}}}).code, 1);
@@ -234,11 +230,9 @@ TEST_F(CProgram, FindsTheAnswerThatAMismatchRestsOn) {
   EXPECT_LT(check.accepted.front().first, 1.5);
   EXPECT_GT(check.accepted.front().second, 1.5);
   EXPECT_LT(check.accepted.front().second, 1.6);
-  std::ifstream stream(file);
-  const Outcome outcome = build_and_start(
-      std::string((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>()));
+  const Outcome outcome = build_and_start(read_file(file));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("position.z of vertex 1: expected [1.4"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "position.z of vertex 1: expected [1.4"));
 }
 
 }  // namespace

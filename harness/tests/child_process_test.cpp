@@ -6,6 +6,8 @@
 #include <csignal>
 #include <fstream>
 
+#include "contains.h"
+
 namespace evalcts {
 namespace {
 
@@ -21,7 +23,7 @@ TEST(ChildProcess, ReportsHowItEnded) {
   ASSERT_TRUE(death);
   EXPECT_TRUE(death->signalled);
   EXPECT_EQ(death->value, SIGSEGV);
-  EXPECT_NE(describe(*death).find("SIGSEGV"), std::string::npos);
+  EXPECT_TRUE(contains(describe(*death), "SIGSEGV"));
 }
 
 TEST(ChildProcess, WaitsNoLongerThanAskedAndKillsTheWholeGroup) {

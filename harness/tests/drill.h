@@ -28,11 +28,6 @@ class DrillTest : public ProgramTest {
   Outcome drill(const std::string& what, const std::vector<std::string>& more = {}) {
     return evalcts(drill_arguments(what, more));
   }
-
-  std::string text_of(const std::string& file) const {
-    std::ifstream stream(folder_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
 };
 
 // The test that defines INDEX with order 5; some without display lists, which the drill libraries have not.

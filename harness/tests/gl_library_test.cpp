@@ -60,7 +60,7 @@ TEST_F(GlLibrary, OSMesaContexts) {
   // What the library only depends on is not its own.
   const Outcome outcome = run({"--context", "osmesa", "--library", "libGLU.so.1"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.text.find("glGetString"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "glGetString"));
 }
 
 // What is measured through captures is what single calls gave: replays give the same bits.
@@ -91,7 +91,7 @@ TEST_P(OffScreenLibraries, ErrorsAreMeasuredAndReplayed) {
     EXPECT_LT(row["max_condition_aware"].get<double>(), 60) << "float arithmetic";
     const Outcome again = start(row["worst_ulp"]["replay"].get<std::vector<std::string>>());
     EXPECT_EQ(again.code, 0);
-    EXPECT_NE(again.text.find(row["worst_ulp"]["got"]["bits"]), std::string::npos) << again.text;
+    EXPECT_TRUE(contains(again.text, row["worst_ulp"]["got"]["bits"]));
   }
 }
 
@@ -115,7 +115,7 @@ TEST_P(OffScreenLibraries, EveryFloatOfAnIntervalIsMeasured) {
   arguments = {"ulp", "--target", "texture_coord_1", "--at", worst["at"].get<std::string>()};
   arguments.insert(arguments.end(), map.begin(), map.end());
   const Outcome again = evalcts(arguments);
-  EXPECT_NE(again.text.find(worst["got"]["bits"]), std::string::npos) << again.text << worst;
+  EXPECT_TRUE(contains(again.text, worst["got"]["bits"])) << again.text << worst;
 }
 
 TEST_F(GlLibrary, EglContexts) {
@@ -147,7 +147,7 @@ TEST_F(GlLibrary, EglThatOffersLess) {
     setenv("EVALCTS_DRILL", lacking, 1);
     const Outcome outcome = run({"--library", DRILL_EGL});
     EXPECT_EQ(outcome.code, 2) << lacking;
-    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, reason));
   }
 }
 
@@ -156,8 +156,7 @@ TEST_F(GlLibrary, EglTakesThePlaceOfOSMesa) {
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so"}) std::ofstream(folder_ / name) << "no library\n";
   setenv("LD_LIBRARY_PATH", folder_.c_str(), 1);
   const Outcome outcome = run({});
-  EXPECT_NE(outcome.text.find("osmesa does not start (cannot load 'libOSMesa.so.8': "), std::string::npos)
-      << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "osmesa does not start (cannot load 'libOSMesa.so.8': "));
   expect_judged(outcome, "egl");
   EXPECT_FALSE(fs::exists(folder_ / "results-osmesa.json"));
 }
@@ -185,7 +184,7 @@ TEST_F(GlLibrary, LibraryThatCannotBeLoaded) {
   };
   const auto says = [&](const fs::path& name, const std::string& expected) {
     const std::string message = reason(name);
-    EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_TRUE(contains(message, expected));
     EXPECT_TRUE(message.starts_with("cannot load '" + name.string() + "': ")) << message;
   };
   says(folder_ / "absent.so", "there is no such file");
@@ -232,9 +231,7 @@ TEST_F(GlLibrary, OtherDriverThanAskedFor) {
   // OSMesa does not read this variable.
   const Variable variable("MESA_LOADER_DRIVER_OVERRIDE", "zink");
   const Outcome outcome = run({"--implementation", "osmesa"});
-  EXPECT_NE(outcome.text.find("note: MESA_LOADER_DRIVER_OVERRIDE=zink asks for another driver"),
-            std::string::npos)
-      << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "note: MESA_LOADER_DRIVER_OVERRIDE=zink asks for another driver"));
   EXPECT_TRUE(
       as_text(results("osmesa")["implementation"]["note"]).starts_with("MESA_LOADER_DRIVER_OVERRIDE"));
 }
@@ -266,7 +263,7 @@ TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
   };
   const auto expect_named = [](const Outcome& outcome, const std::string& text) {
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.text.find(text), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, text));
   };
   if (available("osmesa")) {
     const Outcome outcome = run_with("GALLIUM_DRIVER", "misspelt", "osmesa");
@@ -334,7 +331,7 @@ TEST_F(GlLibrary, LayerOverGles2) {
   }
   const Outcome es = run({"--context", "egl-gles2", "--library", "libGLESv2.so.2"});
   EXPECT_EQ(es.code, 2);
-  EXPECT_NE(es.text.find("no evaluators"), std::string::npos) << es.text;
+  EXPECT_TRUE(contains(es.text, "no evaluators"));
 }
 
 // Each process has an X server of its own: there is no DISPLAY.
@@ -471,7 +468,7 @@ TEST_F(GlxLibrary, SaysWhyItDoesNotStart) {
   const auto fails = [&](const char* name, const char* reason) {
     const Outcome outcome = run({"--implementation", name});
     EXPECT_EQ(outcome.code, 2) << outcome.text;
-    EXPECT_NE(outcome.text.find(reason), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, reason));
   };
   put_before_xvfb("", "\"$@\" -iglx");
   fails("glx-indirect", "Xvfb makes no indirect context: ");

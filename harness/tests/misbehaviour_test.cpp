@@ -67,13 +67,12 @@ class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {
     EXPECT_EQ(as_text(victim["verdict"]), misdeed.verdict) << misdeed.what << victim["message"];
     if (dies) {
       const std::string words = victim["message"];
-      EXPECT_NE(words.find(misdeed.message), std::string::npos) << words;
-      EXPECT_NE(words.find("confirmed alone"), std::string::npos) << words;
+      EXPECT_TRUE(contains(words, misdeed.message));
+      EXPECT_TRUE(contains(words, "confirmed alone"));
       ASSERT_FALSE(victim["calls"].empty());
-      EXPECT_NE(victim["calls"].dump().find("glMap1f(GL_MAP1_INDEX"), std::string::npos);
+      EXPECT_TRUE(contains(victim["calls"].dump(), "glMap1f(GL_MAP1_INDEX"));
     } else {
-      EXPECT_NE(text_of("log-drill.txt").find(misdeed.message), std::string::npos)
-          << text_of("log-drill.txt");
+      EXPECT_TRUE(contains(text_of("log-drill.txt"), misdeed.message));
     }
     std::ifstream processes(drill_file());
     for (pid_t process = 0; processes >> process;) EXPECT_NE(kill(process, 0), 0) << process;
@@ -118,7 +117,7 @@ TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   };
   const json shared = outcome_of("end"), own = outcome_of("evaluation");
   EXPECT_EQ(as_text(shared.value("verdict", json())), "not-observable") << shared;
-  EXPECT_NE(shared.dump().find("with explicit vertices in the place of evaluations, too"), std::string::npos);
+  EXPECT_TRUE(contains(shared.dump(), "with explicit vertices in the place of evaluations, too"));
   EXPECT_EQ(as_text(own.value("verdict", json())), "crash") << own;
 }
 
@@ -163,14 +162,13 @@ class Flakes : public DrillTest {
 TEST_F(Flakes, AreToldApart) {
   const Outcome outcome = play("now-and-then");
   EXPECT_EQ(outcome.code, 1) << outcome.text;
-  EXPECT_NE(outcome.text.find("MAP1_INDEX_f (flake: pass when played again)"), std::string::npos)
-      << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "MAP1_INDEX_f (flake: pass when played again)"));
   const json flake = test_named(results("drill"), kVictim);
   EXPECT_EQ(as_text(flake["verdict"]), "fail");
   EXPECT_EQ(flake["flake"], true);
   EXPECT_EQ(as_text(flake["again"]["verdict"]), "pass");
   EXPECT_FALSE(flake["mismatches"].empty());
-  EXPECT_NE(text_of("junit-drill.xml").find("flake: pass when played again"), std::string::npos);
+  EXPECT_TRUE(contains(text_of("junit-drill.xml"), "flake: pass when played again"));
 
   EXPECT_EQ(play("now-and-then", {"--retry", "0"}).code, 1);
   EXPECT_FALSE(test_named(results("drill"), kVictim).contains("flake"));
@@ -230,8 +228,8 @@ TEST_F(Folders, AFullDiskLosesNothingThatFits) {
                   "; code=$?; cp " + disk.string() + "/* " + kept.string() + "; exit $code; }");
   if (outcome.code == -1) GTEST_SKIP() << outcome.text;
   EXPECT_EQ(outcome.code, 2) << outcome.text;
-  EXPECT_NE(outcome.text.find("No space left on device"), std::string::npos) << outcome.text;
-  EXPECT_NE(outcome.text.find("--output"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "No space left on device"));
+  EXPECT_TRUE(contains(outcome.text, "--output"));
   std::ifstream records(kept / "records-drill.jsonl");
   std::size_t judged = 0;
   for (std::string record; std::getline(records, record);) {
@@ -253,10 +251,8 @@ TEST_F(Folders, AReadOnlyFolderIsSaidAtOnce) {
       with_mounts("mount -t tmpfs -o ro none " + disk.string() + " && exec " + line(arguments));
   if (outcome.code == -1) GTEST_SKIP() << outcome.text;
   EXPECT_EQ(outcome.code, 2) << outcome.text;
-  EXPECT_NE(
-      outcome.text.find("cannot write into '" + disk.string() + "'; choose another folder with --output"),
-      std::string::npos)
-      << outcome.text;
+  EXPECT_TRUE(contains(outcome.text,
+                       "cannot write into '" + disk.string() + "'; choose another folder with --output"));
 }
 
 TEST_F(Folders, BelongToOneCommandAtATime) {
@@ -274,10 +270,9 @@ TEST_F(Folders, BelongToOneCommandAtATime) {
     for (const std::vector<std::string>& command : commands) {
       const Outcome outcome = evalcts(command);
       EXPECT_EQ(outcome.code, 2) << command.front();
-      EXPECT_NE(
-          outcome.text.find("another command is writing into '" + folder +
-                            "' (process 1: evalcts run, of somebody else); wait for it, or choose another"),
-          std::string::npos)
+      EXPECT_TRUE(contains(
+          outcome.text, "another command is writing into '" + folder +
+                            "' (process 1: evalcts run, of somebody else); wait for it, or choose another"))
           << command.front() << outcome.text;
     }
     EXPECT_FALSE(fs::exists(folder_ / "results-drill.json"));
@@ -308,7 +303,7 @@ TEST_F(Folders, NamesDoNotLeadOutOfThem) {
     *std::ranges::find(arguments, "drill") = name;
     const Outcome outcome = evalcts(arguments);
     EXPECT_EQ(outcome.code, 2) << name;
-    EXPECT_NE(outcome.text.find("--name becomes part of file names"), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, "--name becomes part of file names"));
   }
 }
 
@@ -395,7 +390,7 @@ TEST_F(Variables, ThatMakeNoSenseAreRefused) {
     setenv("GTEST_SHARD_INDEX", index, 1);
     const Outcome outcome = drill("nothing");
     EXPECT_EQ(outcome.code, 2) << total << " " << index;
-    EXPECT_NE(outcome.text.find("use --shard K/N"), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, "use --shard K/N"));
   }
 }
 
@@ -437,12 +432,12 @@ TEST_F(Terminal, ProgressColourAndTheSizeOfTheScreen) {
     return std::ranges::count(text.substr(text.find("drill: evalcts")), '\n');
   };
   const std::string usual = shown(arguments, 24);
-  EXPECT_NE(usual.find("\r\x1b[K"), std::string::npos) << usual;
-  EXPECT_NE(usual.find("drill: 0 of "), std::string::npos);
-  EXPECT_NE(usual.find("\x1b[31mfail"), std::string::npos);
+  EXPECT_TRUE(contains(usual, "\r\x1b[K"));
+  EXPECT_TRUE(contains(usual, "drill: 0 of "));
+  EXPECT_TRUE(contains(usual, "\x1b[31mfail"));
   EXPECT_LT(lines_of(usual), 24);
   const std::string plain = shown(arguments, 24, "NO_COLOR=1");
-  EXPECT_EQ(plain.find("\x1b[31m"), std::string::npos);
+  EXPECT_FALSE(contains(plain, "\x1b[31m"));
   EXPECT_EQ(shown(arguments, 24, "NO_COLOR=").find("\x1b[31m") == std::string::npos, false);
 
   std::vector<std::string> quiet = arguments;
@@ -450,9 +445,9 @@ TEST_F(Terminal, ProgressColourAndTheSizeOfTheScreen) {
   const Outcome outcome = evalcts(quiet);
   EXPECT_EQ(outcome.code, 1);
   EXPECT_TRUE(outcome.text.starts_with("drill: ")) << outcome.text;
-  EXPECT_NE(outcome.text.find(" unexpected result"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, " unexpected result"));
   EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1);
-  EXPECT_EQ(outcome.text.find('\x1b'), std::string::npos);
+  EXPECT_FALSE(contains(outcome.text, "\x1b"));
   quiet.push_back("--verbose");
   EXPECT_EQ(evalcts(quiet).code, 2);
 }
@@ -467,9 +462,9 @@ TEST_F(Terminal, WhatWasMeantIsGuessed) {
   for (const auto& [arguments, words] : slips) {
     const Outcome outcome = evalcts(arguments);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.text.find(words), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, words));
   }
-  EXPECT_EQ(evalcts({"run", "--utterly-unlike"}).text.find("did you mean"), std::string::npos);
+  EXPECT_FALSE(contains(evalcts({"run", "--utterly-unlike"}).text, "did you mean"));
 }
 
 TEST_F(Terminal, EveryCommandHasExamples) {
@@ -482,7 +477,7 @@ TEST_F(Terminal, EveryCommandHasExamples) {
     if (line[2] == ' ') continue;  // the rest of a description
     const std::string command = line.substr(2, line.find(' ', 2) - 2);
     const std::string help = evalcts({command, "--help"}).text;
-    EXPECT_NE(help.find("Examples:\n  $ evalcts " + command), std::string::npos) << help;
+    EXPECT_TRUE(contains(help, "Examples:\n  $ evalcts " + command));
     ++commands;
   }
   EXPECT_GE(commands, 10);

@@ -23,10 +23,7 @@ class OutputLogTest : public testing::Test {
       log.take();
     }
   }
-  std::string content() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
+  std::string content() const { return read_file(path_); }
 
   const std::filesystem::path path_ =
       std::filesystem::path(testing::TempDir()) / ("output-log-" + std::to_string(getpid()) + ".txt");

@@ -23,6 +23,7 @@
 #include <evalcts/results/serialization.h>
 #include <evalcts/vectors/lint.h>
 #include <evalcts/vectors/pipe.h>
+#include "accuracy/checkpoint_json.h"
 #include "cli/recorded.h"
 
 namespace evalcts {
@@ -146,26 +147,24 @@ void read_checkpoint(const std::string& text) {
   static const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("evalcts-fuzz-{}.json", getpid());
   const SweepTask task = {.map = {0.25, 0.75}};
-  const json identity = identity_of(task, {});
-  const auto read = [&] {
+  const SweepIdentity identity = identity_of(task, {});
+  const auto read = [&](const std::string& content) {
+    std::ofstream(file, std::ios::binary) << content;
     try {
-      const Resumed resumed = accuracy::read_checkpoint(file, task, identity);
-      checkpoint_of(task, identity, resumed.state, resumed.seconds);
+      write_checkpoint(file, accuracy::read_checkpoint(file, identity));
     } catch (const BadCheckpoint&) {
     }
   };
-  std::ofstream(file, std::ios::binary) << text;
-  read();
+  read(text);
   json checkpoint = json::parse(text, nullptr, false);
   if (!checkpoint.is_object()) return;
-  checkpoint.update(identity);
+  checkpoint.update(json::parse(to_text(identity)));
   checkpoint.erase("checksum");
   try {
-    write_checkpoint(file, checkpoint);
+    read(with_checksum(checkpoint));
   } catch (const json::exception&) {
-    return;  // what is no UTF-8 is in no file of ours
+    // what is no UTF-8 is in no file of ours
   }
-  read();
 }
 
 // A command line, one argument a line: it is understood, or refused with words.

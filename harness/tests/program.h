@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <evalcts/results/files.h>
 #include <evalcts/results/json.h>
 #include <evalcts/runner/child_process.h>
+#include "contains.h"
 
 namespace evalcts {
 
@@ -37,19 +39,19 @@ class ProgramTest : public testing::Test {
     std::filesystem::remove(log);
     ChildProcess child(command, log.string());
     const auto ending = child.wait(120);
-    std::ifstream file(log);
-    return {ending && !ending->signalled ? ending->value : -1,
-            std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>())};
+    return {ending && !ending->signalled ? ending->value : -1, read_file(log)};
   }
   Outcome evalcts(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), EVALCTS_PROGRAM);
     return start(arguments);
   }
 
-  nlohmann::json results(const std::string& name) const {
-    std::ifstream file(folder_ / ("results-" + name + ".json"));
-    return nlohmann::json::parse(file, nullptr, false);
+  // Files in the folder.
+  std::string text_of(const std::string& name) const { return read_file(folder_ / name); }
+  nlohmann::json json_of(const std::string& name) const {
+    return nlohmann::json::parse(text_of(name), nullptr, false);
   }
+  nlohmann::json results(const std::string& name) const { return json_of("results-" + name + ".json"); }
   static nlohmann::json test_named(const nlohmann::json& result, const std::string& name) {
     for (const nlohmann::json& test : result["tests"])
       if (as_text(test["name"]) == name) return test;

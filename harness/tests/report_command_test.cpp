@@ -34,13 +34,6 @@ class Report : public ProgramTest {
     std::ofstream(folder_ / file) << text;
   }
   std::string path(const std::string& file) const { return (folder_ / file).string(); }
-  std::string text_of(const std::string& file) const {
-    std::ifstream stream(folder_ / file);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
-  static bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-  }
 };
 
 TEST_F(Report, PutsFilesAndFoldersSideBySide) {
@@ -56,10 +49,10 @@ TEST_F(Report, PutsFilesAndFoldersSideBySide) {
   for (const std::string& label :
        std::vector<std::string>{"osmesa (" + path("a") + ")", "osmesa (" + path("b") + ")",
                                 std::string("egl"), std::string("mine")})
-    EXPECT_TRUE(has(page, "<h3>" + label + "</h3>")) << label;
-  EXPECT_TRUE(has(page, "1 test on 4 implementations"));
-  EXPECT_TRUE(has(page, "The points are read before Map")) << "the texts of the requirements";
-  EXPECT_TRUE(has(text_of("out/deep/summary.md"), "| `egl` | **1** |"));
+    EXPECT_TRUE(contains(page, "<h3>" + label + "</h3>")) << label;
+  EXPECT_TRUE(contains(page, "1 test on 4 implementations"));
+  EXPECT_TRUE(contains(page, "The points are read before Map")) << "the texts of the requirements";
+  EXPECT_TRUE(contains(text_of("out/deep/summary.md"), "| `egl` | **1** |"));
 }
 
 TEST_F(Report, PutsShardsTogether) {
@@ -71,8 +64,8 @@ TEST_F(Report, PutsShardsTogether) {
   write("second/results-osmesa.2-of-2.json", two.dump());
   const Outcome outcome = evalcts({"report", path("first"), path("second"), "--output", path("out")});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_TRUE(has(outcome.text, "osmesa\n2 tests: 2 pass\n")) << outcome.text;
-  EXPECT_TRUE(has(text_of("out/index.html"), "2 tests on 1 implementation"));
+  EXPECT_TRUE(contains(outcome.text, "osmesa\n2 tests: 2 pass\n")) << outcome.text;
+  EXPECT_TRUE(contains(text_of("out/index.html"), "2 tests on 1 implementation"));
 }
 
 TEST_F(Report, ARegressionIsOne) {
@@ -80,22 +73,22 @@ TEST_F(Report, ARegressionIsOne) {
   write("new/results-x.json", record("x", "fail").dump());
   const Outcome worse = evalcts({"report", path("new"), "--before", path("old"), "--output", path("out")});
   EXPECT_EQ(worse.code, 1) << worse.text;
-  EXPECT_TRUE(has(worse.text, "x since the earlier results: 1 regression\n")) << worse.text;
-  EXPECT_TRUE(has(text_of("out/summary.md"), "* `x`: 1 regression\n"));
-  EXPECT_TRUE(has(text_of("out/index.html"), "1 regression"));
+  EXPECT_TRUE(contains(worse.text, "x since the earlier results: 1 regression\n")) << worse.text;
+  EXPECT_TRUE(contains(text_of("out/summary.md"), "* `x`: 1 regression\n"));
+  EXPECT_TRUE(contains(text_of("out/index.html"), "1 regression"));
   const Outcome better =
       evalcts({"report", path("old"), "--before", path("new/results-x.json"), "--output", path("out")});
   EXPECT_EQ(better.code, 0) << better.text;
-  EXPECT_TRUE(has(better.text, "1 fix\n")) << better.text;
+  EXPECT_TRUE(contains(better.text, "1 fix\n")) << better.text;
 }
 
 TEST_F(Report, LeadsToAccuracyWhereItIs) {
   write("out/results-x.json", record("x", "pass").dump());
   evalcts({"report", path("out"), "--output", path("out")});
-  EXPECT_FALSE(has(text_of("out/index.html"), "accuracy.html"));
+  EXPECT_FALSE(contains(text_of("out/index.html"), "accuracy.html"));
   write("out/accuracy.html", "");
   evalcts({"report", path("out"), "--output", path("out")});
-  EXPECT_TRUE(has(text_of("out/index.html"), "href=\"accuracy.html\""));
+  EXPECT_TRUE(contains(text_of("out/index.html"), "href=\"accuracy.html\""));
 }
 
 TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
@@ -128,7 +121,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
     command.insert(command.end(), arguments.begin(), arguments.end());
     const Outcome outcome = evalcts(command);
     EXPECT_EQ(outcome.code, 2) << words;
-    EXPECT_TRUE(has(outcome.text, words)) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, words)) << outcome.text;
     EXPECT_EQ(text_of("out/index.html"), "the page of before");
   };
   for (const auto& [text, words] : cases) {
@@ -193,12 +186,12 @@ TEST_F(Report, OfARunIsThePageOfTheRun) {
                 .code,
             0);
   const std::string page = text_of("index.html"), summary = text_of("summary.md");
-  EXPECT_TRUE(has(summary, "| `production` | 0 |")) << summary;
+  EXPECT_TRUE(contains(summary, "| `production` | 0 |")) << summary;
   ASSERT_EQ(evalcts({"report", folder_.string(), "--output", path("again")}).code, 0);
   EXPECT_EQ(text_of("again/summary.md"), summary);
   std::string again = text_of("again/index.html");
   const std::string from = "<dt>From</dt><dd>" + folder_.string() + "</dd>\n";
-  ASSERT_TRUE(has(again, from));
+  ASSERT_TRUE(contains(again, from));
   again.replace(again.find(from), from.size(), "");
   EXPECT_EQ(again, page);
 }

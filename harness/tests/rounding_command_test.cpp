@@ -55,7 +55,7 @@ TEST_F(RoundingCommand, DependsOnTheSeedAndNotOnTheNumberOfThreads) {
         .text;
   };
   const std::string one = text("7", "1");
-  EXPECT_NE(one.find("seed 7: "), std::string::npos) << one;
+  EXPECT_TRUE(contains(one, "seed 7: "));
   EXPECT_EQ(text("7", "3"), one);
 }
 
@@ -65,13 +65,13 @@ TEST_F(RoundingCommand, TakesInstructionSetsByName) {
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   const Outcome unknown = rounding({"--samples", "20", "--target", "nonsense"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_NE(unknown.text.find("no such instruction set here: nonsense"), std::string::npos) << unknown.text;
+  EXPECT_TRUE(contains(unknown.text, "no such instruction set here: nonsense"));
 }
 
 TEST_F(RoundingCommand, WrongUseIsTwo) {
   const Outcome none = rounding({"--filter", "No/Such"});
   EXPECT_EQ(none.code, 2);
-  EXPECT_NE(none.text.find("no class of maps matches 'No/Such'"), std::string::npos) << none.text;
+  EXPECT_TRUE(contains(none.text, "no class of maps matches 'No/Such'"));
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--nonsense"},
                                                     {"--samples", "-1"},
                                                     {"--samples", "few"},
@@ -111,9 +111,8 @@ TEST_F(RoundingCommand, EndsSoonAndSaysSoWhenInterrupted) {
       ASSERT_TRUE(ending) << what;
       EXPECT_FALSE(ending->signalled) << what;
       EXPECT_EQ(ending->value, 2) << what;
-      std::ifstream file(log);
-      const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-      EXPECT_NE(text.find("0 wrong (interrupted)"), std::string::npos) << text;
+      const std::string text = read_file(log);
+      EXPECT_TRUE(contains(text, "0 wrong (interrupted)"));
     }
   }
 }

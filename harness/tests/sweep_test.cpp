@@ -309,12 +309,9 @@ class Checkpoints : public ProgramTest {
  protected:
   const SweepTask task_{{0.125, 0.75, -0.5, 0.875}, 0.4F, 0.43F};
   const StreamSource source_ = stream_source({"sum-float"});
-  const json identity_ = identity_of(task_, source_.info);
+  const SweepIdentity identity_ = identity_of(task_, source_.info);
   std::filesystem::path file() const { return folder_ / "sweep.json"; }
-  std::string content() const {
-    std::ifstream stream(file());
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  }
+  std::string content() const { return read_file(file()); }
 };
 
 TEST_F(Checkpoints, HoldAllOfAState) {
@@ -339,8 +336,8 @@ TEST_F(Checkpoints, HoldAllOfAState) {
   };
   sweep(task_, slow, 1, state, stop, [](const SweepState&) {});
   ASSERT_EQ(state.done.size(), 2);
-  write_checkpoint(file(), checkpoint_of(task_, identity_, state, 1.5));
-  Resumed resumed = read_checkpoint(file(), task_, identity_);
+  write_checkpoint(file(), {identity_, state, 1.5});
+  Checkpoint resumed = read_checkpoint(file(), identity_);
   EXPECT_EQ(resumed.seconds, 1.5);
   EXPECT_EQ(resumed.state.done.ranges(), state.done.ranges());
   expect_same(resumed.state.result, state.result);
@@ -350,13 +347,13 @@ TEST_F(Checkpoints, HoldAllOfAState) {
 }
 
 TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
-  write_checkpoint(file(), checkpoint_of(task_, identity_, swept(task_, source_), 1));
+  write_checkpoint(file(), {identity_, swept(task_, source_), 1});
   const std::string whole = content();
-  ASSERT_NO_THROW(read_checkpoint(file(), task_, identity_));
+  ASSERT_NO_THROW(read_checkpoint(file(), identity_));
   const auto complaint = [&](const std::string& text) -> std::string {
     std::ofstream(file()) << text;
     try {
-      read_checkpoint(file(), task_, identity_);
+      read_checkpoint(file(), identity_);
     } catch (const BadCheckpoint& problem) {
       EXPECT_EQ(content(), text) << "left as it is";
       return problem.what();
@@ -364,20 +361,19 @@ TEST_F(Checkpoints, ThatAreDamagedAreRefused) {
     return "none";
   };
   for (const std::size_t length : {std::size_t{0}, std::size_t{1}, whole.size() / 2, whole.size() - 10})
-    EXPECT_NE(complaint(whole.substr(0, length)).find("damaged (no whole JSON)"), std::string::npos)
-        << length;
+    EXPECT_TRUE(contains(complaint(whole.substr(0, length)), "damaged (no whole JSON)")) << length;
   std::string changed = whole;
   changed.replace(changed.find("\"values\": ") + 10, 1, "9");
   if (changed == whole) changed.replace(changed.find("\"values\": ") + 10, 1, "8");
-  EXPECT_NE(complaint(changed).find("damaged (its checksum does not fit)"), std::string::npos);
-  EXPECT_NE(complaint("[1, 2]").find("damaged"), std::string::npos);
+  EXPECT_TRUE(contains(complaint(changed), "damaged (its checksum does not fit)"));
+  EXPECT_TRUE(contains(complaint("[1, 2]"), "damaged"));
 }
 
 TEST_F(Checkpoints, OfAnotherSweepAreRefused) {
-  write_checkpoint(file(), checkpoint_of(task_, identity_, swept(task_, source_), 1));
+  write_checkpoint(file(), {identity_, swept(task_, source_), 1});
   const auto complaint = [&](const SweepTask& task, const ImplementationInfo& info) -> std::string {
     try {
-      read_checkpoint(file(), task, identity_of(task, info));
+      read_checkpoint(file(), identity_of(task, info));
     } catch (const BadCheckpoint& problem) {
       return problem.what();
     }
@@ -385,16 +381,16 @@ TEST_F(Checkpoints, OfAnotherSweepAreRefused) {
   };
   SweepTask other = task_;
   other.map.map.points[2] = 1;
-  EXPECT_NE(complaint(other, source_.info).find("its points is"), std::string::npos);
+  EXPECT_TRUE(contains(complaint(other, source_.info), "its points is"));
   other = task_;
   other.to = 0.44F;
-  EXPECT_NE(complaint(other, source_.info).find("its interval is"), std::string::npos);
+  EXPECT_TRUE(contains(complaint(other, source_.info), "its interval is"));
   other = task_;
   other.shards = 2;
-  EXPECT_NE(complaint(other, source_.info).find("its shard is \"1/1\", not \"1/2\""), std::string::npos);
+  EXPECT_TRUE(contains(complaint(other, source_.info), "its shard is \"1/1\", not \"1/2\""));
   ImplementationInfo info = source_.info;
   info.version = "another";
-  EXPECT_NE(complaint(task_, info).find("its implementation is"), std::string::npos);
+  EXPECT_TRUE(contains(complaint(task_, info), "its implementation is"));
 }
 
 class SweepCommand : public ProgramTest {
@@ -404,10 +400,6 @@ class SweepCommand : public ProgramTest {
                                     "4",   "--points", "1,-1,2,0.5",       "--output",  folder_};
     all.insert(all.end(), more.begin(), more.end());
     return all;
-  }
-  json checkpoint(const std::string& name) const {
-    std::ifstream stream(folder_ / name);
-    return json::parse(stream, nullptr, false);
   }
   static std::string complaints(const json& file) {
     std::ifstream schema(SWEEP_SCHEMA);
@@ -429,12 +421,12 @@ TEST_F(SweepCommand, GoesOnAfterItWasKilled) {
     child.wait(60);
   }
   ASSERT_TRUE(std::filesystem::exists(file));
-  const json before = checkpoint("sweep.json");
+  const json before = json_of("sweep.json");
   EXPECT_EQ(complaints(before), "");
   const Outcome outcome = evalcts(arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
-  const json after = checkpoint("sweep.json");
+  EXPECT_TRUE(contains(outcome.text, "blocks were done before"));
+  const json after = json_of("sweep.json");
   EXPECT_EQ(complaints(after), "");
   EXPECT_EQ(as_text(after["status"]), "complete");
   EXPECT_EQ(after["proven"], true);
@@ -442,23 +434,23 @@ TEST_F(SweepCommand, GoesOnAfterItWasKilled) {
 
   const Outcome again = evalcts(arguments);
   EXPECT_EQ(again.code, 0) << again.text;
-  EXPECT_EQ(checkpoint("sweep.json"), after) << "nothing is left to do";
+  EXPECT_EQ(json_of("sweep.json"), after) << "nothing is left to do";
 
   // In one go.
   ASSERT_EQ(evalcts(command({"--from", "0.25", "--to", "1", "--checkpoint", file + ".whole"})).code, 0);
-  EXPECT_EQ(checkpoint("sweep.json.whole")["result"], after["result"]);
+  EXPECT_EQ(json_of("sweep.json.whole")["result"], after["result"]);
   EXPECT_EQ(evalcts(command({"--from", "0.5", "--checkpoint", file})).code, 2) << "another interval";
-  EXPECT_EQ(checkpoint("sweep.json"), after);
+  EXPECT_EQ(json_of("sweep.json"), after);
 }
 
 TEST_F(SweepCommand, WorstInputsAreReplayed) {
   const std::string file = folder_ / "sweep.json";
   ASSERT_EQ(evalcts(command({"--from", "0.5", "--to", "0.55", "--checkpoint", file})).code, 0);
-  const json worst = checkpoint("sweep.json")["result"]["worst_ulp"];
+  const json worst = json_of("sweep.json")["result"]["worst_ulp"];
   const Outcome again = evalcts({"ulp", "--implementation", "sum-float", "--orders", "4", "--points",
                                  "1,-1,2,0.5", "--at", worst["at"].get<std::string>()});
-  EXPECT_NE(again.text.find(worst["got"]["bits"]), std::string::npos) << again.text << worst;
-  EXPECT_NE(again.text.find(worst["right"]["bits"]), std::string::npos) << again.text << worst;
+  EXPECT_TRUE(contains(again.text, worst["got"]["bits"])) << again.text << worst;
+  EXPECT_TRUE(contains(again.text, worst["right"]["bits"])) << again.text << worst;
 }
 
 TEST_F(SweepCommand, ShardsAreMerged) {
@@ -471,7 +463,7 @@ TEST_F(SweepCommand, ShardsAreMerged) {
   sweep("whole", {});
   sweep("1", {"--shard", "1/2"});
   sweep("2", {"--shard", "2/2"});
-  EXPECT_EQ(checkpoint("1")["proven"], false);
+  EXPECT_EQ(json_of("1")["proven"], false);
   const auto merge = [&](const std::vector<std::string>& names, const std::string& into) {
     std::vector<std::string> arguments = {"ulp", "--checkpoint", folder_ / into, "--merge"};
     for (const std::string& name : names) arguments.push_back(folder_ / name);
@@ -479,7 +471,7 @@ TEST_F(SweepCommand, ShardsAreMerged) {
   };
   const Outcome outcome = merge({"2", "1"}, "merged");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  json merged = checkpoint("merged"), whole = checkpoint("whole");
+  json merged = json_of("merged"), whole = json_of("whole");
   EXPECT_EQ(complaints(merged), "");
   EXPECT_EQ(merged["proven"], true);
   for (json* file : {&merged, &whole}) {
@@ -495,15 +487,15 @@ TEST_F(SweepCommand, ShardsAreMerged) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "not-made"));
     return refusal.text;
   };
-  EXPECT_NE(refused({"1"}).find("shards are missing: 2/2"), std::string::npos);
-  EXPECT_NE(refused({"1", "1"}).find("is shard 1/2 once more"), std::string::npos);
-  EXPECT_NE(refused({"1", "whole"}).find("is shard 1/1: the others are of 2"), std::string::npos);
-  EXPECT_NE(refused({"1", "nowhere"}).find("is damaged (no whole JSON)"), std::string::npos);
+  EXPECT_TRUE(contains(refused({"1"}), "shards are missing: 2/2"));
+  EXPECT_TRUE(contains(refused({"1", "1"}), "is shard 1/2 once more"));
+  EXPECT_TRUE(contains(refused({"1", "whole"}), "is shard 1/1: the others are of 2"));
+  EXPECT_TRUE(contains(refused({"1", "nowhere"}), "is damaged (no whole JSON)"));
   std::ofstream(folder_ / "half") << std::ifstream(folder_ / "2").rdbuf();
   std::filesystem::resize_file(folder_ / "half", 300);
-  EXPECT_NE(refused({"1", "half"}).find("is damaged"), std::string::npos);
+  EXPECT_TRUE(contains(refused({"1", "half"}), "is damaged"));
   sweep("other", {"--shard", "2/2", "--target", "normal"});
-  EXPECT_NE(refused({"1", "other"}).find("is of another sweep: its points is"), std::string::npos);
+  EXPECT_TRUE(contains(refused({"1", "other"}), "is of another sweep: its points is"));
 }
 
 TEST_F(SweepCommand, GoesAlongSurfaces) {
@@ -531,7 +523,7 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
   EXPECT_EQ(with({"--v", "0.5", "--target", "normal"}).code, 2) << "two components, not three";
   const Outcome outcome = with({"--u", "0.3"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  const json result = checkpoint("sweep.json");
+  const json result = json_of("sweep.json");
   EXPECT_EQ(complaints(result), "");
   EXPECT_EQ(as_text(result["map"]["target"]), "texture_coord_2");
   EXPECT_EQ(as_text(result["map"]["swept"]), "v");
@@ -541,7 +533,7 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
   const std::size_t line = outcome.text.find("  " EVALCTS_PROGRAM " ulp --implementation sum-float");
   ASSERT_NE(line, std::string::npos) << outcome.text;
   const std::string again = outcome.text.substr(line, outcome.text.find('\n', line) - line);
-  EXPECT_NE(start({"/bin/sh", "-c", again}).text.find(worst["got"]["bits"]), std::string::npos) << again;
+  EXPECT_TRUE(contains(start({"/bin/sh", "-c", again}).text, worst["got"]["bits"])) << again;
 }
 
 #ifdef MPIEXEC
@@ -566,9 +558,8 @@ TEST_F(SweepOfProcesses, GivesWhatOneGives) {
   for (const char* processes : {"2", "4"}) {
     const Outcome outcome = start(by_mpirun(processes, processes));
     EXPECT_EQ(outcome.code, 0) << outcome.text;
-    EXPECT_NE(outcome.text.find(std::string(", ") + processes + " processes"), std::string::npos)
-        << outcome.text;
-    EXPECT_EQ(checkpoint(processes)["result"], checkpoint("one")["result"]);
+    EXPECT_TRUE(contains(outcome.text, std::string(", ") + processes + " processes"));
+    EXPECT_EQ(checkpoint(processes)["result"], json_of("one")["result"]);
     EXPECT_EQ(as_text(checkpoint(processes)["status"]), "complete");
   }
   const Outcome again = start(by_mpirun("2", "2"));
@@ -581,11 +572,8 @@ TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
   const auto ranks = [&](const char* number) {
     std::vector<pid_t> found;
     for (const auto& process : std::filesystem::directory_iterator("/proc")) {
-      std::ifstream environment(process.path() / "environ"), command_line(process.path() / "cmdline");
-      const std::string variables((std::istreambuf_iterator<char>(environment)),
-                                  std::istreambuf_iterator<char>());
-      const std::string words((std::istreambuf_iterator<char>(command_line)),
-                              std::istreambuf_iterator<char>());
+      const std::string variables = read_file(process.path() / "environ");
+      const std::string words = read_file(process.path() / "cmdline");
       if (variables.find(std::string("OMPI_COMM_WORLD_RANK=") + number + '\0') != std::string::npos &&
           words.find(folder_.string()) != std::string::npos)
         found.push_back(static_cast<pid_t>(std::stol(process.path().filename())));
@@ -603,19 +591,19 @@ TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
     for (const pid_t rank : ranks("1")) kill(rank, SIGKILL);
     const auto ending = child.wait(60);
     ASSERT_TRUE(ending) << "the job ends with its process";
-    if (as_text(checkpoint("sweep.json")["status"]) == "complete") continue;
+    if (as_text(json_of("sweep.json")["status"]) == "complete") continue;
     EXPECT_NE(ending->value, 0);
     break;
   }
-  const json before = checkpoint("sweep.json");
+  const json before = json_of("sweep.json");
   EXPECT_EQ(as_text(before["status"]), "unfinished");
   ASSERT_GT(before["blocks_done"].size(), 0u);
   const Outcome outcome = start(by_mpirun("2", "sweep.json", to));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("blocks were done before"), std::string::npos) << outcome.text;
-  EXPECT_EQ(as_text(checkpoint("sweep.json")["status"]), "complete");
+  EXPECT_TRUE(contains(outcome.text, "blocks were done before"));
+  EXPECT_EQ(as_text(json_of("sweep.json")["status"]), "complete");
   ASSERT_EQ(evalcts(command({"--from", "0.375", "--to", to, "--checkpoint", folder_ / "one"})).code, 0);
-  EXPECT_EQ(checkpoint("sweep.json")["result"], checkpoint("one")["result"]);
+  EXPECT_EQ(json_of("sweep.json")["result"], json_of("one")["result"]);
 }
 
 TEST_F(SweepOfProcesses, SaysOnceWhatIsWrong) {
@@ -623,7 +611,7 @@ TEST_F(SweepOfProcesses, SaysOnceWhatIsWrong) {
   *std::find(arguments.begin(), arguments.end(), "sum-float") = "production-fast";
   Outcome outcome = start(arguments);
   EXPECT_EQ(outcome.code, 2) << outcome.text;
-  EXPECT_NE(outcome.text.find("production-fast is for grids"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "production-fast is for grids"));
   EXPECT_EQ(outcome.text.find("evalcts: "), outcome.text.rfind("evalcts: "));
 }
 #endif

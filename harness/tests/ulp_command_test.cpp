@@ -21,11 +21,7 @@ class UlpCommand : public ProgramTest {
     for (const char* more : {"--output", folder_.c_str()}) arguments.emplace_back(more);
     return evalcts(arguments);
   }
-  std::string content(const std::string& name) const {
-    std::ifstream file(folder_ / name);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  json document() const { return json::parse(content("ulp.json"), nullptr, false); }
+  json document() const { return json_of("ulp.json"); }
   // Nothing else stays behind.
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
@@ -61,18 +57,18 @@ TEST_F(UlpCommand, MeasuresImplementations) {
   EXPECT_EQ(as_text(file["implementations"][0]["rows"][0]["capture"]), "Sink");
   EXPECT_TRUE(std::regex_search(outcome.text, std::regex("curve/4/ordinary +[5-9]\\d\\d +0\\.00 %")))
       << outcome.text;
-  const std::string table = content("ulp.csv");
+  const std::string table = text_of("ulp.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 3 * 12) << table;
   EXPECT_EQ(files(), 7u) << "ulp.json, four of comma-separated values, the page, the log of this test";
-  const std::string page = content("accuracy.html");
-  EXPECT_NE(page.find("<th scope=\"row\">sum-float</th>"), std::string::npos);
-  EXPECT_NE(page.find("curve/4/"), std::string::npos) << "worst inputs";
+  const std::string page = text_of("accuracy.html");
+  EXPECT_TRUE(contains(page, "<th scope=\"row\">sum-float</th>"));
+  EXPECT_TRUE(contains(page, "curve/4/")) << "worst inputs";
   if (std::system("gnuplot --version >/dev/null 2>&1") == 0) {
     for (const char* id : {"over_u_cubic", "over_u_triple_zero", "over_u_order_10", "histograms"})
-      EXPECT_NE(page.find("<figure id=\"figure-" + std::string(id) + "\">"), std::string::npos) << id;
-    EXPECT_EQ(page.find("No pictures"), std::string::npos);
+      EXPECT_TRUE(contains(page, "<figure id=\"figure-" + std::string(id) + "\">")) << id;
+    EXPECT_FALSE(contains(page, "No pictures"));
   } else {
-    EXPECT_NE(page.find("No pictures"), std::string::npos);
+    EXPECT_TRUE(contains(page, "No pictures"));
   }
 }
 
@@ -85,12 +81,11 @@ TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
       const json& worst = row[which];
       const Outcome again = start(worst["replay"].get<std::vector<std::string>>());
       EXPECT_EQ(again.code, 0) << again.text;
-      EXPECT_NE(again.text.find(": " + worst["got"]["value"].get<std::string>() + " (" +
-                                worst["got"]["bits"].get<std::string>() + "), correctly rounded " +
-                                worst["right"]["value"].get<std::string>()),
-                std::string::npos)
+      EXPECT_TRUE(contains(again.text, ": " + worst["got"]["value"].get<std::string>() + " (" +
+                                           worst["got"]["bits"].get<std::string>() + "), correctly rounded " +
+                                           worst["right"]["value"]))
           << again.text << worst;
-      EXPECT_NE(again.text.find("exact value " + worst["exact"].get<std::string>()), std::string::npos);
+      EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"]));
     }
 }
 
@@ -101,35 +96,35 @@ TEST_F(UlpCommand, GoesWithoutPictures) {
   const Outcome outcome = ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/*"});
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("gnuplot-nox"), std::string::npos) << outcome.text;
-  const std::string page = content("accuracy.html");
-  EXPECT_NE(page.find("gnuplot-nox"), std::string::npos);
-  EXPECT_EQ(page.find("<svg"), std::string::npos);
-  EXPECT_NE(page.find("curve/4/"), std::string::npos);
+  EXPECT_TRUE(contains(outcome.text, "gnuplot-nox"));
+  const std::string page = text_of("accuracy.html");
+  EXPECT_TRUE(contains(page, "gnuplot-nox"));
+  EXPECT_FALSE(contains(page, "<svg"));
+  EXPECT_TRUE(contains(page, "curve/4/"));
 }
 
 // With what has come since, and from a file that anybody may have written.
 TEST_F(UlpCommand, MakesThePageAgain) {
   ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/*"}).code, 0);
-  const std::string before = content("accuracy.html"), file = (folder_ / "ulp.json").string();
+  const std::string before = text_of("accuracy.html"), file = (folder_ / "ulp.json").string();
   std::filesystem::remove(folder_ / "accuracy.html");
   Outcome outcome = ulp({"--page", file});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
-  EXPECT_EQ(content("accuracy.html"), before);
+  EXPECT_EQ(text_of("accuracy.html"), before);
   ASSERT_EQ(ulp({"--sweep", "--implementation", "production", "--orders", "2", "--points", "0,1", "--from",
                  "0.5", "--to", "0.5001"})
                 .code,
             0);
   EXPECT_EQ(ulp({"--page", file}).code, 0);
-  const std::string with_sweep = content("accuracy.html");
+  const std::string with_sweep = text_of("accuracy.html");
   EXPECT_GT(with_sweep.size(), before.size());
   // A sweep that is none is not the fault of the file that was given.
   for (const char* text : {"{", "[]", R"({"format": "evalcts-sweep-1"})", R"({"format": 1})"}) {
     std::ofstream(folder_ / "sweep-other.json") << text;
     outcome = ulp({"--page", file});
     EXPECT_EQ(outcome.code, 0) << text << outcome.text;
-    EXPECT_NE(outcome.text.find("sweep-other.json' is left out"), std::string::npos) << outcome.text;
-    EXPECT_EQ(content("accuracy.html"), with_sweep);
+    EXPECT_TRUE(contains(outcome.text, "sweep-other.json' is left out"));
+    EXPECT_EQ(text_of("accuracy.html"), with_sweep);
   }
   std::filesystem::remove(folder_ / "sweep-other.json");
   json wrong = document();
@@ -138,7 +133,7 @@ TEST_F(UlpCommand, MakesThePageAgain) {
     std::ofstream(folder_ / "other.json") << text;
     outcome = ulp({"--page", (folder_ / "other.json").string()});
     EXPECT_EQ(outcome.code, 2) << text;
-    EXPECT_NE(outcome.text.find("--page takes the ulp.json"), std::string::npos) << outcome.text;
+    EXPECT_TRUE(contains(outcome.text, "--page takes the ulp.json"));
   }
   EXPECT_EQ(ulp({"--page", (folder_ / "none.json").string()}).code, 2);
 }
@@ -165,7 +160,7 @@ TEST_F(UlpCommand, ClimbsToWorseInputs) {
     EXPECT_EQ(as_text(with[i]["worst_ulp"]["found_by"]), "climbing");
     for (const char* which : {"worst_ulp", "worst_condition_aware"}) {
       const Outcome again = start(with[i][which]["replay"].get<std::vector<std::string>>());
-      EXPECT_NE(again.text.find(with[i][which]["got"]["bits"]), std::string::npos) << again.text;
+      EXPECT_TRUE(contains(again.text, with[i][which]["got"]["bits"]));
     }
   }
   EXPECT_EQ(measured("6000"), with) << "the seed decides";
@@ -177,7 +172,7 @@ TEST_F(UlpCommand, GivesTheSameWhateverTheNumberOfJobs) {
                    "--filter", "curve/4/*", "--seed", seed, "--jobs", jobs})
                   .code,
               0);
-    return content("ulp.csv") + content("accuracy.html") + document()["implementations"].dump();
+    return text_of("ulp.csv") + text_of("accuracy.html") + document()["implementations"].dump();
   };
   const std::string one = measured("3", "1");
   EXPECT_EQ(measured("3", "2"), one);
@@ -197,7 +192,7 @@ TEST_F(UlpCommand, MeasuresTargetsApart) {
   EXPECT_EQ(as_text(rows[2]["target"]), "texture_coord_2");
   for (const json& row : rows) EXPECT_EQ(row["not_correctly_rounded"], 0);
   EXPECT_EQ(file["implementations"][1]["rows"].size(), 1u) << "an algorithm has no targets";
-  EXPECT_NE(outcome.text.find("curve/3/integers/color_4"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "curve/3/integers/color_4"));
 }
 
 TEST_F(UlpCommand, SaysWhatItCannotMeasure) {
@@ -223,7 +218,7 @@ TEST_F(UlpCommand, SurvivesACrash) {
   const Outcome outcome = ulp({"--library", DRILL_LIBRARY, "--implementation", "osmesa", "--filter",
                                "curve/3/integers", "--values", "100"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
-  EXPECT_NE(outcome.text.find("SIGSEGV"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(contains(outcome.text, "SIGSEGV"));
   EXPECT_EQ(as_text(document()["implementations"][0]["status"]), "crashed");
   EXPECT_EQ(complaints(document()), "");
 }

@@ -5,155 +5,49 @@
 
 namespace evalcts::reference {
 
-void Specification::Vertex2f(GLfloat x, GLfloat y) { vertex(x, y, 0, 1); }
-void Specification::Vertex3f(GLfloat x, GLfloat y, GLfloat z) { vertex(x, y, z, 1); }
-void Specification::Vertex4f(GLfloat x, GLfloat y, GLfloat z, GLfloat w) { vertex(x, y, z, w); }
-void Specification::Vertex2d(GLdouble x, GLdouble y) { vertex(x, y, 0, 1); }
-void Specification::Vertex3d(GLdouble x, GLdouble y, GLdouble z) { vertex(x, y, z, 1); }
-void Specification::Vertex4d(GLdouble x, GLdouble y, GLdouble z, GLdouble w) { vertex(x, y, z, w); }
-void Specification::Vertex2fv(const GLfloat* v) {
-  if (v != nullptr) Vertex2f(v[0], v[1]);
-}
-void Specification::Vertex3fv(const GLfloat* v) {
-  if (v != nullptr) Vertex3f(v[0], v[1], v[2]);
-}
-void Specification::Vertex4fv(const GLfloat* v) {
-  if (v != nullptr) Vertex4f(v[0], v[1], v[2], v[3]);
-}
-void Specification::Vertex2dv(const GLdouble* v) {
-  if (v != nullptr) Vertex2d(v[0], v[1]);
-}
-void Specification::Vertex3dv(const GLdouble* v) {
-  if (v != nullptr) Vertex3d(v[0], v[1], v[2]);
-}
-void Specification::Vertex4dv(const GLdouble* v) {
-  if (v != nullptr) Vertex4d(v[0], v[1], v[2], v[3]);
-}
+// Commands of n numbers in four forms: f and d take the numbers as a, b, c and d; fv and dv take an array of
+// them and ignore null.
+#define NUMBERS_1(T) T a
+#define NUMBERS_2(T) T a, T b
+#define NUMBERS_3(T) T a, T b, T c
+#define NUMBERS_4(T) T a, T b, T c, T d
+#define ELEMENTS_1 v[0]
+#define ELEMENTS_2 v[0], v[1]
+#define ELEMENTS_3 v[0], v[1], v[2]
+#define ELEMENTS_4 v[0], v[1], v[2], v[3]
+#define FORMS_OF_TYPE(name, n, letter, T, ...)                      \
+  void Specification::name##letter(NUMBERS_##n(T)) { __VA_ARGS__; } \
+  void Specification::name##letter##v(const T* v) {                 \
+    if (v != nullptr) name##letter(ELEMENTS_##n);                   \
+  }
+#define FORMS(name, n, ...)                       \
+  FORMS_OF_TYPE(name, n, f, GLfloat, __VA_ARGS__) \
+  FORMS_OF_TYPE(name, n, d, GLdouble, __VA_ARGS__)
+#define FORMS_OF_UNIT_OF_TYPE(name, n, letter, T, ...)                              \
+  void Specification::name##letter(GLenum texture, NUMBERS_##n(T)) { __VA_ARGS__; } \
+  void Specification::name##letter##v(GLenum texture, const T* v) {                 \
+    if (v != nullptr) name##letter(texture, ELEMENTS_##n);                          \
+  }
+#define FORMS_OF_UNIT(name, n, ...)                       \
+  FORMS_OF_UNIT_OF_TYPE(name, n, f, GLfloat, __VA_ARGS__) \
+  FORMS_OF_UNIT_OF_TYPE(name, n, d, GLdouble, __VA_ARGS__)
 
-void Specification::Color3f(GLfloat red, GLfloat green, GLfloat blue) { color(red, green, blue, 1); }
-void Specification::Color4f(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-  color(red, green, blue, alpha);
-}
-void Specification::Color3d(GLdouble red, GLdouble green, GLdouble blue) { color(red, green, blue, 1); }
-void Specification::Color4d(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) {
-  color(red, green, blue, alpha);
-}
-void Specification::Color3fv(const GLfloat* v) {
-  if (v != nullptr) Color3f(v[0], v[1], v[2]);
-}
-void Specification::Color4fv(const GLfloat* v) {
-  if (v != nullptr) Color4f(v[0], v[1], v[2], v[3]);
-}
-void Specification::Color3dv(const GLdouble* v) {
-  if (v != nullptr) Color3d(v[0], v[1], v[2]);
-}
-void Specification::Color4dv(const GLdouble* v) {
-  if (v != nullptr) Color4d(v[0], v[1], v[2], v[3]);
-}
+FORMS(Vertex2, 2, vertex(a, b, 0, 1))
+FORMS(Vertex3, 3, vertex(a, b, c, 1))
+FORMS(Vertex4, 4, vertex(a, b, c, d))
+FORMS(Color3, 3, color(a, b, c, 1))
+FORMS(Color4, 4, color(a, b, c, d))
+FORMS(Normal3, 3, normal(a, b, c))
+FORMS(TexCoord1, 1, texture_coordinate(GL_TEXTURE0, a, 0, 0, 1))
+FORMS(TexCoord2, 2, texture_coordinate(GL_TEXTURE0, a, b, 0, 1))
+FORMS(TexCoord3, 3, texture_coordinate(GL_TEXTURE0, a, b, c, 1))
+FORMS(TexCoord4, 4, texture_coordinate(GL_TEXTURE0, a, b, c, d))
+FORMS_OF_UNIT(MultiTexCoord1, 1, texture_coordinate(texture, a, 0, 0, 1))
+FORMS_OF_UNIT(MultiTexCoord2, 2, texture_coordinate(texture, a, b, 0, 1))
+FORMS_OF_UNIT(MultiTexCoord3, 3, texture_coordinate(texture, a, b, c, 1))
+FORMS_OF_UNIT(MultiTexCoord4, 4, texture_coordinate(texture, a, b, c, d))
+FORMS(Index, 1, index(a))
 
-void Specification::Normal3f(GLfloat x, GLfloat y, GLfloat z) { normal(x, y, z); }
-void Specification::Normal3d(GLdouble x, GLdouble y, GLdouble z) { normal(x, y, z); }
-void Specification::Normal3fv(const GLfloat* v) {
-  if (v != nullptr) Normal3f(v[0], v[1], v[2]);
-}
-void Specification::Normal3dv(const GLdouble* v) {
-  if (v != nullptr) Normal3d(v[0], v[1], v[2]);
-}
-
-void Specification::TexCoord1f(GLfloat s) { texture_coordinate(GL_TEXTURE0, s, 0, 0, 1); }
-void Specification::TexCoord2f(GLfloat s, GLfloat t) { texture_coordinate(GL_TEXTURE0, s, t, 0, 1); }
-void Specification::TexCoord3f(GLfloat s, GLfloat t, GLfloat r) {
-  texture_coordinate(GL_TEXTURE0, s, t, r, 1);
-}
-void Specification::TexCoord4f(GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-  texture_coordinate(GL_TEXTURE0, s, t, r, q);
-}
-void Specification::TexCoord1d(GLdouble s) { texture_coordinate(GL_TEXTURE0, s, 0, 0, 1); }
-void Specification::TexCoord2d(GLdouble s, GLdouble t) { texture_coordinate(GL_TEXTURE0, s, t, 0, 1); }
-void Specification::TexCoord3d(GLdouble s, GLdouble t, GLdouble r) {
-  texture_coordinate(GL_TEXTURE0, s, t, r, 1);
-}
-void Specification::TexCoord4d(GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-  texture_coordinate(GL_TEXTURE0, s, t, r, q);
-}
-void Specification::TexCoord1fv(const GLfloat* v) {
-  if (v != nullptr) TexCoord1f(v[0]);
-}
-void Specification::TexCoord2fv(const GLfloat* v) {
-  if (v != nullptr) TexCoord2f(v[0], v[1]);
-}
-void Specification::TexCoord3fv(const GLfloat* v) {
-  if (v != nullptr) TexCoord3f(v[0], v[1], v[2]);
-}
-void Specification::TexCoord4fv(const GLfloat* v) {
-  if (v != nullptr) TexCoord4f(v[0], v[1], v[2], v[3]);
-}
-void Specification::TexCoord1dv(const GLdouble* v) {
-  if (v != nullptr) TexCoord1d(v[0]);
-}
-void Specification::TexCoord2dv(const GLdouble* v) {
-  if (v != nullptr) TexCoord2d(v[0], v[1]);
-}
-void Specification::TexCoord3dv(const GLdouble* v) {
-  if (v != nullptr) TexCoord3d(v[0], v[1], v[2]);
-}
-void Specification::TexCoord4dv(const GLdouble* v) {
-  if (v != nullptr) TexCoord4d(v[0], v[1], v[2], v[3]);
-}
-
-void Specification::MultiTexCoord1f(GLenum texture, GLfloat s) { texture_coordinate(texture, s, 0, 0, 1); }
-void Specification::MultiTexCoord2f(GLenum texture, GLfloat s, GLfloat t) {
-  texture_coordinate(texture, s, t, 0, 1);
-}
-void Specification::MultiTexCoord3f(GLenum texture, GLfloat s, GLfloat t, GLfloat r) {
-  texture_coordinate(texture, s, t, r, 1);
-}
-void Specification::MultiTexCoord4f(GLenum texture, GLfloat s, GLfloat t, GLfloat r, GLfloat q) {
-  texture_coordinate(texture, s, t, r, q);
-}
-void Specification::MultiTexCoord1d(GLenum texture, GLdouble s) { texture_coordinate(texture, s, 0, 0, 1); }
-void Specification::MultiTexCoord2d(GLenum texture, GLdouble s, GLdouble t) {
-  texture_coordinate(texture, s, t, 0, 1);
-}
-void Specification::MultiTexCoord3d(GLenum texture, GLdouble s, GLdouble t, GLdouble r) {
-  texture_coordinate(texture, s, t, r, 1);
-}
-void Specification::MultiTexCoord4d(GLenum texture, GLdouble s, GLdouble t, GLdouble r, GLdouble q) {
-  texture_coordinate(texture, s, t, r, q);
-}
-void Specification::MultiTexCoord1fv(GLenum texture, const GLfloat* v) {
-  if (v != nullptr) MultiTexCoord1f(texture, v[0]);
-}
-void Specification::MultiTexCoord2fv(GLenum texture, const GLfloat* v) {
-  if (v != nullptr) MultiTexCoord2f(texture, v[0], v[1]);
-}
-void Specification::MultiTexCoord3fv(GLenum texture, const GLfloat* v) {
-  if (v != nullptr) MultiTexCoord3f(texture, v[0], v[1], v[2]);
-}
-void Specification::MultiTexCoord4fv(GLenum texture, const GLfloat* v) {
-  if (v != nullptr) MultiTexCoord4f(texture, v[0], v[1], v[2], v[3]);
-}
-void Specification::MultiTexCoord1dv(GLenum texture, const GLdouble* v) {
-  if (v != nullptr) MultiTexCoord1d(texture, v[0]);
-}
-void Specification::MultiTexCoord2dv(GLenum texture, const GLdouble* v) {
-  if (v != nullptr) MultiTexCoord2d(texture, v[0], v[1]);
-}
-void Specification::MultiTexCoord3dv(GLenum texture, const GLdouble* v) {
-  if (v != nullptr) MultiTexCoord3d(texture, v[0], v[1], v[2]);
-}
-void Specification::MultiTexCoord4dv(GLenum texture, const GLdouble* v) {
-  if (v != nullptr) MultiTexCoord4d(texture, v[0], v[1], v[2], v[3]);
-}
-
-void Specification::Indexf(GLfloat c) { index(c); }
-void Specification::Indexd(GLdouble c) { index(c); }
-void Specification::Indexfv(const GLfloat* c) {
-  if (c != nullptr) index(c[0]);
-}
-void Specification::Indexdv(const GLdouble* c) {
-  if (c != nullptr) index(c[0]);
-}
 void Specification::EdgeFlagv(const GLboolean* flag) {
   if (flag != nullptr) EdgeFlag(flag[0]);
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <evalcts/accuracy/subject.h>
-#include <evalcts/results/json.h>
 
 namespace evalcts::accuracy {
 
@@ -19,12 +18,18 @@ const std::vector<ProfileCurve>& profile_curves();
 // [0,1] is divided into so many intervals of the same width.
 inline constexpr int kProfileBins = 256;
 
-// The curves, with the zeros that their polynomials have between 0 and 1 to seven digits: what the profiles
-// of all implementations have in common (reports/schema/ulp-1.schema.json).
-nlohmann::json profile_curves_as_json();
+// The zeros that its polynomial has between 0 and 1, to seven digits.
+std::vector<double> zeros_of(const ProfileCurve& curve);
 
-// The largest errors in each interval, of 16 multiples of 2^-24 spread over it; those of an exact zero count
-// for the condition-aware error only. Throws NotObservable.
-nlohmann::json profile_as_json(Subject& subject, const std::string& target, const ProfileCurve& curve);
+// Errors of an implementation along a curve, to four digits: the largest in each interval.
+struct Profile {
+  std::string curve;
+  std::string not_measured;  // why there are no errors; empty if there are
+  std::vector<double> max_ulp, max_condition_aware;
+};
+
+// Of 16 multiples of 2^-24 spread over each interval; the errors of an exact zero count for the
+// condition-aware error only. Throws NotObservable.
+Profile measure_profile(Subject& subject, const std::string& target, const ProfileCurve& curve);
 
 }  // namespace evalcts::accuracy

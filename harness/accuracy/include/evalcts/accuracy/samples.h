@@ -10,7 +10,11 @@
 
 namespace evalcts::accuracy {
 
-// Reproducible, which the distributions of the standard library are not.
+// Numbers that are the same on every machine. The distributions of the standard library differ from library
+// to library. Those of Boost.Random do not, but draw other numbers from the same engine: of a million,
+// uniform_real_distribution gives the same double 33 times of 100 and uniform_int_distribution the same
+// integer as often as chance does. With them the published digests, and the maps of published seeds, would
+// change. The random programs of harness/fuzz draw in the same way, for the same reason.
 class Random {
  public:
   // `item`: numbers of their own for each part of a task, so that parts can be done in any order.

@@ -7,7 +7,6 @@
 
 #include <evalcts/accuracy/errors.h>
 #include <evalcts/accuracy/subject.h>
-#include <evalcts/results/json.h>
 
 namespace evalcts::accuracy {
 
@@ -31,12 +30,6 @@ Errors measure(Subject& subject, const RowRequest& request, const std::atomic<bo
 
 // One result of the subject, for a target of as many components as it likes: all of them are the same.
 float replay(Subject& subject, const std::string& target, const Input& input);
-
-// As they stand in a file of the schema reports/schema/ulp-1.schema.json.
-// `sample`: the errors before the `climbed` results of climb().
-nlohmann::json row_as_json(const RowRequest& request, const Subject& subject, const Errors& errors,
-                           const Errors& sample, std::uint64_t climbed);
-nlohmann::json row_as_json(const RowRequest& request, const std::string& why_not_measured);
 
 // The value as C writes it, and its bits: "0x1.8p+0", "0x3fc00000".
 std::string hex(double value);

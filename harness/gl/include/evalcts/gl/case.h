@@ -116,12 +116,26 @@ inline Input text(const std::string& characters) {
   return array(std::span<const char>(characters.c_str(), characters.size() + 1));
 }
 
+// Tells a case from the others of its test.
+struct Identity {
+  std::string text;  // stable from run to run, no commas at the ends
+  bool is_control = false;
+
+  Identity() = default;
+  Identity(std::string name, bool control = false) : text(std::move(name)), is_control(control) {}
+  Identity(const char* name) : text(name) {}
+};
+
+// The identity of a control: explicit vertices in the place of evaluation, under the same state. An error, a
+// crash or a hang in a control is the pipeline's and not the evaluator's: the test is not-observable.
+inline Identity control(const std::string& name) { return {"control: " + name, true}; }
+
 class Case {
  public:
   Case() = default;
   // `identity` distinguishes the case from others of its test. It is stable from run to run and has no commas
   // at its ends.
-  explicit Case(std::string identity) : identity_(std::move(identity)) {}
+  explicit Case(Identity identity) : identity_(std::move(identity)) {}
 
   // One method for each GL command: c.Map1f(target, u1, u2, stride, order, points). Arguments are
   // vectors, spans, array(...) or nullptr for pointers that a command reads, out<T>(count) for pointers that
@@ -141,8 +155,11 @@ class Case {
   // Appends all commands of another case. Returns the offset that is added to its Refs.
   int append(const Case& other);
 
-  const std::string& identity() const { return identity_; }
-  void set_identity(std::string identity) { identity_ = std::move(identity); }
+  const std::string& identity() const { return identity_.text; }
+  bool is_control() const { return identity_.is_control; }
+  void set_identity(Identity identity) { identity_ = std::move(identity); }
+  // A case with the identity of this one.
+  Case without_commands() const { return Case(identity_); }
   const std::vector<Command>& commands() const { return commands_; }
   bool empty() const { return commands_.empty(); }
 
@@ -192,7 +209,7 @@ class Case {
     return add(std::move(command));
   }
 
-  std::string identity_;
+  Identity identity_;
   std::vector<Command> commands_;
 };
 

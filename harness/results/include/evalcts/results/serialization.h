@@ -36,6 +36,7 @@ struct TestStarted {
 // Only if cases are traced, before each case.
 struct CaseStarted {
   std::string identity;
+  bool is_control;                 // explicit vertices in the place of evaluation
   std::vector<std::string> calls;  // as C
   std::string commands;            // to replay: JSON text (gl/case_json.h); empty if there is no such form
 };

@@ -1,0 +1,86 @@
+// Everything that `evalcts ulp` measures, as types. Their JSON (reports/schema/ulp-1.schema.json), and the
+// lines by which the processes that measure tell it, are written and read here alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <evalcts/accuracy/errors.h>
+#include <evalcts/accuracy/profile.h>
+#include <evalcts/accuracy/table.h>
+#include <evalcts/backends/implementation.h>
+
+namespace evalcts::accuracy {
+
+// A result with one of the largest errors, and the command that evaluates its input again.
+struct WorstResult {
+  Worst worst;
+  std::vector<std::string> replay;
+};
+
+// Results that have no error in ULP, or no condition.
+struct Apart {
+  std::uint64_t values = 0, wrong = 0;
+};
+
+// One class of maps of one target, measured or not. Errors that are infinite are so here.
+struct Row {
+  Class what;
+  std::string target;  // empty if the implementation has no targets
+  std::uint32_t seed = 1;
+  std::string not_measured;  // why there are no numbers; empty if there are
+
+  std::string capture;  // empty if results are seen as they are
+  std::uint64_t values = 0, not_correctly_rounded = 0, not_finite = 0;
+  double max_ulp = 0, mean_ulp = 0, max_condition_aware = 0, mean_condition_aware = 0;
+  std::uint64_t climbed = 0;
+  double sample_max_ulp = 0, sample_max_condition_aware = 0;  // before these
+  std::array<std::uint64_t, Errors::kBins> histogram{};
+  Apart zeros, without_terms;
+  std::optional<WorstResult> worst_ulp, worst_condition_aware, worst_zero;
+};
+
+// `sample`: the errors before the `climbed` results of climb().
+Row row_of(const RowRequest& request, const Subject& subject, const Errors& errors, const Errors& sample,
+           std::uint64_t climbed);
+Row not_measured(const RowRequest& request, const std::string& why);
+
+struct MeasuredImplementation {
+  enum class Status { kComplete, kInterrupted, kCrashed, kNotStarted };
+
+  std::string name;                        // or its label
+  std::optional<ImplementationInfo> info;  // names, versions and the largest order; none if it did not start
+  Status status = Status::kComplete;
+  std::string reason;  // why the status is not complete
+  std::vector<Row> rows;
+  std::vector<Profile> profiles;
+};
+
+struct Report {
+  std::string command;  // as typed
+  bool interrupted = false;
+  std::uint32_t seed = 1;
+  std::vector<std::string> targets;
+  std::vector<MeasuredImplementation> implementations;
+};
+
+// Of the format evalcts-ulp-1.
+nlohmann::json to_json(const Report& report);
+
+// --- lines of the process that measures one implementation
+
+struct NotStarted {
+  std::string reason;
+};
+using Line = std::variant<ImplementationInfo, NotStarted, Row, Profile>;
+
+std::string to_text(const Line& line);
+// None if the line was cut off.
+std::optional<Line> parse_line(const std::string& text);
+
+}  // namespace evalcts::accuracy

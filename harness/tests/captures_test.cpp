@@ -1,0 +1,128 @@
+// The choice among the captures of an implementation.
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+#include "synthetic_capture.h"
+
+namespace evalcts {
+namespace {
+
+using Names = std::vector<std::string>;
+
+class CapturesTest : public testing::Test {
+ protected:
+  Captures captures(std::initializer_list<CaptureTraits> all) {
+    std::vector<std::unique_ptr<Capture>> owned;
+    for (const CaptureTraits& traits : all) {
+      auto capture = std::make_unique<SyntheticCapture>(traits);
+      all_.push_back(capture.get());
+      owned.push_back(std::move(capture));
+    }
+    return Captures(implementation_, info_, std::move(owned));
+  }
+  // How often each capture was proved. Not to be asked after one that is not available.
+  std::vector<int> proofs() const {
+    std::vector<int> proofs;
+    for (const SyntheticCapture* capture : all_) proofs.push_back(capture->proofs);
+    return proofs;
+  }
+
+  WithoutContexts implementation_;
+  ImplementationInfo info_;
+
+ private:
+  std::vector<const SyntheticCapture*> all_;
+};
+
+Names most(Captures& captures, Attributes required, std::size_t count, PrimitiveKinds kinds = kPoints,
+           bool nonpositive_w = false) {
+  Names names;
+  for (const Capture* capture : captures.showing_most(required, kinds, nonpositive_w, count))
+    names.push_back(capture->name());
+  return names;
+}
+
+TEST_F(CapturesTest, TheFirstThatShowsAllExactlyIsTaken) {
+  Captures some = captures({{.name = "A", .attributes = kPosition, .inexact_attributes = kColor},
+                            {.name = "B", .attributes = kPosition | kColor, .takes = kPoints},
+                            {.name = "C", .attributes = kAllAttributes}});
+  EXPECT_EQ(some.showing_all(kPosition, kPoints).name(), "A");
+  EXPECT_EQ(some.showing_all(kColor, kPoints).name(), "B");
+  EXPECT_EQ(some.showing_all(kColor, kPoints | kLines).name(), "C");
+  EXPECT_THROW(some.showing_all(kColor | kUnitNormal, kPoints), NotObservable);
+}
+
+TEST_F(CapturesTest, CapturesAreProvedOnceAndNoEarlierThanNeeded) {
+  Captures some = captures({{.name = "A"}, {.name = "B", .attributes = kColor}, {.name = "C"}});
+  EXPECT_EQ(proofs(), (std::vector{0, 0, 0}));
+  some.showing_all(kPosition, kPoints);
+  most(some, kPosition, 1);
+  EXPECT_EQ(proofs(), (std::vector{1, 0, 0}));
+  some.showing_all(kColor, kPoints);
+  EXPECT_EQ(proofs(), (std::vector{1, 1, 0}));
+  some.prove_all();
+  EXPECT_EQ(proofs(), (std::vector{1, 1, 1}));
+}
+
+TEST_F(CapturesTest, ACaptureThatFailsItsProofIsNamedOnceAndLeftOut) {
+  Captures some = captures({{.name = "A", .available = false}, {.name = "B"}});
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(some.showing_all(kPosition, kPoints).name(), "B");
+  EXPECT_EQ(most(some, kPosition, 2), Names{"B"});
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "capture A is not available: not in this test\n");
+}
+
+TEST_F(CapturesTest, TheOneThatShowsMostIsTakenInexactAttributesIncluded) {
+  Captures some = captures({{.name = "A", .attributes = kPosition},
+                            {.name = "B", .attributes = kPosition, .inexact_attributes = kColor},
+                            {.name = "C", .attributes = kPosition | kColor | kNormal}});
+  EXPECT_EQ(most(some, kPosition, 1), Names{"A"});
+  EXPECT_EQ(most(some, kPosition | kColor, 1), Names{"B"});
+  EXPECT_EQ(most(some, kPosition | kColor | kNormal, 1), Names{"C"});
+  EXPECT_EQ(most(some, kPosition | kTextureCoordinate0, 1), Names{"A"});
+  EXPECT_THROW(most(some, kTextureCoordinate0, 1), NotObservable);
+}
+
+TEST_F(CapturesTest, OthersFollowThatShowAtLeastTheSame) {
+  Captures some = captures({{.name = "A", .attributes = kColor},
+                            {.name = "B", .attributes = kPosition | kColor},
+                            {.name = "C", .attributes = kPosition},
+                            {.name = "D", .attributes = kPosition | kColor | kNormal},
+                            {.name = "E", .attributes = kPosition | kColor}});
+  EXPECT_EQ(most(some, kPosition | kColor, 5), (Names{"B", "D", "E"}));
+  EXPECT_EQ(most(some, kPosition | kColor, 2), (Names{"B", "D"}));
+}
+
+TEST_F(CapturesTest, OfNormalsTheOtherKindDoesNotCount) {
+  Captures some = captures({{.name = "unit", .attributes = kPosition | kNormal | kUnitNormal},
+                            {.name = "shader", .attributes = kPosition | kNormal | kShaderNormal}});
+  EXPECT_EQ(most(some, kPosition | kNormal | kShaderNormal, 1), Names{"shader"});
+  EXPECT_EQ(most(some, kPosition | kNormal | kUnitNormal, 2), Names{"unit"});
+  EXPECT_EQ(most(some, kPosition | kNormal, 2), (Names{"unit", "shader"}));
+}
+
+TEST_F(CapturesTest, TheLastResortIsForWhatNoOtherCaptureShows) {
+  Captures some = captures({{.name = "A", .attributes = kPosition},
+                            {.name = "slow", .attributes = kPosition | kColor, .is_last_resort = true}});
+  EXPECT_EQ(most(some, kPosition, 2), Names{"A"});
+  EXPECT_EQ(proofs(), (std::vector{1, 0}));
+  EXPECT_EQ(most(some, kColor, 2), Names{"slow"});
+}
+
+TEST_F(CapturesTest, CapturesThatLoseTheVerticesOrPrimitivesAreLeftOut) {
+  Captures some = captures({{.name = "A", .loses_nonpositive_w = true}, {.name = "B", .takes = kPoints}});
+  EXPECT_EQ(most(some, kPosition, 2), (Names{"A", "B"}));
+  EXPECT_EQ(most(some, kPosition, 2, kPoints, true), Names{"B"});
+  EXPECT_EQ(most(some, kPosition, 2, kLines), Names{"A"});
+  EXPECT_THROW(most(some, kPosition, 2, kLines, true), NotObservable);
+}
+
+TEST_F(CapturesTest, NamesChooseWhichMayBeUsed) {
+  const Names names = {"Pixels", "Sink"};
+  EXPECT_EQ(Captures(implementation_, info_, &names).size(), 2u);
+  EXPECT_EQ(Captures(implementation_, info_).size(), all_captures().size());
+}
+
+}  // namespace
+}  // namespace evalcts

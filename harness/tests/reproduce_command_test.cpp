@@ -1,0 +1,161 @@
+// `evalcts reproduce`: C programs of failures, built and run.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <evalcts/results/json.h>
+#include "drill.h"
+
+namespace evalcts {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class Reproduce : public DrillTest {
+ protected:
+  // Writes and builds the program with the line that evalcts prints, without starting it.
+  void write_and_build(const std::string& failure) {
+    const std::string file = (folder_ / "x.c").string();
+    const Outcome written = evalcts({"reproduce", failure, "--results", folder_.string(), "--output", file});
+    ASSERT_EQ(written.code, 0) << written.text;
+    const std::size_t begin = written.text.find("  cc "), end = written.text.find(" && ", begin);
+    ASSERT_NE(end, std::string::npos) << written.text;
+    const std::string line = "cc " CC_OPTIONS + written.text.substr(begin + 4, end - begin - 4);
+    const Outcome built = start({"/bin/sh", "-c", line});
+    ASSERT_EQ(built.code, 0) << built.text;
+  }
+  Outcome program(const std::string& library = {}) {
+    std::vector<std::string> command = {(folder_ / "x").string()};
+    if (!library.empty()) command.push_back(library);
+    return start(command);
+  }
+};
+
+// From the run to the C program: it shows the failure of the library that was judged, and no failure of a
+// right one.
+TEST_F(Reproduce, AFailureBecomesACProgram) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
+  const json test = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_TRUE(contains(test["reproducer"], " reproduce drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f "));
+  write_and_build("drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  const Outcome shown = program();
+  EXPECT_EQ(shown.code, 1);
+  EXPECT_TRUE(
+      contains(shown.text, "glGetError(): expected GL_INVALID_VALUE, got GL_NO_ERROR\nthe failure shows"));
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  const Outcome sound = program(DRILL_LIBRARY);
+  EXPECT_EQ(sound.code, 0) << sound.text;
+  EXPECT_EQ(program("/absent.so").code, 2);
+  EXPECT_EQ(program("libm.so.6").code, 2);
+}
+
+TEST_F(Reproduce, ACrashAndAHangAsWell) {
+  for (const std::string way : {"crash", "abort", "hang"}) {
+#ifdef __SANITIZE_ADDRESS__
+    if (way == "crash") continue;  // there it crashes past every handler
+#endif
+    ASSERT_EQ(drill(way, {"--filter", kVictim, "--timeout", "2"}).code, 1);
+    write_and_build("MAP1_INDEX_f");  // a part of the name is enough
+    const Outcome shown = program();
+    EXPECT_EQ(shown.code, 1) << way << shown.text;
+    EXPECT_TRUE(contains(shown.text, "the failure shows"));
+    setenv("EVALCTS_DRILL", "nothing", 1);
+    EXPECT_EQ(program().code, 0);
+  }
+}
+
+// What a capture saw, with its shader or feedback buffer: a known failure of Mesa, where that is installed.
+TEST_F(Reproduce, WhatACaptureSaw) {
+  const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
+  const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",
+                               "--output", folder_.string(), "--baseline", "none"});
+  // Nothing is judged where OSMesa is missing, or does not start under sanitizers.
+  const json known = test_named(results("osmesa"), test);
+  if (known.is_null() || as_text(known["verdict"]) != "fail") GTEST_SKIP() << run.text;
+  write_and_build(test);
+  const Outcome shown = program();
+  EXPECT_EQ(shown.code, 1) << shown.text;
+  EXPECT_TRUE(contains(shown.text, "normal.x of vertex 0: expected 0.6"));
+}
+
+// The commands beside a failure work as they stand there.
+TEST_F(Reproduce, RerunIsRight) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f", "--seed", "7"}).code, 1);
+  const json before = test_named(results("drill"), "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  const Outcome again =
+      start({"/bin/sh", "-c", before["rerun"].get<std::string>() + " --output " + folder_.string()});
+  EXPECT_EQ(again.code, 1) << again.text;
+  ASSERT_EQ(results("drill")["tests"].size(), 1u);
+  const json after = results("drill")["tests"][0];
+  EXPECT_EQ(after["seed"], 7);
+  EXPECT_EQ(after["message"], before["message"]);
+  EXPECT_TRUE(contains(before["debug"], "gdb --args "));
+  const Outcome debugged =
+      start({"/bin/sh", "-c", before["debug"].get<std::string>().substr(std::string("gdb --args ").size())});
+  EXPECT_EQ(debugged.code, 1);
+  EXPECT_TRUE(contains(debugged.text, "1 FAILED TEST"));
+}
+
+// A file of results comes from anywhere: it names no file to write, no option and no path, and its text is no
+// order to the terminal.
+TEST_F(Reproduce, ResultsAreNotTrusted) {
+  ASSERT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*_f"}).code, 1);
+  const json good = results("drill");
+  const fs::path elsewhere = folder_ / "elsewhere";
+  const auto answer = [&](const json& changed) {
+    std::ofstream(folder_ / "results-drill.json") << changed;
+    return evalcts({"reproduce", "StrideBelowK", "--results", folder_.string()});
+  };
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--records", elsewhere},
+                                               {"--answer", elsewhere},
+                                               {"--reproduce", elsewhere},
+                                               {"--seed", "--records=" + elsewhere.string()},
+                                               {"--gtest_output=xml:" + elsewhere.string(), "x"},
+                                               {"--depth"}}) {
+    json changed = good;
+    for (const std::string& word : more) changed["suite_command"].push_back(word);
+    const Outcome outcome = answer(changed);
+    EXPECT_EQ(outcome.code, 2) << more[0];
+    EXPECT_TRUE(contains(outcome.text, "suite_command: "));
+    EXPECT_FALSE(fs::exists(elsewhere)) << more[0];
+  }
+  json changed = good;
+  changed["implementation"]["captures"] = {{{"name", "a,--records"}, {"available", true}}};
+  EXPECT_EQ(answer(changed).code, 2);
+  for (const char* member : {"timeout", "tests", "implementation", "suite_command"}) {
+    changed = good;
+    changed[member] = "something else";
+    EXPECT_EQ(answer(changed).code, 2) << member;
+  }
+  changed = good;
+  for (json& test : changed["tests"])
+    test["name"] = "../../StrideBelowK\x1b[2J" + test["name"].get<std::string>();
+  const Outcome outcome = answer(changed);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_FALSE(contains(outcome.text, "\x1b"));
+}
+
+TEST_F(Reproduce, WrongUseSaysWhatToDo) {
+  const auto answer = [&](const std::string& failure) {
+    return evalcts({"reproduce", failure, "--results", folder_.string()});
+  };
+  EXPECT_EQ(answer("x").code, 2);
+  EXPECT_TRUE(contains(answer("x").text, "there are no results"));
+  drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_*"});
+  EXPECT_EQ(answer("no such test").code, 2);
+  EXPECT_TRUE(contains(answer("no such test").text, "drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f"));
+  EXPECT_TRUE(contains(answer("Map1Errors.StrideBelowK/MAP1_VERTEX_4_f").text, "did not fail in that run"));
+  setenv("EVALCTS_DRILL", "nothing", 1);
+  const Outcome passes = answer("drill:Map1Errors.StrideBelowK/MAP1_VERTEX_3_f");
+  EXPECT_EQ(passes.code, 2);
+  EXPECT_TRUE(contains(passes.text, "passes now"));
+  std::ofstream(folder_ / "results-broken.json") << "{";
+  EXPECT_TRUE(contains(answer("x").text, "results-broken.json holds no results"));
+  EXPECT_EQ(evalcts({"reproduce"}).code, 2);
+}
+
+}  // namespace
+}  // namespace evalcts

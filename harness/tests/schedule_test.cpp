@@ -1,0 +1,110 @@
+// The parts of each depth that a test's name chooses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "testkit/schedule.h"
+
+namespace evalcts {
+namespace {
+
+constexpr int kTests = 3000;
+std::string test(int number) { return "Suite.Test" + std::to_string(number); }
+
+std::size_t count_of(Depth depth, const std::vector<Depth>& depths) {
+  return static_cast<std::size_t>(std::ranges::count(depths, depth));
+}
+
+gl::Delivery delivery(gl::Delivery::Evaluation evaluation, gl::Lists lists = gl::Lists::none) {
+  gl::Delivery delivery;
+  delivery.evaluation = evaluation;
+  delivery.lists = lists;
+  return delivery;
+}
+std::vector<gl::Delivery> some_deliveries() {
+  using enum gl::Delivery::Evaluation;
+  return {delivery(coordinates), delivery(array), delivery(mesh), delivery(coordinates, gl::Lists::compiled),
+          delivery(coordinates, gl::Lists::nested)};
+}
+
+TEST(Schedule, AFewParametersAreQuickAndEachInSomeTest) {
+  const std::map<std::size_t, std::vector<gl::Delivery>> of_most = {
+      {3, {}}, {2, some_deliveries()}, {1, gl::sparing(some_deliveries())}};
+  for (const auto& [most, deliveries] : of_most) {
+    std::set<std::size_t> quick;
+    for (int i = 0; i < kTests; ++i) {
+      const std::vector<Depth> depths = Schedule(test(i)).of_parameters(10, deliveries);
+      ASSERT_EQ(depths.size(), 10u);
+      EXPECT_GE(count_of(Depth::quick, depths), 1u);
+      EXPECT_LE(count_of(Depth::quick, depths), most);
+      EXPECT_EQ(count_of(Depth::thorough, depths), 0u);
+      for (std::size_t k = 0; k < depths.size(); ++k)
+        if (depths[k] == Depth::quick) quick.insert(k);
+    }
+    EXPECT_EQ(quick.size(), 10u) << most;
+    EXPECT_EQ(count_of(Depth::quick, Schedule(test(1)).of_parameters(most, deliveries)), most);
+  }
+}
+
+TEST(Schedule, TheNameAloneChooses) {
+  EXPECT_EQ(Schedule("A.B").of_parameters(100, {}), Schedule("A.B").of_parameters(100, {}));
+  EXPECT_NE(Schedule("A.B").of_parameters(100, {}), Schedule("A.C").of_parameters(100, {}));
+}
+
+TEST(Schedule, TheDeliveryAsWrittenIsNeverLeftOut) {
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(
+        Schedule(test(i)).of_deliveries(Depth::quick, {delivery(gl::Delivery::Evaluation::coordinates)}),
+        std::vector{Depth::quick});
+}
+
+TEST(Schedule, OneOfTheOtherDeliveriesIsTakenInEachTest) {
+  std::array<int, 2> taken = {};
+  for (int i = 0; i < kTests; ++i) {
+    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::quick, some_deliveries());
+    EXPECT_NE(depths[1] == Depth::quick, depths[2] == Depth::quick);
+    ++taken.at(depths[1] == Depth::quick ? 0 : 1);
+    EXPECT_EQ(std::max(depths[1], depths[2]), Depth::full);
+    EXPECT_EQ(std::ranges::max(Schedule(test(i)).of_deliveries(Depth::quick, gl::sparing(some_deliveries()))),
+              Depth::thorough);
+  }
+  EXPECT_NEAR(taken[0], kTests / 2, kTests / 10);
+}
+
+TEST(Schedule, OneWayThroughListsIsTakenInOneTestOfNineAndAtFullDepthOfThree) {
+  std::map<Depth, int> of_least;
+  std::array<int, 2> taken = {};
+  for (int i = 0; i < kTests; ++i) {
+    const std::vector<Depth> depths = Schedule(test(i)).of_deliveries(Depth::quick, some_deliveries());
+    EXPECT_EQ(std::max(depths[3], depths[4]), Depth::thorough);
+    ++of_least[std::min(depths[3], depths[4])];
+    if (depths[3] == Depth::quick) ++taken[0];
+    if (depths[4] == Depth::quick) ++taken[1];
+  }
+  EXPECT_NEAR(of_least[Depth::quick], kTests / 9, kTests / 30);
+  EXPECT_NEAR(of_least[Depth::full], kTests * 2 / 9, kTests / 30);
+  EXPECT_NEAR(taken[0], taken[1], kTests / 30);
+}
+
+TEST(Schedule, TheDepthOfTheTestIsTheLeast) {
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(count_of(Depth::quick, Schedule(test(i)).of_deliveries(Depth::full, some_deliveries())), 0u);
+}
+
+TEST(Schedule, OneTestOf32WithFewPrimitivesIsCrossChecked) {
+  int checked = 0;
+  for (int i = 0; i < kTests; ++i) {
+    const Schedule schedule(test(i));
+    EXPECT_TRUE(schedule.is_cross_checked(Depth::thorough, 1000));
+    EXPECT_FALSE(schedule.is_cross_checked(Depth::full, 65));
+    EXPECT_EQ(schedule.is_cross_checked(Depth::quick, 1), schedule.is_cross_checked(Depth::full, 64));
+    checked += schedule.is_cross_checked(Depth::full, 64);
+  }
+  EXPECT_NEAR(checked, kTests / 32, kTests / 100);
+}
+
+}  // namespace
+}  // namespace evalcts
