@@ -63,7 +63,7 @@ void Test::require_initial_state() const {
 // Counts the case and returns it as it is delivered.
 gl::DeliveredCase Test::begin_case(const gl::Case& script) {
   ++cases_;
-  lists_.clear();
+  control_.clear();
   if (subject_.reproduction) subject_.reproduction->begin_case();
   gl::DeliveredCase delivered = delivery_.apply(script);
   lists_used_ = lists_used_ || gl::uses_lists(delivered.script);
@@ -124,7 +124,7 @@ Observation Test::observe(const gl::Case& written, Attributes required, std::siz
                           PrimitiveKinds kinds) {
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(required, kinds);
-  lists_.set_observed(script, capture, required);
+  control_.set_observed(script, capture, required);
   return capture.observe(*subject_.implementation, script, {required, most_vertices, kinds});
 }
 
@@ -209,7 +209,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
   };
   if (capture->is_last_resort() && !subject_.reproduction && !judged(observation).mismatches.empty()) {
     // Its own control is of vertices that set every attribute.
-    const Attributes lost = lists_.lost_attributes(script, *capture);
+    const Attributes lost = control_.lost_attributes(script, *capture);
     if (!(required & kAllAttributes & ~lost))
       throw NotObservable(fmt::format("pipeline: {} of explicit vertices goes wrong, too", describe(lost)));
     options.attributes &= ~lost;
@@ -222,7 +222,7 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
         throw NotObservable(fmt::format("{} loses vertices whose position is beyond float: {}",
                                         capture->name(), mismatch.message));
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
-  lists_.set_observed(script, *capture, capture->shown());
+  control_.set_observed(script, *capture, capture->shown());
   fail_each(script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation,
             [&](const Observation& seen) { return judged(seen).mismatches; });
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
@@ -235,7 +235,7 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
                               PrimitiveKinds kinds, const OwnJudge& judge, Judged judged) {
   const gl::Case script = begin_case(written).script;
   const Capture& capture = choose_capture(required, kinds);
-  if (judged == Judged::in_lists) lists_.set_observed(script, capture, required);
+  if (judged == Judged::in_lists) control_.set_observed(script, capture, required);
   const Wanted wanted{required, most_vertices, kinds};
   fail_each(script, capture, wanted, capture.observe(*subject_.implementation, script, wanted), judge);
 }
@@ -287,7 +287,7 @@ void Test::follows(const std::string& text, const std::string& reading) {
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
                 const std::optional<gl::Check>& check, const std::string& rule) {
-  lists_.require_explicit_vertices();
+  control_.require_explicit_vertices();
   const auto violate = [&](const RequirementId& id) {
     if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
   };

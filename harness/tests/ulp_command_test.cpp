@@ -83,9 +83,9 @@ TEST_F(UlpCommand, WorstInputsCanBeReplayed) {
       EXPECT_EQ(again.code, 0) << again.text;
       EXPECT_TRUE(contains(again.text, ": " + worst["got"]["value"].get<std::string>() + " (" +
                                            worst["got"]["bits"].get<std::string>() + "), correctly rounded " +
-                                           worst["right"]["value"]))
+                                           worst["right"]["value"].get<std::string>()))
           << again.text << worst;
-      EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"]));
+      EXPECT_TRUE(contains(again.text, "exact value " + worst["exact"].get<std::string>()));
     }
 }
 

@@ -33,8 +33,8 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
                  const PageOptions& options = {});
 
 // A short summary in GitHub's and GitLab's Markdown, for a pull request: counts for each record, changes, the
-// distinct bugs, the unexpected failures (at most ten of each record). Text of a record stands in code spans only, so that it
-// cannot become markup or a mention.
+// distinct bugs, the unexpected failures (at most ten of each record). Text of a record stands in code spans
+// only, so that it cannot become markup or a mention.
 std::string markdown_summary(const std::vector<RunResult>& results,
                              const std::vector<RunResult>& before = {});
 
@@ -80,7 +80,8 @@ std::string terminal_summary(const RunResult& result, const Catalogue& catalogue
                              std::size_t lines = 0);
 
 // The distinct bugs of a run for a terminal, most important first: each with its requirements, what was
-// expected and captured, its minimal program as C, and at most 5 of the tests that it explains (verbose: all).
+// expected and captured, its minimal program as C, and at most 5 of the tests that it explains (verbose:
+// all).
 std::string bug_list(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose);
 
 // What it came to in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects".

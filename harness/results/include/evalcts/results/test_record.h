@@ -49,8 +49,9 @@ struct TestRecord {
   Level level = Level::must;
   Verdict verdict = Verdict::kInternalError;
   std::string message;  // the verdict in one line
-  // The requirements in whose subject a fail found something wrong. They need not be requirements of the test:
-  // a value that no map supplies is wrong by EV-COORD-CURRENT in any test. Empty if they were not told apart.
+  // The requirements in whose subject a fail found something wrong. They need not be requirements of the
+  // test: a value that no map supplies is wrong by EV-COORD-CURRENT in any test. Empty if they were not told
+  // apart.
   std::vector<RequirementId> violated;
   std::optional<std::uint64_t> cases, failed_cases, seed;
   std::optional<double> seconds;

@@ -16,7 +16,7 @@
 #include <evalcts/gl/tokens.h>
 #include <evalcts/judge/judge.h>
 #include <evalcts/results/test_record.h>
-#include <evalcts/testkit/list_control.h>
+#include <evalcts/testkit/explicit_control.h>
 #include <evalcts/testkit/played.h>
 #include <evalcts/testkit/subject.h>
 
@@ -31,7 +31,7 @@ struct NotSupported : std::runtime_error {
 // Handed to the body of each test.
 class Test {
  public:
-  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record), lists_(subject) {}
+  Test(const Subject& subject, TestRecord& record) : subject_(subject), record_(record), control_(subject) {}
 
   const ImplementationInfo& gl() const { return subject_.info; }
   // An order that has to be accepted, as large as possible (see ImplementationInfo).
@@ -152,7 +152,7 @@ class Test {
   gl::Delivery delivery_;
   std::optional<gl::Lists> other_lists_;  // in the place of those of the delivery
   bool lists_used_ = false;
-  ListControl lists_;
+  ExplicitControl control_;
   Attributes unobserved_ = 0;  // of those that the test is about
   std::uint64_t cases_ = 0, failed_cases_ = 0, last_failed_case_ = 0;
   std::mt19937 random_;

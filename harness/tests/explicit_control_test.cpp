@@ -1,5 +1,5 @@
-// The control of a case that goes through display lists: the same case with explicit vertices.
-#include <evalcts/testkit/list_control.h>
+// The control of a failing case: the same case with explicit commands in the place of evaluation.
+#include <evalcts/testkit/explicit_control.h>
 
 #include <gtest/gtest.h>
 
@@ -30,88 +30,91 @@ gl::Case in_lists(GLenum mode = GL_POINTS) {
 void lose_positions(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].position[0] = 99; }
 void lose_colors(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].color = {}; }
 
-class ListControlTest : public testing::Test {
+class ExplicitControlTest : public testing::Test {
  protected:
+  ExplicitControlTest() { subject_.implementation = &implementation_; }
+
   // The number of controls that are played when the case, which was judged by these attributes, has failed
   // twice.
   int controls(const gl::Case& script, const SyntheticCapture& capture, Attributes judged = kAllAttributes) {
-    lists_.set_observed(script, capture, judged);
-    lists_.require_explicit_vertices();
-    lists_.require_explicit_vertices();
+    control_.set_observed(script, capture, judged);
+    control_.require_explicit_vertices();
+    control_.require_explicit_vertices();
     return capture.observations;
   }
 
   static CaptureTraits traits() { return {.attributes = kPosition | kColor}; }
 
   WithoutContexts implementation_;
-  Subject subject_{.implementation = &implementation_};
-  ListControl lists_{subject_};
+  Subject subject_;
+  ExplicitControl control_{subject_};
 };
 
-TEST_F(ListControlTest, ListsThatKeepExplicitVerticesAreNotTheCause) {
-  EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits())), 1);
+TEST_F(ExplicitControlTest, ListsThatKeepExplicitVerticesAreNotTheCause) {
+  EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits())), 2);  // vertices alone, and with attributes
 }
 
-TEST_F(ListControlTest, ListsThatLoseExplicitVerticesAre) {
+TEST_F(ExplicitControlTest, ListsThatLoseExplicitVerticesAre) {
   const SyntheticCapture capture(traits(), lose_positions);
   try {
     controls(in_lists(), capture);
     FAIL();
   } catch (const NotObservable& reason) {
     EXPECT_TRUE(std::string(reason.what())
-                    .starts_with("pipeline: in display lists explicit vertices go wrong, too: position.x of "
-                                 "vertex 1 "))
+                    .starts_with("pipeline: explicit commands in the place of evaluation go wrong, too: "
+                                 "position.x of vertex 1 "))
         << reason.what();
   }
   // Known now: what fails next is not asked about again.
-  EXPECT_NO_THROW(lists_.require_explicit_vertices());
+  EXPECT_NO_THROW(control_.require_explicit_vertices());
 }
 
-TEST_F(ListControlTest, AttributesThatAreNotJudgedDoNotMatterButPositionsAlwaysDo) {
+TEST_F(ExplicitControlTest, AttributesThatAreNotJudgedDoNotMatterButPositionsAlwaysDo) {
   const SyntheticCapture without_color(traits(), lose_colors), out_of_place(traits(), lose_positions);
-  EXPECT_EQ(controls(in_lists(), without_color, kPosition), 1);
+  EXPECT_EQ(controls(in_lists(), without_color, kPosition), 2);
   EXPECT_THROW(controls(in_lists(), without_color, kColor), NotObservable);
   EXPECT_THROW(controls(in_lists(), out_of_place, kColor), NotObservable);
 }
 
-TEST_F(ListControlTest, CasesWithoutListsHaveNoControl) {
-  EXPECT_EQ(controls(evaluated(), SyntheticCapture(traits(), lose_positions)), 0);
+TEST_F(ExplicitControlTest, CasesWithoutListsHaveOneAsWell) {
+  EXPECT_EQ(controls(evaluated(), SyntheticCapture(traits())), 2);
+  EXPECT_THROW(controls(evaluated(), SyntheticCapture(traits(), lose_positions)), NotObservable);
 }
 
-TEST_F(ListControlTest, ReproductionsHaveNoControl) {
+TEST_F(ExplicitControlTest, ReproductionsHaveNoControl) {
   Reproduction reproduction(implementation_, "");
   subject_.reproduction = &reproduction;
   EXPECT_EQ(controls(in_lists(), SyntheticCapture(traits(), lose_positions)), 0);
 }
 
-TEST_F(ListControlTest, ANewCaseForgetsTheOneBefore) {
+TEST_F(ExplicitControlTest, ANewCaseForgetsTheOneBefore) {
   const SyntheticCapture capture(traits(), lose_positions);
-  lists_.set_observed(in_lists(), capture, kPosition);
-  lists_.clear();
-  EXPECT_NO_THROW(lists_.require_explicit_vertices());
+  control_.set_observed(in_lists(), capture, kPosition);
+  control_.clear();
+  EXPECT_NO_THROW(control_.require_explicit_vertices());
   EXPECT_EQ(capture.observations, 0);
 }
 
-TEST_F(ListControlTest, PrimitivesThatTheCaptureDoesNotTakeHaveNoControl) {
+TEST_F(ExplicitControlTest, PrimitivesThatTheCaptureDoesNotTakeHaveNoControl) {
   CaptureTraits points_only = traits();
   points_only.takes = kPoints;
   const SyntheticCapture capture(points_only, lose_positions);
   EXPECT_EQ(controls(in_lists(GL_LINES), capture), 0);
-  EXPECT_EQ(lists_.lost_attributes(evaluated(GL_LINES), capture), 0u);
+  EXPECT_EQ(control_.lost_attributes(evaluated(GL_LINES), capture), 0u);
 }
 
-TEST_F(ListControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
+TEST_F(ExplicitControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
   const SyntheticCapture backwards(traits(), [](Observation& seen, const gl::Case&) {
     for (ObservedPrimitive& primitive : seen.primitives) std::ranges::reverse(primitive.vertices);
   });
-  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 2);  // with the explicit primitives
+  EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // with the explicit primitives
 }
 
-TEST_F(ListControlTest, LostAttributesAreThoseOfExplicitVertices) {
-  EXPECT_EQ(lists_.lost_attributes(evaluated(), SyntheticCapture(traits())), 0u);
-  EXPECT_EQ(lists_.lost_attributes(evaluated(), SyntheticCapture(traits(), lose_colors)),
+TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {
+  EXPECT_EQ(control_.lost_attributes(evaluated(), SyntheticCapture(traits())), 0u);
+  EXPECT_EQ(control_.lost_attributes(evaluated(), SyntheticCapture(traits(), lose_colors)),
             static_cast<Attributes>(kColor));
-  EXPECT_EQ(lists_.lost_attributes(evaluated(), SyntheticCapture({}, lose_colors)), 0u);  // not shown
+  EXPECT_EQ(control_.lost_attributes(evaluated(), SyntheticCapture({}, lose_colors)), 0u);  // not shown
 }
 
 }  // namespace

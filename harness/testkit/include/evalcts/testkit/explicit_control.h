@@ -1,5 +1,5 @@
-// The control of cases that go through display lists: if such a case fails, the same case with explicit
-// vertices has to come out right. Otherwise the lists are the root cause, not the evaluators.
+// The control of failing cases: the same case with explicit commands in the place of evaluation has to come
+// out right. Otherwise the rest of the pipeline is the root cause, not the evaluators.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace evalcts {
 
-class ListControl {
+class ExplicitControl {
  public:
-  explicit ListControl(const Subject& subject) : subject_(subject) {}
+  explicit ExplicitControl(const Subject& subject) : subject_(subject) {}
 
   // `script` was observed through the capture and is judged by these attributes.
   void set_observed(const gl::Case& script, const Capture& capture, Attributes judged);
@@ -25,8 +25,8 @@ class ListControl {
   // evaluates: what the capture or the rest of the pipeline loses.
   Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
 
-  // The observed case, if there is one, has failed. Throws NotObservable if its display lists are the root
-  // cause; plays the control once only.
+  // The observed case, if there is one, has failed. Throws NotObservable if explicit commands go wrong, too.
+  // Plays the controls of a case once only.
   void require_explicit_vertices();
 
  private:

@@ -1,22 +1,21 @@
-#include <evalcts/testkit/list_control.h>
+#include <evalcts/testkit/explicit_control.h>
 
 #include <utility>
 #include <vector>
 
-#include <evalcts/gl/display_lists.h>
 #include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/judge/judge.h>
 
 namespace evalcts {
 
-void ListControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
+void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
   // A reproduction shows a failure whose control is known to be right, and the control is not its case.
   if (subject_.reproduction) return;
   // If vertices are out of place, no other attribute of them is right.
   observed_ = {script, &capture, (judged | kPosition) & capture.shown()};
 }
 
-void ListControl::require_explicit_vertices() {
+void ExplicitControl::require_explicit_vertices() {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
   if (!observed) return;
   for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
@@ -30,7 +29,7 @@ void ListControl::require_explicit_vertices() {
   }
 }
 
-Attributes ListControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
+Attributes ExplicitControl::lost_attributes(const gl::Case& script, const Capture& capture) const {
   const std::optional<Seen> seen =
       observe_control(gl::with_explicit_vertices(script), capture, capture.shown());
   Attributes lost = 0;
@@ -40,8 +39,9 @@ Attributes ListControl::lost_attributes(const gl::Case& script, const Capture& c
   return lost;
 }
 
-std::optional<ListControl::Seen> ListControl::observe_control(const gl::Case& control, const Capture& capture,
-                                                              Attributes judged) const {
+std::optional<ExplicitControl::Seen> ExplicitControl::observe_control(const gl::Case& control,
+                                                                      const Capture& capture,
+                                                                      Attributes judged) const {
   Prediction prediction = predict(control, subject_.info.max_order());
   const PrimitiveKinds kinds = kinds_of(prediction);
   if (!capture.takes(kinds)) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<ListControl::Seen> ListControl::observe_control(const gl::Case& co
   return Seen{std::move(prediction), std::move(topology), std::move(observation)};
 }
 
-std::vector<Mismatch> ListControl::mismatches(const Seen& seen, Attributes judged) const {
+std::vector<Mismatch> ExplicitControl::mismatches(const Seen& seen, Attributes judged) const {
   return judge(seen.prediction, seen.topology, seen.observation,
                {.attributes = judged, .version = subject_.info.version_number()})
       .mismatches;
