@@ -50,7 +50,7 @@ class Climb {
              {0, 1, 0, 1},
              {}} {}
 
-  // How many results of the subject one generation has.
+  // Number of results of the subject in one generation.
   std::uint64_t generation() const { return arguments_of_a_map(request_.what) * map_.components; }
 
   // Starts there, or anywhere.

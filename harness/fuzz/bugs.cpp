@@ -83,7 +83,7 @@ class BugHunt {
   }
 
  private:
-  // Of its first failing case; empty if there is none as data.
+  // Those of the first failing case; empty if the case cannot be stored as data.
   std::string commands_of(const TestRecord& test) const {
     const auto found = run_.failing_cases.find(test.name);
     return found == run_.failing_cases.end() ? std::string() : found->second;
@@ -256,21 +256,22 @@ std::vector<RequirementId> violated_by(const TestRecord& test) {
   return test.is_bad() ? test.blamed() : test.requirements;
 }
 
-// The requirement that the minimal program is about, if one of its tests violates it; otherwise the one that
-// most of its tests violate first.
+// The requirement that all tests violate first, if it is one; otherwise the requirement that the minimal
+// program is about, if one of its tests violates it; otherwise the one that most of its tests violate first.
 std::string decisive(const std::string& of_program, const std::vector<const TestRecord*>& tests) {
   std::map<std::string, std::size_t> times;
+  bool is_violated = false;
   for (const TestRecord* test : tests) {
     const std::vector<RequirementId> violated = violated_by(*test);
-    for (const RequirementId& id : violated)
-      if (id.id == of_program) return of_program;
+    is_violated = is_violated || std::ranges::count(violated, of_program, &RequirementId::id) > 0;
     if (!violated.empty()) ++times[violated.front().id];
   }
+  if (times.size() != 1 && is_violated) return of_program;
   if (times.empty()) return of_program;
   return std::ranges::max_element(times, {}, [](const auto& each) { return each.second; })->first;
 }
 
-// What is known of a group while tests are added to it.
+// A group of failures, to which tests are added.
 struct Group {
   std::vector<const TestRecord*> tests;
   std::optional<Finding> minimal;  // the smallest

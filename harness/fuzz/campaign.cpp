@@ -28,7 +28,7 @@ constexpr std::uint64_t kFreshEvery = 16;  // one program of so many has a conte
 
 Judged judge_program(const Subject& subject, const gl::Case& program, const Specified& specified, Look look) {
   TestRecord record;
-  // Of some names the other captures check the first: not of what is only looked at again.
+  // The name decides if other captures check the first one, which a repeated look does not need.
   record.name = look == Look::all ? program.identity() : "a smaller version";
   Test test(subject, record);
   test.run([&](Test& t) { expect_as_specified(t, program, specified, look); });
@@ -81,7 +81,7 @@ class Player {
 
  private:
   bool goes_on() const { return !is_over(0) && !(campaign_.programs && programs_ >= *campaign_.programs); }
-  // Whether the time has been over for so many seconds.
+  // Returns true if the time has been over for so many seconds.
   bool is_over(double seconds) const {
     return campaign_.seconds > 0 &&
            std::chrono::duration<double>(Clock::now() - begin_).count() >= campaign_.seconds + seconds;

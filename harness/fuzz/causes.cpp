@@ -56,7 +56,7 @@ bool has_argument(const gl::Case& program, EntryPoint entry, std::size_t positio
   });
 }
 
-// Whether it evaluates where no map makes vertices.
+// Returns true if the program evaluates while no map generates vertices.
 bool evaluates_without_vertices(const gl::Case& program) {
   const auto enables = [&](GLenum cap) { return has_argument(program, EntryPoint::Enable, 0, cap); };
   return (uses_stem(program, "EvalCoord1") && !enables(GL_MAP1_VERTEX_3) && !enables(GL_MAP1_VERTEX_4)) ||

@@ -75,7 +75,7 @@ class Hunter {
     return *request_.programs / jobs + (own < *request_.programs % jobs ? 1 : 0);
   }
 
-  // What an earlier hunt found.
+  // Removes the files of an earlier campaign.
   void remove_stale_files() const {
     fs::remove_all(scratch_);
     const std::string stem = fmt::format("fuzz-{}-", request_.name);
@@ -265,7 +265,7 @@ class Hunter {
     found(fmt::format("program {}", number), finding);
   }
 
-  // Of deaths of this kind; or all.
+  // The causes of deaths of this kind; all causes if `how` is empty.
   std::vector<std::string> causes_seen(const std::string& how) const {
     std::vector<std::string> seen;
     for (const Cause& cause : hunt_.causes) seen.push_back(cause.cause);
@@ -275,7 +275,7 @@ class Hunter {
     return seen;
   }
 
-  // Whether the program comes to its end in a process of its own.
+  // Returns true if the program ends normally in a process of its own.
   bool ends_alone(const gl::Case& program, int at, double patience) const {
     const fs::path file = scratch_ / "alone.json", events = scratch_ / fmt::format("alone-{}.jsonl", at);
     write_atomically(file, gl::to_text(program));

@@ -30,7 +30,7 @@ bool is_current_value(EntryPoint entry) {
   return false;
 }
 
-// Where primitives begin and end, lists included.
+// Follows where primitives begin and end, lists included.
 class Primitives {
  public:
   // False where a vertex command comes outside a primitive.

@@ -113,7 +113,7 @@ struct Facts {
   }
 };
 
-// What differs of a vertex.
+// The component of a vertex that differs.
 struct Difference {
   bool given = false;  // a current value, or a component of an explicit vertex
   bool explicit_vertex = false;

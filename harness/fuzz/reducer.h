@@ -12,7 +12,7 @@ namespace evalcts::fuzz {
 
 class Reducer {
  public:
-  // What the caller does around the programs that are played. Any may be empty.
+  // Functions of the caller that run around each program. Each may be empty.
   struct Hooks {
     std::function<void()> alive = {};    // before each program
     std::function<bool()> is_over = {};  // true: the time is over, no program is played any more

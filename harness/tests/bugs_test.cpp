@@ -49,7 +49,8 @@ std::string curve(const std::string& attribute, int values, const std::string& b
 
 TEST(NormalForm, LeavesOutHowAWrongCurrentValueWasNoticed) {
   const std::string cause = "current values after an evaluation";
-  // By a query; by the next vertex; by the next evaluated vertex, whose map is off; in two dimensions.
+  // The cause shows in a query; in the next vertex; in the next evaluated vertex, whose map is off; in two
+  // dimensions.
   EXPECT_EQ(cause_of_program(curve("GL_MAP1_COLOR_4", 4, "", R"(["EvalCoord1f", 0])",
                                    R"(, ["GetFloatv", "GL_CURRENT_COLOR", {"out": "f32", "count": 4}])"),
                              "glGetFloatv"),
@@ -204,7 +205,7 @@ TEST(Bugs, WhatIsNotReducedIsGroupedByLikeness) {
   EXPECT_EQ(bugs[0].why_not_reduced, "a picture");
   EXPECT_EQ(bugs[0].failure.what, "position.x of vertex 3");
 
-  // Those for which no time was left join one that was reduced and is alike.
+  // Failures for which no time was left join one that was reduced and is alike.
   reductions["Mesh1.Last/LINE"] = {"Mesh1.Last/LINE",
                                    finding(kMeshOverTheInitialGrid, "position.x of vertex 1"), ""};
   bugs = bugs_of(run, reductions, kMaxOrder);

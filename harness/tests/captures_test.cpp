@@ -21,7 +21,7 @@ class CapturesTest : public testing::Test {
     }
     return Captures(implementation_, info_, std::move(owned));
   }
-  // How often each capture was proved. Not to be asked after one that is not available.
+  // Counts how often each capture was proved. Must not be called after a capture that is not available.
   std::vector<int> proofs() const {
     std::vector<int> proofs;
     for (const SyntheticCapture* capture : all_) proofs.push_back(capture->proofs);

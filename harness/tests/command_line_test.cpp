@@ -288,7 +288,7 @@ TEST_F(CommandLine, SecondPassNamesTheShortestHistory) {
 TEST_F(CommandLine, SecondPassOfASoundLibraryFindsNothing) {
   for (const std::string name : {"reference", "production"}) {
     const Outcome outcome =
-        evalcts({"run", "--implementation", name, "--reuse-context", "--depth", "quick", "--filter",
+        evalcts({"run", "--implementation", name, "--reuse-context", "--depth", "full", "--filter",
                  "InitialState.*:Map1State.Stride/MAP1_VERTEX_*:CurrentValues.*Color*:Enables.*", "--output",
                  folder_.string()});
     EXPECT_EQ(outcome.code, 0) << outcome.text;
@@ -490,7 +490,7 @@ TEST_F(CommandLine, ContextNone) {
                                               "--filter",
                                               "Map1State.Stride/*",
                                               "--depth",
-                                              "quick"};
+                                              "thorough"};
   Outcome outcome = evalcts(arguments);
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.text, "exports none of OSMesaCreateContext"));
@@ -504,7 +504,7 @@ TEST_F(CommandLine, ContextNone) {
 // An evaluator that is not a GL: what it declares is judged, the rest is not supported.
 TEST_F(CommandLine, SinkIsJudgedByWhatItDeclares) {
   const Outcome outcome =
-      evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "quick", "--output",
+      evalcts({"run", "--library", BEZIER_SINK, "--name", "bezier", "--depth", "thorough", "--output",
                folder_.string(), "--filter", "Map1*:Precedence*:Api.VectorForm/*:Api.EntryPoint/*Map1*"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   const json result = results("bezier");

@@ -1,4 +1,4 @@
-// Whether a text, or a JSON string, holds another one; the message of a failure shows both.
+// Tests if a text, or a JSON string, contains another one; the message of a failure shows both.
 #pragma once
 
 #include <gtest/gtest.h>

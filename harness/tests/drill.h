@@ -20,7 +20,7 @@ class DrillTest : public ProgramTest {
     setenv("EVALCTS_DRILL", what.c_str(), 1);
     std::vector<std::string> arguments = {
         "run",   "--implementation", "osmesa",         "--library", DRILL_LIBRARY, "--name",
-        "drill", "--output",         folder_.string(), "--depth",   "quick",       "--allow-unobserved"};
+        "drill", "--output",         folder_.string(), "--depth",   "thorough",    "--allow-unobserved"};
     if (more.empty()) more = {"--filter", "Map1State.Stride/*:Map1State.SmallestStride/*:InitialState.O*"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;

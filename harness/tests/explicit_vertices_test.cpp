@@ -34,7 +34,7 @@ TEST(ExplicitVertices, StandInThePlaceOfEveryEvaluation) {
   EXPECT_NE(lines[3], lines[4]);
 }
 
-// What the commands are, without their vertices: "LINE_STRIP 3" is a primitive of three.
+// Lists the commands without their vertices: "LINE_STRIP 3" is a primitive of three.
 Lines primitives_of(const Case& script) {
   Lines primitives;
   int vertices = 0;
@@ -121,7 +121,7 @@ TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
                    "TexCoord2f", "End"}));
 }
 
-// Of several texture maps, the one with the most coordinates has precedence.
+// The texture map with the most coordinates has precedence.
 TEST(ExplicitCommands, FollowDisableAndTheAttributeStack) {
   Case c("stack");
   c.Enable(GL_MAP1_TEXTURE_COORD_4);

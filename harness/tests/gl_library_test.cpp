@@ -28,7 +28,7 @@ class GlLibrary : public ProgramTest {
 
   Outcome run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "run");
-    for (const char* more : {"--depth", "quick", "--filter", kFewTests, "--output", folder_.c_str()})
+    for (const char* more : {"--depth", "thorough", "--filter", kFewTests, "--output", folder_.c_str()})
       arguments.emplace_back(more);
     return evalcts(arguments);
   }
@@ -304,7 +304,7 @@ TEST_F(GlLibrary, DriverThatCannotBeLoaded) {
 TEST_F(GlLibrary, LayerOverGles2) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   const std::vector<std::string> arguments = {"run",           "--library", DRILL_LAYER,          "--depth",
-                                              "quick",         "--filter",  "Map1State.Stride/*", "--output",
+                                              "thorough",      "--filter",  "Map1State.Stride/*", "--output",
                                               folder_.string()};
   const auto with_context = [&](const char* context) {
     std::vector<std::string> all = arguments;
@@ -376,7 +376,7 @@ TEST_F(GlLibrary, WretchedOnesAreJudgedToTheEnd) {
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome = evalcts(
         {"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(), "--depth",
-         "quick", "--filter",
+         "thorough", "--filter",
          "InitialState.*:Api.EntryPoint2/Map2d:Map1Errors.OrderTooHigh/*_f:Precedence.*/EvalCoord1f"});
     EXPECT_EQ(outcome.code, 1) << outcome.text;
     const json result = results("wretched");
@@ -399,7 +399,7 @@ TEST_F(GlLibrary, ListsInWhichAllVerticesGoWrong) {
     setenv("EVALCTS_DRILL", how, 1);
     const Outcome outcome =
         evalcts({"run", "--context", WRETCHED_PROVIDER, "--name", "wretched", "--output", folder_.string(),
-                 "--depth", "quick", "--filter",
+                 "--depth", "thorough", "--filter",
                  std::string("Map1Values.Ends/MAP1_VERTEX_3/EvalCoord1f/Split:") +
                      "DisplayLists.CalledTwiceSameBits/*:" +
                      "Evaluation.RepeatedCallSameBits/MAP1_VERTEX_4/EvalCoord1f/Split:" +

@@ -334,7 +334,7 @@ TEST_F(Variables, ShardTheSameWay) {
   for (int shard = 0; shard < 3; ++shard) {
     const std::string label = "production." + std::to_string(shard + 1) + "-of-3";
     const std::vector<std::string> arguments = {"run",           "--implementation", "production", "--filter",
-                                                kFilter,         "--depth",          "quick",      "--output",
+                                                kFilter,         "--depth",          "thorough",   "--output",
                                                 folder_.string()};
     std::vector<std::string> sharded = arguments;
     sharded.insert(sharded.end(), {"--shard", std::to_string(shard + 1) + "/3"});
@@ -350,7 +350,7 @@ TEST_F(Variables, ShardTheSameWay) {
     EXPECT_EQ(played(label), by_option);
     EXPECT_TRUE(fs::exists(folder_ / "status"));
 
-    const Outcome suite = start({SUITE_PROGRAM, "--implementation", "production", "--depth", "quick",
+    const Outcome suite = start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
                                  std::string("--gtest_filter=") + kFilter});
     std::set<std::string> by_googletest;
     std::istringstream lines(suite.text);
@@ -367,7 +367,7 @@ TEST_F(Variables, ShardTheSameWay) {
 // A name with a '-', as other runners hand it over, is that test, not a pattern that leaves something out.
 TEST_F(Variables, NamesWorkAsTheyAreListed) {
   const auto played_by = [&](const std::string& filter) {
-    std::istringstream lines(start({SUITE_PROGRAM, "--implementation", "production", "--depth", "quick",
+    std::istringstream lines(start({SUITE_PROGRAM, "--implementation", "production", "--depth", "thorough",
                                     "--gtest_filter=" + filter})
                                  .text);
     std::set<std::string> names;

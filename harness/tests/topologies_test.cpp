@@ -1,4 +1,4 @@
-// How captures take primitives apart is learned from explicit vertices, and kept.
+// Topologies: the way in which captures take primitives apart, learned from explicit vertices and kept.
 #include <evalcts/testkit/topologies.h>
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ class TopologiesTest : public testing::Test {
   Topologies topologies_;
 };
 
-// As the vertices of a quad strip come out of a library that draws each primitive backwards.
+// The vertices of a quad strip in the order of a library that draws each primitive backwards.
 void reverse(Observation& observation, const gl::Case&) {
   for (ObservedPrimitive& primitive : observation.primitives) std::ranges::reverse(primitive.vertices);
 }

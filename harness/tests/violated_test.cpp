@@ -83,7 +83,7 @@ TEST(Violated, CurrentValuesHaveARuleOfTheirOwn) {
   TestRecord record = record_of(evaluation_that_sets_the_color, {"EV-A"}, body);
   EXPECT_EQ(record.blamed(), Ids{"EV-COORD-CURRENT"});
   EXPECT_EQ(record.hidden(), Ids{"EV-A"});
-  // What a map supplies is the subject of the test.
+  // Values that a map supplies are the subject of the test.
   record = record_of(evaluation_elsewhere, {"EV-A"}, body);
   EXPECT_EQ(record.blamed(), Ids{"EV-A"});
 }
@@ -123,7 +123,7 @@ TEST(Violated, ListsAreBlamedOnlyIfTheirCommandsAreRightWithoutOne) {
   EXPECT_EQ(in_lists(gl::Lists::split, evaluation_elsewhere, "EV-DL-SPLIT").blamed(), Ids{"EV-A"});
   EXPECT_EQ(in_lists(gl::Lists::compiled, wrong_in_lists<GL_COMPILE>, "EV-DL-EXECUTE").blamed(),
             Ids{"EV-DL-EXECUTE"});
-  // What the simplest kind of list gets wrong does not speak against the other kinds.
+  // Mistakes of the simplest kind of list do not speak against the other kinds.
   EXPECT_EQ(in_lists(gl::Lists::nested, wrong_in_lists<GL_COMPILE>, "EV-DL-NESTED").blamed(),
             Ids{"EV-DL-EXECUTE"});
   EXPECT_EQ(in_lists(gl::Lists::executed, wrong_in_lists<GL_COMPILE_AND_EXECUTE>, "EV-DL-COMPEXEC").blamed(),

@@ -1,4 +1,4 @@
-// What it costs to let integers decide, per component.
+// Cost of a decision by integers, per component.
 #include <benchmark/benchmark.h>
 
 #include <array>

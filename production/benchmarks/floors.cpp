@@ -1,4 +1,4 @@
-// What the machine can do at best, for each instruction set: multiply-adds a second, and stores.
+// Peak rates of the machine for each instruction set: multiply-adds a second, and stores.
 #include <benchmark/benchmark.h>
 
 #include <cstddef>

@@ -42,7 +42,7 @@ const Glu& glu() {
   return kFunctions;
 }
 
-// Where the vertices go.
+// The memory that receives the vertices.
 struct Delivery {
   std::size_t components, vertices = 0;
 };

@@ -23,7 +23,7 @@ std::vector<std::vector<float>> teapot() {
   return patches;
 }
 
-// In [-1,1]: floats, or multiples of 2^-bits.
+// Random numbers in [-1,1]: floats, or multiples of 2^-bits.
 std::vector<std::vector<float>> random_patches(int order, int count, int bits) {
   std::mt19937 generator(3);
   std::vector<std::vector<float>> patches(static_cast<std::size_t>(count));

@@ -274,7 +274,7 @@ void highest_orders(Document& document) {
 
   Theme targets(document, "high-order-targets",
                 "every target with orders from 31 to 64 in one direction, up to 3 in the other",
-                {"EV-MAP2-BEZIER", "EV-MAP2-ORDER-ALL", "EV-MAP2-K", "EV-MAP2-COMPORDER"});
+                {"EV-MAP2-BEZIER", "EV-MAP2-ORDER-ALL", "EV-MAP2-K"});
   constexpr int kHigh[] = {31, 33, 36, 42, 50, 57, 63, 64};
   for (int target = 0; target < 9; ++target)
     for (int i = 0; i < 4; ++i) {

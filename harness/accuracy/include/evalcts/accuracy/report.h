@@ -69,7 +69,7 @@ struct Report {
   std::vector<MeasuredImplementation> implementations;
 };
 
-// Of the format evalcts-ulp-1.
+// The format evalcts-ulp-1.
 nlohmann::json to_json(const Report& report);
 
 // --- lines of the process that measures one implementation

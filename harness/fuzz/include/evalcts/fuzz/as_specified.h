@@ -6,7 +6,7 @@
 
 namespace evalcts::fuzz {
 
-// What of a program is looked at.
+// The outcomes of a program that are compared.
 enum class Look { all, answers, vertices };
 
 // The body of a test: all that the commands answer, errors included, and all vertices that they emit have to

@@ -20,7 +20,7 @@ struct FailingCase {
   std::string commands;  // JSON text (gl/case_json.h); may be empty
 };
 
-// What came of one.
+// The outcome of one reduction.
 struct Reduction {
   std::string test;
   std::optional<Finding> minimal;  // none if it could not be reduced
@@ -35,7 +35,7 @@ using ReductionEvent = std::variant<TestStarted, StillReducing, Reduction>;
 void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
             const std::function<void(const ReductionEvent&)>& report);
 
-// As text, and back: a list, throws std::invalid_argument; one line, none if it is no reduction.
+// Conversion to text and back: a list, throws std::invalid_argument; one line, none if it is no reduction.
 std::string to_text(const std::vector<FailingCase>& cases);
 std::vector<FailingCase> parse_failing_cases(const std::string& text);
 std::string to_line(const ReductionEvent& event);

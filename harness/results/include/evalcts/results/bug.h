@@ -12,7 +12,7 @@ struct Bug {
   // The requirement, and a hash of the cause: "EV-COORD-CURRENT-5f3c". The same in every run that finds it.
   std::string id;
   std::string title;  // one sentence
-  // What the failures have in common: the normalised minimal program and what differs, or, if it was not
+  // The common ground of the failures: the normalised minimal program and what differs, or, if it was not
   // reduced, the requirement, what differed and the family of the tests.
   std::string cause;
 

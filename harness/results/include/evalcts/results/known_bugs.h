@@ -26,7 +26,7 @@ struct KnownBug {
   std::vector<std::string> signs;
 };
 
-// Those that this build was made with, in the order of their IDs.
+// The known bugs that this build was made with, in the order of their IDs.
 const std::vector<KnownBug>& known_bugs();
 // Null if there is none.
 const KnownBug* find_known_bug(const std::string& id);
@@ -37,7 +37,7 @@ const KnownBug* known_bug_with_sign(const std::string& cause, const Implementati
 // Reads {"bugs": [...]}. Throws FormatError.
 std::vector<KnownBug> parse_known_bugs(const std::string& text);
 
-// What is wrong with known bugs: fields that are missing, IDs and signs of a product that stand twice,
+// Describes the mistakes in known bugs: fields that are missing, IDs and signs of a product that stand twice,
 // requirements that do not exist.
 std::vector<std::string> lint(const std::vector<KnownBug>& bugs);
 
