@@ -160,7 +160,7 @@ class Flakes : public DrillTest {
 
 // What fails once and not again keeps its verdict, and says so everywhere.
 TEST_F(Flakes, AreToldApart) {
-  const Outcome outcome = play("now-and-then");
+  const Outcome outcome = play("now-and-then", {"--verbose"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
   EXPECT_TRUE(contains(outcome.text, "MAP1_INDEX_f (flake: pass when played again)"));
   const json flake = test_named(results("drill"), kVictim);
@@ -434,7 +434,7 @@ TEST_F(Terminal, ProgressColourAndTheSizeOfTheScreen) {
   const std::string usual = shown(arguments, 24);
   EXPECT_TRUE(contains(usual, "\r\x1b[K"));
   EXPECT_TRUE(contains(usual, "drill: 0 of "));
-  EXPECT_TRUE(contains(usual, "\x1b[31mfail"));
+  EXPECT_TRUE(contains(usual, "\x1b[31m 1. "));
   EXPECT_LT(lines_of(usual), 24);
   const std::string plain = shown(arguments, 24, "NO_COLOR=1");
   EXPECT_FALSE(contains(plain, "\x1b[31m"));
