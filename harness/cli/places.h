@@ -1,4 +1,4 @@
-// Where the files of evalcts are.
+// The places of the files of evalcts.
 #pragma once
 
 #include <filesystem>

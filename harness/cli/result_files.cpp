@@ -58,7 +58,7 @@ RunResult read_result(const fs::path& file) {
   }
 }
 
-// What tells results of one name apart: the folder that the user named.
+// The folder that the user named distinguishes results of one name.
 std::string origin_of(const fs::path& argument) {
   const fs::path path = argument.has_filename() ? argument : argument.parent_path();
   return is_result_name(path) && path.has_parent_path() ? path.parent_path().string() : path.string();

@@ -9,7 +9,7 @@
 
 namespace evalcts::cli {
 
-// What is wrong with what the user named; the message says what to do.
+// The results that the user named cannot be read; the message says what to do.
 struct CannotReadResults : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -197,7 +197,7 @@ std::string worst_in_words(const WorstResult& result, const char* unit) {
                      worst.exact, shell_line(result->replay));
 }
 
-// What the largest error is known from; no search proves that there is no larger one.
+// Names the source of the largest error; no search proves that there is no larger one.
 const char* found_by(const WorstResult& result) {
   return !result ? "-" : result->worst.climbed ? "climbing" : "sample";
 }

@@ -83,7 +83,7 @@ class BugHunt {
   }
 
  private:
-  // Those of the first failing case; empty if the case cannot be stored as data.
+  // The commands of the first failing case; empty if the case cannot be stored as data.
   std::string commands_of(const TestRecord& test) const {
     const auto found = run_.failing_cases.find(test.name);
     return found == run_.failing_cases.end() ? std::string() : found->second;

@@ -28,7 +28,7 @@ struct Profile {
   std::vector<double> max_ulp, max_condition_aware;
 };
 
-// Of 16 multiples of 2^-24 spread over each interval; the errors of an exact zero count for the
+// Samples 16 multiples of 2^-24 spread over each interval; the errors of an exact zero count for the
 // condition-aware error only. Throws NotObservable.
 Profile measure_profile(Subject& subject, const std::string& target, const ProfileCurve& curve);
 

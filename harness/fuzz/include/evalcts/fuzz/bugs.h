@@ -35,7 +35,7 @@ void find_bugs(RunResult& run, const BugRequest& request,
 std::vector<Bug> bugs_of(const RunResult& run, const std::map<std::string, Reduction>& reductions,
                          int max_eval_order);
 
-// What unreduced failures of the test are grouped by.
+// The text by which unreduced failures of the test are grouped.
 std::string likeness_of(const TestRecord& test);
 
 // The commands as C, at most a screen of them: values that are no short decimals are hexadecimal, with the

@@ -31,7 +31,7 @@ struct StillReducing {};  // now and then, so that a slow case is told from a li
 using ReductionEvent = std::variant<TestStarted, StillReducing, Reduction>;
 // Reduces the cases that no other process with the same list has taken, and reports each, TestStarted before
 // it. A case whose plain form (one dimension, EvalCoord1f, points) was reduced before has the same result.
-// Those that are left after `seconds` are reported as not reduced.
+// Programs that are left after `seconds` are reported as not reduced.
 void reduce(const Subject& subject, const std::vector<FailingCase>& cases, Claims& claims, double seconds,
             const std::function<void(const ReductionEvent&)>& report);
 
