@@ -1,5 +1,7 @@
 #include <evalcts/testkit/explicit_control.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -8,6 +10,22 @@
 #include <evalcts/judge/judge.h>
 
 namespace evalcts {
+namespace {
+
+// "color" of "color.R of vertex 3"; empty if `what` names no attribute.
+std::string attribute_in(const std::string& what) {
+  for (const char* attribute : {"position", "color", "normal", "texture coordinate"})
+    if (what.starts_with(attribute)) return what.substr(0, what.find('.'));
+  return {};
+}
+
+// True if the mismatch of a control may have the same root cause as a failure in `what`.
+bool explains(const Mismatch& mismatch, const std::string& what) {
+  const std::string failed = attribute_in(what), wrong = attribute_in(mismatch.what);
+  return failed.empty() || mismatch.of == Mismatch::Of::vertices || wrong == "position" || wrong == failed;
+}
+
+}  // namespace
 
 void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
   // A reproduction shows a failure whose control is known to be right, and the control is not its case.
@@ -16,21 +34,26 @@ void ExplicitControl::set_observed(const gl::Case& script, const Capture& captur
   observed_ = {script, &capture, (judged | kPosition) & capture.shown()};
 }
 
-void ExplicitControl::require_explicit_vertices() {
+void ExplicitControl::require_explicit_vertices(const std::string& what) {
   const std::optional<Observed> observed = std::exchange(observed_, std::nullopt);
-  if (!observed) return;
+  if (observed) play_controls(*observed);
+  const auto found =
+      std::ranges::find_if(wrong_, [&](const Mismatch& mismatch) { return explains(mismatch, what); });
+  if (found != wrong_.end())
+    throw NotObservable("pipeline: explicit commands in the place of evaluation go wrong, too: " +
+                        found->message);
+}
+
+void ExplicitControl::play_controls(const Observed& observed) {
+  wrong_.clear();
   for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
     std::optional<Seen> seen;
     try {
-      seen = observe_control(control(observed->script), *observed->capture, observed->judged);
+      seen = observe_control(control(observed.script), *observed.capture, observed.judged);
     } catch (const gl::MissingEntryPoint&) {
       // A sink may lack the explicit commands: it has no pipeline that they could show to be wrong.
     }
-    if (!seen) continue;
-    const std::vector<Mismatch> wrong = mismatches(*seen, observed->judged);
-    if (!wrong.empty())
-      throw NotObservable("pipeline: explicit commands in the place of evaluation go wrong, too: " +
-                          wrong.front().message);
+    if (seen) std::ranges::move(mismatches(*seen, observed.judged), std::back_inserter(wrong_));
   }
 }
 

@@ -287,7 +287,7 @@ void Test::follows(const std::string& text, const std::string& reading) {
 
 void Test::fail(Failure failure, const std::function<std::vector<std::string>()>& calls,
                 const std::optional<gl::Check>& check, const std::string& rule) {
-  control_.require_explicit_vertices();
+  control_.require_explicit_vertices(failure.what);
   const auto violate = [&](const RequirementId& id) {
     if (std::ranges::count(record_.violated, id) == 0) record_.violated.push_back(id);
   };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <evalcts/capture/capture.h>
@@ -19,15 +20,19 @@ class ExplicitControl {
   // `script` was observed through the capture and is judged by these attributes.
   void set_observed(const gl::Case& script, const Capture& capture, Attributes judged);
   // Another case begins.
-  void clear() { observed_.reset(); }
+  void clear() {
+    observed_.reset();
+    wrong_.clear();
+  }
 
   // Returns the attributes of explicit vertices that come out wrong in place of those that the case
   // evaluates: what the capture or the rest of the pipeline loses.
   Attributes lost_attributes(const gl::Case& script, const Capture& capture) const;
 
-  // The observed case, if there is one, has failed. Throws NotObservable if explicit commands go wrong, too.
-  // Plays the controls of a case once only.
-  void require_explicit_vertices();
+  // The observed case, if there is one, has failed in `what` ("color.R of vertex 3"). Throws NotObservable if
+  // explicit commands go wrong in the same attribute, in positions, or in the number of vertices. If `what`
+  // names no attribute, any mismatch of the controls counts. Plays the controls of a case once only.
+  void require_explicit_vertices(const std::string& what);
 
  private:
   struct Observed {
@@ -41,6 +46,7 @@ class ExplicitControl {
     Topology topology;
     Observation observation;
   };
+  void play_controls(const Observed& observed);
   // Observes a case without evaluation; empty if the capture does not take its primitives.
   std::optional<Seen> observe_control(const gl::Case& control, const Capture& capture,
                                       Attributes judged) const;
@@ -48,6 +54,7 @@ class ExplicitControl {
 
   const Subject& subject_;
   std::optional<Observed> observed_;
+  std::vector<Mismatch> wrong_;  // of the controls, once they were played
 };
 
 }  // namespace evalcts
