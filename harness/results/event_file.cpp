@@ -48,7 +48,7 @@ void EventFile::write(const std::string& line) {
   const ssize_t written = ::write(descriptor_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
   const std::string words =
-      kCannotWriteEvent + std::string(written < 0 ? std::strerror(errno) : "no space left on device") + "\n";
+      kCannotWriteEvent + std::string(std::strerror(written < 0 ? errno : ENOSPC)) + "\n";
   [[maybe_unused]] const ssize_t said = ::write(STDERR_FILENO, words.data(), words.size());
   _exit(kExitCannotWrite);
 }
