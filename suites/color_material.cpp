@@ -150,13 +150,15 @@ gl::Case one_vertex() {
   return c;
 }
 
-// An explicit vertex without a Color between it and Enable(COLOR_MATERIAL). Throws NotObservable if it does
-// not show the tracked colour, as in Mesa 22.3.
-const Part& tracked_vertex(Test& t, GLenum tracked) {
-  return drawn_once("ColorMaterial: a vertex " + label(tracked), [&] {
+// An explicit vertex behind these commands. Throws NotObservable if it does not show the tracked colour, as
+// in Mesa 22.3 without a Color between it and Enable(COLOR_MATERIAL) that changes the current colour.
+const Part& tracked_vertex(Test& t, GLenum tracked, gl::Case commands = {}) {
+  const std::string what = commands.empty() ? "a vertex" : "a Color and a vertex";
+  return drawn_once(fmt::format("ColorMaterial: {} {}", what, label(tracked)), [&] {
     const auto& [untracked, state] = lit(tracked);
-    const Picture picture = feedback(t, gl::control("a vertex"), state, one_vertex());
-    require_an_effect(picture, feedback(t, gl::control("a vertex, not tracked"), untracked, one_vertex()));
+    commands.append(one_vertex());
+    const Picture picture = feedback(t, gl::control(what), state, commands);
+    require_an_effect(picture, feedback(t, gl::control(what + ", not tracked"), untracked, commands));
     return picture.parts.at(0);
   });
 }
@@ -165,10 +167,10 @@ const Part& tracked_vertex(Test& t, GLenum tracked) {
 EVALCTS_TEST(ColorMaterial, NextVertex, must, "EV-CMAT-NEXT/1-D", combine(kSomeTracked).by(in_primitives()))
 (Test& t, GLenum tracked) {
   t.require(1, 1);
-  tracked_vertex(t, tracked);
-  const auto& [untracked, state] = lit(tracked);
   gl::Case drawing;
-  drawing.Color4f(kCurrent[0], kCurrent[1], kCurrent[2], kCurrent[3]);
+  drawing.Color4f(0.25f, 0.875f, 0.625f, 1);
+  tracked_vertex(t, tracked, drawing);
+  const auto& [untracked, state] = lit(tracked);
   define_maps(drawing);
   drawing.Begin(GL_POINTS);
   for (const float u : {0.0f, 0.5f, 1.0f}) {

@@ -16,6 +16,7 @@
 #include <evalcts/fuzz/normal_form.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/results/known_bugs.h>
@@ -209,8 +210,8 @@ class BugHunt {
                              : "the commands that the executable specification has do not show it");
     gl::Case minimal = shrink(program, dies, kMostAttemptsOfDeath);
     Finding finding;
-    finding.outside_evaluators = dies(without_evaluators(minimal));
-    if (finding.outside_evaluators) minimal = without_evaluators(minimal);
+    finding.outside_evaluators = dies(gl::with_explicit_vertices(minimal));
+    if (finding.outside_evaluators) minimal = gl::with_explicit_vertices(minimal);
     finding.program = minimal;
     finding.cause = cause_of(minimal, how);
     finding.requirement = requirement_of(minimal, how);

@@ -159,34 +159,9 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
   return reduced;
 }
 
-namespace {
-
-// The program without commands that define, enable or ask for maps and grids.
-gl::Case without_maps(const gl::Case& program) {
-  const auto is_about_maps = [](const gl::Command& command) {
-    if (gl::name_of(command.entry).find("Map") != std::string_view::npos) return true;
-    if (command.entry != EntryPoint::Enable && command.entry != EntryPoint::Disable &&
-        command.entry != EntryPoint::IsEnabled)
-      return false;
-    const auto* cap = std::get_if<std::int64_t>(&command.arguments[0]);
-    return cap && (*cap == GL_AUTO_NORMAL || gl::components_of(static_cast<GLenum>(*cap)) > 0);
-  };
-  gl::Case left(program.identity());
-  for (const gl::Command& command : program.commands())
-    if (!is_about_maps(command)) left.add(command);
-  return left;
-}
-
-}  // namespace
-
-gl::Case without_evaluators(const gl::Case& program) {
-  return without_maps(gl::with_explicit_vertices(program));
-}
-
 std::vector<gl::Case> controls_without_evaluators(const gl::Case& program) {
-  std::vector<gl::Case> controls = {without_evaluators(program),
-                                    without_maps(gl::with_explicit_commands(program))};
-  if (gl::uses_lists(program)) controls.push_back(without_maps(gl::with_calls_of_no_list(program)));
+  std::vector<gl::Case> controls = {gl::with_explicit_vertices(program), gl::with_explicit_commands(program)};
+  if (gl::uses_lists(program)) controls.push_back(gl::with_calls_of_no_list(program));
   return controls;
 }
 

@@ -13,6 +13,7 @@
 #include <evalcts/fuzz/random_program.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/files.h>
 #include <evalcts/runner/interruption.h>
 #include <evalcts/runner/suite_child.h>
@@ -248,8 +249,8 @@ class Hunter {
       cause = fmt::format("what was played before: {}", how);
     } else if (cause.empty()) {
       program = shrink(program, dies, run.hung ? kMostHangs : kMostAttemptsAlone);
-      outside = dies(without_evaluators(program));
-      if (outside) program = without_evaluators(program);  // its cause names no evaluation, then
+      outside = dies(gl::with_explicit_vertices(program));
+      if (outside) program = gl::with_explicit_vertices(program);  // its cause names no evaluation, then
       cause = cause_of(program, how);
     }
     Finding finding;

@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include <evalcts/gl/explicit_vertices.h>
+
 #include "causes.h"
 #include "legal.h"
 #include "shrink.h"
@@ -97,7 +99,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     return outside = still(control);
   };
   int most = most_attempts_;
-  if (shows_outside(without_evaluators(program))) {
+  if (shows_outside(gl::with_explicit_vertices(program))) {
     shown = finding.program;
     most /= 4;  // nobody has to debug that
   }
@@ -111,7 +113,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     if (still(small)) shown = small;
   }
   shrink(shown, still, most, smaller);
-  if (!outside) shows_outside(without_evaluators(gl::Case(finding.program)));
+  if (!outside) shows_outside(gl::with_explicit_vertices(gl::Case(finding.program)));
   causes_.push_back(finding.cause);
   return landed();
 }

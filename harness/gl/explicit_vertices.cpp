@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <evalcts/gl/tokens.h>
+
 namespace evalcts::gl {
 namespace {
 
@@ -104,11 +106,27 @@ class MeshOfVertices {
   int number_;
 };
 
-// Returns the case with its evaluations replaced. `evaluate(control, command, number)` issues the commands
-// that stand for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of
-// Begin and End; `follow(command)` sees each command before.
-template <class Follow, class Evaluate, class Mesh>
-Case with_replaced(const Case& script, const Follow& follow, const Evaluate& evaluate, const Mesh& mesh) {
+bool is_of_evaluators(GLenum cap) { return cap == GL_AUTO_NORMAL || components_of(cap) > 0; }
+
+// True if the command defines, enables or asks for maps or grids.
+bool is_about_maps(const Command& command) {
+  const std::string_view name = name_of(command.entry);
+  for (const char* prefix : {"glMap1", "glMap2", "glMapGrid", "glGetMap"})
+    if (name.starts_with(prefix)) return true;
+  if (name != "glEnable" && name != "glDisable" && name != "glIsEnabled") return false;
+  const auto* cap = std::get_if<std::int64_t>(&command.arguments.at(0));
+  return cap && is_of_evaluators(static_cast<GLenum>(*cap));
+}
+
+void issue_nothing(Case&) {}
+
+// Returns the case without evaluators. `evaluate(control, command, number)` issues the commands that stand
+// for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of Begin and
+// End, and `refuse(control)` those for commands of evaluators that are errors between them; `follow(command)`
+// sees each command before.
+template <class Follow, class Evaluate, class Mesh, class Refuse = decltype(issue_nothing)>
+Case with_replaced(const Case& script, const Follow& follow, const Evaluate& evaluate, const Mesh& mesh,
+                   const Refuse& refuse = issue_nothing) {
   Case control = script.without_commands();
   std::vector<int> places;
   bool in_primitive = false;
@@ -118,16 +136,20 @@ Case with_replaced(const Case& script, const Follow& follow, const Evaluate& eva
     if (name == "glBegin") in_primitive = true;
     if (name == "glEnd") in_primitive = false;
     follow(written);
-    if (name.starts_with("glEvalMesh")) {
-      if (in_primitive) {  // an error without effect
-        places.push_back(-1);
-        continue;
-      }
+    const bool is_mesh = name.starts_with("glEvalMesh");
+    if (is_about_maps(written) || (is_mesh && in_primitive)) {
+      if (in_primitive) refuse(control);
+      places.push_back(-1);
+      continue;
+    }
+    if (is_mesh) {
       mesh(control, written, number);
     } else if (name.starts_with("glEval")) {
       evaluate(control, written, number);
     } else {
       Command command = written;
+      if (name == "glPushAttrib")
+        std::get<std::int64_t>(command.arguments.at(0)) &= ~std::int64_t{GL_EVAL_BIT};
       for (Value& argument : command.arguments)
         if (auto* result = std::get_if<ResultOf>(&argument))
           result->command = places.at(static_cast<std::size_t>(result->command));
@@ -138,12 +160,20 @@ Case with_replaced(const Case& script, const Follow& follow, const Evaluate& eva
   return control;
 }
 
-}  // namespace
-
-Case with_explicit_vertices(const Case& script) {
+template <class Refuse>
+Case with_vertices(const Case& script, const Refuse& refuse) {
   return with_replaced(
       script, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
-      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); });
+      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); },
+      refuse);
+}
+
+}  // namespace
+
+Case with_explicit_vertices(const Case& script) { return with_vertices(script, issue_nothing); }
+
+Case with_refused_commands(const Case& script) {
+  return with_vertices(script, [](Case& c) { c.PointSize(1); });
 }
 
 Case with_explicit_commands(const Case& script) {

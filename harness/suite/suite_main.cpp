@@ -26,6 +26,7 @@
 #include <evalcts/fuzz/reduction.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/case_json.h>
+#include <evalcts/gl/explicit_vertices.h>
 #include <evalcts/results/event_file.h>
 #include <evalcts/results/files.h>
 #include <evalcts/results/filter.h>
@@ -366,7 +367,7 @@ void play_without_evaluators(const Program& program, const gl::Case& script) {
     gl::Case without = script.without_commands();
     for (const gl::Command& command : script.commands())
       if (!gl::name_of(command.entry).starts_with("glEval")) without.add(command);
-    controls.front() = fuzz::without_evaluators(without);
+    controls.front() = gl::with_explicit_vertices(without);
   }
   for (const gl::Case& control : controls) program.subject.implementation->create_context()->play(control);
   throw NotObservable("the library survives the case with explicit vertices");

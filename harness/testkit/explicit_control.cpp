@@ -46,7 +46,7 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
 
 void ExplicitControl::play_controls(const Observed& observed) {
   wrong_.clear();
-  for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
+  for (const auto control : {gl::with_refused_commands, gl::with_explicit_commands}) {
     std::optional<Seen> seen;
     try {
       seen = observe_control(control(observed.script), *observed.capture, observed.judged);

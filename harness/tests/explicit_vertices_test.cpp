@@ -1,4 +1,5 @@
-// The controls of a case: explicit commands in the place of evaluation, everything else unchanged.
+// The controls of a case: explicit commands in the place of evaluation, no commands of evaluators, everything
+// else unchanged.
 #include <evalcts/gl/explicit_vertices.h>
 
 #include <gtest/gtest.h>
@@ -106,6 +107,30 @@ Lines names_of(const Case& script) {
   return names;
 }
 
+// A fault of the commands that define, enable or ask for maps and grids is not to excuse itself.
+TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
+  Case c("state");
+  c.PushAttrib(GL_EVAL_BIT | GL_ENABLE_BIT);
+  c.Map1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, std::vector<GLfloat>{0, 0, 0, 1, 1, 1});
+  c.MapGrid1f(4, 0, 1);
+  c.Enable(GL_LIGHTING);
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Enable(GL_AUTO_NORMAL);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.Disable(GL_MAP1_VERTEX_3);
+  c.Disable(GL_FOG);
+  c.EvalMesh1(GL_POINT, 0, 1);
+  c.End();
+  Lines lines = calls_of(with_explicit_vertices(c));
+  ASSERT_EQ(lines.size(), 6u);
+  EXPECT_EQ(lines[0], "glPushAttrib(GL_ENABLE_BIT);");
+  EXPECT_EQ(lines[1], "glEnable(GL_LIGHTING);");
+  EXPECT_EQ(lines[4], "glDisable(GL_FOG);");
+  EXPECT_EQ(names_of(with_refused_commands(c)),
+            (Lines{"PushAttrib", "Enable", "Begin", "Vertex3f", "PointSize", "Disable", "PointSize", "End"}));
+}
+
 TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
   Case c("curve");
   c.Enable(GL_MAP1_VERTEX_3);
@@ -117,8 +142,7 @@ TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {
   c.EvalPoint2(1, 2);
   c.End();
   EXPECT_EQ(names_of(with_explicit_commands(c)),
-            (Lines{"Enable", "Enable", "Enable", "Enable", "Begin", "Color4f", "Vertex3f", "Normal3f",
-                   "TexCoord2f", "End"}));
+            (Lines{"Begin", "Color4f", "Vertex3f", "Normal3f", "TexCoord2f", "End"}));
 }
 
 // The texture map with the most coordinates has precedence.
@@ -132,7 +156,7 @@ TEST(ExplicitCommands, FollowDisableAndTheAttributeStack) {
   c.PopAttrib();
   c.EvalCoord1f(0);
   EXPECT_EQ(names_of(with_explicit_commands(c)),
-            (Lines{"Enable", "Enable", "PushAttrib", "Disable", "TexCoord1f", "PopAttrib", "TexCoord4f"}));
+            (Lines{"PushAttrib", "TexCoord1f", "PopAttrib", "TexCoord4f"}));
 }
 
 TEST(ExplicitCommands, DrawFilledMeshesAsTriangleStrips) {

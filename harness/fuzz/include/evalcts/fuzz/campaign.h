@@ -39,7 +39,7 @@ struct Finding {
   // differs: "Begin, Enable, End, EvalCoord1, Map1: color".
   std::string cause;
   std::string requirement;          // that is broken, as far as the commands tell
-  bool outside_evaluators = false;  // the same goes wrong without them, see without_evaluators()
+  bool outside_evaluators = false;  // the same goes wrong without them, see gl/explicit_vertices.h
 };
 
 // Returns the program without the commands that the implementation lacks, and without those that use what it
@@ -68,11 +68,8 @@ std::optional<gl::Case> reduced_to(const std::string& cause, const gl::Case& pro
                                    const Specified& specified,
                                    const std::function<bool(const gl::Case&)>& still);
 
-// The control: vertices in the place of evaluation (see gl/explicit_vertices.h), and no command left that
-// defines, enables or asks for maps and grids.
-gl::Case without_evaluators(const gl::Case& program);
-// The same for each kind of commands that can stand in the place of evaluation; calls of lists only if the
-// program has lists.
+// The controls of gl/explicit_vertices.h for each kind of commands that can stand in the place of evaluation;
+// calls of lists only if the program has lists.
 std::vector<gl::Case> controls_without_evaluators(const gl::Case& program);
 
 }  // namespace evalcts::fuzz

@@ -1,4 +1,5 @@
-// Controls: a case in which explicit commands stand where it evaluates.
+// Controls: a case without evaluators. Explicit commands stand where it evaluates; all commands that define,
+// enable or ask for maps and grids, and EVAL_BIT in the masks of PushAttrib, are left out.
 #pragma once
 
 #include <evalcts/gl/case.h>
@@ -7,8 +8,12 @@ namespace evalcts::gl {
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh replaced by
 // the primitives that GL 1.0 5.1 defines it by, of at most 16 vertices in each direction, or by nothing
-// between Begin and End. All other commands stay.
+// between Begin and End.
 Case with_explicit_vertices(const Case& script);
+
+// The same, with a PointSize for each command of evaluators that is an error between Begin and End. Tells
+// whether any such error disturbs the primitive.
+Case with_refused_commands(const Case& script);
 
 // Returns the case with each evaluation replaced by the commands into which many implementations translate
 // it: attributes from the enabled maps of its dimension, then a vertex if one of these maps generates
