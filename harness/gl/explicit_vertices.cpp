@@ -118,15 +118,25 @@ bool is_about_maps(const Command& command) {
   return cap && is_of_evaluators(static_cast<GLenum>(*cap));
 }
 
-void issue_nothing(Case&) {}
+// Changes state that has no effect, or fails to do so between Begin and End.
+class UnrelatedState {
+ public:
+  void change(Case& c) {
+    enabled_ = !enabled_;
+    enabled_ ? c.Enable(GL_INDEX_LOGIC_OP) : c.Disable(GL_INDEX_LOGIC_OP);
+  }
+
+ private:
+  bool enabled_ = false;
+};
 
 // Returns the case without evaluators. `evaluate(control, command, number)` issues the commands that stand
 // for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of Begin and
-// End, and `refuse(control)` those for commands of evaluators that are errors between them; `follow(command)`
-// sees each command before.
-template <class Follow, class Evaluate, class Mesh, class Refuse = decltype(issue_nothing)>
-Case with_replaced(const Case& script, const Follow& follow, const Evaluate& evaluate, const Mesh& mesh,
-                   const Refuse& refuse = issue_nothing) {
+// End; `follow(command)` sees each command before.
+template <class Follow, class Evaluate, class Mesh>
+Case with_replaced(const Case& script, OtherCommands others, const Follow& follow, const Evaluate& evaluate,
+                   const Mesh& mesh) {
+  UnrelatedState unrelated;
   Case control = script.without_commands();
   std::vector<int> places;
   bool in_primitive = false;
@@ -138,7 +148,7 @@ Case with_replaced(const Case& script, const Follow& follow, const Evaluate& eva
     follow(written);
     const bool is_mesh = name.starts_with("glEvalMesh");
     if (is_about_maps(written) || (is_mesh && in_primitive)) {
-      if (in_primitive) refuse(control);
+      if (others == OtherCommands::kUnrelated) unrelated.change(control);
       places.push_back(-1);
       continue;
     }
@@ -160,26 +170,18 @@ Case with_replaced(const Case& script, const Follow& follow, const Evaluate& eva
   return control;
 }
 
-template <class Refuse>
-Case with_vertices(const Case& script, const Refuse& refuse) {
-  return with_replaced(
-      script, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
-      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); },
-      refuse);
-}
-
 }  // namespace
 
-Case with_explicit_vertices(const Case& script) { return with_vertices(script, issue_nothing); }
-
-Case with_refused_commands(const Case& script) {
-  return with_vertices(script, [](Case& c) { c.PointSize(1); });
+Case with_explicit_vertices(const Case& script, OtherCommands others) {
+  return with_replaced(
+      script, others, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
+      [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); });
 }
 
-Case with_explicit_commands(const Case& script) {
+Case with_explicit_commands(const Case& script, OtherCommands others) {
   EnabledMaps maps;
   return with_replaced(
-      script, [&](const Command& command) { maps.follow(command); },
+      script, others, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
         const std::string_view name = name_of(command.entry);
         const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
@@ -190,7 +192,8 @@ Case with_explicit_commands(const Case& script) {
 
 Case with_calls_of_no_list(const Case& script) {
   return with_replaced(
-      script, [](const Command&) {}, [](Case& c, const Command&, int) { c.CallList(kNoList); },
+      script, OtherCommands::kLeftOut, [](const Command&) {},
+      [](Case& c, const Command&, int) { c.CallList(kNoList); },
       [](Case& c, const Command&, int) {
         c.Begin(GL_POINTS);
         c.CallList(kNoList);

@@ -46,10 +46,11 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
 
 void ExplicitControl::play_controls(const Observed& observed) {
   wrong_.clear();
-  for (const auto control : {gl::with_refused_commands, gl::with_explicit_commands}) {
+  for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
     std::optional<Seen> seen;
     try {
-      seen = observe_control(control(observed.script), *observed.capture, observed.judged);
+      seen = observe_control(control(observed.script, gl::OtherCommands::kUnrelated), *observed.capture,
+                             observed.judged);
     } catch (const gl::MissingEntryPoint&) {
       // A sink may lack the explicit commands: it has no pipeline that they could show to be wrong.
     }

@@ -1,29 +1,33 @@
-// Controls: a case without evaluators. Explicit commands stand where it evaluates; all commands that define,
-// enable or ask for maps and grids, and EVAL_BIT in the masks of PushAttrib, are left out.
+// Controls: a case without evaluators. Explicit commands stand where it evaluates, and EVAL_BIT is missing in
+// the masks of PushAttrib.
 #pragma once
 
 #include <evalcts/gl/case.h>
 
 namespace evalcts::gl {
 
-// Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh replaced by
-// the primitives that GL 1.0 5.1 defines it by, of at most 16 vertices in each direction, or by nothing
-// between Begin and End.
-Case with_explicit_vertices(const Case& script);
+// Commands that define, enable or ask for maps and grids, and meshes between Begin and End.
+enum class OtherCommands {
+  kLeftOut,
+  // Each is replaced by Enable or Disable of INDEX_LOGIC_OP in turn, which has no effect with the initial
+  // LogicOp: tells whether any change of state, or any error between Begin and End, disturbs the primitives.
+  kUnrelated,
+};
 
-// The same, with a PointSize for each command of evaluators that is an error between Begin and End. Tells
-// whether any such error disturbs the primitive.
-Case with_refused_commands(const Case& script);
+// Returns the case with each EvalCoord and EvalPoint replaced by a Vertex3f, and each EvalMesh outside of
+// Begin and End by the primitives that GL 1.0 5.1 defines it by, of at most 16 vertices in each direction.
+Case with_explicit_vertices(const Case& script, OtherCommands others = OtherCommands::kLeftOut);
 
 // Returns the case with each evaluation replaced by the commands into which many implementations translate
 // it: attributes from the enabled maps of its dimension, then a vertex if one of these maps generates
 // vertices; and each filled mesh replaced by triangle strips. Enables are followed in the order in which they
 // are written, through PushAttrib and PopAttrib, inside display lists as well.
-Case with_explicit_commands(const Case& script);
+Case with_explicit_commands(const Case& script, OtherCommands others = OtherCommands::kLeftOut);
 
 // Returns the case with each EvalCoord and EvalPoint replaced by a CallList of a list that does not exist,
 // and each EvalMesh replaced by a primitive of points with such a call in it: commands that also make an
-// implementation leave the path of plain vertices while it compiles a list.
+// implementation leave the path of plain vertices while it compiles a list. Other commands of evaluators are
+// left out.
 Case with_calls_of_no_list(const Case& script);
 
 }  // namespace evalcts::gl
