@@ -82,7 +82,7 @@ int legal(const FaultsOptions& options, const fs::path& output) {
       "tried\nTable: {}\n",
       tried.size(), good, not_tried, (output / "variations.md").string());
   line.print(text);
-  if (interrupted) return kWrongUse;
+  if (interrupted || not_tried == tried.size()) return kWrongUse;
   return good + not_tried == tried.size() ? kNothingUnexpected : kUnexpected;
 }
 

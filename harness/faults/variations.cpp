@@ -41,6 +41,9 @@ class VariationTrial {
     }
     const std::vector<std::string> varied_arguments = {"--variation", variation.name};
     const Verdicts varied = play_all(variation, variation.name, varied_arguments, all_);
+    // No verdict at all is no agreement.
+    if (varied.empty() && !interrupted)
+      result.alarms.push_back({"all tests", Verdict::kInternalError, "the suite did not begin in its time"});
     for (const auto& [name, record] : varied) {
       result.passed += record.verdict == Verdict::kPass;
       result.passed_in_part += record.verdict == Verdict::kPass && !record.unobserved.empty();
@@ -67,13 +70,19 @@ class VariationTrial {
     }
     DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, ""};
     if (tests.empty()) return detection;
-    detection.outcome = DetectionBehind::Outcome::kSurvives;
-    for (const auto& [name, record] : play_all(variation, variation.name + "-" + fault.name,
-                                               {"--fault", fault.name, "--variation", variation.name}, tests))
+    const Verdicts both = play_all(variation, variation.name + "-" + fault.name,
+                                   {"--fault", fault.name, "--variation", variation.name}, tests);
+    for (const auto& [name, record] : both)
       if (detection.test.empty() && record.is_bad()) {
         detection.outcome = DetectionBehind::Outcome::kDetected;
         detection.test = name;
       }
+    // A fault of explicit vertices, too, takes the proof of what is left to see with: every test says so.
+    const auto is_undecided = [](const auto& entry) {
+      return entry.second.verdict == Verdict::kNotObservable;
+    };
+    if (detection.test.empty() && (both.empty() || !std::ranges::all_of(both, is_undecided)))
+      detection.outcome = DetectionBehind::Outcome::kSurvives;
     return detection;
   }
 
