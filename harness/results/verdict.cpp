@@ -11,7 +11,7 @@ constexpr std::array<VerdictText, kVerdicts> kVerdictTexts{{
     {"crash", "‼", "the process died while this test ran"},
     {"timeout", "◷", "no end within the time limit"},
     {"fail", "✗", "something observed contradicts the requirement"},
-    {"quality-warning", "△", "conforms, but falls short of what good implementations do"},
+    {"quality-warning", "△", "falls short of what good implementations do; other tests decide whether it conforms"},
     {"not-observable", "◌", "this implementation gives no trustworthy way to see the effect"},
     {"not-supported", "∅", "the implementation does not offer what the test needs"},
     {"skipped", "–", "not run, because something asked for that"},
