@@ -33,7 +33,7 @@ class CheckedCase : public gl::Case {
   void expect_map(const Map& map, bool doubles = false);
   void expect_orders(GLenum target, const std::vector<GLint>& orders);
   // Records the queries of all state; it is what it was.
-  std::vector<gl::Ref> query_everything() { return evalcts::query_everything(*this, t_.max_order()); }
+  std::vector<gl::Ref> query_everything() { return evalcts::query_everything(t_, *this); }
   void expect_unchanged(const std::vector<gl::Ref>& before) { expect_same(before, query_everything()); }
 
   // The same as for Played.

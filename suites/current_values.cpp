@@ -269,7 +269,7 @@ EVALCTS_TEST_PAIR(CurrentValues.MapsGridsAndEnables, CurrentValues.MapsGridsAndE
   for (const GLenum target : gl::kMap1Targets) define_and_enable(c, over(random_map(t, target, 5), {-1, 3}));
   two ? c.MapGrid2f(3, 0.1f, 0.7f, 4, 2, 1) : c.MapGrid1f(3, 0.1f, 0.7f);
   const auto query = [&] {
-    std::vector<gl::Ref> refs = query_everything(c, t.max_order());
+    std::vector<gl::Ref> refs = query_everything(t, c);
     refs.push_back(c.GetFloatv(GL_MAP1_GRID_DOMAIN, gl::out<GLfloat>(2)));
     refs.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
     refs.push_back(c.GetFloatv(GL_MAP2_GRID_DOMAIN, gl::out<GLfloat>(4)));

@@ -278,26 +278,25 @@ GLenum target_in(bool two, GLenum map1_target) {
   return two ? map1_target - gl::kMap1Targets[0] + gl::kMap2Targets[0] : map1_target;
 }
 
-std::vector<gl::Ref> query_everything(gl::Case& c, int max_order) {
-  std::vector<gl::Ref> refs;
+std::vector<gl::Ref> query_everything(Test& t, gl::Case& c) {
+  gl::Case queries;
   const auto query_maps = [&](std::span<const GLenum> targets) {
     for (const GLenum target : targets) {
-      refs.push_back(c.IsEnabled(target));
-      const MapQuery query = query_map(c, target, max_order, true);
-      refs.insert(refs.end(), {query.order, query.domain, query.coefficients});
+      queries.IsEnabled(target);
+      query_map(queries, target, t.max_order(), true);
     }
   };
   query_maps(gl::kMap1Targets);
-  refs.push_back(c.IsEnabled(GL_AUTO_NORMAL));
-  refs.push_back(c.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2)));
-  refs.push_back(c.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1)));
-  refs.push_back(c.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4)));
-  refs.push_back(c.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2)));
-  refs.push_back(c.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4)));
-  refs.push_back(c.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3)));
-  refs.push_back(c.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4)));
+  queries.IsEnabled(GL_AUTO_NORMAL);
+  queries.GetDoublev(GL_MAP1_GRID_DOMAIN, gl::out<GLdouble>(2));
+  queries.GetIntegerv(GL_MAP1_GRID_SEGMENTS, gl::out<GLint>(1));
+  queries.GetDoublev(GL_MAP2_GRID_DOMAIN, gl::out<GLdouble>(4));
+  queries.GetIntegerv(GL_MAP2_GRID_SEGMENTS, gl::out<GLint>(2));
+  queries.GetFloatv(GL_CURRENT_COLOR, gl::out<GLfloat>(4));
+  queries.GetFloatv(GL_CURRENT_NORMAL, gl::out<GLfloat>(3));
+  queries.GetFloatv(GL_CURRENT_TEXTURE_COORDS, gl::out<GLfloat>(4));
   query_maps(gl::kMap2Targets);
-  return refs;
+  return t.append_optional(c, queries);
 }
 
 void expect_unchanged(Played& played, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after) {

@@ -78,14 +78,14 @@ void expect_refused(Test& t, const std::string& identity, const std::vector<Call
                     std::initializer_list<GLenum> allowed, Prepared prepared) {
   gl::Case c(identity);
   prepare(c, prepared, t.random()() % 2 == 1);  // either, over the cases of a test
-  const std::vector<gl::Ref> before = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> before = query_everything(t, c);
   std::vector<gl::Ref> first, second;
   for (const Calls& bad_call : bad_calls) {
     bad_call(c);
     first.push_back(c.GetError());
     second.push_back(c.GetError());
   }
-  const std::vector<gl::Ref> after = query_everything(c, t.max_order());
+  const std::vector<gl::Ref> after = query_everything(t, c);
   Played played = t.play(c);
   for (const gl::Ref error : first) played.expect_error(error, allowed);
   for (const gl::Ref error : second) played.expect_no_error(error);

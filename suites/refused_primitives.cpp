@@ -56,7 +56,7 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
   attempts.prepared = prepare(c);
   define_curve(c);
   define_patch(c);
-  if (evaluated) attempts.before = query_everything(c, t.max_order());
+  if (evaluated) attempts.before = query_everything(t, c);
   const auto attempt = [&](const Refusal& refusal, const Drawing& drawing, bool allowed) {
     c.Clear(GL_COLOR_BUFFER_BIT);
     refusal.enter(c);
@@ -85,7 +85,7 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
       for (const Drawing& drawing : drawings)
         if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
     // What is drawn may have changed current values, which is not the subject here.
-    if (!allowed && evaluated) attempts.after = query_everything(c, t.max_order());
+    if (!allowed && evaluated) attempts.after = query_everything(t, c);
   }
   return attempts;
 }

@@ -9,6 +9,8 @@
 #include <list>
 #include <map>
 
+#include <evalcts/gl/call_in_flight.h>
+
 namespace evalcts::gl {
 namespace {
 
@@ -139,16 +141,22 @@ MissingEntryPoint::MissingEntryPoint(EntryPoint missing)
 class Player {
  public:
   explicit Player(const Table& table) : table_(table) {}
+  ~Player() { call_in_flight.command = nullptr; }
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
 
   Trace play(const Case& script, const std::function<void(std::size_t)>& after_each) {
     for (const Command& command : script.commands())
       if (!has(table_, command.entry)) throw MissingEntryPoint(command.entry);
     trace_.results_.resize(script.commands().size());
     for (const Command& command : script.commands()) {
+      call_in_flight.position = index_;
+      call_in_flight.command = &command;
       issue(command);
       if (after_each) after_each(index_);
       ++index_;
     }
+    call_in_flight.command = nullptr;
     if (uses_other_contexts(script)) table_.OtherContextEVALCTS(0);
     drain_errors();
     return std::move(trace_);

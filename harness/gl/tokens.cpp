@@ -63,17 +63,27 @@ const std::unordered_map<GLenum, std::string>& names() {
 
 }  // namespace
 
-std::string token_name(GLenum token) {
-  if (token == 0) return "0";
+const char* known_token(GLenum token) {
   const auto found = names().find(token);
-  return found == names().end() ? fmt::format("0x{:04X}", token) : found->second;
+  return found == names().end() ? nullptr : found->second;
 }
 
-std::string primitive_name(GLenum mode) {
+std::string token_name(GLenum token) {
+  if (token == 0) return "0";
+  const char* const name = known_token(token);
+  return name ? name : fmt::format("0x{:04X}", token);
+}
+
+const char* known_primitive(GLenum mode) {
   constexpr std::array<const char*, 10> kModes = {
       "GL_POINTS",         "GL_LINES",        "GL_LINE_LOOP", "GL_LINE_STRIP", "GL_TRIANGLES",
       "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN", "GL_QUADS",     "GL_QUAD_STRIP", "GL_POLYGON"};
-  return mode < kModes.size() ? kModes[mode] : fmt::format("0x{:04X}", mode);
+  return mode < kModes.size() ? kModes[mode] : nullptr;
+}
+
+std::string primitive_name(GLenum mode) {
+  const char* const name = known_primitive(mode);
+  return name ? name : fmt::format("0x{:04X}", mode);
 }
 
 std::string error_name(GLenum error) {

@@ -38,6 +38,13 @@ bool EventFile::is_open() const {
          file.st_ino == inode_;
 }
 
+void EventFile::write_in_handler(std::string_view line) const noexcept {
+  if (descriptor_ < 0 || getpid() != process_) return;
+  const int descriptor = is_open() ? descriptor_ : ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return;
+  [[maybe_unused]] const ssize_t written = ::write(descriptor, line.data(), line.size());
+}
+
 void EventFile::write(const std::string& line) {
   if (path_.empty()) return;
   if (getpid() != process_) _exit(0);

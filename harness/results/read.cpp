@@ -75,6 +75,10 @@ std::vector<RequirementId> read_requirements(const JsonObject& in, const char* k
   return {texts.begin(), texts.end()};
 }
 
+Crash read_crash(const JsonObject& in) {
+  return {in.text("call"), in.natural("commands_before").value_or(0), in.texts("frames")};
+}
+
 TestRecord read_test(const JsonObject& in) {
   TestRecord out;
   out.name = in.text("name");
@@ -113,6 +117,8 @@ TestRecord read_test(const JsonObject& in) {
   Failure of_test = read_failure(in);  // the same fields stand at the level of the test
   out.capture = of_test.capture;
   out.unobserved = in.text("unobserved");
+  out.left_out = in.texts("left_out");
+  if (const auto crash = in.object("crash")) out.crash = read_crash(*crash);
   of_test.message.clear();
   const bool says_something =
       !of_test.expected.empty() || !of_test.captured.empty() || !of_test.calls.empty();
@@ -257,6 +263,8 @@ std::optional<Event> parse_event(const std::string& line) {
       return CaseStarted{in.text("case"), in.boolean("control"), in.texts("calls"), in.text("commands")};
     if (kind == "failing-case") return CaseFailed{in.text("name"), in.text("commands")};
     if (kind == "end") return RunEnded{};
+    const auto crash = in.object("crash");
+    if (kind == "crash" && crash) return Crashed{read_crash(*crash)};
     const auto record = in.object("record");
     if (kind == "result" && record && record->has("verdict")) return TestFinished{read_test(*record)};
     return OtherEvent{line};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -29,6 +31,18 @@ int TestRecord::severity() const {
   const int rank = static_cast<int>(verdict), shift = static_cast<int>(kBadVerdicts);
   if (is_bad()) return is_expected_failure() ? rank + shift : rank;
   return is_unexpected_pass() ? 2 * shift : rank + shift + 1;
+}
+
+std::string Crash::group() const {
+  constexpr std::size_t kFramesOfGroup = 3;
+  if (frames.empty()) return call;
+  // A copy of bytes crashes in many places of one function of the C library: its caller tells.
+  std::size_t first = 0;
+  while (first + 1 < frames.size() && frames[first].starts_with("libc.so")) ++first;
+  std::string group;
+  for (std::size_t i = first; i < frames.size() && i < first + kFramesOfGroup; ++i)
+    group += (i > first ? " < " : "") + frames[i];
+  return group;
 }
 
 std::string TestRecord::signature() const {
@@ -103,6 +117,28 @@ const Bug* RunResult::bug_of(const std::string& test) const {
   for (const Bug& bug : bugs)
     if (std::ranges::binary_search(bug.tests, test)) return &bug;
   return nullptr;
+}
+
+std::string CrashGroup::call() const {
+  const auto most = std::ranges::max_element(calls, {}, [](const auto& call) { return call.second; });
+  if (most == calls.end()) return {};
+  return calls.size() == 1 ? most->first : fmt::format("{} and {} more", most->first, calls.size() - 1);
+}
+
+std::vector<CrashGroup> crash_groups(const RunResult& result) {
+  std::map<std::string, CrashGroup> groups;
+  for (const TestRecord& test : result.tests) {
+    if (test.verdict != Verdict::kCrash || !test.crash) continue;
+    CrashGroup& group = groups[test.crash->group()];
+    group.where = test.crash->group();
+    ++group.calls[test.crash->call.empty() ? "no command" : test.crash->call];
+    group.tests.push_back(&test);
+  }
+  std::vector<CrashGroup> sorted;
+  for (auto& [where, group] : groups) sorted.push_back(std::move(group));
+  std::ranges::stable_sort(sorted, std::greater(),
+                           [](const CrashGroup& group) { return group.tests.size(); });
+  return sorted;
 }
 
 std::string RunResult::heading(const std::string& unnamed) const {

@@ -55,6 +55,12 @@ json to_json(const Accuracy& accuracy) {
           {"worst_condition_aware", accuracy.condition_aware.where}};
 }
 
+json to_json(const Crash& crash) {
+  json out = {{"call", crash.call}, {"commands_before", crash.commands_before}};
+  if (!crash.frames.empty()) out["frames"] = crash.frames;
+  return out;
+}
+
 json to_json(const TestRecord& test) {
   json out = {{"name", test.name},
               {"requirements", texts_of(test.requirements)},
@@ -73,6 +79,8 @@ json to_json(const TestRecord& test) {
   for (const Failure& failure : test.failures) out["failures"].push_back(to_json(failure));
   set(out, "capture", test.capture);
   set(out, "unobserved", test.unobserved);
+  if (!test.left_out.empty()) out["left_out"] = test.left_out;
+  if (test.crash) out["crash"] = to_json(*test.crash);
   if (!test.failures.empty()) {
     // The first failing case stands for the test.
     const Failure& first = test.failures.front();
@@ -184,6 +192,9 @@ std::string to_line(const Event& event) {
     }
     json operator()(const TestFinished& result) const {
       return {{"event", "result"}, {"record", to_json(result.record)}};
+    }
+    json operator()(const Crashed& crashed) const {
+      return {{"event", "crash"}, {"crash", to_json(crashed.crash)}};
     }
     json operator()(const RunEnded&) const { return {{"event", "end"}}; }
     json operator()(const OtherEvent& other) const { return json::parse(other.line, nullptr, false); }

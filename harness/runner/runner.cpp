@@ -5,6 +5,7 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <cstring>
@@ -32,6 +33,7 @@ constexpr double kLookSeconds = 0.02;    // seconds between two looks at a child
 constexpr double kSearchBudget = 30;     // seconds spent on finding what one failure depends on
 constexpr double kSearchesBudget = 120;  // ... and all of them
 constexpr int kMostEmptyStarts = 2;      // children that end without having begun a test
+constexpr std::size_t kSameCrashes = 3;  // tests that crash alike until others are taken to do so, too
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -222,6 +224,7 @@ class Run {
                    {"--die-with-parent", "--tests", list.string(), "--records", events.string(), "--captures",
                     captures_.empty() ? "none" : fmt::format("{}", fmt::join(captures_, ","))});
     if (second_pass()) command.push_back("--reuse-context");
+    for (const std::string& call : crashing_calls_) command.insert(command.end(), {"--leave-out", call});
     return command;
   }
 
@@ -281,10 +284,12 @@ class Run {
       for (const ListedTest& test : request_.tests)
         if (!records_.contains(test.name)) remaining.push_back(test.name);
       if (remaining.empty()) return;
-      const std::size_t before = records_.size();
+      const std::size_t before = records_.size(), calls_before = crashing_calls_.size();
       const std::vector<ChildRun> ended = run_side_by_side(remaining);
       record_deaths(ended);
-      if (interrupted || records_.size() > before || ++fruitless < kMostEmptyStarts) continue;
+      if (interrupted || records_.size() > before || crashing_calls_.size() > calls_before ||
+          ++fruitless < kMostEmptyStarts)
+        continue;
       const ChildRun& last = ended.back();
       for (const std::string& name : remaining)
         add_record(name, verdict_of_death(last), describe(last, request_.limits) + " before its first test");
@@ -293,7 +298,7 @@ class Run {
 
   // Plays the tests in several processes, each of which takes the next one that none has taken. A process
   // that dies is replaced. Their results are in records_; the return value is how each of them ended, but for
-  // those that an interruption killed in a test.
+  // those that an interruption killed in a test, and those that died in a test that is to be played again.
   std::vector<ChildRun> run_side_by_side(const std::vector<std::string>& tests) {
     Claims::create(scratch_ / "claims", tests.size());
     const Claims claims(scratch_ / "claims");
@@ -302,7 +307,9 @@ class Run {
     const auto of_job = [this](std::size_t job, const char* extension) {
       return scratch_ / fmt::format("job-{}.{}", job + 1, extension);
     };
+    std::vector<std::size_t> calls_left_out(jobs.size()), left_out_by_ended;  // by each process
     const auto start = [&](std::size_t job) {
+      calls_left_out[job] = crashing_calls_.size();
       std::vector<std::string> command = command_for(tests, of_job(job, "txt"), of_job(job, "jsonl"));
       command.insert(command.end(), {"--claims", (scratch_ / "claims").string(), "--gtest_brief=1"});
       jobs[job] =
@@ -322,6 +329,8 @@ class Run {
         append_to_log(of_job(job, "log"));
         throw_if_it_cannot_write(run);
         sequences_.push_back(run.finished);
+        left_out_by_ended.push_back(calls_left_out[job]);
+        count_crash(run);
         if (interrupted) {
           run.in_flight.clear();
         } else if (!run.complete && (!run.finished.empty() || !run.in_flight.empty()) &&
@@ -332,7 +341,27 @@ class Run {
         ended.push_back(std::move(run));
       }
     }
+    for (std::size_t i = 0; i < ended.size(); ++i)
+      if (may_survive_now(ended[i], left_out_by_ended[i])) ended[i].in_flight.clear();
     return ended;
+  }
+
+  // Counts the crash of a test. Once three tests have crashed in the same command, the processes that are
+  // started from then on leave it out of tests that can do without it.
+  void count_crash(const ChildRun& run) {
+    if (run.in_flight.empty() || !run.crash || run.crash->call.empty()) return;
+    std::set<std::string>& tests = tests_that_crash_in_[run.crash->call];
+    tests.insert(run.in_flight);
+    if (tests.size() == kSameCrashes && std::ranges::count(crashing_calls_, run.crash->call) == 0)
+      crashing_calls_.push_back(run.crash->call);
+  }
+
+  // True if the test crashed in a command that its process, which knew of so many, did not leave out yet.
+  bool may_survive_now(const ChildRun& run, std::size_t calls_left_out) const {
+    if (run.in_flight.empty() || !run.crash) return false;
+    const auto call = std::ranges::find(crashing_calls_, run.crash->call);
+    return call - crashing_calls_.begin() >= static_cast<std::ptrdiff_t>(calls_left_out) &&
+           call != crashing_calls_.end();
   }
 
   // Takes in what a process of run_side_by_side reports.
@@ -344,7 +373,8 @@ class Run {
     } else if (const auto* failed = std::get_if<CaseFailed>(&event)) {
       result_.failing_cases[failed->test] = failed->commands;
     }
-    if (!std::holds_alternative<RunEnded>(event)) append_to_records(event);
+    if (!std::holds_alternative<RunEnded>(event) && !std::holds_alternative<Crashed>(event))
+      append_to_records(event);
   }
 
   void append_to_records(const Event& event) const {
@@ -363,7 +393,8 @@ class Run {
 
   // Adds a record of a test that the suite program made none of.
   TestRecord& add_record(const std::string& name, Verdict verdict, const std::string& message,
-                         const std::optional<CaseStarted>& last_case = {}) {
+                         const std::optional<CaseStarted>& last_case = {},
+                         const std::optional<Crash>& crash = {}) {
     const auto test = std::ranges::find(request_.tests, name, &ListedTest::name);
     if (test == request_.tests.end()) throw std::logic_error("unknown test " + name);
     TestRecord record;
@@ -372,6 +403,7 @@ class Run {
     record.level = test->level;
     record.verdict = verdict;
     record.message = message;
+    record.crash = crash;
     if (last_case) {
       Failure failure;
       failure.case_identity = last_case->identity;
@@ -389,12 +421,53 @@ class Run {
     return run.hung ? Verdict::kTimeout : Verdict::kCrash;
   }
 
-  // Those children that died in a test. Alone in a new child, with its cases traced, it shows the calls;
-  // where it passes alone, the tests before it are cut down to those that matter.
+  // What is known of crashes in one command with the same innermost frames.
+  struct SameCrashes {
+    std::size_t confirmed = 0;  // crashed alone, too, in the same way
+    std::size_t others = 0;     // did something else alone
+  };
+
+  // A crash in a command that defines or queries a map: the control with explicit vertices has no such
+  // command, so that the crash is that of evaluators.
+  static bool is_in_map_command(const ChildRun& run) {
+    if (!run.crash || run.hung || run.swelled) return false;
+    return std::ranges::any_of(std::array{"glMap", "glGetMap", "glGetnMap"},
+                               [&](const char* name) { return run.crash->call.starts_with(name); });
+  }
+
+  SameCrashes& crashes_like(const ChildRun& run) {
+    return same_crashes_[run.crash->call + "\n" + run.crash->group()];
+  }
+
+  // Those children that died in a test. The test is played alone, but for crashes in a map command of which
+  // several have been confirmed, and none has turned out to be something else.
   void record_deaths(const std::vector<ChildRun>& ended) {
-    std::vector<const ChildRun*> dead;
-    for (const ChildRun& child : ended)
-      if (!child.in_flight.empty()) dead.push_back(&child);
+    std::vector<const ChildRun*> first, like_others, rest;
+    std::map<const SameCrashes*, std::size_t> chosen;
+    for (const ChildRun& child : ended) {
+      if (child.in_flight.empty()) continue;
+      const bool has_like = !second_pass() && is_in_map_command(child);
+      const SameCrashes* const same = has_like ? &crashes_like(child) : nullptr;
+      (same && same->confirmed + chosen[same]++ >= kSameCrashes ? like_others : first).push_back(&child);
+    }
+    confirm_deaths(first);
+    for (const ChildRun* child : like_others) {
+      const SameCrashes& same = crashes_like(*child);
+      if (interrupted || same.others > 0 || same.confirmed < kSameCrashes) {
+        rest.push_back(child);
+        continue;
+      }
+      add_record(child->in_flight, Verdict::kCrash,
+                 fmt::format("{}; as in {} tests that were played again alone",
+                             describe(*child, request_.limits), same.confirmed),
+                 {}, child->crash);
+    }
+    confirm_deaths(rest);
+  }
+
+  // Alone in a new child, with its cases traced, each test shows the calls; if it passes alone, the tests
+  // before it are cut down to those that matter.
+  void confirm_deaths(const std::vector<const ChildRun*>& dead) {
     const auto jobs = static_cast<std::size_t>(request_.jobs);
     for (std::size_t begin = 0; begin < dead.size(); begin += jobs) {
       const std::size_t end = std::min(begin + jobs, dead.size());
@@ -410,7 +483,7 @@ class Run {
   // True if the case in which the test died alone also ends the process without evaluators.
   bool dies_with_explicit_vertices(const std::string& name, const ChildRun& alone) const {
     const auto cases = alone.cases.find(name);
-    if (cases == alone.cases.end() || cases->second.empty()) return false;
+    if (is_in_map_command(alone) || cases == alone.cases.end() || cases->second.empty()) return false;
     const ChildRun control =
         run_scratch({fmt::format("{}\t{}", name, cases->second.size())}, "--crash-control");
     return !control.in_flight.empty();
@@ -421,8 +494,13 @@ class Run {
     const Verdict verdict = verdict_of_death(child);
     const std::string how = describe(child, request_.limits);
     if (interrupted) {
-      add_record(name, verdict, how + "; not confirmed, the run was interrupted");
+      add_record(name, verdict, how + "; not confirmed, the run was interrupted", {}, child.crash);
       return;
+    }
+    if (is_in_map_command(child)) {
+      SameCrashes& same = crashes_like(child);
+      const bool is_same = is_in_map_command(alone) && &crashes_like(alone) == &same;
+      ++(is_same ? same.confirmed : same.others);
     }
     const std::string last_case = alone.last_case ? alone.last_case->identity : "";
     if (!alone.in_flight.empty() && alone.last_case && alone.last_case->is_control) {
@@ -436,13 +514,14 @@ class Run {
       return;
     }
     if (!alone.in_flight.empty()) {
-      add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case);
+      add_record(name, verdict, how + "; confirmed alone in a new process", alone.last_case, child.crash);
       return;
     }
     const auto result = alone.records.find(name);
     const bool has_record = result != alone.records.end();
     const bool fails_alone = has_record && result->second.verdict == Verdict::kFail;
-    TestRecord& record = add_record(name, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"));
+    TestRecord& record =
+        add_record(name, verdict, how + (fails_alone ? "; fails alone" : "; passes alone"), {}, child.crash);
     add_history(record, child.finished);
     if (record.flake && has_record) record.again = {result->second.verdict, result->second.message};
   }
@@ -680,7 +759,10 @@ class Run {
   std::vector<std::vector<std::string>> sequences_;  // the tests that each child finished, in order
   SuiteChild::Deadline deadline_;                    // of the search in progress
   double searches_left_ = kSearchesBudget;
-  std::set<std::string> searched_;  // tests whose history was looked for
+  std::set<std::string> searched_;                                    // tests whose history was looked for
+  std::map<std::string, std::set<std::string>> tests_that_crash_in_;  // by command
+  std::vector<std::string> crashing_calls_;  // in the order in which they became known
+  std::map<std::string, SameCrashes> same_crashes_;
   std::vector<std::string> guess_;  // the latest history: what one test does to the next, it does to others
 };
 

@@ -19,7 +19,12 @@ constexpr double kMostToEnd = 2;  // seconds, once all tests are over: what it d
 std::string describe(const ChildRun& run, const Limits& limits) {
   if (run.hung) return fmt::format("no answer within {} seconds", limits.seconds_per_test);
   if (run.swelled) return fmt::format("it took more than {} MiB of memory", limits.memory >> 20);
-  return "the process ended with " + describe(run.ending);
+  std::string text = "the process ended with " + describe(run.ending);
+  if (!run.crash) return text;
+  if (!run.crash->call.empty())
+    text += fmt::format(" in {}, after {} commands", run.crash->call, run.crash->commands_before);
+  if (!run.crash->frames.empty()) text += ", at " + run.crash->frames.front();
+  return text;
 }
 
 SuiteChild::SuiteChild(const std::vector<std::string>& command, const std::filesystem::path& events,
@@ -69,6 +74,7 @@ void SuiteChild::take(const Event& event) {
   if (const auto* start = std::get_if<TestStarted>(&event)) {
     run_.in_flight = start->name;
     run_.last_case.reset();
+    run_.crash.reset();
   } else if (const auto* of_case = std::get_if<CaseStarted>(&event)) {
     run_.last_case = *of_case;
     run_.cases[run_.in_flight].push_back(of_case->identity);
@@ -76,6 +82,8 @@ void SuiteChild::take(const Event& event) {
     run_.finished.push_back(result->record.name);
     run_.records[result->record.name] = result->record;
     run_.in_flight.clear();
+  } else if (const auto* crashed = std::get_if<Crashed>(&event)) {
+    run_.crash = crashed->crash;
   } else if (std::holds_alternative<RunEnded>(event)) {
     run_.complete = true;
   }

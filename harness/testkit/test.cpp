@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include <evalcts/gl/call_in_flight.h>
 #include <evalcts/gl/call_log.h>
 #include <evalcts/gl/display_lists.h>
 #include <evalcts/results/hash.h>
@@ -58,6 +59,22 @@ void Test::require(int major, int minor, const std::string& or_extension) const 
 void Test::require_initial_state() const {
   if (subject_.info.shares_state)
     throw NotObservable("all contexts have one state, which is restored by calls");
+}
+
+std::vector<gl::Ref> Test::append_optional(gl::Case& c, const gl::Case& optional) {
+  std::vector<gl::Ref> places;
+  for (const gl::Command& command : optional.commands()) {
+    if (!subject_.crashing_calls.empty()) {
+      const std::string call = gl::call_text(command);
+      if (subject_.crashing_calls.contains(call)) {
+        if (std::ranges::count(record_.left_out, call) == 0) record_.left_out.push_back(call);
+        places.emplace_back();
+        continue;
+      }
+    }
+    places.push_back(c.add(command));
+  }
+  return places;
 }
 
 // Counts the case and returns it as it is delivered.

@@ -121,6 +121,43 @@ TEST_F(Misdeeds, CrashOfAnyPrimitiveIsNotThatOfEvaluators) {
   EXPECT_EQ(as_text(own.value("verdict", json())), "crash") << own;
 }
 
+// Once three tests have crashed in one query, those that query all state leave it out and are judged; those
+// that need it crash, and several are confirmed only.
+TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
+  const Outcome outcome =
+      drill("query", {"--filter", std::string("Map1Errors.StrideBelowKAtEveryOrder/*:"
+                                              "Map1Errors.RefusedWhileAnErrorWaits/*:Map1State.S*tride/*") +
+                                      kWithoutLists});
+  EXPECT_EQ(outcome.code, 1);
+  const json result = results("drill");
+  const std::string call = "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)";
+  std::size_t gone_round = 0, confirmed = 0, like_others = 0;
+  for (const json& test : result.at("tests")) {
+    const std::string name = as_text(test["name"]);
+    if (name.starts_with("Map1Errors")) {
+      EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
+      EXPECT_EQ(test.value("left_out", json()), json::array({call})) << test;
+      ++gone_round;
+    } else if (name.find("MAP1_NORMAL") != std::string::npos) {
+      EXPECT_EQ(as_text(test["verdict"]), "crash") << test;
+      const json crash = test.value("crash", json());
+      EXPECT_EQ(as_text(crash["call"]), call);
+      EXPECT_GT(crash["commands_before"].get<int>(), 0);
+      EXPECT_NE(crash["frames"].dump().find("glGetMapiv+0x"), std::string::npos) << crash;
+      const std::string message = as_text(test["message"]);
+      confirmed += message.find("confirmed alone") != std::string::npos;
+      like_others += message.find("as in 3 tests that were played again alone") != std::string::npos;
+    } else {
+      EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
+      EXPECT_FALSE(test.contains("left_out")) << test;
+    }
+  }
+  EXPECT_GT(gone_round, 5u);
+  EXPECT_EQ(confirmed, 3u);
+  EXPECT_EQ(like_others, 1u);
+  EXPECT_NE(text_of("summary.md").find("Crashes by place"), std::string::npos);
+}
+
 // Side by side, for they take their time.
 TEST_F(Misdeeds, ThatNeverEndAreEnded) {
   const Misdeed misdeeds[] = {{"hang", "timeout", "no answer within 2 seconds", "1"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <evalcts/results/run_result.h>
 #include "evalcts/reports.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr std::size_t kColumns = 100;
 constexpr std::size_t kMostInFull = 8;  // failures, where not all were asked for
 constexpr std::size_t kMostBugs = 24;
+constexpr std::size_t kMostCrashGroups = 4;
 constexpr std::size_t kLinesInFull = 8;    // of a failure: commands take two lines
 constexpr std::size_t kLinesAtEnd = 7;     // what follows the failures, and the prompt
 constexpr std::size_t kMostOfSource = 24;  // columns
@@ -229,6 +231,28 @@ void write_head(Screen& screen, const RunResult& record) {
                 Colour::kYellow);
 }
 
+// Crashes with the same innermost frames in one line each, and what other tests leave out because of them.
+void write_crashes(Screen& screen, const RunResult& record, bool all) {
+  const std::vector<CrashGroup> groups = crash_groups(record);
+  for (std::size_t i = 0; i < groups.size() && (all || i < kMostCrashGroups); ++i)
+    screen.line(fmt::format("  crash of {} in {}: {}", count(groups[i].tests.size(), "test"),
+                            groups[i].call(), groups[i].where),
+                Colour::kRed);
+  if (!all && groups.size() > kMostCrashGroups)
+    screen.line(fmt::format("  and crashes at {} other places", groups.size() - kMostCrashGroups),
+                Colour::kRed);
+  std::set<std::string> calls;
+  std::size_t tests = 0;
+  for (const TestRecord& test : record.tests) {
+    tests += !test.left_out.empty();
+    calls.insert(test.left_out.begin(), test.left_out.end());
+  }
+  if (tests > 0)
+    screen.line(fmt::format("  {} played without what crashes: {}", count(tests, "test"),
+                            join({calls.begin(), calls.end()}, ", ")),
+                Colour::kYellow);
+}
+
 // What decided nothing, one line for each verdict and reason.
 void write_not_judged(Screen& screen, const RunResult& record) {
   std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
@@ -293,6 +317,7 @@ std::string terminal_summary(const RunResult& record, const Catalogue& catalogue
                              std::size_t lines) {
   Screen screen(colour, !verbose);
   write_head(screen, record);
+  write_crashes(screen, record, verbose);
 
   std::vector<const TestRecord*> failing, others;  // in full; in one line
   for (const TestRecord& test : record.tests) {

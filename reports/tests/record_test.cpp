@@ -249,6 +249,30 @@ TEST(RunResult, SeverityPutsTheUnexpectedFirst) {
   EXPECT_EQ(severity("internal-error", true), severity("internal-error", false));
 }
 
+// One place: the same innermost frames, whatever the C library is in and whoever has called.
+TEST(RunResult, CrashesAreGroupedByTheirInnermostFrames) {
+  const auto crash = [](const char* name, const char* call, const std::vector<std::string>& frames) {
+    return json{{"name", name},
+                {"verdict", "crash"},
+                {"crash", {{"call", call}, {"commands_before", 3}, {"frames", frames}}}};
+  };
+  const RunResult result = read_run_result(
+      {{"tests",
+        {crash("A.one", "glEnd()", {"libGL.so.1 glEnd+0x8"}),
+         crash("A.two", "glMap1f(GL_MAP1_INDEX, ...)",
+               {"libc.so.6+0x1", "gl+0x2", "gl+0x3", "gl+0x4", "gl+0x5"}),
+         crash("A.three", "glMap1d(GL_MAP1_INDEX, ...)", {"libc.so.6+0x9", "gl+0x2", "gl+0x3", "gl+0x4"}),
+         json{{"name", "A.four"}, {"verdict", "crash"}}}}});
+  const std::vector<CrashGroup> groups = crash_groups(result);
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].where, "gl+0x2 < gl+0x3 < gl+0x4");
+  EXPECT_EQ(groups[0].tests.size(), 2u);
+  EXPECT_EQ(groups[0].call(), "glMap1d(GL_MAP1_INDEX, ...) and 1 more");
+  EXPECT_EQ(groups[1].where, "libGL.so.1 glEnd+0x8");
+  EXPECT_EQ(groups[1].call(), "glEnd()");
+  EXPECT_EQ(parse_run_result(to_text(result)).tests[1].crash->frames, result.tests[1].crash->frames);
+}
+
 TEST(RunResult, TextOfAFile) {
   const std::string head = R"({"format": "evalcts-results-1", "reason": )";
   EXPECT_EQ(parse_run_result(head + R"("fine"})").reason, "fine");

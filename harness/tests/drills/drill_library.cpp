@@ -14,8 +14,9 @@
 //   "control-error": it leaves an error behind, and every evaluated one loses the current colour; "history":
 //   in a context where that happened, GetMapiv says that maps of VERTEX_3 have one point more; "worn": in a
 //   context with 45 primitives, which one random program has not, IsEnabled says the opposite; "worn-out":
-//   with 400; "end": every primitive crashes at its end; "evaluation": every EvalCoord1f crashes;
-//   "terminate": DRILL_LAYER terminates the EGL display when it is loaded.
+//   with 400; "query": GetMapiv of NORMAL reads from nowhere; "end": every primitive crashes at its end;
+//   "evaluation": every EvalCoord1f crashes; "terminate": DRILL_LAYER terminates the EGL display when it is
+//   loaded.
 #ifdef DRILL_LAYER
 #define EGL_NO_X11
 #include <EGL/egl.h>
@@ -55,6 +56,12 @@ bool drill(const char* name) {
 }
 
 using misdeeds::crash;
+
+[[maybe_unused]] void read_from_nowhere() {
+  volatile std::uintptr_t nowhere = 64;
+  [[maybe_unused]] const int value =
+      *reinterpret_cast<volatile int*>(nowhere);  // NOLINT(performance-no-int-to-ptr): nowhere on purpose
+}
 
 [[maybe_unused]] void misbehave() {
   if (drill("both") || (drill("second") && seven_was_seen)) crash();
@@ -164,6 +171,7 @@ EXPORT void glGetMapdv(GLenum target, GLenum query, GLdouble* values) {
   glevGetMapdv(current, target, query, values);
 }
 EXPORT void glGetMapiv(GLenum target, GLenum query, GLint* values) {
+  if (drill("query") && target == GL_MAP1_NORMAL) read_from_nowhere();
   glevGetMapiv(current, target, query, values);
   if (odd_answers && target == GL_MAP1_INDEX && query == GL_ORDER) ++*values;
   if (drill("history") && odd_context && target == GL_MAP1_VERTEX_3 && query == GL_ORDER) ++*values;

@@ -12,6 +12,9 @@ namespace evalcts::gl {
 std::string token_name(GLenum token);
 // "GL_POINTS" ... "GL_POLYGON".
 std::string primitive_name(GLenum mode);
+// The same names, or null for a value that has none. Allocate nothing once they have been called.
+const char* known_token(GLenum token);
+const char* known_primitive(GLenum mode);
 // "GL_NO_ERROR", "GL_INVALID_ENUM", ...
 std::string error_name(GLenum error);
 

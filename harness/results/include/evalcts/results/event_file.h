@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace evalcts {
 
@@ -25,6 +26,9 @@ class EventFile {
   // Writes a line, which ends with a newline, at once: no result is lost when the process dies. A process
   // that a library has forked off ends here. If the file cannot be written the process ends as above.
   void write(const std::string& line);
+  // The same in a signal handler (async-signal-safe). Writes nothing in a process that a library has forked
+  // off, or if the file cannot be written: the process is about to end anyway.
+  void write_in_handler(std::string_view line) const noexcept;
 
   // True if somebody else closed the descriptor and the file had to be opened again.
   bool was_closed() const { return was_closed_; }

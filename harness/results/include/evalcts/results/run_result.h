@@ -113,4 +113,15 @@ struct RunResult {
   std::string file_label() const;
 };
 
+// Tests that crash with the same innermost frames.
+struct CrashGroup {
+  std::string where;                 // see Crash::group()
+  std::map<std::string, int> calls;  // the commands in flight, with the number of tests
+  std::vector<const TestRecord*> tests;
+  // The command in flight in most of the tests, and how many others there are: "glEnd() and 2 more".
+  std::string call() const;
+};
+// The largest group first. Points into `result`.
+std::vector<CrashGroup> crash_groups(const RunResult& result);
+
 }  // namespace evalcts

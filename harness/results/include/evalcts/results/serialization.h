@@ -48,12 +48,16 @@ struct CaseFailed {
 struct TestFinished {
   TestRecord record;
 };
+// The last event of a process that a signal ends.
+struct Crashed {
+  Crash crash;
+};
 struct RunEnded {};
 // An event of another kind, for a reader that knows it.
 struct OtherEvent {
   std::string line;
 };
-using Event = std::variant<TestStarted, CaseStarted, CaseFailed, TestFinished, RunEnded, OtherEvent>;
+using Event = std::variant<TestStarted, CaseStarted, CaseFailed, TestFinished, Crashed, RunEnded, OtherEvent>;
 
 std::string to_line(const Event& event);
 // None if the line is not an event, such as a line that was cut off.

@@ -37,6 +37,17 @@ struct Failure {
   bool operator==(const Failure&) const = default;
 };
 
+// Where a library crashed.
+struct Crash {
+  std::string
+      call;  // the GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if none was
+  std::uint64_t commands_before = 0;  // of the case that it is in
+  std::vector<std::string> frames;    // the innermost first, "libGL.so.1 glGetMapiv+0x2c"; empty if unknown
+
+  // The same for crashes with the same innermost frames; crashes without frames are told apart by their call.
+  std::string group() const;
+};
+
 // Outcome of a flake when it was repeated alone in a new process.
 struct Repetition {
   Verdict verdict = Verdict::kPass;
@@ -59,6 +70,8 @@ struct TestRecord {
   std::vector<Failure> failures;        // the first few, in full
   std::string capture;                  // the first that was used; empty if none was
   std::string unobserved;               // attributes that the test is about, but no capture shows
+  std::vector<std::string> left_out;    // commands that the test can do without, because they crash
+  std::optional<Crash> crash;           // for a crash, if the process could report it
   std::optional<Accuracy> accuracy;
   std::map<std::string, std::string> readings;  // of ambiguous texts, that the implementation follows
 

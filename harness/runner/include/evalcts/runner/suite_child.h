@@ -21,6 +21,7 @@ struct ChildRun {
   std::vector<std::string> finished;                      // in the order in which they ran
   std::string in_flight;                                  // the test that the child died in
   std::optional<CaseStarted> last_case;                   // of that test, where cases were traced
+  std::optional<Crash> crash;                             // of that test, as the child could report it
   std::map<std::string, std::vector<std::string>> cases;  // the identities of each test's, where traced
   bool hung = false;
   bool swelled = false;    // it took more memory than it may
@@ -37,7 +38,7 @@ struct Limits {
 };
 
 // How it ended: "no answer within 60 seconds", "it took more than 4096 MiB of memory", "the process ended
-// with ...".
+// with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
 std::string describe(const ChildRun& run, const Limits& limits);
 
 class SuiteChild {

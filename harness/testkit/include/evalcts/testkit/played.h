@@ -40,7 +40,7 @@ class Played {
   }
   // The query left its array alone.
   void expect_nothing_written(gl::Ref query);
-  // Two queries gave the same answer, bit for bit.
+  // Two queries gave the same answer, bit for bit. Nothing is expected if one of them was left out.
   void expect_same(gl::Ref before, gl::Ref after);
   // Anything else: `captured` and `expected` are for the reader.
   void expect(bool holds, gl::Ref command, const std::string& message, const std::string& expected,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include <evalcts/backends/implementation.h>
@@ -23,6 +24,7 @@ struct Subject {
   Captures* captures = nullptr;
   Depth depth = Depth::full;
   std::uint32_t seed = 1;
+  std::set<std::string> crashing_calls;              // as gl::call_text writes them, see append_optional
   std::map<std::string, std::string> readings;       // of ambiguous text that are asked for, by its name
   std::function<void(const gl::Case&)> before_case;  // may be empty
   Reproduction* reproduction = nullptr;              // null unless a C program of the first failure is wanted

@@ -77,6 +77,11 @@ class Test {
   // and polygons wherever they come in it, so that what draws them in another order fails where that is said.
   void judge_order_of_meshes() { judges_order_of_meshes_ = true; }
 
+  // Appends commands that the test can do without, apart from those that crash the implementation; the record
+  // names these. Returns where each command has come to stand; no position (-1) if it was left out. No
+  // command uses what another one gives.
+  std::vector<gl::Ref> append_optional(gl::Case& c, const gl::Case& optional);
+
   // Plays the case in a fresh context. Errors that the case leaves behind unasked are failures.
   Played play(const gl::Case& script);
 

@@ -1,0 +1,170 @@
+#include "crash_report.h"
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <sys/types.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include <evalcts/gl/call_in_flight.h>
+
+namespace evalcts {
+namespace {
+
+constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::size_t kMostFrames = 8;      // that are reported
+constexpr std::size_t kMostUnwound = 64;    // the handler's own among them
+constexpr std::size_t kStack = 128 * 1024;  // bytes for the handler, after an overflow of the stack
+constexpr std::size_t kMostOfLine = 4096;   // bytes
+constexpr std::string_view kLibraryOfRaise = "libc.so";
+
+const EventFile* events_of_process = nullptr;
+std::array<struct sigaction, kSignals.size()> earlier_actions;
+alignas(16) std::array<std::byte, kStack> handler_stack;
+
+// A line of JSON, made without allocations.
+class Line {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text)
+      if (length_ < text_.size()) text_[length_++] = c;
+  }
+  // Text from elsewhere: characters that a JSON string cannot hold are left out.
+  void add_text(std::string_view text) {
+    for (const char c : text)
+      if (c >= ' ' && c < 0x7F && c != '"' && c != '\\') add({&c, 1});
+  }
+  void add_number(std::uint64_t value, int base = 10) {
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, base).ptr;
+    add({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  }
+  std::string_view text() const { return {text_.data(), length_}; }
+
+ private:
+  std::array<char, kMostOfLine> text_{};
+  std::size_t length_ = 0;
+};
+
+std::string_view file_name(const char* path) {
+  const std::string_view whole = path ? path : "";
+  return whole.substr(whole.rfind('/') + 1);
+}
+
+std::uintptr_t interrupted_address(const ucontext_t& context) {
+#if defined(__x86_64__)
+  return static_cast<std::uintptr_t>(context.uc_mcontext.gregs[REG_RIP]);
+#elif defined(__aarch64__)
+  return context.uc_mcontext.pc;
+#else
+  return 0;
+#endif
+}
+
+// The address that a call has pushed, if the processor does so.
+std::uintptr_t return_address(const ucontext_t& context) {
+#if defined(__x86_64__)
+  return *reinterpret_cast<const std::uintptr_t*>(context.uc_mcontext.gregs[REG_RSP]);
+#elif defined(__aarch64__)
+  return context.uc_mcontext.regs[30];
+#else
+  return 0;
+#endif
+}
+
+// "libGL.so.1 glGetMapiv+0x2c", or "libGL.so.1+0x5d2c" in a function that is not exported.
+void add_frame(Line& line, std::uintptr_t address, const Dl_info& info) {
+  const std::string_view module = file_name(info.dli_fname);
+  line.add_text(module.empty() ? "code of no file" : module);
+  if (module.empty()) return;
+  if (info.dli_sname) {
+    line.add(" ");
+    line.add_text(info.dli_sname);
+  }
+  line.add("+0x");
+  line.add_number(
+      address - reinterpret_cast<std::uintptr_t>(info.dli_sname ? info.dli_saddr : info.dli_fbase), 16);
+}
+
+void add_frames(Line& line, const siginfo_t& signal, const ucontext_t& context) {
+  std::array<void*, kMostUnwound> unwound{};
+  auto count = static_cast<std::size_t>(backtrace(unwound.data(), static_cast<int>(unwound.size())));
+  const std::uintptr_t interrupted = interrupted_address(context);
+  std::size_t at = 0;
+  while (at < count && reinterpret_cast<std::uintptr_t>(unwound[at]) != interrupted) ++at;
+  Dl_info info{};
+  if (at == count || dladdr(unwound[at], &info) == 0) {
+    // A call of an address without code: its caller is the innermost frame that means something.
+    unwound[0] = reinterpret_cast<void*>(return_address(context));  // NOLINT(performance-no-int-to-ptr)
+    at = 0;
+    count = 1;
+  }
+  Dl_info own{};
+  dladdr(reinterpret_cast<void*>(&report_crashes), &own);
+  const bool was_raised = signal.si_code <= 0;
+  std::size_t written = 0;
+  bool left_library = false;
+  for (const std::size_t innermost = at; at < count && written < kMostFrames && !left_library; ++at) {
+    // A return address may lie behind the function that has called.
+    const auto address = reinterpret_cast<std::uintptr_t>(unwound[at]) - (at == innermost ? 0 : 1);
+    info = {};
+    dladdr(reinterpret_cast<void*>(address), &info);  // NOLINT(performance-no-int-to-ptr)
+    if (was_raised && written == 0 && at + 1 < count &&
+        file_name(info.dli_fname).starts_with(kLibraryOfRaise))
+      continue;  // raise() and abort() say nothing about the cause
+    left_library = written > 0 && info.dli_fbase == own.dli_fbase;
+    if (left_library) break;
+    line.add(written++ > 0 ? R"(",")" : R"(")");
+    add_frame(line, address, info);
+  }
+  if (written > 0) line.add(R"(")");
+}
+
+void handle(int signal, siginfo_t* details, void* context) {
+  Line line;
+  line.add(R"({"event":"crash","crash":{"call":")");
+  if (const gl::Command* const command = gl::call_in_flight.command) {
+    std::array<char, 256> text{};
+    line.add_text({text.data(), gl::write_call(*command, text.data(), text.size())});
+    line.add(R"(","commands_before":)");
+    line.add_number(gl::call_in_flight.position);
+  } else {
+    line.add(R"(","commands_before":0)");
+  }
+  line.add(R"(,"frames":[)");
+  add_frames(line, *details, *static_cast<const ucontext_t*>(context));
+  line.add("]}}\n");
+  events_of_process->write_in_handler(line.text());
+  // What caused the signal happens again, or the signal is sent again.
+  for (std::size_t i = 0; i < kSignals.size(); ++i)
+    if (kSignals[i] == signal) sigaction(signal, &earlier_actions[i], nullptr);
+  if (details->si_code <= 0) raise(signal);
+}
+
+}  // namespace
+
+void report_crashes(const EventFile& events) {
+  events_of_process = &events;
+  // These load a library and build a table at their first call, which a signal handler must not do.
+  void* unused = nullptr;
+  backtrace(&unused, 1);
+  gl::call_text({gl::EntryPoint::Begin, {std::int64_t{0}}});
+  gl::call_text({gl::EntryPoint::Enable, {std::int64_t{0}}});
+  stack_t stack{};
+  stack.ss_sp = handler_stack.data();
+  stack.ss_size = handler_stack.size();
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_sigaction = handle;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &earlier_actions[i]);
+}
+
+}  // namespace evalcts
