@@ -117,9 +117,14 @@ EVALCTS_TEST(DisplayLists, CompilingDrawsNothing, must, "EV-DL-COMPILED", combin
 void expect_changed(CheckedCase& c, const std::vector<gl::Ref>& before, const std::vector<gl::Ref>& after,
                     const char* message) {
   c.expect([=](Played& played) {
-    bool changed = false;
-    for (std::size_t i = 0; i < before.size(); ++i)
-      changed = changed || !played.trace().same(before[i], played.trace(), after[i]);
+    bool changed = false, left_out = false;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (before[i].index < 0 || after[i].index < 0)
+        left_out = true;
+      else
+        changed = changed || !played.trace().same(before[i], played.trace(), after[i]);
+    }
+    if (!changed && left_out) throw NotObservable("the queries that may show it crash or are rejected");
     played.expect(changed, after.front(), message, "other answers", "the same answers");
   });
 }
