@@ -65,7 +65,7 @@ const std::unordered_map<GLenum, std::string>& names() {
 
 const char* known_token(GLenum token) {
   const auto found = names().find(token);
-  return found == names().end() ? nullptr : found->second;
+  return found == names().end() ? nullptr : found->second.c_str();
 }
 
 std::string token_name(GLenum token) {
