@@ -138,7 +138,7 @@ TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
   const std::string call = "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)";
   std::size_t gone_round = 0, confirmed = 0, like_others = 0;
   for (const json& test : result.at("tests")) {
-    const std::string name = as_text(test["name"]);
+    const std::string name(as_text(test["name"]));
     if (name.starts_with("Map1Errors")) {
       EXPECT_EQ(as_text(test["verdict"]), "pass") << test;
       EXPECT_EQ(test.value("left_out", json()), json::array({call})) << test;
@@ -149,7 +149,7 @@ TEST_F(Misdeeds, CrashOfAQueryCostsTheTestsThatNeedIt) {
       EXPECT_EQ(as_text(crash["call"]), call);
       EXPECT_GT(crash["commands_before"].get<int>(), 0);
       EXPECT_NE(crash["frames"].dump().find("glGetMapiv+0x"), std::string::npos) << crash;
-      const std::string message = as_text(test["message"]);
+      const std::string message(as_text(test["message"]));
       confirmed += message.find("confirmed alone") != std::string::npos;
       like_others += message.find("as in 3 tests that were played again alone") != std::string::npos;
     } else {
