@@ -40,6 +40,20 @@ std::optional<Verdict> read_verdict(const JsonObject& in) {
   return verdict;
 }
 
+std::vector<PlottedPrimitive> read_primitives(const JsonObject& in, const std::string& key) {
+  std::vector<PlottedPrimitive> out;
+  in.each_object(key, [&](const JsonObject& item) {
+    PlottedPrimitive& primitive = out.emplace_back();
+    primitive.mode = item.text("mode");
+    const std::vector<double> coordinates = item.reals("positions");
+    for (std::size_t i = 0; i + 3 <= coordinates.size(); i += 3) {
+      std::array<float, 3>& position = primitive.positions.emplace_back();
+      for (std::size_t j = 0; j < 3; ++j) position[j] = static_cast<float>(coordinates[i + j]);
+    }
+  });
+  return out;
+}
+
 Failure read_failure(const JsonObject& in) {
   Failure out;
   out.case_identity = in.text("case");
@@ -52,6 +66,8 @@ Failure read_failure(const JsonObject& in) {
   out.ulp = in.distance("ulp");
   out.condition_aware = in.distance("condition_aware");
   out.calls = in.texts("calls");
+  if (const auto plot = in.object("plot"))
+    out.plot = {read_primitives(*plot, "expected"), read_primitives(*plot, "captured"), plot->boolean("cut")};
   return out;
 }
 

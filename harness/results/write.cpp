@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 
 #include <evalcts/results/json.h>
 #include <evalcts/results/serialization.h>
@@ -33,12 +36,36 @@ void set_distances(json& object, const Failure& failure) {
   if (failure.condition_aware) object["condition_aware"] = number(*failure.condition_aware);
 }
 
+// Five digits are enough for a picture. JSON has no infinities: they become null.
+json rounded(float value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+}
+
+json to_json(const std::vector<PlottedPrimitive>& primitives) {
+  json out = json::array();
+  for (const PlottedPrimitive& primitive : primitives) {
+    json positions = json::array();
+    for (const auto& position : primitive.positions)
+      for (const float coordinate : position) positions.push_back(rounded(coordinate));
+    out.push_back({{"mode", primitive.mode}, {"positions", std::move(positions)}});
+  }
+  return out;
+}
+
+json to_json(const Plot& plot) {
+  json out = {{"expected", to_json(plot.expected)}, {"captured", to_json(plot.captured)}};
+  set(out, "cut", plot.is_cut);
+  return out;
+}
+
 json to_json(const Failure& failure) {
   json out = {{"case", failure.case_identity}, {"message", failure.message},   {"what", failure.what},
               {"expected", failure.expected},  {"captured", failure.captured}, {"calls", failure.calls}};
   set(out, "exact", failure.exact);
   set(out, "capture", failure.capture);
   set_distances(out, failure);
+  if (failure.plot) out["plot"] = to_json(*failure.plot);
   return out;
 }
 

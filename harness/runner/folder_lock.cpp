@@ -15,7 +15,7 @@
 namespace evalcts {
 namespace {
 
-// Whether the descriptor's file is still the one of that name: its owner removes it in the end.
+// Returns true if the descriptor's file is still the one of that name. Its owner removes it in the end.
 bool is_file_of(int descriptor, const std::filesystem::path& path) {
   struct stat mine {};
   struct stat there {};

@@ -1,4 +1,4 @@
-// Which of the tests before it a failure depends on.
+// History of a failure: the tests before it that it depends on.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace evalcts {
 
-// What was found out about the tests that have to come before a failing one.
+// The tests that have to come before a failing one, as far as they were found.
 struct History {
   enum class Found {
     shortest,        // `tests` is as short as single tests can make it
@@ -20,7 +20,7 @@ struct History {
   std::vector<std::string> tests;
 };
 
-// Whether the failure shows after these tests, in this order; empty where that could not be learnt in time.
+// Returns true if the failure shows after these tests, in this order; empty if time ran out first.
 using HappensAfter = std::function<std::optional<bool>(const std::vector<std::string>&)>;
 
 // The shortest history of a failure that does not happen alone: the last predecessors, doubled in number

@@ -72,7 +72,7 @@ void OutputLog::finish() {
 }
 
 void OutputLog::take_line(const std::string& line) {
-  // What the library printed last need not have ended its line.
+  // The library need not have ended its last line.
   if (const std::size_t test = line.find(kTestBegins); test != std::string::npos) {
     say_what_is_left_out();
     kept_ = 0;

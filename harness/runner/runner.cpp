@@ -125,7 +125,7 @@ class Run {
     return header;
   }
 
-  // What is judged and how, in options that `evalcts run` and the suite program share.
+  // Options that `evalcts run` and the suite program share.
   std::vector<std::string> shared_options() const {
     std::vector<std::string> options = {"--depth", name_of(request_.depth), "--seed",
                                         std::to_string(request_.seed)};
@@ -146,7 +146,7 @@ class Run {
     return command;
   }
 
-  // What to do next about a failure: judge this test alone, open it in a debugger, make a C program of it.
+  // Adds the commands for a failure: judge this test alone, open it in a debugger, make a C program of it.
   void add_commands(TestRecord& record) const {
     // Over a shared context, with the tests that have to come before.
     std::string filter = record.name;
@@ -266,7 +266,7 @@ class Run {
     return runs;
   }
 
-  // Where the disk is full, how a child ends says nothing of the library.
+  // If the disk is full, the end of a child says nothing of the library.
   void throw_if_it_cannot_write(const ChildRun& run) const {
     if (!run.cannot_write.empty())
       throw CannotWrite(fmt::format("cannot write into '{}': {}", request_.output.string(),
@@ -421,7 +421,7 @@ class Run {
     return run.hung ? Verdict::kTimeout : Verdict::kCrash;
   }
 
-  // What is known of crashes in one command with the same innermost frames.
+  // Crashes in one command with the same innermost frames.
   struct SameCrashes {
     std::size_t confirmed = 0;  // crashed alone, too, in the same way
     std::size_t others = 0;     // did something else alone
@@ -439,7 +439,7 @@ class Run {
     return same_crashes_[run.crash->call + "\n" + run.crash->group()];
   }
 
-  // Those children that died in a test. The test is played alone, but for crashes in a map command of which
+  // Records the tests that children died in. Each is played alone, but for crashes in a map command of which
   // several have been confirmed, and none has turned out to be something else.
   void record_deaths(const std::vector<ChildRun>& ended) {
     std::vector<const ChildRun*> first, like_others, rest;
@@ -646,7 +646,7 @@ class Run {
     return {};
   }
 
-  // Whether the same happens to the test when it comes after these; empty where time runs out first.
+  // Returns true if the same happens to the test when it comes after these; empty if time runs out first.
   std::optional<bool> happens_again(const TestRecord& record, std::vector<std::string> tests) {
     const std::string& name = record.name;
     tests.push_back(name);
@@ -690,7 +690,8 @@ class Run {
     record.history_case = only_case;
   }
 
-  // Of the one test that has to come before: the case without which (and those after it) it does not happen.
+  // Returns the case of the one test that has to come before without which (and those after it) the failure
+  // does not happen.
   std::string case_of_history(const TestRecord& record, const std::string& test) {
     const ChildRun traced = run_scratch({test, record.name}, "--trace-cases");
     const auto cases = traced.cases.find(test);

@@ -142,7 +142,7 @@ void handle(int signal, siginfo_t* details, void* context) {
   add_frames(line, *details, *static_cast<const ucontext_t*>(context));
   line.add("]}}\n");
   events_of_process->write_in_handler(line.text());
-  // What caused the signal happens again, or the signal is sent again.
+  // The instruction that caused the signal is executed again, or the signal is sent again.
   for (std::size_t i = 0; i < kSignals.size(); ++i)
     if (kSignals[i] == signal) sigaction(signal, &earlier_actions[i], nullptr);
   if (details->si_code <= 0) raise(signal);

@@ -91,7 +91,7 @@ void keep_failing_case(Program& program) {
   program.failing_case = gl::to_text_if_possible(program.latest_case);
 }
 
-// How a test looks to GoogleTest: failures fail, what was not judged is skipped with its reason.
+// Shows a test to GoogleTest: failures fail, and a test that was not judged is skipped with its reason.
 class GoogleTestAdapter : public testing::Test {
  public:
   GoogleTestAdapter(const Chosen& chosen, Program& program) : chosen_(chosen), program_(program) {}
@@ -126,7 +126,7 @@ class GoogleTestAdapter : public testing::Test {
     if (!changed.empty())
       std::cout << fmt::format("evalcts: the library has changed {}; put back", fmt::join(changed, ", "))
                 << std::endl;
-    // Who knows what else was closed: the rest is for a new process, which the runner starts.
+    // The library may have closed other files, too: the rest is for a new process, which the runner starts.
     if (program_.records->was_closed()) _exit(0);
   }
 

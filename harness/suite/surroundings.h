@@ -1,4 +1,4 @@
-// What all code in a process shares, and a library must leave alone: remembered, and put back.
+// State that all code in a process shares and a library must leave alone: remembered, and put back.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace evalcts {
 
 class Surroundings {
  public:
-  // As they are now.
+  // Remembers the present state.
   Surroundings();
 
   // Puts back what has changed since, and says what that was: "the working directory", "the locale", "a

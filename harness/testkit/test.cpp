@@ -12,6 +12,7 @@
 #include <evalcts/gl/display_lists.h>
 #include <evalcts/results/hash.h>
 #include <evalcts/testkit/reproduction.h>
+#include "plot.h"
 #include "schedule.h"
 
 namespace evalcts {
@@ -240,8 +241,9 @@ void Test::judge_emission(const gl::Case& script, const Prediction& prediction, 
                                         capture->name(), mismatch.message));
   unobserved_ |= required & kAllAttributes & ~capture->shown_of(required);
   control_.set_observed(script, *capture, capture->shown());
-  fail_each(script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation,
-            [&](const Observation& seen) { return judged(seen).mismatches; });
+  fail_each(
+      script, *capture, {capture->shown(), room, kinds_of(prediction)}, observation,
+      [&](const Observation& seen) { return judged(seen).mismatches; }, &prediction);
   if (judgement.accuracy.values + judgement.accuracy.not_judged > 0) {
     if (!record_.accuracy) record_.accuracy.emplace();
     record_.accuracy->add(judgement.accuracy);
@@ -258,7 +260,7 @@ void Test::expect_observation(const gl::Case& written, Attributes required, std:
 }
 
 void Test::fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
-                     const Observation& seen, const OwnJudge& judge) {
+                     const Observation& seen, const OwnJudge& judge, const Prediction* prediction) {
   const std::vector<Mismatch> mismatches = judge(seen);
   for (const Mismatch& mismatch : mismatches) {
     Failure failure;
@@ -273,6 +275,11 @@ void Test::fail_each(const gl::Case& script, const Capture& capture, const Wante
       failure.condition_aware = mismatch.condition_aware;
     }
     failure.capture = capture.name();
+    const bool is_seen_in_plot =
+        mismatch.of == Mismatch::Of::vertices || mismatch.what.starts_with("position");
+    if (prediction && is_seen_in_plot && (seen.attributes & kPosition) &&
+        std::ranges::none_of(record_.failures, [](const Failure& other) { return other.plot.has_value(); }))
+      failure.plot = plot_of(*prediction, seen);
     std::optional<gl::Check> check;
     if (subject_.reproduction)
       check = subject_.reproduction->check_of(mismatch, mismatches, [&](Implementation& implementation) {

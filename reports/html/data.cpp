@@ -117,13 +117,31 @@ class Writer {
 
   Number text(const std::string& text) { return strings_.number_of(text); }
 
+  // "GL_LINE_STRIP x y z x y z ...", a line for each primitive.
+  static std::string plotted(const std::vector<PlottedPrimitive>& primitives) {
+    std::string out;
+    for (const PlottedPrimitive& primitive : primitives) {
+      out += out.empty() ? "" : "\n";
+      out += primitive.mode;
+      for (const auto& position : primitive.positions)
+        for (const float coordinate : position) out += fmt::format(" {:.5g}", coordinate);
+    }
+    return out;
+  }
+  // The primitives expected and captured, and 1 if there are more; empty without a plot.
+  json plot_of(const Failure& failure) {
+    if (!failure.plot) return json::array();
+    const Plot& plot = *failure.plot;
+    return {plotted(plot.expected), plotted(plot.captured), plot.is_cut ? 1 : 0};
+  }
+
   Number failure(const Failure& failure) {
     Numbers lines;
     for (const std::string& line : failure.calls) lines.push_back(text(line));
     return failures_.number_of({text(failure.case_identity), text(failure.message), text(failure.what),
                                 text(failure.expected), text(failure.captured), text(failure.exact),
                                 text(failure.capture), text(distance(failure.ulp, failure.condition_aware)),
-                                calls_.number_of(lines)});
+                                calls_.number_of(lines), plots_.number_of(plot_of(failure))});
   }
 
   Number record(const TestRecord& test) {
@@ -151,6 +169,7 @@ class Writer {
     out["strings"] = strings_.as_json();
     out["calls"] = calls_.as_json();
     out["failures"] = failures_.as_json();
+    out["plots"] = plots_.as_json();
     out["violations"] = violations_.as_json();
     out["records"] = records_.as_json();
     out["commands"] = commands_.as_json();
@@ -158,6 +177,7 @@ class Writer {
 
  private:
   Numbering<std::string> strings_;
+  Numbering<json> plots_;
   Numbering<Numbers> calls_, failures_, violations_, records_, commands_;
   std::map<std::string, Number> requirements_;
 };

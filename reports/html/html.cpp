@@ -98,8 +98,8 @@ std::string html(const std::vector<RunResult>& results, const Catalogue& catalog
 
   data page;
   page.set("style", kPageStyle);
-  page.set("script", fmt::format("(() => {{\n'use strict';\n{}{}{}{}{}}})();", kModelScript, kStateScript,
-                                 kElementsScript, kSectionsScript, kPageScript));
+  page.set("script", fmt::format("(() => {{\n'use strict';\n{}{}{}{}{}{}}})();", kModelScript, kStateScript,
+                                 kElementsScript, kPlotScript, kSectionsScript, kPageScript));
   page.set("data", page_data(all, earlier.size(), all_rows, catalogue, all_comparisons(all, columns.size()),
                              compared));
   page.set("accuracy_page", options.accuracy_page);

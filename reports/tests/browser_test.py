@@ -487,6 +487,19 @@ class Address(Browser):
             buttons[label].click()
             self.eventually(True, lambda: expected in driver.execute_async_script(read))
 
+    # One captured vertex is out of place, one is not finite.
+    def test_picture_of_the_vertices(self):
+        self.open("three.html")
+        self.press_toggle("Map1Values.Bezier/TEXTURE_COORD_1/d")
+        self.assertEqual(self.texts(".plot figcaption"),
+                         ["Expected: 1 LINE_STRIP, 3 vertices", "Captured: 1 LINE_STRIP, 4 vertices, 1 not finite"])
+        shapes = "return [...document.querySelectorAll('.plot svg')].map((svg) => svg.querySelectorAll(arguments[0]).length)"
+        self.assertEqual(self.js(shapes, "circle"), [3, 3])
+        self.assertEqual(self.js(shapes, "circle.wrong"), [0, 1])
+        self.assertEqual(self.js(shapes, "line"), [2, 1])
+        self.assertIn("Captured vertices where none is expected are filled. The first vertices only.", self.texts("p.faint"))
+        self.assertEqual(driver.get_log("browser"), [])
+
     def test_addresses_that_are_none(self):
         self.open("three.html")
         everything = self.shown()

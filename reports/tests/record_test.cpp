@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "evalcts/reports.h"
 #include "samples.h"
 
@@ -63,6 +66,13 @@ TEST(RunResult, ReadsEveryField) {
   EXPECT_EQ(failure.condition_aware, 838000.0);
   EXPECT_EQ(failure.capture, "FeedbackBuffer");
   EXPECT_EQ(failure.calls.size(), 6u);
+  ASSERT_TRUE(failure.plot);
+  EXPECT_TRUE(failure.plot->is_cut);
+  ASSERT_EQ(failure.plot->captured.size(), 1u);
+  EXPECT_EQ(failure.plot->captured[0].mode, "GL_LINE_STRIP");
+  ASSERT_EQ(failure.plot->captured[0].positions.size(), 4u);
+  EXPECT_EQ(failure.plot->captured[0].positions[1], (std::array<float, 3>{0.5f, 0.25f, 0}));
+  EXPECT_TRUE(std::isnan(failure.plot->captured[0].positions[2][0]));
   ASSERT_TRUE(test.accuracy);
   EXPECT_EQ(test.accuracy->values, 12u);
   EXPECT_EQ(test.accuracy->not_correctly_rounded, 2u);

@@ -8,7 +8,7 @@ const FAIL = words.indexOf('fail'), WARNING = words.indexOf('quality-warning'), 
 // Fields of records and failures.
 const VERDICT = 0, SEVERITY = 1, FLAGS = 2, MESSAGE = 3, BASELINE = 4, FACTS = 5, ACCURACY = 6, VIOLATED = 7, FAILURES = 8;
 const UNEXPECTED = 1, KNOWN = 2, FLAKE = 4;  // flags
-const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8;
+const CASE = 0, MESSAGE_OF_FAILURE = 1, WHAT = 2, EXPECTED = 3, CAPTURED = 4, EXACT = 5, CAPTURE = 6, DISTANCE = 7, CALLS = 8, PLOT = 9;
 
 const tests = data.tests.map(([name, level, ...requirements], number) => ({
   number, name: text(name), theme: text(name).split('.')[0], level: data.levels[level], requirements}));

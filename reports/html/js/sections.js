@@ -241,9 +241,9 @@ function failureOf(number, above) {
   const same = above !== undefined && data.failures[above][CALLS] === failure[CALLS] && lines.length;
   return fold({class: 'case', open: above === undefined},
               [shownText(text(failure[CASE])) || 'this test', ' ', faint(text(failure[DISTANCE]))],
-              () => [failureDetails(failure),
+              () => [failureDetails(failure), plotOf(failure),
                      same ? el('p', null, 'The GL calls are those of the failure above.') :
-                            program('GL calls of this case', lines, 'Copy calls')].filter(Boolean));
+                            program('GL calls of this case', lines, 'Copy calls')].flat().filter(Boolean));
 }
 
 const commandsOf = (test, column) =>

@@ -99,6 +99,16 @@ class JsonObject {
     return out;
   }
 
+  // Numbers that may be infinite or NaN, which JSON writers spell as null: they become NaN.
+  std::vector<double> reals(const std::string& key) const {
+    std::vector<double> out;
+    each(key, [&](const auto& item, const std::string& where) {
+      if (!item.is_null() && !item.is_number()) fail(where, "a number", item);
+      out.push_back(item.is_null() ? std::numeric_limits<double>::quiet_NaN() : item.template get<double>());
+    });
+    return out;
+  }
+
   // Calls use(element, its path) for each element of an array.
   template <class Use>
   void each(const std::string& key, Use use) const {

@@ -1,6 +1,8 @@
 // The record of one test: its verdict, and what it rests on.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -22,6 +24,24 @@ struct ListedTest {
   Depth from = Depth::quick;  // the least depth that plays it unless its exact name is asked for
 };
 
+// Vertices of a primitive, for a plot.
+struct PlottedPrimitive {
+  std::string mode;  // "GL_LINE_STRIP"
+  std::vector<std::array<float, 3>> positions;
+
+  bool operator==(const PlottedPrimitive&) const = default;
+};
+
+// Primitives of a failing case as they are expected and as they were captured, for a picture in the report.
+struct Plot {
+  static constexpr std::size_t kMostVertices = 96;  // of each side
+
+  std::vector<PlottedPrimitive> expected, captured;
+  bool is_cut = false;  // there are more vertices
+
+  bool operator==(const Plot&) const = default;
+};
+
 // One failing case of a test.
 struct Failure {
   std::string case_identity;
@@ -33,6 +53,7 @@ struct Failure {
   std::string capture;                         // the capture that saw it
   std::optional<double> ulp, condition_aware;  // infinite for an infinite error
   std::vector<std::string> calls;              // the GL commands of the case, as C
+  std::optional<Plot> plot;                    // of the first failure of a test in positions or vertices
 
   bool operator==(const Failure&) const = default;
 };

@@ -12,7 +12,7 @@
 
 namespace evalcts {
 
-// How a process ended.
+// The end of a process, by exit or by signal.
 struct Ending {
   bool signalled = false;
   int value = 0;  // exit status or signal
@@ -29,7 +29,7 @@ void adopt_what_children_leave();
 
 class ChildProcess {
  public:
-  // Whether all that it prints is kept, or what kMostPrinted says.
+  // Keeps all that the process prints, or no more than kMostPrinted.
   enum class Prints { unlimited, limited };
 
   // Standard input is empty; standard output and error are appended to `log` (empty: thrown away). Throws

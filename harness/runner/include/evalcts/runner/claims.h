@@ -1,4 +1,4 @@
-// Which test of a list is whose: processes that work through the same list side by side take each test once.
+// Claims to the tests of a list: processes that work through it side by side take each test once.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// What a child process prints, on its way into a log: through a pipe, so that a library that floods its
-// output fills no disk, and so that its last words are known where the disk is full.
+// A pipe between a child process and its log, so that a library that floods its output fills no disk, and so
+// that its last words are known where the disk is full.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class OutputLog {
   int writer() const { return writer_; }
   void close_writer();
 
-  // To wait for; negative once nobody writes any more.
+  // A descriptor to wait for; negative once nobody writes any more.
   int reader() const { return reader_; }
   // Takes in what has come, without waiting for more. What cannot be written is lost: nothing depends on it.
   void take();

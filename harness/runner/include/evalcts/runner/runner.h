@@ -48,7 +48,8 @@ struct Progress {
   std::string test;
 };
 
-// Of more unexpected fails than these, one of each group of fails that look alike is played again.
+// The most unexpected fails that are all played again. If there are more, one of each group of fails that
+// look alike is.
 inline constexpr std::size_t kMostPlayedAgain = 100;
 
 // Runs everything and returns the content of results-NAME.json (format "evalcts-results-1"), written by

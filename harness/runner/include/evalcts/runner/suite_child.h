@@ -15,7 +15,7 @@
 
 namespace evalcts {
 
-// What one child made of its tests.
+// The tests of one child, and their records.
 struct ChildRun {
   std::map<std::string, TestRecord> records;
   std::vector<std::string> finished;                      // in the order in which they ran
@@ -31,14 +31,15 @@ struct ChildRun {
   Ending ending;
 };
 
-// What a library may take before it counts as one that never stops: far more than any GL needs for a test.
+// Time and memory after which a library counts as one that never stops: far more than any GL needs for a
+// test.
 struct Limits {
   double seconds_per_test = 60;
   std::uint64_t memory = std::uint64_t{4096} << 20;  // bytes of a process
 };
 
-// How it ended: "no answer within 60 seconds", "it took more than 4096 MiB of memory", "the process ended
-// with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
+// Returns how the child ended: "no answer within 60 seconds", "it took more than 4096 MiB of memory", "the
+// process ended with ... in glEnd(), after 12 commands, at libGL.so.1 glEnd+0x2c".
 std::string describe(const ChildRun& run, const Limits& limits);
 
 class SuiteChild {

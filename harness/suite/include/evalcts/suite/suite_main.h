@@ -9,7 +9,7 @@
 
 namespace evalcts {
 
-// What is put around an implementation once it is open; may throw CannotStart.
+// Puts something around an implementation once it is open; may throw CannotStart.
 using Wrapping = std::function<std::unique_ptr<Implementation>(std::unique_ptr<Implementation>)>;
 
 // The whole program: the exit code. Tests are those that are linked to it.

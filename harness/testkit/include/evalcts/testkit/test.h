@@ -145,9 +145,10 @@ class Test {
                             std::size_t most_vertices);
   void judge_emission(const gl::Case& delivered, const Prediction& prediction, Attributes required,
                       bool measured);
-  // A failure for each mismatch that `judge` finds in what the capture saw of the case.
+  // A failure for each mismatch that `judge` finds in what the capture saw of the case. With a prediction,
+  // the first one in positions or vertices gets a plot.
   void fail_each(const gl::Case& script, const Capture& capture, const Wanted& wanted,
-                 const Observation& seen, const OwnJudge& judge);
+                 const Observation& seen, const OwnJudge& judge, const Prediction* prediction = nullptr);
 
   const Subject& subject_;
   TestRecord& record_;

@@ -1,0 +1,13 @@
+// Positions of a failing case for the picture in the report.
+#pragma once
+
+#include <evalcts/gl/observation.h>
+#include <evalcts/judge/prediction.h>
+#include <evalcts/results/test_record.h>
+
+namespace evalcts {
+
+// Returns the first vertices of the prediction, correctly rounded, and of the observation, divided by w.
+Plot plot_of(const Prediction& prediction, const Observation& observation);
+
+}  // namespace evalcts

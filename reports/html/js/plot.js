@@ -1,0 +1,86 @@
+// Pictures of what was expected and what was captured, side by side and in the same scale.
+
+// The name space is the parser's: the page holds no address.
+const svgNames = new DOMParser().parseFromString('<svg></svg>', 'text/html').querySelector('svg').namespaceURI;
+const svg = (tag, attributes, ...children) => {
+  const out = document.createElementNS(svgNames, tag);
+  for (const [name, value] of Object.entries(attributes)) out.setAttribute(name, value);
+  out.append(...children.flat(Infinity));
+  return out;
+};
+
+// "GL_LINES 0 0 0 1 1 0" as a mode and points of the plane: z goes up and to the right, at a third.
+function plottedPrimitives(string) {
+  return string.split('\n').filter(Boolean).map((line) => {
+    const [mode, ...numbers] = line.split(' '), points = [];
+    for (let i = 0; i + 2 < numbers.length; i += 3) {
+      const [x, y, z] = numbers.slice(i, i + 3).map(Number);
+      points.push([x + z / 3, y + z / 3]);
+    }
+    return {mode: mode.replace('GL_', ''), points};
+  });
+}
+
+// The edges of a primitive, as pairs of indices.
+function edgesOf(mode, n) {
+  const edges = [], chain = (first, last, step) => { for (let i = first; i + step <= last; ++i) edges.push([i, i + step]); };
+  const rings = (size) => {
+    for (let first = 0; first + size <= n; first += size)
+      for (let i = 0; i < size; ++i) edges.push([first + i, first + (i + 1) % size]);
+  };
+  if (mode === 'LINES') rings(2);
+  if (['LINE_STRIP', 'LINE_LOOP', 'POLYGON', 'TRIANGLE_STRIP', 'TRIANGLE_FAN'].includes(mode)) chain(0, n - 1, 1);
+  if (['LINE_LOOP', 'POLYGON'].includes(mode) && n > 2) edges.push([n - 1, 0]);
+  if (mode === 'TRIANGLES') rings(3);
+  if (mode === 'QUADS') rings(4);
+  if (mode === 'TRIANGLE_STRIP') chain(0, n - 1, 2);
+  if (mode === 'TRIANGLE_FAN') for (let i = 2; i < n; ++i) edges.push([0, i]);
+  if (mode === 'QUAD_STRIP') {
+    chain(0, n - 1, 2);
+    for (let i = 0; i + 1 < n; i += 2) edges.push([i, i + 1]);
+  }
+  return edges;
+}
+
+const isFinitePoint = (point) => point.every(Number.isFinite);
+
+// "2 LINE_STRIP, 5 vertices", and how many of the vertices have no place in a picture.
+function contentOf(primitives) {
+  const points = primitives.flatMap((primitive) => primitive.points), modes = groupsBy(primitives, (primitive) => primitive.mode);
+  const lost = points.filter((point) => !isFinitePoint(point)).length;
+  return [...[...modes].map(([mode, some]) => `${some.length} ${mode}`), count(points.length, 'vertex').replace('vertexs', 'vertices'),
+          lost ? `${lost} not finite` : ''].filter(Boolean).join(', ');
+}
+
+function plotOf(failure) {
+  const plot = data.plots[failure[PLOT]];
+  if (!plot.length) return null;
+  const [expected, captured] = plot.slice(0, 2).map(plottedPrimitives);
+  const pointsOf = (primitives) => primitives.flatMap((primitive) => primitive.points).filter(isFinitePoint);
+  const all = [...pointsOf(expected), ...pointsOf(captured)];
+  if (!all.length) return null;
+  const low = [0, 1].map((axis) => Math.min(...all.map((point) => point[axis])));
+  const high = [0, 1].map((axis) => Math.max(...all.map((point) => point[axis])));
+  const size = Math.max(high[0] - low[0], high[1] - low[1]) || 1;
+  const place = ([x, y]) => [8 + 184 * (x - low[0]) / size, 192 - 184 * (y - low[1]) / size];
+  // A captured vertex where none is expected.
+  const wanted = pointsOf(expected);
+  const isWrong = ([x, y]) => !wanted.some(([a, b]) => Math.hypot(a - x, b - y) <= 1e-3 * size);
+
+  const drawn = (primitives, mark) => primitives.map(({mode, points}) => [
+    edgesOf(mode, points.length).filter((edge) => edge.every((i) => isFinitePoint(points[i]))).map(([a, b]) => {
+      const [[x1, y1], [x2, y2]] = [place(points[a]), place(points[b])];
+      return svg('line', {x1, y1, x2, y2});
+    }),
+    points.filter(isFinitePoint).map((point) => {
+      const [cx, cy] = place(point);
+      return svg('circle', {cx, cy, r: 3, class: mark && isWrong(point) ? 'wrong' : 'right'});
+    })]);
+  const panel = (name, primitives, mark) => el('figure', null,
+      svg('svg', {viewBox: '0 0 200 200', role: 'img', 'aria-label': `${name}: ${contentOf(primitives)}`}, drawn(primitives, mark)),
+      el('figcaption', null, `${name}: ${contentOf(primitives)}`));
+  const wrong = captured.flatMap((primitive) => primitive.points).filter((point) => isFinitePoint(point) && isWrong(point)).length;
+  return [el('div', {class: 'plot'}, panel('Expected', expected, false), panel('Captured', captured, true)),
+          el('p', {class: 'faint'}, [wrong ? 'Captured vertices where none is expected are filled.' : '',
+                                     plot[2] ? 'The first vertices only.' : ''].filter(Boolean).join(' '))];
+}
