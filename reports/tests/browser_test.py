@@ -334,6 +334,9 @@ class Bugs(Browser):
         self.eventually("Map1Values.Bezier/TEXTURE_COORD_1/d", self.active)
         back = "#table .detail a[href*='at=bug']"
         self.assertIn("EvalCoord with a map", driver.find_element(By.CSS_SELECTOR, back).text)
+        reduced = driver.find_element(By.CSS_SELECTOR, "#table .detail details.case").text
+        for words in ("Reduced case", "glEvalCoord1d(0.5);", "Copy reduced case"):
+            self.assertIn(words, reduced)
 
 
 class Filters(Browser):
@@ -484,6 +487,7 @@ class Address(Browser):
         for label, expected in (("Copy reproducer", "./evalcts reproduce osmesa:Map1Values.Bezier/TEXTURE_COORD_1/d"),
                                 ("Copy link", "at=open%3DMap1Values.Bezier%2FTEXTURE_COORD_1%2Fd"),
                                 ("Copy calls", "glEvalCoord1f(0x1.8p+0f);")):
+            self.js("arguments[0].scrollIntoView({block: 'center'})", buttons[label])
             buttons[label].click()
             self.eventually(True, lambda: expected in driver.execute_async_script(read))
 

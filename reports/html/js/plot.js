@@ -62,7 +62,11 @@ function plotOf(failure) {
   const low = [0, 1].map((axis) => Math.min(...all.map((point) => point[axis])));
   const high = [0, 1].map((axis) => Math.max(...all.map((point) => point[axis])));
   const size = Math.max(high[0] - low[0], high[1] - low[1]) || 1;
-  const place = ([x, y]) => [8 + 184 * (x - low[0]) / size, 192 - 184 * (y - low[1]) / size];
+  const scale = 184 / size, extents = [0, 1].map((axis) => Math.max(16 + scale * (high[axis] - low[axis]), 50));
+  const place = (point) => [0, 1].map((axis) => {
+    const offset = scale * (point[axis] - (low[axis] + high[axis]) / 2);
+    return extents[axis] / 2 + (axis ? -offset : offset);
+  });
   // A captured vertex where none is expected.
   const wanted = pointsOf(expected);
   const isWrong = ([x, y]) => !wanted.some(([a, b]) => Math.hypot(a - x, b - y) <= 1e-3 * size);
@@ -77,7 +81,7 @@ function plotOf(failure) {
       return svg('circle', {cx, cy, r: 3, class: mark && isWrong(point) ? 'wrong' : 'right'});
     })]);
   const panel = (name, primitives, mark) => el('figure', null,
-      svg('svg', {viewBox: '0 0 200 200', role: 'img', 'aria-label': `${name}: ${contentOf(primitives)}`}, drawn(primitives, mark)),
+      svg('svg', {viewBox: `0 0 ${extents[0]} ${extents[1]}`, role: 'img', 'aria-label': `${name}: ${contentOf(primitives)}`}, drawn(primitives, mark)),
       el('figcaption', null, `${name}: ${contentOf(primitives)}`));
   const wrong = captured.flatMap((primitive) => primitive.points).filter((point) => isFinitePoint(point) && isWrong(point)).length;
   return [el('div', {class: 'plot'}, panel('Expected', expected, false), panel('Captured', captured, true)),

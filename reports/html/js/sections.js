@@ -190,6 +190,14 @@ function bugDetails(bug) {
                                                                         (test) => el('li', null, linkToTest(test), ' ', chip(recordOf(test, column)))))))];
 }
 
+// The bug's minimal program, for the tests that fail because of it: their own cases may be long.
+function reducedCase(bug) {
+  const failure = data.failures[bug.failure], lines = callsOf(failure);
+  if (bug.whyNotReduced || !lines.length) return null;
+  return fold({class: 'case', open: true}, ['Reduced case ', faint('of the bug')],
+              () => [failureDetails(failure), program('Program that shows the bug', lines, 'Copy reduced case')].filter(Boolean));
+}
+
 function bugTable() {
   const {columns} = state, shown = data.bugs.filter((bug) => columns.some((column) => bug.found.has(column)));
   if (!shown.length) return [el('p', null, 'No bug was found in these implementations.')];
@@ -289,7 +297,7 @@ function evidence(test) {
   const all = [...alike.values()].sort((a, b) => recordOf(test, a[0])[SEVERITY] - recordOf(test, b[0])[SEVERITY]);
   return [
     el('p', {class: 'tools'}, faint(`Level: ${test.level} `), linkButton(`open=${test.name}`)),
-    bugsOf(test, state.columns).map((bug) => el('p', null, 'Bug: ', link(`bug=${bug.id}`, shownText(bug.title)))),
+    bugsOf(test, state.columns).map((bug) => [el('p', null, 'Bug: ', link(`bug=${bug.id}`, shownText(bug.title))), reducedCase(bug)]),
     test.requirements.map((number) => requirementLine(requirements[number].id)),
     all.map((columns) => outcome(test, columns))];
 }
