@@ -99,10 +99,11 @@ class Html(unittest.TestCase):
                     self.assertLess(max(texts[:4]), size["strings"])
                     self.assertLess(texts[4], size["violations"])
                     self.assertLess(max(texts[5:], default=-1), size["failures"])
-                for *texts, calls in data["failures"]:
+                for *texts, calls, plot in data["failures"]:
                     self.assertEqual(len(texts), 8)
                     self.assertLess(max(texts), size["strings"])
                     self.assertLess(calls, size["calls"])
+                    self.assertLess(plot, size["plots"])
                 for bug in data["bugs"]:
                     self.assertLess(bug["failure"], size["failures"])
                     self.assertTrue(bug["found"])
