@@ -228,7 +228,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, const SweepIdentit
           fmt::format("{} is of another sweep: its {} is {}, not {}; name another file with --checkpoint, or "
                       "move it away",
                       file.string(), name, other.dump(), value.dump()));
-  // What is now only in the file.
+  // A file that has a field more is of another sweep, too.
   if (checkpoint.contains("map") && !asked.contains("map"))
     throw BadCheckpoint(
         fmt::format("{} is of another sweep: of another kind of map; name another file with "

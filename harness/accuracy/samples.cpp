@@ -24,7 +24,7 @@ std::vector<double> component_points(const Class& what, Random& random) {
   } else if (what.data == "integers") {
     each([&](int, int) { return static_cast<double>(random.below(19)) - 9; });
   } else if (what.data == "lines") {
-    // Of degree 1 in one direction, or of 1 in both, and less.
+    // Maps that are of degree 1 or less in each direction.
     const double first = static_cast<double>(random.below(200)) - 100,
                  a = static_cast<double>(random.below(9)) - 4, b = static_cast<double>(random.below(9)) - 4;
     each([&](int i, int j) { return first + a * i + b * j; });

@@ -93,7 +93,7 @@ class SubjectStream final : public Stream {
   SweptMap map_;
 };
 
-// What a vertex shader calls the components of a map of this kind.
+// Returns a vertex shader's name for the components of a map of this kind.
 std::string in_shader(Attributes attribute, int components) {
   const std::string name = attribute == kPosition ? "gl_Vertex"
                            : attribute == kColor  ? "gl_Color"

@@ -1,4 +1,4 @@
-// What textbooks teach, for comparison. Each is one polynomial after the other: of a surface those in the
+// Algorithms of textbooks, for comparison. A surface is one polynomial after the other: those in the
 // direction of v give the control points of the one in the direction of u. Compiled without contraction, so
 // that the results are the same on every machine with IEEE arithmetic.
 #include <algorithm>

@@ -73,7 +73,7 @@ class Trial {
     return names;
   }
 
-  // Those of the tests that pass without a fault.
+  // Returns the tests that pass without a fault.
   std::vector<std::string> passing_tests(const ListedFault& fault, Depth depth,
                                          const std::vector<std::string>& tests) {
     const std::string& implementation = fault.implementation;

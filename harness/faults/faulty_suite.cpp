@@ -71,7 +71,8 @@ void list_variations(const char* file) {
   std::ofstream(file) << faults::to_text(all);
 }
 
-// What stands in front of the implementation that the other arguments name, innermost first; may be empty.
+// Names of the layers in front of the implementation that the other arguments name, innermost first; may be
+// empty.
 struct Layers {
   std::string base, fault, variation;
 };

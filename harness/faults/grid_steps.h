@@ -47,10 +47,10 @@ struct GridIndex {
 
   bool is_last() const { return i == segments; }
   GLfloat step() const { return (last - first) / static_cast<GLfloat>(segments); }
-  // Without the rule for the last index.
+  // Positions without the rule for the last index.
   GLfloat at(GLint k) const { return static_cast<GLfloat>(k) * step() + first; }
   GLfloat at() const { return at(i); }
-  // With it.
+  // Positions with it.
   GLfloat exact(GLint k) const { return k == segments ? last : at(k); }
   GLfloat exact() const { return exact(i); }
   // By steps from the index `from` on, and from the last end down.

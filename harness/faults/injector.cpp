@@ -38,7 +38,7 @@ void activate_mutation(std::string_view name) {
     if (fault.name == name) glev::active_mutation = number;
 }
 
-// What a fault does to a context.
+// A context with a fault in it.
 class FaultyContext final : public Context {
  public:
   FaultyContext(std::unique_ptr<Context> inner, const Fault& fault) : inner_(std::move(inner)) {

@@ -33,7 +33,7 @@ Value binary(Value a, Value b, F f) {
 GLenum token(double value) { return static_cast<GLenum>(value); }
 std::size_t index(double value) { return static_cast<std::size_t>(value); }
 
-// What GetMap, or Get of a grid, answers in double precision.
+// Returns the answers of GetMap, or Get of a grid, in double precision.
 std::vector<double> exact_answers(Call& call) {
   if (!(kGetMap | kGetnMap).contain(call.entry)) {
     const GLenum name = token(call.argument('e'));

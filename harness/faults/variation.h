@@ -13,8 +13,8 @@
 
 namespace evalcts::variations {
 
-// What a variation may change. Entry points are plain functions: a variation sets lambdas without a capture,
-// which call `unvaried`.
+// The parts of an implementation that a variation may change. Entry points are plain functions: a variation
+// sets lambdas without a capture, which call `unvaried`.
 struct Varied {
   gl::Table& gl;
   void (*emitted)(std::vector<ObservedPrimitive>&) = nullptr;  // for implementations with a sink
@@ -32,7 +32,7 @@ struct Variation {
 // The entry points without the variation.
 inline gl::Table unvaried;
 
-// What the wrappers of the active variation remember of the context; as here in a fresh one.
+// State of the context that the wrappers of the active variation remember, with its initial values.
 struct Remembered {
   GLfloat* feedback = nullptr;
   GLsizei feedback_size = 0;
@@ -43,7 +43,7 @@ struct Remembered {
 };
 inline Remembered remembered;
 
-// By name.
+// All variations, sorted by name.
 const std::vector<Variation>& all_variations();
 
 // Throws CannotStart if there is no such variation.

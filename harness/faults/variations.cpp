@@ -60,7 +60,7 @@ class VariationTrial {
 
  private:
   DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
-    // What shows the fault by itself, and passes in full with the variation alone.
+    // Tests that show the fault by itself, and pass in full with the variation alone.
     std::vector<std::string> tests;
     for (const auto& [name, record] : with_fault(variation, fault)) {
       const auto found = varied.find(name);

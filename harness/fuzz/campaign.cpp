@@ -121,8 +121,8 @@ class Player {
     report_(FindingMade{number, finding});
   }
 
-  // What differed in the shared context, in a fresh one: the program, or it behind some that were played
-  // there before.
+  // Returns in a fresh context the difference that the shared context showed: of the program alone, or behind
+  // some that were played there before.
   std::optional<Finding> repeated(const gl::Case& program, const Specified& specified) {
     if (std::optional<Finding> alone = judge_program(subject_, program, specified).finding) return alone;
     std::optional<Finding> found;

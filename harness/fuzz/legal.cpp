@@ -74,7 +74,7 @@ class Primitives {
   std::map<GLuint, std::vector<gl::Command>> lists_;
 };
 
-// Whether vertices come between Begin and End only, and nothing stays open.
+// Returns true if vertices come between Begin and End only, and nothing stays open.
 bool has_whole_primitives(const gl::Case& program) {
   Primitives primitives;
   for (const gl::Command& command : program.commands())
@@ -89,7 +89,7 @@ bool calls_names_only(const gl::Case& program) {
   });
 }
 
-// Whether each error has one possible code and is asked for before the next.
+// Returns true if each error has one possible code and is asked for before the next.
 bool has_clear_errors(const gl::Case& program, const std::vector<std::vector<GLenum>>& errors) {
   bool pending = false;
   for (std::size_t i = 0; i < errors.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which programs say something: those whose outcome the specification defines.
+// Legal programs: those whose outcome the specification defines.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace evalcts::fuzz {
 
-// What the specification says of a program made of commands that the executable specification has; none where
-// it does not say all: vertices have to come between Begin and End only (U-OUTSIDE-VERTEX), no primitive and
-// no list stays open, each error has one possible code (U-WHICH-ERROR) and is asked for before the next one
-// is raised (an implementation may keep several).
+// Returns the outcome of a program made of commands that the executable specification has; none if the
+// specification does not define all of it: vertices have to come between Begin and End only
+// (U-OUTSIDE-VERTEX), no primitive and no list stays open, each error has one possible code (U-WHICH-ERROR)
+// and is asked for before the next one is raised (an implementation may keep several).
 std::optional<Specified> specify_if_defined(const gl::Case& program, int max_eval_order);
 
 }  // namespace evalcts::fuzz

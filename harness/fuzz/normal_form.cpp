@@ -131,7 +131,8 @@ std::optional<std::size_t> number_behind(std::string_view text, std::string_view
                                                                                      : std::nullopt;
 }
 
-// What the specification says of the component that `what` names: "texture coordinate 0.s of vertex 3".
+// Returns whether the component of the failure ("texture coordinate 0.s of vertex 3") is given or evaluated
+// according to the specification.
 std::optional<Difference> difference_of(const Finding& minimal, int max_eval_order) {
   const std::string& what = minimal.failure.what;
   const std::optional<std::size_t> index = number_behind(what, "vertex ");

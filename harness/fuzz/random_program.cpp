@@ -19,8 +19,8 @@ constexpr int kLists = 6, kMostDepth = 6;
 
 enum class Kind { points, lines, polygons };
 
-// What a program is made of. Most have not all of it: where everything comes together, the defect that shows
-// most easily hides the others.
+// Parts of a program. Most programs lack some: if everything comes together, the defect that shows most
+// easily hides the others.
 struct Parts {
   bool curves = true, surfaces = true;
   bool vertices_always = false;  // vertex maps stay enabled
@@ -41,7 +41,7 @@ class Dice {
  public:
   explicit Dice(std::uint64_t seed) : random_(seed) {}
 
-  // From 0 to count - 1.
+  // Returns a number from 0 to count - 1.
   int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
   bool one_in(int count) { return below(count) == 0; }
   template <class Range>
@@ -159,7 +159,7 @@ class ProgramWriter {
 
   // --- commands
 
-  // What later commands need for anything to be seen.
+  // Issues the maps without which later commands show nothing.
   void supply() { supply(in_surfaces() ? 2 : 1); }
   void supply(int dimension) {
     const GLenum target = vertex_target(dimension);
@@ -620,7 +620,7 @@ class ProgramWriter {
 
 SpecifiedProgram write_program(std::uint32_t seed, std::uint32_t number, int length, int max_eval_order,
                                bool past) {
-  // Where chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
+  // If chance makes something that is undefined (a list that was replaced, say), the next attempt counts.
   for (std::uint64_t attempt = 0;; ++attempt) {
     Dice dice((std::uint64_t{seed} << 32 | number) + attempt * 0x9E3779B97F4A7C15u);
     gl::Case program(fmt::format("program {} of seed {}", number, seed));

@@ -32,7 +32,7 @@ Reducer::Reducer(const Subject& subject, SharedContext* shared, std::vector<std:
 
 Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful) {
   const std::string kind = kind_of(finding.failure.what);
-  // What differs is an answer or a vertex: only that is looked at again.
+  // Either an answer or a vertex differs: only that is looked at again.
   const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
   std::string wanted = kind;
   const auto look_at = [&](const gl::Case& candidate, const auto& judge) -> std::optional<Finding> {
@@ -82,7 +82,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   };
   bool known = (shared_ && is_known(true)) || is_known(false);
   if (!known && look == Look::vertices && kind != kPrimitives) {
-    // Where vertices are lost and others come twice, their number is right and nothing else of them.
+    // If vertices are lost and others come twice, their number is right and nothing else of them.
     wanted = kPrimitives;
     known = is_known(false);
     wanted = kind;
@@ -91,8 +91,8 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   const auto smaller = [&](const gl::Case&) {
     if (hooks_.smaller) hooks_.smaller(finding);
   };
-  // Where it goes wrong with the control as well, that stands for it, whose cause names no evaluation: it
-  // cannot hide what only that shows.
+  // If the control goes wrong as well, it stands for the program: its cause names no evaluation and so hides
+  // no finding that only evaluations show.
   gl::Case shown = program;
   const auto shows_outside = [&](const gl::Case& control) {
     outside = true;

@@ -13,7 +13,7 @@
 namespace evalcts {
 namespace {
 
-// As many digits as tell the value, which may be a float, from all others of its type.
+// Returns as many digits as tell the value, which may be a float, from all others of its type.
 std::string shortest(double value) {
   const auto single = static_cast<float>(value);
   // Integers to the last digit; their shortest form as floats would end in zeros.

@@ -56,7 +56,7 @@ std::vector<RequirementId> in_two_dimensions(const std::vector<RequirementId>& o
   return of_two;
 }
 
-// What a test decides that goes through display lists.
+// Returns the requirement that a test decides if it goes through display lists.
 const char* requirement_of(gl::Lists lists) {
   switch (lists) {
     case gl::Lists::executed:

@@ -1,4 +1,5 @@
-// What each depth leaves out, chosen by a test's name, so that the choice is the same in every run.
+// The parts of a test that each depth leaves out, chosen by the test's name, so that the choice is the same
+// in every run.
 #pragma once
 
 #include <cstddef>

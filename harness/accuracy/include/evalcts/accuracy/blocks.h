@@ -1,4 +1,4 @@
-// How the blocks of a sweep come to those that do them, in this process or in others.
+// Distribution of a sweep's blocks among threads of this process or other processes.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ class Blocks {
 // Evaluates and judges blocks, in so many threads, until there is no more.
 void work(const SweepTask& task, const StreamSource& source, int threads, Blocks& blocks);
 
-// Those of a sweep that are not done; keeps what comes of them.
+// The blocks of a sweep that are not done; keeps their results.
 class OwnBlocks final : public Blocks {
  public:
   using Progress = std::function<void(const SweepState&)>;
@@ -34,7 +34,7 @@ class OwnBlocks final : public Blocks {
 
   std::optional<std::int64_t> next() override;
   void finish(std::int64_t block, const SweepResult& result) override;
-  // Of several blocks together.
+  // Takes the result of several blocks together.
   void finish(const std::vector<std::int64_t>& blocks, const SweepResult& result);
   void fail(std::exception_ptr problem) override;
 

@@ -8,7 +8,7 @@
 
 namespace evalcts::accuracy {
 
-// Of 64 bits others that look like random ones: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast
+// Returns 64 bits that look like random ones: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast
 // splittable pseudorandom number generators", 2014).
 std::uint64_t mixed(std::uint64_t x);
 

@@ -24,7 +24,7 @@ class Stream {
 
 struct StreamSource {
   ImplementationInfo info;
-  // Whether each thread may have a stream of its own; otherwise one thread makes a single one and uses it.
+  // True if each thread may have a stream of its own; otherwise one thread makes a single one and uses it.
   bool for_threads = false;
   // Throws CannotStart, NotObservable.
   std::function<std::unique_ptr<Stream>(const SweptMap& map)> make;

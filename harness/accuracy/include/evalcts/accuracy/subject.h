@@ -1,5 +1,5 @@
-// What can be measured: implementations of the GL through a capture, and evaluators of curves and surfaces
-// that are no GL.
+// Subjects of a measurement: implementations of the GL through a capture, and evaluators of curves and
+// surfaces that are no GL.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace evalcts::accuracy {
 
-// Which of the nine kinds of maps: "vertex_3", ..., without the colour index, which no capture shows.
+// The names of the kinds of maps: "vertex_3", ..., without the colour index, which no capture shows.
 std::vector<std::string> target_names();
 // GL_MAP1_VERTEX_3 or GL_MAP2_VERTEX_3. Throws std::invalid_argument for a name that is none of them.
 GLenum target_of(const std::string& name, bool two_dimensional);
@@ -23,9 +23,9 @@ class Subject {
  public:
   virtual ~Subject() = default;
   virtual ImplementationInfo info() const = 0;
-  // How its results are seen; empty where that is plain.
+  // The name of the capture that shows its results; empty if there is none.
   virtual std::string capture() const { return {}; }
-  // Whether it has maps of other targets than another.
+  // True if the target of a map makes a difference to it.
   virtual bool has_targets() const { return true; }
   // Components of control points of the map come one after the other, v fastest; its domain is [0,1], in both
   // directions. u and v are multiples of 2^-24 from 0 to 1; v is empty for curves. The results hold all
@@ -37,7 +37,7 @@ class Subject {
 struct SubjectKind {
   std::string name, what;
 };
-// Those that are no GL implementations: production-fast, and what textbooks teach.
+// Subjects that are no GL implementations: production-fast, and algorithms of textbooks.
 const std::vector<SubjectKind>& own_subjects();
 
 // One of those by its name, or an implementation. Throws CannotStart.

@@ -23,8 +23,8 @@ float float_of(std::int64_t number);
 // Blocks begin at multiples of this, so that all sweeps share their boundaries.
 inline constexpr std::int64_t kBlock = 1 << 16;
 
-// What is swept: all components of the map at the floats from `from` to `to`; of their blocks every
-// `shards`-th, from the one with this position on (0 <= shard < shards).
+// A part of a sweep: all components of the map at the floats from `from` to `to`, in every `shards`-th of
+// their blocks, from the one with this position on (0 <= shard < shards).
 struct SweepTask {
   SweptMap map;
   float from = 0, to = 1;
@@ -37,7 +37,7 @@ struct SweepTask {
   std::int64_t blocks_of_shard() const { return (blocks() - shard + shards - 1) / shards; }
 };
 
-// Of all components together. Sums of parts, in whatever order the parts come: bit for bit the same.
+// The result for all components together. Sums of parts are bit for bit the same in any order of the parts.
 struct SweepResult {
   std::uint64_t values = 0;
   std::uint64_t decided_exactly = 0;  // right results that took the exact route

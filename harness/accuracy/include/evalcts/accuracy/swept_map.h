@@ -1,4 +1,4 @@
-// What a sweep goes along: a map of any target over [0,1] or [0,1] x [0,1], and one of its arguments.
+// The subject of a sweep: a map of any target over [0,1] or [0,1] x [0,1], and one of its arguments.
 #pragma once
 
 #include <reference/bernstein_form.h>
@@ -18,7 +18,7 @@ struct SweptMap {
   std::string target = "texture_coord_1";
   bool two_dimensional = false;
   Map map{1, 1, 1, true, {0, 1, 0, 1}, {}};
-  // Of surfaces: whether v is swept, not u, and where the other one stands.
+  // For surfaces: true if v is swept and not u, and the value of the other argument.
   bool along_v = false;
   float other = 0;
 

@@ -24,7 +24,7 @@ struct ListedFault {
   std::string kind;                       // "wrapper", "switch"
 };
 
-// What a test of one requirement makes of a fault.
+// Tells whether a test of one requirement detects a fault.
 struct Detection {
   std::string requirement;
   bool detected = false;
@@ -79,7 +79,7 @@ struct FalseAlarm {
   std::string message;
 };
 
-// What becomes of a typical fault behind a variation.
+// The outcome of a typical fault behind a variation.
 struct DetectionBehind {
   std::string fault;
   enum class Outcome { kDetected, kSurvives, kNotVisible } outcome = Outcome::kNotVisible;

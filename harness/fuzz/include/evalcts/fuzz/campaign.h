@@ -35,7 +35,7 @@ struct Campaign {
 struct Finding {
   gl::Case program;
   Failure failure;  // the first
-  // What tells its cause from others: which commands it has, whatever their arguments and order, and what
+  // Key of the finding's cause: the commands of the program, whatever their arguments and order, and what
   // differs: "Begin, Enable, End, EvalCoord1, Map1: color".
   std::string cause;
   std::string requirement;          // that is broken, as far as the commands tell

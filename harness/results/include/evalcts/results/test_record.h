@@ -58,7 +58,7 @@ struct Failure {
   bool operator==(const Failure&) const = default;
 };
 
-// Where a library crashed.
+// The place of a crash in the library.
 struct Crash {
   std::string
       call;  // the GL command in flight, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)"; empty if none was

@@ -13,7 +13,7 @@
 
 namespace evalcts::rounding {
 
-// What is sampled: maps of one pair of orders and one kind of data.
+// A class of samples: maps of one pair of orders and one kind of data.
 using accuracy::Class;
 std::vector<Class> classes();
 

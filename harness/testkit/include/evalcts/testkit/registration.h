@@ -106,7 +106,7 @@ inline Parameters<> by(std::vector<gl::Delivery> deliveries) {
   return Parameters<>().by(std::move(deliveries));
 }
 
-// What EVALCTS_TEST makes: `declaration << body` registers the tests.
+// The product of EVALCTS_TEST: `declaration << body` registers the tests.
 struct Registration {};
 
 // A test with one combination of its parameters.

@@ -1,4 +1,4 @@
-// What all tests of a process are run against, and what they share.
+// The subject of all tests of a process, and the objects that they share.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a suite is written in: tests that name the requirements they decide, and what a test may do.
+// Tests: they name the requirements that they decide, play cases and report failures.
 #pragma once
 
 #include <cstdint>
@@ -100,7 +100,7 @@ class Test {
   // test judges by itself.
   Observation observe(const gl::Case& script, Attributes required, std::size_t most_vertices,
                       PrimitiveKinds kinds = kPoints);
-  // What is wrong with what came out; may throw NotObservable.
+  // Returns the mismatches of an observation; may throw NotObservable.
   using OwnJudge = std::function<std::vector<Mismatch>(const Observation&)>;
   // The same, and fails for each mismatch that the test's own judge finds. What it looks at may come after
   // all lists of the case.
@@ -108,7 +108,7 @@ class Test {
   void expect_observation(const gl::Case& script, Attributes required, std::size_t most_vertices,
                           PrimitiveKinds kinds, const OwnJudge& judge, Judged judged = Judged::in_lists);
 
-  // What comes out through a vertex shader of the test's own. Throws NotObservable.
+  // Returns the outputs of a vertex shader of the test's own. Throws NotObservable.
   RecordedVaryings record_varyings(const gl::Case& script, const VaryingShader& shader,
                                    std::size_t most_vertices);
 
@@ -122,7 +122,7 @@ class Test {
   void fail(Failure failure, const std::function<std::vector<std::string>()>& calls = {},
             const std::optional<gl::Check>& check = {}, const std::string& rule = {});
 
-  // For the runner.
+  // Plays the test; called by the runner.
   void run(const std::function<void(Test&)>& body);
 
  private:
@@ -134,7 +134,7 @@ class Test {
   // violated only if the same commands are right without a list, or in a list of the simplest kind.
   void blame_list_or_commands(const std::function<void(Test&)>& body);
 
-  // What one capture shows of a case.
+  // One capture's observation of a case.
   struct Look {
     const Capture* capture;
     Topology topology;

@@ -1,5 +1,5 @@
-// How each capture takes primitives apart, learned from explicit vertices and kept, because it is always the
-// same.
+// Topologies of captures: each takes primitives apart in a way of its own, which is learned from explicit
+// vertices and kept, because it is always the same.
 #pragma once
 
 #include <map>
