@@ -1,4 +1,4 @@
-// What has changed since earlier results.
+// Changes since earlier results.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evalcts::reports {
 
-// In the order of telling.
+// Kinds of changes, in the order of reporting.
 enum class ChangeKind {
   kRegression,      // bad now, and before it was not, or not as bad, or not in all these cases
   kNewFailure,      // bad, and there was no such test

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostMissing = 20;  // shards that are listed
 
-// Of the shards of one run, by number.
+// Shards of one run, by number.
 using Shards = std::map<std::uint32_t, const RunResult*>;
 
 // The K-th shard has every N-th test from the K-th on.

@@ -25,7 +25,7 @@ struct Row {
   // A record that lacks the test has no opinion.
   bool differs() const;
 };
-// In the order of first appearance. They point into the columns.
+// Returns the rows in the order of first appearance. They point into the columns.
 std::vector<Row> read_rows(const std::vector<Column>& columns);
 
 // One bug across the records; null where a record does not have it. `bug` is the first of them, with the

@@ -17,7 +17,7 @@ inline constexpr int kUnexpected = 1;  // a fail, crash or timeout
 inline constexpr int kWrongUse = 2;    // or what was asked for cannot be started, read, written or observed
 inline constexpr int kOwnFault = 3;    // a fault of evalcts itself
 
-// How evalcts was called.
+// A call of evalcts.
 struct Call {
   std::string program;  // "./evalcts"
   std::string command;  // as typed: "evalcts run --depth quick"

@@ -17,7 +17,7 @@ namespace evalcts::cli {
 
 namespace {
 
-// In the order of the help.
+// All commands, in the order of the help.
 constexpr const Command* kCommands[] = {
     &kRunCommand,    &kBugsCommand,   &kListCommand, &kCoverageCommand, &kExplainCommand, &kReproduceCommand,
     &kReportCommand, &kFaultsCommand, &kFuzzCommand, &kRoundingCommand, &kUlpCommand,     &kVectorsCommand};

@@ -1,4 +1,4 @@
-// Which implementations can be judged on this machine.
+// Implementations that can be judged on this machine.
 #pragma once
 
 #include <string>

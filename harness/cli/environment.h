@@ -1,4 +1,4 @@
-// What other programs that start tests say in environment variables.
+// Environment variables that other programs set when they start tests.
 #pragma once
 
 #include <stdexcept>

@@ -18,7 +18,7 @@
 namespace evalcts::cli {
 namespace {
 
-// Of an empty vector there may be no address.
+// An empty vector may have no address.
 void copy_bytes(void* to, const void* from, std::size_t size) {
   if (size != 0) std::memcpy(to, from, size);
 }
@@ -54,7 +54,7 @@ std::vector<char> receive(const MPI_Status& status) {
   return data;
 }
 
-// Those that rank 0 hands out, as the threads of another rank see them.
+// Blocks that rank 0 hands out, for the threads of another rank.
 class RemoteBlocks final : public accuracy::Blocks {
  public:
   std::optional<std::int64_t> next() override {

@@ -8,7 +8,7 @@
 
 namespace evalcts::cli {
 
-// Where this program, the suite programs and the usual output folder are.
+// Paths of the suite programs and of the usual output folder.
 struct Places {
   std::filesystem::path suite_program, faulty_suite_program;
   std::filesystem::path output;

@@ -37,7 +37,7 @@ constexpr double kLook = 0.1;         // seconds between two looks at the child
 constexpr double kStartSeconds = 60;  // for contexts and captures, before the test itself
 constexpr std::size_t kMostSuggested = 10;
 
-// What keeps a reproducer from being written; the message says what to do.
+// Thrown if no reproducer can be written; the message says what to do.
 struct CannotReproduce : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -155,7 +155,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// What the suite program made of the test, once more.
+// The outcome of the test when the suite program played it once more.
 struct Replayed {
   std::optional<TestRecord> record;  // none if the process died or hung in it
   bool hung = false;

@@ -113,7 +113,7 @@ bool is_file_name(const std::string& label) {
   return !label.empty() && label.size() <= kLongestLabel && label[0] != '.' && label[0] != '-';
 }
 
-// What is wrong with the first bad one of these, NAME=READING each; empty where all are good.
+// Returns the error in the first bad one of these, NAME=READING each; empty if all are good.
 std::string wrong_reading(const std::vector<std::string>& choices) {
   for (const std::string& choice : choices) {
     const std::size_t equals = choice.find('=');
@@ -126,7 +126,7 @@ std::string wrong_reading(const std::vector<std::string>& choices) {
   return {};
 }
 
-// What is wrong with the options, whatever the machine; empty if nothing is.
+// Returns the error in the options, whatever the machine; empty if there is none.
 std::string wrong_options(const RunOptions& options) {
   const std::size_t named = std::max<std::size_t>(options.implementations.size(), 1);
   const bool is_one = named == 1 && options.names_implementations();
@@ -194,7 +194,7 @@ RunRequest request_of(const RunOptions& options, const std::string& shard) {
   request.seed = options.seed;
   request.limits = {options.seconds_per_test, options.mebibytes << 20};
   request.retries = options.retries;
-  // Which tests a process has behind it when it comes to the next depends on chance, but for a single one.
+  // With several processes, chance decides which tests of the same process come before another.
   request.jobs = options.jobs.value_or(options.shuffle ? 1 : usual_jobs());
   request.output = options.output.empty() ? places().output : fs::path(options.output);
   request.command = options.command;

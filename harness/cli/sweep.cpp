@@ -141,7 +141,8 @@ std::variant<accuracy::SweptMap, std::string> map_of(const UlpOptions& options) 
   return map;
 }
 
-// What the environment says of its processes, this program cannot do: the one that can takes its place.
+// This program cannot work with the processes that the environment announces: the program that can takes its
+// place.
 std::string become_mpi_program() {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "evalcts-mpi";
   if (!fs::exists(program))
@@ -296,7 +297,7 @@ int sweep(const UlpOptions& options) {
   } catch (const CannotStart& reason) {
     return said_once(reason.what());
   }
-  // What is wrong here is wrong in every process.
+  // An error here is one in every process.
   const auto given = task_of(options);
   if (const auto* const wrong = std::get_if<std::string>(&given)) return said_once(*wrong);
   const auto& task = std::get<accuracy::SweepTask>(given);

@@ -1,4 +1,4 @@
-// What the subcommands that run things share: signals, cores, a line of progress.
+// Helpers of the commands that run things: signals, cores, a line of progress.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ namespace evalcts::cli {
 // output.
 void stop_when_asked();
 
-// Whether standard output takes colour: a terminal, and NO_COLOR is not set.
+// Returns true if standard output is a terminal and NO_COLOR is not set.
 bool shows_colour();
 
 // Lines and columns of the terminal that the stream's descriptor is; 0 where it is none.
@@ -26,7 +26,7 @@ ScreenSize screen_of(int descriptor);
 // "1:07", "2:03:04".
 std::string clock_time(double seconds);
 
-// How fast something goes on: "1234 of 5304, 61 a second, 1:07 left".
+// The pace of something: "1234 of 5304, 61 a second, 1:07 left".
 class Pace {
  public:
   std::string at(std::size_t done, std::size_t total);
@@ -36,7 +36,7 @@ class Pace {
   std::size_t done_before_ = 0;
 };
 
-// As many processes as there are cores for this one, within reason.
+// Returns the number of processes for the cores that this one may use, within reason.
 int usual_jobs();
 
 // One line that is written over, on terminals only, with the progress of all that run side by side.

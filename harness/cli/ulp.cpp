@@ -82,7 +82,7 @@ int measure_rows(const UlpOptions& options) {
       }
     };
     for (const accuracy::RowRequest& request : chosen_rows(options)) {
-      // What has no targets is measured once.
+      // A subject without targets is measured once.
       if (!subject->has_targets() && request.target != targets_of(options).front()) break;
       const auto measure = [&] {
         const accuracy::Errors sample = accuracy::measure(*subject, request, interrupted);
@@ -373,7 +373,7 @@ std::vector<json> sweeps_in(const fs::path& output) {
   return sweeps;
 }
 
-// What to say of it.
+// Writes the page, and returns the sentence about it.
 std::string write_page(const fs::path& output, const json& document) {
   bool draws = true;
   const auto draw = [&](const std::string& script) -> std::optional<std::string> {

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What the shipped files hold together, at the least.
+// The least number of cases that the shipped files hold together.
 constexpr std::size_t kFewestCases = 5000;
 
 // Throws vectors::Malformed.

@@ -31,7 +31,7 @@ class World {
 // Null in evalcts; evalcts-mpi sets it. The world is left when it is destroyed. Throws CannotStart.
 extern std::unique_ptr<World> (*join_world)();
 
-// How many processes the environment says there are: of mpirun, or of srun.
+// Returns the number of processes of mpirun or srun, by the environment.
 int processes_of_environment();
 
 }  // namespace evalcts::cli

@@ -40,7 +40,7 @@ class Numbering {
   std::vector<const Item*> items_;
 };
 
-// What is true of a record besides its verdict; bits.
+// Flags of a record beside its verdict, as bits.
 constexpr Number kUnexpected = 1, kExpectedFailure = 2, kFlake = 4;
 
 Number flags_of(const TestRecord& test) {

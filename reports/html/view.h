@@ -35,7 +35,7 @@ void add_row(data& rows, const char* term, const std::string& value, bool code =
 std::string link(const std::vector<std::pair<std::string, std::string>>& state);
 std::string link_to_test(const std::string& name);
 
-// Of the values that were measured, those that are not correctly rounded: "20 % (96)".
+// The share of measured values that are not correctly rounded: "20 % (96)".
 std::string share(const Accuracy& accuracy);
 
 // The table of counts: "verdicts", the header, and "rows", one for each column. The first `current` columns
@@ -45,7 +45,7 @@ data overview(const std::vector<Column>& columns, std::size_t current, const Com
 // The distinct bugs, for a reader without scripts.
 data bugs(const std::vector<Column>& columns);
 
-// How one record came about.
+// The circumstances of one record.
 data card(const Column& column);
 
 // One row for each ambiguous text on which an implementation has shown its reading.

@@ -97,7 +97,7 @@ Outcome outcome_of(const TestRecord& test) {
   return {};
 }
 
-// What a reader should not miss although the testcase is not red.
+// Text that a reader should not miss although the testcase is not red.
 std::string output_of(const TestRecord& test) {
   if (test.is_expected_failure()) return details(test);
   if (test.verdict == Verdict::kQualityWarning) return "quality-warning\n" + details(test);

@@ -38,7 +38,7 @@ std::string counts_table(const std::vector<Column>& columns) {
   return out + "\n";
 }
 
-// What was judged, and why a run is not whole.
+// The implementation that was judged, and the reason for which a run is not complete.
 std::string about(const Column& column) {
   const RunResult& record = column.record;
   const ImplementationRecord& implementation = record.implementation;

@@ -81,7 +81,7 @@ std::vector<std::string> classes_of(const json& ulp, const std::string& kind) {
   return names;
 }
 
-// Of several targets the first that an implementation has.
+// Returns the row of this name: of several targets the first that an implementation has.
 const json* row_of(const json& entry, const std::string& name) {
   for (const json& row : entry.at("rows"))
     if (as_text(row.at("name")) == name) return &row;

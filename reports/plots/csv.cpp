@@ -1,4 +1,4 @@
-// What a page of errors shows, as comma-separated values (RFC 4180).
+// The content of a page of errors as comma-separated values (RFC 4180).
 #include <fmt/format.h>
 
 #include "evalcts/accuracy_page.h"

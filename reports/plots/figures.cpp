@@ -42,7 +42,7 @@ std::string head(const std::string& id, int height) {
       kPictureWidth, height, id, kFaintColour, kInkColour);
 }
 
-// As gnuplot reads numbers, infinity as what is above all others.
+// Returns a number for gnuplot; infinities are drawn above all others.
 std::string plain(double x, double top) {
   return fmt::format("{:.5g}", std::isfinite(x) ? std::clamp(x, kFloor, top) : top);
 }
@@ -51,7 +51,7 @@ std::string block(const std::string& name, const std::vector<std::string>& lines
   return "$" + name + " << EOD\n" + join(lines, "\n") + "\nEOD\n";
 }
 
-// What gnuplot takes for a name.
+// Returns a name that gnuplot accepts.
 std::string id_of(std::string text) {
   for (char& c : text)
     if (std::string_view("abcdefghijklmnopqrstuvwxyz0123456789").find(c) == std::string_view::npos) c = '_';
@@ -65,7 +65,7 @@ const json* row_named(const json& entry, const std::string& name) {
   return nullptr;
 }
 
-// Where a panel stands, in fractions of the picture from its lower left corner.
+// Places a panel, in fractions of the picture from its lower left corner.
 std::string panel(double left, double right, double bottom, double top) {
   return fmt::format(
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n"
@@ -282,7 +282,7 @@ std::string inlined(const Figure& figure, std::string svg) {
   for (int i = 1; i <= kSeries; ++i)
     replace_colour(svg, fmt::format("#1111{:02x}", i).c_str(), fmt::format("var(--series-{})", i));
   replace_all(svg, "color=\"black\"", "color=\"var(--text)\"");
-  // What is the same in all pictures has the same names in them.
+  // Elements that are the same in all pictures have the same names in them.
   for (const char* name : {"gp", "textbox", "greybox", "gnuplot_canvas"}) {
     for (const char* before : {"id='", "id=\"", "href='#", "url(#"})
       replace_all(svg, before + std::string(name), before + figure.id + "_" + name);

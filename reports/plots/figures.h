@@ -24,13 +24,13 @@ std::uint64_t natural(const nlohmann::json& number);
 
 // The largest condition-aware error of each implementation by the order of curves with this kind of data.
 Figure errors_by_order(const nlohmann::json& ulp, const std::string& data);
-// Of one of the curves of the profiles: errors over u, a panel for each implementation, zeros marked.
+// Profile of one curve: errors over u, a panel for each implementation, zeros marked.
 Figure errors_over_u(const nlohmann::json& ulp, const nlohmann::json& curve);
-// How many results have errors of which size: a panel for each implementation and some classes of maps.
+// Numbers of results by the size of their errors: a panel for each implementation and some classes of maps.
 Figure histograms(const nlohmann::json& ulp);
 
-// What gnuplot has drawn as an element of the page: colours that follow the page's, text in place of @0@, a
-// name for those who do not see it.
+// Returns a drawing of gnuplot as an element of the page: colours that follow the page's, text in place of
+// @0@, a name for those who do not see it.
 std::string inlined(const Figure& figure, std::string svg);
 
 }  // namespace evalcts::reports

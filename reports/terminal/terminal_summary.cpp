@@ -253,7 +253,7 @@ void write_crashes(Screen& screen, const RunResult& record, bool all) {
                 Colour::kYellow);
 }
 
-// What decided nothing, one line for each verdict and reason.
+// Writes the tests that decided nothing, one line for each verdict and reason.
 void write_not_judged(Screen& screen, const RunResult& record) {
   std::map<std::pair<Verdict, std::string>, std::vector<std::string>> reasons;
   for (const TestRecord& test : record.tests) {

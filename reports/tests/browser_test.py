@@ -25,7 +25,7 @@ PATIENCE = 20
 LOAD_SECONDS = 90  # on a machine that does other things as well; page_benchmark.py measures
 VERDICTS = ("pass", "pass", "pass", "fail", "quality-warning", "not-observable", "crash", "pass")
 
-# What would run, load, or break out, wherever it lands in the page.
+# Text that would run, load, or break out, wherever it lands in the page.
 HOSTILE = (
     "\"><img src=x onerror=\"document.title='owned'\"><script>document.title='owned'</script>"
     "</style></script><svg onload=\"document.title='owned'\"> ' onclick=document.title='owned' "
@@ -240,7 +240,7 @@ class Pages(Browser):
         self.js("document.querySelectorAll('.column-switch').forEach((e, i) => { if (i !== 6) e.click(); })")
         self.eventually(["Theme", "implementation-6"], lambda: self.texts("#table thead th"))
 
-    # As WCAG 2 has it: the ratio of the relative luminances of text and what is behind it.
+    # The contrast of WCAG 2: the ratio of the relative luminances of text and what is behind it.
     CONTRAST = """
       const numbers = (colour) => colour.match(/[\\d.]+/g).map(Number);
       const luminance = (colour) => numbers(colour).slice(0, 3)

@@ -160,7 +160,7 @@ class Html(unittest.TestCase):
 
 
 class Junit(unittest.TestCase):
-    # As Jenkins' schema (junit-10.xsd of its xunit plugin) has it, which GitLab, GitHub's actions and Azure read as well:
+    # Jenkins' schema (junit-10.xsd of its xunit plugin), which GitLab, GitHub's actions and Azure read as well:
     # the attributes that an element must and may have, and its children.
     TEXT = (set(), {"type", "message"}, set())
     STRUCTURE = {

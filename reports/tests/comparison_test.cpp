@@ -1,4 +1,4 @@
-// What counts as a change, and how it is told; shards put together; the summary in Markdown.
+// Changes and their wording; shards put together; the summary in Markdown.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -356,7 +356,7 @@ TEST(Markdown, HostileTextStaysInCode) {
   record["tests"][0]["name"] = text;
   record["tests"][0]["message"] = "`";
   const std::string page = markdown_of({record}, {record});
-  // What is between a run of backticks and the next run of the same length is code.
+  // Text between a run of backticks and the next run of the same length is code.
   const std::string outside =
       std::regex_replace(page, std::regex("(^|[^`])(`+)([^`]|[^`][^\\n]*?[^`])\\2(?!`)"), "$1CODE");
   for (const char* part : {"@", "<", "[", "`", "script", "heading", "code"})

@@ -192,7 +192,7 @@ TEST(Html, Bugs) {
   many["bugs"].push_back({{"id", "EV-A-2"}, {"title", "more tests"}, {"tests", {"A.b", "A.c"}}});
   const std::string page = html_of({with_bug("x", "A.b", ""), with_bug("y", "A.c", "Mesa 1"), many}, nullptr);
   const json data = data_of(page);
-  // Of as many tests each, so the order is that of their names.
+  // Both have the same number of tests, so the order is that of their names.
   ASSERT_EQ(data["bugs"].size(), 2u);
   EXPECT_EQ(as_text(data["bugs"][0]["id"]), "EV-A-2");
   EXPECT_EQ(as_text(data["bugs"][1]["title"]), "a <bug>");

@@ -65,7 +65,8 @@ json ulp_of(const std::string& name) {
              {"profiles", {{{"name", "Cubic 1"}, {"max_ulp", along}, {"max_condition_aware", along}}}}}}}};
 }
 
-// As gnuplot writes: a head, colours in both ways, names of elements that are the same in all pictures.
+// Returns a drawing like gnuplot's: a head, colours in both ways, names of elements that are the same in all
+// pictures.
 std::string svg_of(const std::string& text) {
   return "<?xml version=\"1.0\"?>\n<svg \n viewBox=\"0 0 9 9\"\n>\n<title>x</title>\n<desc>y</desc>\n"
          "<g id=\"gnuplot_canvas\"><g id=\"histograms_plot_1\" >"

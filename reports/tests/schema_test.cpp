@@ -23,7 +23,7 @@ TEST(Schema, SamplesAreValid) {
   }
 }
 
-// What was read is written again in full, and the same bytes come from it.
+// Results that were read are written again in full, and the same bytes come from them.
 TEST(Schema, WrittenResultsAreValid) {
   for (const char* name : {"results-osmesa.json", "results-reference.json", "results-glx.json"}) {
     const std::string text = to_text(read_run_result(read_sample(name)));

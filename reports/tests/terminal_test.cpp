@@ -33,7 +33,7 @@ json large_record() {
   return {{"status", "complete"}, {"implementation", {{"name", "large"}}}, {"tests", tests}};
 }
 
-// In each report, in full: it says whether the right library was judged.
+// The note stands in each report, in full: it says whether the right library was judged.
 TEST(Terminal, NoteOnTheImplementation) {
   json record = large_record();
   const std::string note =

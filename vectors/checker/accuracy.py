@@ -13,7 +13,7 @@ from .number import BINARY32, LEAST_NORMAL, greatest_not_above, least_not_below,
 EPS = Fraction(10738, 2**30)
 NARROWEST, WIDEST = Fraction(1, 2**60), Fraction(2**60)
 RANGE, COLOR_RANGE = 2**32, 2**10
-# What rounds to infinity in single precision.
+# The least number that rounds to infinity in single precision.
 OVERFLOW = Fraction(2**128 - 2**103)
 
 

@@ -18,7 +18,7 @@ from .gl_names import (ALL_MAPS, COMPILE_MODES, ENUM, FLAGS, GROUPS, LIST_TYPES,
 from .maps import FORMATS, TARGETS, Map
 from .number import BINARY32, Malformed, read_float, show
 
-# What the files assume of the implementation, as far as it matters.
+# Limits that the files assume of the implementation.
 LEAST_MAX_EVAL_ORDER = 8
 MAX_EVAL_ORDER, MAX_LIST_NESTING, MAX_ATTRIB_STACK_DEPTH = 64, 64, 16
 

@@ -22,14 +22,14 @@ MAPS = {d: {name: first + i for i, name in enumerate(TARGETS[d])} for d, first i
 ALL_MAPS = MAPS[1] | MAPS[2]
 MAP_QUERIES = {"GL_COEFF": 0x0A00, "GL_ORDER": 0x0A01, "GL_DOMAIN": 0x0A02}
 FLAGS = ALL_MAPS | {"GL_AUTO_NORMAL": 0x0D80}
-# What is enabled elsewhere in the GL, as far as anyone should ask.
+# Names that Enable takes elsewhere in the GL, as far as anyone should ask.
 OTHER_FLAGS = {"GL_LIGHTING": 0x0B50, "GL_COLOR_MATERIAL": 0x0B57, "GL_NORMALIZE": 0x0BA1,
                "GL_DEPTH_TEST": 0x0B71, "GL_BLEND": 0x0BE2, "GL_CULL_FACE": 0x0B44, "GL_FOG": 0x0B60,
                "GL_TEXTURE_1D": 0x0DE0, "GL_TEXTURE_2D": 0x0DE1, "GL_DITHER": 0x0BD0,
                "GL_SCISSOR_TEST": 0x0C11}
 COMPILE_MODES = {"GL_COMPILE": 0x1300, "GL_COMPILE_AND_EXECUTE": 0x1301}
 NAME_TYPES = {name: 0x1400 + i for i, name in enumerate(LIST_TYPES)}
-# What PushAttrib saves: attributes of Context.
+# Groups of state that PushAttrib saves: attributes of Context.
 GROUPS = {"GL_CURRENT_BIT": ("current",), "GL_ENABLE_BIT": ("enabled",), "GL_EVAL_BIT": ("enabled", "grids"),
           "GL_LIST_BIT": ("list_base",), "GL_TEXTURE_BIT": ("active_unit",)}
 GROUPS["GL_ALL_ATTRIB_BITS"] = tuple({name for names in GROUPS.values() for name in names})

@@ -1,4 +1,4 @@
-// What a case claims by its theme and its requirements, checked on its exact value.
+// Claims of a case by its theme and its requirements, checked on its exact value.
 #pragma once
 
 #include <string>

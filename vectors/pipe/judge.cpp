@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// What is wrong with the values; empty if nothing is.
+// Returns the error in the values; empty if there is none.
 std::string wrong_values(const json& components, const std::vector<double>& got) {
   for (std::size_t c = 0; c < got.size(); ++c) {
     const json& accept = components[c]["accept"];

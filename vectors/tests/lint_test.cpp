@@ -1,4 +1,4 @@
-// What is wrong with a file is found, and said with the case it is in.
+// Errors in a file are found, and reported with the case they are in.
 #include <evalcts/vectors/lint.h>
 
 #include <fmt/format.h>
@@ -44,7 +44,7 @@ const json& sample(const std::string& kind) {
   return found != samples.end() ? found->second : samples.emplace(kind, first_cases(kind)).first->second;
 }
 
-// What is found, or what is malformed.
+// Returns the findings, or the reason for which the file is malformed.
 std::string complaint(const json& file) {
   try {
     const Report report = lint(file.dump(), requirements());

@@ -80,7 +80,7 @@ class Evaluator:
     def result(self, x):
         return f32(x)
 
-    # How they are put together
+    # Composition of cases
 
     def parameters(self, the_map, arguments):
         found = []

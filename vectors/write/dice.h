@@ -18,7 +18,7 @@ class Dice {
   // Seeded by a name (FNV-1a), so that what is drawn under one name never depends on others.
   explicit Dice(std::string_view name) : random_(fnv1a<std::uint64_t>(name)) {}
 
-  // From 0 to count - 1.
+  // Returns a number from 0 to count - 1.
   std::int64_t below(std::int64_t count) {
     return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(count));
   }

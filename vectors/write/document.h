@@ -20,7 +20,7 @@ class Document {
  public:
   Document(std::string kind, std::string description);
 
-  // What a flag means, for the notes. Explaining it again with other words throws std::logic_error.
+  // Adds the meaning of a flag to the notes. Explaining it again with other words throws std::logic_error.
   void explain(const std::string& flag, const std::string& meaning);
   // Throws std::logic_error for a flag that is not explained and an id that is there already.
   void add(const std::string& id, const Names& requirements, const Names& flags, const Json& content);

@@ -471,7 +471,7 @@ void queries(Document& document) {
       if (form == 1) c.GetnMapdv(of, what, size, gl::out<GLdouble>(24));
       if (form == 2) c.GetnMapiv(of, what, size, gl::out<GLint>(24));
     };
-    // As integers colours and normals have no certain answer (C-GETMAPIV-NORM).
+    // Colours and normals as integers have no certain answer (C-GETMAPIV-NORM).
     const std::tuple<GLenum, GLenum, int> kAnswers[] = {
         {form == 2 ? GL_MAP1_VERTEX_4 : GL_MAP1_COLOR_4, GL_COEFF, 12},
         {form == 2 ? GL_MAP2_VERTEX_3 : GL_MAP2_NORMAL, GL_COEFF, 18},
@@ -555,7 +555,7 @@ void primitives_and_units(Document& document) {
   Theme begin(document, "begin-end", "Begin and End themselves, and what is legal between them",
               {"EV-BE-ALLOWED", "EV-COORD-INBEGIN", "EV-COORD-NOERR"});
   add(begin, [](gl::Case& c) { c.End(); });
-  // Those right after GL_POLYGON are modes of later versions.
+  // The numbers right after GL_POLYGON are modes of later versions.
   for (const GLenum mode : {GL_POLYGON + 20, GL_TEXTURE_2D}) add(begin, [&](gl::Case& c) { c.Begin(mode); });
   for (GLenum mode = GL_POINTS; mode <= GL_POLYGON; ++mode)
     add(begin, [&](gl::Case& c) {

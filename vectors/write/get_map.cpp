@@ -1,4 +1,4 @@
-// What queries of maps answer.
+// Answers to queries of maps.
 #include <algorithm>
 
 #include <evalcts/gl/tokens.h>
@@ -19,7 +19,7 @@ std::vector<GLenum> all_targets() {
   return all;
 }
 
-// How many values the answer has.
+// Returns the number of values of the answer.
 std::size_t values_of(const Map& map, GLenum query) {
   const std::size_t dimensions = map.is_two_dimensional() ? 2 : 1;
   if (query == GL_ORDER) return dimensions;
@@ -34,7 +34,7 @@ void ask(gl::Case& c, int form, const Map& map, GLenum query, std::size_t spare 
   if (form == 1) c.GetMapdv(map.target, query, gl::out<GLdouble>(room));
   if (form == 2) c.GetMapiv(map.target, query, gl::out<GLint>(room));
 }
-// Whether a query has one answer whatever one reads: colours and normals as integers have two
+// Returns true if a query has one answer by every reading: colours and normals as integers have two
 // (C-GETMAPIV-NORM).
 bool is_certain(int form, GLenum target, GLenum query) {
   const bool is_normalized = target == GL_MAP1_COLOR_4 || target == GL_MAP2_COLOR_4 ||

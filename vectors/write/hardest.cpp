@@ -14,11 +14,11 @@ namespace {
 
 using reference::Rational;
 
-// Of a binary64: the bits that a binary32 does not have, and which of them is the first.
+// The bits of a binary64 that a binary32 does not have, and the first of them.
 constexpr int kExtraBits = 29;
 constexpr std::uint64_t kExtra = (std::uint64_t{1} << kExtraBits) - 1,
                         kMiddle = std::uint64_t{1} << (kExtraBits - 1);
-// How near to the middle the nearest binary64 has to be, in its own units.
+// The largest distance of the nearest binary64 from the middle, in its own units.
 constexpr std::int64_t kNear = 1 << 10;
 
 bool is_near(double value) {

@@ -7,7 +7,7 @@
 
 namespace evalcts::vectors {
 
-// Of the binary32 in [low, high), 0 < low: those at which the curve, whose values are normal binary32 there,
+// Returns the binary32 in [low, high), 0 < low, at which the curve, whose values are normal binary32 there,
 // lies nearest to the middle of two binary32, beginning with the nearest; values in the middle itself are
 // left out. `count` of them, or fewer where fewer are within 2^-18 of the distance of the two. Takes some 10
 // ns for each argument tried.

@@ -1,4 +1,4 @@
-// What the vectors say of automatic normals (INTERPRETING.md, "Automatic normals").
+// Statements of the vectors on automatic normals (INTERPRETING.md, "Automatic normals").
 #pragma once
 
 #include <reference/component.h>

@@ -152,7 +152,8 @@ Json accepted_integers(double exact) {
   return values;
 }
 
-// What a float or double may say of it: itself, or where no float holds it, either of those beside it.
+// Returns the floats or doubles that are accepted for it: itself or, if no float holds it, either of those
+// beside it.
 Json accepted_reals(double exact, bool as_double) {
   const auto interval = accepted(Rational(exact), 0);
   if (interval) return Json::array({hexadecimal(exact == 0 ? exact : interval->low)});

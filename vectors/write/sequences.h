@@ -1,4 +1,4 @@
-// What the vectors say of sequences of commands (INTERPRETING.md, "Sequences").
+// Statements of the vectors on sequences of commands (INTERPRETING.md, "Sequences").
 #pragma once
 
 #include <evalcts/gl/case.h>
@@ -7,7 +7,7 @@
 
 namespace evalcts::vectors {
 
-// What is said of a vertex, beside its position.
+// Attributes of a vertex that are stated, beside its position.
 struct Shown {
   bool color = false, normal = false;
   int texture_units = 0;

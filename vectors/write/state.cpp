@@ -631,7 +631,7 @@ void random_programs(Document& document) {
     if (!fits_every_implementation(random.program) || vertices < kFewestVertices || vertices > kMostVertices)
       continue;
     gl::Case program;
-    // Whoever plays a sequence asks for errors after each step.
+    // Players of a sequence ask for errors after each step.
     for (const gl::Command& command : random.program.commands())
       if (command.entry != gl::EntryPoint::GetError) program.add(command);
     theme.add(sequence(program, {.color = true, .normal = true, .texture_units = 2}));

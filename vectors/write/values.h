@@ -1,4 +1,4 @@
-// What the vectors say of evaluated values (INTERPRETING.md, "Maps" and "Values").
+// Statements of the vectors on evaluated values (INTERPRETING.md, "Maps" and "Values").
 #pragma once
 
 #include <reference/component.h>

@@ -23,7 +23,7 @@ using Draw = std::function<std::optional<std::string>(const std::string& script)
 std::string accuracy_html(const nlohmann::json& ulp, const std::vector<nlohmann::json>& sweeps,
                           const Draw& draw);
 
-// Whether accuracy_html takes that as a sweep.
+// Returns true if accuracy_html takes that as a sweep.
 bool is_sweep(const nlohmann::json& sweep);
 
 // The same numbers as comma-separated values: the table, errors over u, histograms, worst inputs.

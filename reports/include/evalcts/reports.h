@@ -67,7 +67,7 @@ std::vector<RunResult> merge_shards(const std::vector<RunResult>& results);
 // that it never looks whole; a run that never started is one skipped testcase.
 std::string junit(const RunResult& result);
 
-// What to read first after a run, worst first: counts, then the distinct bugs, most important first; if they
+// Text to read first after a run, worst first: counts, then the distinct bugs, most important first; if they
 // were not looked for, or with verbose, each unexpected failure in five lines (the test
 // and its case; what was expected and what came; which requirement says so; the command that runs just it;
 // the commands that open it in a debugger and make a C program of it), one of each requirement before the
@@ -84,7 +84,7 @@ std::string terminal_summary(const RunResult& result, const Catalogue& catalogue
 // all).
 std::string bug_list(const RunResult& result, const Catalogue& catalogue, bool colour, bool verbose);
 
-// What it came to in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects".
+// The result in one line: "osmesa: 3 unexpected results, 408 failing tests as the baseline expects".
 // Ends with a newline.
 std::string terminal_line(const RunResult& result, bool colour);
 

@@ -16,9 +16,9 @@ namespace evalcts::vectors {
 // way (sequences). `file` has passed check_structure().
 std::string emit(const nlohmann::json& file);
 
-// What came back.
+// The answers of a program.
 struct Answers {
-  // By id; no numbers: skipped.
+  // Answers by id; no numbers: skipped.
   std::map<std::string, std::vector<double>> of;
   std::vector<std::string> answered_twice;  // ids
   std::vector<std::string> malformed;       // "line 3: ...", in words
@@ -33,7 +33,7 @@ struct Wrong {
   std::string message;  // which component, what came, what is accepted
 };
 
-// How the answers to one file did.
+// The score of the answers to one file.
 struct Score {
   std::string kind;
   std::size_t cases = 0, skipped = 0;
@@ -44,8 +44,8 @@ struct Score {
     std::size_t answered = 0, wrong = 0;
   };
   std::map<std::string, Count> by_flag;
-  // Of the values with an acceptance interval (not of normals): how many are the nearest binary32, and the
-  // largest error in ULP of binary32, with the case it is in.
+  // Values with an acceptance interval (normals have none), the number of those that are the nearest
+  // binary32, and the largest error in ULP of binary32, with the case it is in.
   std::size_t values = 0, correctly_rounded = 0;
   double largest_ulp = 0;
   std::string largest_id;
