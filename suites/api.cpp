@@ -172,7 +172,7 @@ EVALCTS_TEST(Api, MeshModesByValue, must, "EV-API-ENUM-OTHER/2-D")
   c.check();
 };
 
-// What each mode draws.
+// The modes of meshes by number.
 constexpr GLenum kModesByValue[] = {0x1B00, 0x1B01, 0x1B02};
 
 EVALCTS_TEST_PAIR(Api.MeshModeByEffect, Api.MeshModeByEffect2, must,

@@ -202,7 +202,7 @@ void draw_meshes(gl::Case& c) {
   c.EvalMesh2(GL_POINT, 0, 2, 0, 1);
 }
 
-// What is evaluated afterwards goes by the enables and grids that came back, and by the new points.
+// Evaluations afterwards use the enables and grids that came back, and the new points.
 EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-NOMAPS",
              by(gl::list_deliveries()))
 (Test& t) {
@@ -226,7 +226,7 @@ EVALCTS_TEST(AttributeStack, EvaluatesAsRestored, must, "EV-ATTRIB-EVALBIT", "EV
   t.expect_emission(c, kPosition | kColor | kNormal | kTextureCoordinate0);
 };
 
-// Where no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
+// If no enable changes between push and pop, the grid comes back all the same, for meshes as for queries.
 EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT", by(gl::list_deliveries()))
 (Test& t) {
   gl::Case c("points of a grid before the push, of another grid, and after the pop");
@@ -244,8 +244,8 @@ EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredGrid, must, "EV-ATTRIB-EVALBIT
   t.expect_emission(c, kPosition);
 };
 
-// Where no grid changes, the enables come back all the same: which vertex map wins, and what gives the
-// normals.
+// If no grid changes, the enables come back all the same: they decide which vertex map wins, and what gives
+// the normals.
 EVALCTS_TEST(AttributeStack, EvaluatesWithRestoredEnables, must, "EV-ATTRIB-EVALBIT", "EV-ATTRIB-ENABLEBIT",
              by(gl::list_deliveries()))
 (Test& t) {

@@ -119,7 +119,7 @@ void expect_normals(Test& t, const std::string& identity, const std::vector<Map>
   t.expect_emission(c, required);
 }
 
-// With and without a vertex shader: the rule is the same but for the length.
+// Normals with and without a vertex shader: the rule is the same but for the length.
 constexpr Named<Attributes> kLengths[] = {{"UNIT", kNormal | kUnitNormal}, {"SHADER", kNormal}};
 
 // --- Where the normal comes from -------------------------------------------------------------------------
@@ -266,7 +266,7 @@ EVALCTS_TEST(AutomaticNormals, Curved, must, "EV-AUTON-CURVED", "EV-AUTON-METHOD
                  {patch.map(), over(patch.map(), {2, 5}, {-3, -1})});
 };
 
-// What GL 1.0 demanded: the analytic normal, to the accuracy of the operations.
+// The demand of GL 1.0: the analytic normal, to the accuracy of the operations.
 EVALCTS_TEST(AutomaticNormals, Analytic, quality, "EV-AUTON-METHOD",
              combine(kPolynomial).by(gl::list_deliveries()))
 (Test& t, const Patch& patch) { expect_normals(t, "the analytic normal", {patch.map()}); };

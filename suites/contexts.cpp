@@ -22,7 +22,7 @@ void set_everything(Test& t, gl::Case& c, int variant) {
   c.TexCoord4f(4, 3, 2, 5);
 }
 
-// What makes another context current.
+// Ways to make another context current.
 struct Other {
   const char* name;
   gl::Ref (*make_current)(gl::Case&, GLuint);
@@ -31,7 +31,7 @@ constexpr Other kOthers[] = {
     {"SEPARATE", [](gl::Case& c, GLuint number) { return c.OtherContextEVALCTS(number); }},
     {"SHARING", [](gl::Case& c, GLuint number) { return c.SharingContextEVALCTS(number); }}};
 
-// Whatever the first context holds. What is initial the first context said before.
+// A new context has the initial state, which the first one told before it was changed.
 EVALCTS_TEST(Contexts, Fresh, must, "EV-CTX-FRESH", combine(kOthers))
 (Test& t, const Other& other) {
   CheckedCase c(t, "everything set in the first context, then another one is made");
@@ -173,7 +173,7 @@ void set_and_copy(Test& t, gl::Case& c, GLbitfield mask) {
   c.CopyContextEVALCTS(0, kCopy, mask);
 }
 
-// What EVAL_BIT saves.
+// Queries of the state that EVAL_BIT saves.
 std::vector<gl::Ref> query_pushable(gl::Case& c) {
   std::vector<gl::Ref> queries;
   for (const GLenum cap : all_caps()) queries.push_back(c.IsEnabled(cap));

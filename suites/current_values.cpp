@@ -27,7 +27,7 @@ constexpr Query kQueries[] = {{"COLOR", GL_CURRENT_COLOR, 4},
                               {"NORMAL", GL_CURRENT_NORMAL, 3},
                               {"TEXTURE_COORDS", GL_CURRENT_TEXTURE_COORDS, 4}};
 
-// How the current value was set before: with every number of components that the commands have.
+// Commands that set the current value before: with every number of components that the commands have.
 using Setter = void (*)(gl::Case&, int variant);
 
 void set_color(gl::Case& c, int variant) {

@@ -79,7 +79,7 @@ Answers answers(Test& t, const gl::Identity& identity, const std::vector<NamedCa
   return answers;
 }
 
-// Where the error of another command is reported, those of evaluators are.
+// If the error of another command is reported, those of evaluators are, too.
 EVALCTS_TEST(Pipeline, DebugMessages, quality, "EV-PIPE-DEBUG")
 (Test& t) {
   t.require(4, 3, "GL_KHR_debug");

@@ -197,8 +197,8 @@ std::vector<gl::Ref> ask_in_every_form(gl::Case& c, bool getn) {
   return answers;
 }
 
-// What is asked while the list is open is answered as outside of it: before it, or after it where its
-// commands are executed.
+// Queries while the list is open are answered as outside of it: before it, or after it if its commands are
+// executed.
 EVALCTS_TEST(DisplayLists, EveryQueryInAnOpenList, must, "EV-DL-GETMAP", combine(kModes))
 (Test& t, GLenum mode) {
   const bool getn = t.gl().at_least(4, 5) || t.gl().extensions.contains("GL_ARB_robustness");

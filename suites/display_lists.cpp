@@ -470,7 +470,7 @@ EVALCTS_TEST(DisplayLists, CurrentValuesUntouched, must, "EV-DL-CURRENT", combin
   }
 };
 
-// Whatever evaluates: a mesh, or points between Begin and End.
+// Current values are kept by meshes and by points between Begin and End.
 EVALCTS_TEST(DisplayLists, CurrentValuesAfterTheCall, must, "EV-DL-CURRENT", combine(kDimensions))
 (Test& t, const Dimension& dimension) {
   for (const bool mesh : {true, false}) {

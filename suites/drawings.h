@@ -1,5 +1,5 @@
-// What tests of the rest of the pipeline draw: the same with evaluated and with explicit vertices, which have
-// to show the rule under the same state.
+// Drawings of tests of the rest of the pipeline: the same with evaluated and with explicit vertices, which
+// have to show the rule under the same state.
 #pragma once
 
 #include <string>

@@ -110,7 +110,7 @@ EVALCTS_TEST(Enables, BetweenBeginAndEnd, must, "EV-EN-BEGINEND",
   }
 };
 
-// In every primitive, before and after a vertex.
+// Enables in every primitive, before and after a vertex.
 EVALCTS_TEST(Enables, InEveryPrimitive, must, "EV-EN-BEGINEND", combine(all_caps()))
 (Test& t, GLenum cap) {
   CheckedCase c(t, "Enable, Disable and IsEnabled");

@@ -281,7 +281,7 @@ void expect_dimensions_in_turn(Test& t, GLenum target1, GLenum target2) {
 EVALCTS_TEST(Evaluation, DimensionsInTurn, must, "EV-COORD-MIXDIM", by(gl::list_deliveries()))
 (Test& t) { expect_dimensions_in_turn(t, GL_MAP1_COLOR_4, GL_MAP2_COLOR_4); };
 
-// What one dimension has no map for comes from the current values, not from the other.
+// Attributes without a map of the dimension come from the current values, not from maps of the other one.
 EVALCTS_TEST(Evaluation, DimensionsInTurnWithOtherMaps, must, "EV-COORD-MIXDIM", "EV-COORD-CURRENT",
              by(gl::list_deliveries()))
 (Test& t) {

@@ -78,7 +78,7 @@ EVALCTS_TEST(Feedback, LineMesh, must, "EV-FB-LINE")
   expect_meshes_like_explicit(picture, control);
 };
 
-// Whether a segment that is not the first of its strip has LINE_RESET_TOKEN.
+// Returns true if a segment that is not the first of its strip has LINE_RESET_TOKEN.
 bool starts_elsewhere(const Drawing& drawing, const Part& part) {
   std::set<std::size_t> first;
   std::size_t segment = 0;
@@ -185,7 +185,7 @@ gl::Case choose_texture_map(bool two, int components) {
   return c;
 }
 
-// Whatever the current texture coordinates are, and those of unit 1.
+// Any current texture coordinates, and those of unit 1, leave evaluated ones alone.
 EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
 (Test& t) {
   std::vector<Drawing> drawings;
@@ -217,7 +217,7 @@ EVALCTS_TEST(Feedback, TextureCoordinates, must, "EV-FB-TEX")
   expect_drawn_like_explicit(picture, drawings, control);
 };
 
-// What happens to colours on their way.
+// Stages that change colours on their way.
 struct ColorStage {
   const char* name;
   void (*set)(gl::Case&);

@@ -43,7 +43,7 @@ struct Answer {
 // Enough for every answer here, and for what a wrong implementation may write.
 constexpr std::size_t kRoom = 64;
 
-// Of all targets of one dimension, each with a map of its own: of order 3, or 2x4.
+// Answers of all targets of one dimension, each with a map of its own: of order 3, or 2x4.
 std::vector<Answer> answers(bool two) {
   std::vector<Answer> all;
   for (const GLenum target : targets(two)) {

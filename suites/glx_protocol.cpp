@@ -196,7 +196,7 @@ EVALCTS_TEST(GlxProtocol, PointsOfMap2, must, "EV-GLX-MAP2-PACK", combine(gl::kM
       }
 };
 
-// Whatever the client takes for too large for one request: the command that arrives is the same.
+// Maps may be too large for one request: the command that arrives is the same.
 EVALCTS_TEST(GlxProtocol, LargeMaps, must, "EV-GLX-LARGE")
 (Test& t) {
   const int most = t.max_order();
@@ -304,7 +304,7 @@ EVALCTS_TEST(GlxProtocol, ErroneousMaps, must, "EV-GLX-ERRONEOUS", combine(erron
 EVALCTS_TEST(GlxProtocol, SmallStrides, must, "EV-GLX-STRIDE-CLIENT", combine(small_strides()))
 (Test& t, const Erroneous& bad) { expect_erroneous(t, bad); };
 
-// Whatever is asked for afterwards shows that rendering is indirect.
+// Begins a case; its later queries show that rendering is indirect.
 void begin_indirect(gl::Case& c) {
   c.RecordRequestsEVALCTS();
   c.MapGrid1f(7, 0.5f, -3.0f);

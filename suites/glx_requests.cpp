@@ -55,7 +55,7 @@ void read_render(View body, std::vector<SentCommand>& commands) {
 // Section 2.3.2: a command in several requests. Whether n0 counts length and opcode, the text says both ways.
 class Large {
  public:
-  // Whether the command is complete.
+  // Returns true if the command is complete.
   bool add(View body) {
     const unsigned number = read<std::uint16_t>(body, 4), total = read<std::uint16_t>(body, 6);
     const std::size_t count = read<std::uint32_t>(body, 8);

@@ -1,4 +1,4 @@
-// What an indirect GLX context sends ("GLX Extensions For OpenGL Protocol Specification" 1.3, GLXenc), read
+// Requests of an indirect GLX context ("GLX Extensions For OpenGL Protocol Specification" 1.3, GLXenc), read
 // back from the requests of a case.
 #pragma once
 
@@ -40,7 +40,7 @@ class Wire {
   Wire& int32(std::int32_t value) { return put(value); }
   Wire& float32(float value) { return put(value); }
   Wire& float64(double value) { return put(value); }
-  // As floats or as doubles.
+  // Appends values as floats or as doubles.
   Wire& reals(const std::vector<double>& values, bool doubles) {
     for (const double value : values) doubles ? float64(value) : float32(static_cast<float>(value));
     return *this;

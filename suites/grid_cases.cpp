@@ -84,13 +84,13 @@ void draw_at(gl::Case& c, const Along& along, PrimitiveKind kind, float value) {
   c.End();
 }
 
-// What came out for one grid; the current texture coordinate says what a vertex belongs to.
+// The vertices of one grid; the current texture coordinate says what a vertex belongs to.
 struct Probed {
   static constexpr int kTags = 4;
   std::optional<float> at_end, at_next, at_previous;
   std::vector<float> near_end;  // of what is under test
 
-  // Whether EvalCoord tells the end from one of its neighbours at least.
+  // Returns true if EvalCoord tells the end from one of its neighbours at least.
   bool tells() const {
     return at_end && at_next && at_previous && (*at_next != *at_end || *at_previous != *at_end);
   }

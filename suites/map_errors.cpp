@@ -38,8 +38,8 @@ EVALCTS_TEST_PAIR(Map1Errors.BadTarget, Map2Errors.BadTarget, must,
   expect_targets_refused(t, two, form.doubles, bad);
 };
 
-// Whatever part of the number is looked at. (Apart from the test above: those who lose the error in display
-// lists fail it in other cases then.)
+// Targets of similar numbers, whatever part of the number a library looks at. (Apart from the test above:
+// those who lose the error in display lists fail it in other cases then.)
 EVALCTS_TEST_PAIR(Map1Errors.BadTargetOfSimilarNumber, Map2Errors.BadTargetOfSimilarNumber, must,
                   decide("EV-MAP1-ERR-TARGET", "EV-MAP2-ERR-TARGET"),
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"), combine(kForms))
@@ -97,7 +97,7 @@ void for_each_illegal(GLenum target, const std::function<void(const Map&)>& call
   }
 }
 
-// What is evaluated after a rejected call of each kind is what the last legal call defined.
+// Evaluations after a rejected call of each kind use the map of the last legal call.
 EVALCTS_TEST_PAIR(Map1Errors.EvaluatesAsBefore, Map2Errors.EvaluatesAsBefore, must,
                   decide("EV-MAP1-ERR-NOEFFECT", "EV-MAP2-ERR-NOEFFECT"),
                   [](bool two) { return combine(visible_target_forms(two)).by(gl::list_deliveries()); })
@@ -296,7 +296,7 @@ EVALCTS_TEST(Map1Errors, RefusedWhileAnErrorWaits, must, "EV-MAP1-ERR-NOEFFECT",
   c.check();
 };
 
-// What is no error: EV-MAP-NOERR-OTHER names the conditions.
+// Conditions that are no error: EV-MAP-NOERR-OTHER names them.
 EVALCTS_TEST(Map1Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/1-D", kEachTargetForm(kCurves))
 (Test& t, const TargetForm& form) {
   const auto expect_accepted = [&](const std::string& identity, const std::function<void(Map&)>& change) {
@@ -463,7 +463,7 @@ EVALCTS_TEST(Map2Errors, SeveralAtOnce, must, "EV-MAP-ERR-ANY/2-D", "EV-MAP2-ERR
                  {GL_INVALID_VALUE, GL_INVALID_OPERATION});
 };
 
-// What is no error: EV-MAP-NOERR-OTHER names the conditions.
+// Conditions that are no error: EV-MAP-NOERR-OTHER names them.
 EVALCTS_TEST(Map2Errors, NoOtherCondition, must, "EV-MAP-NOERR-OTHER/2-D", kEachTargetForm(kSurfaces))
 (Test& t, const TargetForm& form) {
   CheckedCase c(

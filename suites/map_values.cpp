@@ -105,7 +105,7 @@ void expect_over_domain(Test& t, const NamedDomain& named) {
 EVALCTS_TEST(Map1Values, Domain, must, "EV-MAP1-DOMAIN", combine(kDomains).by(gl::curve_deliveries()))
 (Test& t, const NamedDomain& domain) { expect_over_domain(t, domain); };
 
-// Where all points but the first few are far from zero what is next to the first end tells how exactly the
+// If all points but the first few are far from zero, arguments next to the first end tell how exactly the
 // argument is taken apart.
 EVALCTS_TEST(Map1Values, NextToTheFirstEnd, must, "EV-MAP1-DOMAIN", kEachTarget)
 (Test& t, GLenum target) {
@@ -258,7 +258,7 @@ void expect_of_all_kinds(Test& t, const std::string& identity,
   t.expect_emission(c, kUnit0);
 }
 
-// How Map2 is called matters here, how the map is evaluated does not.
+// The form of Map2 matters here, the command that evaluates does not.
 std::vector<gl::Delivery> both_forms() {
   std::vector<gl::Delivery> forms = gl::surface_deliveries();
   std::erase_if(forms, [](const gl::Delivery& delivery) {

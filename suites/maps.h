@@ -51,7 +51,7 @@ struct Map {
   std::vector<double> domain() const;
 };
 
-// What the padding between two control points holds in all tests: a value that spoils whatever reads it.
+// The padding between two control points in all tests: a value that spoils any result that it enters.
 inline constexpr double kPoison = 1e30;
 
 // `coefficients` (packed, order*k of them) laid out with the stride; padding is poisoned.
@@ -73,7 +73,7 @@ Map over(Map map, const Interval& u, const Interval& v);
 // `count` numbers in [-1,1], exactly representable in single precision.
 std::vector<double> random_values(std::mt19937& random, std::size_t count);
 
-// Where the control points lie in memory: the strides by k and the orders.
+// Layouts of control points in memory: the strides by k and the orders.
 struct Layout {
   const char* name;
   int (*ustride)(int k, int uorder, int vorder);
@@ -83,7 +83,7 @@ struct Layout {
 inline constexpr Layout kLayouts[] = {
     {"U_MAJOR", [](int k, int, int vorder) { return k * vorder; }, [](int k, int, int) { return k; }, false},
     {"V_MAJOR", [](int k, int, int) { return k; }, [](int k, int uorder, int) { return k * uorder; }, false},
-    // As one attribute of several, in rows that are longer than the net.
+    // One attribute of several, in rows that are longer than the net.
     {"EMBEDDED_U_MAJOR", [](int k, int, int vorder) { return (k + 5) * (vorder + 2); },
      [](int k, int, int) { return k + 5; }, false},
     {"EMBEDDED_V_MAJOR", [](int k, int, int) { return k + 3; },
@@ -123,7 +123,7 @@ struct Form {
 };
 inline constexpr Form kForms[] = {{"f", false}, {"d", true}};
 
-// What becomes of the points after the call.
+// Fates of the points after the call.
 struct Fate {
   const char* name;
   gl::AfterCall after;
@@ -196,7 +196,7 @@ std::vector<At> arguments(Test& t, const Interval& u, const Interval& v, int cou
 // Evaluates at all arguments, in one primitive of points.
 void evaluate_all(gl::Case& c, const std::vector<double>& arguments);
 void evaluate_all(gl::Case& c, const std::vector<At>& arguments);
-// In either dimension.
+// Evaluates in either dimension.
 void evaluate_all(gl::Case& c, bool two, const std::vector<At>& arguments, bool doubles = false);
 
 // --- Queries ---------------------------------------------------------------------------------------------

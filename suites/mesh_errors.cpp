@@ -17,7 +17,7 @@ void mesh(gl::Case& c, bool two, GLenum mode, bool empty = false) {
   eval_mesh(c, two, mode, 0, last, 0, last);
 }
 
-// Whatever is no mode of the command, neighbours and primitives above all.
+// Returns values that are no modes of the command, neighbours and primitives above all.
 std::vector<GLenum> bad_modes(bool two) {
   std::vector<GLenum> modes = {GL_POINTS,    GL_LINES,         GL_LINE_LOOP,     GL_LINE_STRIP,
                                GL_TRIANGLES, GL_QUADS,         GL_QUAD_STRIP,    GL_POLYGON,
@@ -173,7 +173,7 @@ EVALCTS_TEST_PAIR(MeshErrors.Mesh1RefusedDrawsNothing, MeshErrors.Mesh2RefusedDr
   t.expect_emission(c, kPosition);
 };
 
-// Whatever became of a mesh, the GL is outside Begin/End after it: Begin is legal and End alone is not.
+// The GL is outside Begin/End after any mesh, drawn or rejected: Begin is legal and End alone is not.
 EVALCTS_TEST(MeshErrors, LeavesNothingOpen, must, "EV-BE-MESHNOTINSIDE", by(gl::list_deliveries()))
 (Test& t) {
   struct Attempt {

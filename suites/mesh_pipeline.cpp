@@ -95,7 +95,7 @@ Point point_of(const std::array<double, 12>& vertex) {
 
 Edge edge_of(const Point& a, const Point& b) { return {std::min(a, b), std::max(a, b)}; }
 
-// What came of filled quads: their edges as lines, their corners as points, or polygons.
+// Outlines of filled quads: their edges as lines, their corners as points, or polygons.
 struct Outlines {
   std::multiset<Edge> edges;
   std::multiset<Point> points;
@@ -120,7 +120,7 @@ Outlines outlines_of(const Part& part) {
   return outlines;
 }
 
-// Of all quads of the patch: four edges, and a point for each edge that begins there.
+// Returns the outlines of all quads of the patch: four edges, and a point for each edge that begins there.
 Outlines outlines_of_quads(GLenum polygon_mode) {
   Outlines outlines;
   for_each_quad([&](int i, int j) {
@@ -163,7 +163,7 @@ gl::Case polygon_mode(GLenum mode) {
   return state;
 }
 
-// In either polygon mode, with the edge flag.
+// Adds scenes in either polygon mode, with the edge flag.
 void add_outlined(std::vector<Scene>& scenes, bool flag, const gl::Case& drawing) {
   for (const GLenum outlined : kOutlined) {
     gl::Case state = polygon_mode(outlined);
@@ -249,7 +249,7 @@ EVALCTS_TEST(Mesh2, NoDiagonals, must, "EV-MESH2-ISQUADS")
   }
 };
 
-// Whatever the split inside, the vertices are those of the mesh and the middle is covered.
+// The vertices are those of the mesh and the middle is covered, however the quads are split.
 EVALCTS_TEST(Mesh2, NonPlanarQuads, quality, "EV-MESH2-PLANAR")
 (Test& t) {
   // Seen from the front as the patch is; z twists the quads.
@@ -428,7 +428,7 @@ constexpr OfPolygons kOffset[] = {
        c.PolygonOffset(0.0f, -0x1p21f);  // a quarter or an eighth of the range, in 24 bits
      }}};
 
-// Where it shows: feedback has no polygon offset.
+// Stages in which it shows: feedback has no polygon offset.
 struct Stages {
   const char* name;
   bool in_depth;

@@ -20,7 +20,7 @@ constexpr std::span kModes2(kMeshModes);
 
 const Grid kV = {5, 1.9f, 1.2f};
 
-// Of one dimension i1 and i2 only.
+// A range of a mesh; in one dimension i1 and i2 only.
 struct Range {
   int i1, i2, j1 = 0, j2 = 0;
 };
@@ -248,7 +248,7 @@ EVALCTS_TEST(Mesh2, Points, must, "EV-MESH2-POINT", "EV-MESH2-COORDS", by(gl::li
 EVALCTS_TEST(Mesh2, Lines, must, "EV-MESH2-LINE", "EV-MESH2-COORDS", "EV-MESH2-LINE-OVERLAP",
              by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[1]); };
-// As quads in the order of rows, whole or in two triangles.
+// Quads come in the order of rows, whole or in two triangles.
 EVALCTS_TEST(Mesh2, Quads, must, "EV-MESH2-FILL", "EV-MESH2-COORDS", by(gl::list_deliveries()))
 (Test& t) { expect_whole_meshes2(t, kModes2[2]); };
 
@@ -321,7 +321,7 @@ void expect_no_accumulation(Test& t, const MeshMode& mode, const Along& along) {
     const std::size_t groups = vertices.size() % (segments + 1) == 0 ? segments + 1 : segments;
     if (vertices.empty() || vertices.size() % groups != 0)
       throw NotObservable("the points of the mesh do not come out, which other tests say");
-    // Which row is drawn first is judged elsewhere.
+    // The order of the rows is judged elsewhere.
     if (vertices.back().position[0] < vertices.front().position[0]) std::ranges::reverse(vertices);
     const auto size = static_cast<std::ptrdiff_t>(vertices.size() / groups);
     std::vector<Mismatch> mismatches;
@@ -363,7 +363,7 @@ EVALCTS_TEST(Mesh2, ErrorDoesNotAccumulate, must, "EV-MESH2-NOACCUM", combine(lo
 
 // --- The same vertex wherever it is drawn ----------------------------------------------------------------
 
-// What came out, by the index of the grid point.
+// Captured positions by the index of the grid point.
 using ByPoint = std::map<std::pair<int, int>, std::vector<std::array<float, 4>>>;
 
 // Meshes over the ranges. Texture coordinates are linear over the grid and tell which point a vertex is.

@@ -171,7 +171,7 @@ EVALCTS_TEST(AutomaticNormals, NotNormalisedForVertexProgram, must, "EV-AUTON-VP
     normals.push_back(normal);
     const gl::Case drawing = points_of(make_map2(GL_MAP2_VERTEX_3, plane.uorder, plane.vorder, points));
     evaluated.emplace_back(plane.name, state, drawing);
-    // As the specification plays the commands, the normals are units.
+    // The specification plays the commands with normals of unit length.
     const gl::Case units = explicit_commands(t, drawing);
     with_normals.emplace_back(plane.name, state);
     for (const gl::Command& command : units.commands()) {

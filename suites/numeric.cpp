@@ -30,7 +30,7 @@ std::vector<gl::Delivery> in_one_dimension() {
 
 namespace {
 
-// What a vertex holds of these attributes, with a name for each value.
+// A value of a vertex, with its name.
 struct Value {
   std::string name;
   float value;
@@ -105,7 +105,7 @@ EVALCTS_TEST_PAIR(Numeric.StartOfDomain, Numeric.EndOfDomain, must,
   t.expect_emission(c, kUnit0);
 };
 
-// At the start of the domain: the first control point, bit for bit.
+// The start of the domain gives the first control point, bit for bit.
 EVALCTS_TEST_PAIR(Numeric.StartIsFirstPoint, Numeric.StartIsCorner, quality,
                   decide("EV-NUM-START/1-D", "EV-NUM-START/2-D"),
                   [](bool two) { return by(two ? of_surfaces() : in_one_dimension()); })
@@ -261,7 +261,7 @@ EVALCTS_TEST_PAIR(Numeric.NegativeZeroIsZero1, Numeric.NegativeZeroIsZero2, qual
 // Values that are no finite single-precision number; the last is one in double precision.
 constexpr double kSpecials[] = {kNaN, kInfinity, -kInfinity, 1e300};
 
-// Which primitives may be drawn: a capture sees one kind.
+// Primitives that may be drawn: a capture sees one kind.
 using Modes = std::vector<GLenum>;
 
 struct Special {
@@ -344,13 +344,13 @@ std::size_t draw_finite(gl::Case& c, bool two, const std::vector<Map>& maps) {
   return 8 + (two ? 12 : 4);
 }
 
-// What is drawn after such values is what is drawn without them.
+// Drawings after such values are those without them.
 EVALCTS_TEST_PAIR(Numeric.ResultsAfterSpecials1, Numeric.ResultsAfterSpecials2, must,
                   decide("EV-NUM-SPECIAL-SAFE/1-D", "EV-NUM-SPECIAL-SAFE/2-D"),
                   combine(kFeeds).by(in_lists()))
 (Test& t, bool two, const Special& special) {
   const Kinds& kinds = kinds_of(two)[1];
-  // Those drawn before are others: what is drawn afterwards has to be defined afterwards.
+  // The maps drawn before are others: those drawn afterwards have to be defined afterwards.
   std::vector<Map> maps, maps_before;
   for (const GLenum target : kinds.targets) {
     maps.push_back(random_map(t, target, {4, 3}));

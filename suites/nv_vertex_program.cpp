@@ -31,7 +31,7 @@ std::vector<GLint> orders_of(GLenum target, GLint order) {
   return std::vector<GLint>(is_curve(target) ? 1 : 2, order);
 }
 
-// Of order 2, or 2x2.
+// Defines a map of order 2, or 2x2.
 void define_attribute_map(gl::Case& c, GLenum target, GLint stride, const std::vector<float>& points) {
   is_curve(target) ? c.Map1f(target, 0.0f, 1.0f, stride, 2, points)
                    : c.Map2f(target, 0.0f, 1.0f, 2 * stride, 2, 0.0f, 1.0f, stride, 2, points);
@@ -114,7 +114,8 @@ void use_nv_program(gl::Case& c, const std::string& color) {
 GLenum attribute_map(const Dimension& dimension, GLenum attribute) {
   return (dimension.two ? kAttributeMaps2 : kAttributeMaps1) + attribute;
 }
-// Of order 2 in u, constant in v: from one value to the other. Four components, or the first three.
+// Defines a map of order 2 in u, constant in v: from one value to the other. Four components, or the first
+// three.
 void define_ramp(gl::Case& c, const Dimension& dimension, GLenum target, const Color& from, const Color& to,
                  int components = 4) {
   std::vector<float> points;
@@ -144,7 +145,7 @@ void draw(gl::Case& c, const Dimension& dimension) {
   c.End();
 }
 
-// What is wrong with the points of a part; empty: nothing.
+// Returns the error in the points of a part; empty if there is none.
 std::string wrong_points(const Part& part, std::size_t count, const std::function<Color(double)>& color,
                          const std::function<Color(double)>& position) {
   const std::vector<FeedbackPrimitive> points = primitives_of(part);

@@ -1,6 +1,6 @@
-// What a drawing looks like at the end of the pipeline: in the feedback buffer, and in pixels what only
-// pixels show. Evaluated vertices are compared with explicit ones under the same state, and these have to
-// show what a test is about: where they do not, the test is not-observable (pipeline).
+// Pictures of a drawing at the end of the pipeline: in the feedback buffer, and in pixels for stages that
+// only pixels show. Evaluated vertices are compared with explicit ones under the same state. If the explicit
+// ones do not show the effect that a test is about, the test is not-observable (pipeline).
 #pragma once
 
 #include <array>
@@ -89,7 +89,7 @@ void expect_like_explicit(Played& played, const Part& seen, const Part& control)
 // All of its parts are.
 void expect_like_explicit(Picture picture, const Picture& control);
 
-// What explicit vertices look like is the same in all deliveries of a test: drawn once in a process, under
+// The picture of explicit vertices is the same in all deliveries of a test: drawn once in a process, under
 // this name.
 const Part& drawn_once(const std::string& name, const std::function<Part()>& draw);
 

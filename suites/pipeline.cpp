@@ -10,7 +10,7 @@
 namespace evalcts::suite_pipeline {
 namespace {
 
-// How to look at a drawing.
+// Views of a drawing.
 enum class View {
   feedback,  // window coordinates, colours and texture coordinates of what is drawn
   pixel,     // one pixel in the middle, for what feedback does not show
@@ -192,7 +192,7 @@ EVALCTS_TEST(Pipeline, BetweenEvaluations, must, "EV-COORD-MATERIAL/1-D",
     }
     c.End();
   };
-  // Without the command, then with it: half of the picture each.
+  // Draws without the command, then with it: half of the picture each.
   const auto draw_both = [&](bool evaluated) {
     gl::Case c = map;
     for (const bool with_command : {false, true}) draw(c, evaluated, with_command);

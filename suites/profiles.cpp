@@ -183,7 +183,7 @@ EVALCTS_TEST(Profiles, Deprecated, must, "EV-PROF-DEPRECATED")
   expect_everything(t);
 };
 
-// What is legal works, and GetError has nothing to say. (What is not legal is undefined there.)
+// Legal commands work, and GetError has nothing to say. (Illegal ones are undefined there.)
 EVALCTS_TEST(Profiles, NoError, must, "EV-PROF-NOERROR")
 (Test& t) {
   CheckedCase c(t, "legal commands in a no-error context");

@@ -26,7 +26,7 @@ struct Prepared {
   std::vector<Refusal> refusals;
   std::vector<Program> programs = {};
 };
-// What comes first, once.
+// Prepares a case, once.
 using Prepare = std::function<Prepared(gl::Case&)>;
 
 // One drawing in one state.
@@ -84,7 +84,7 @@ Attempts attempts(Test& t, const gl::Identity& identity, const std::vector<Drawi
     for (const Refusal& refusal : attempts.prepared.refusals)
       for (const Drawing& drawing : drawings)
         if (refusal.allows(drawing.primitive) == allowed) attempt(refusal, drawing, allowed);
-    // What is drawn may have changed current values, which is not the subject here.
+    // Drawings may have changed current values, which is not the subject here.
     if (!allowed && evaluated) attempts.after = query_everything(t, c);
   }
   return attempts;
@@ -205,7 +205,7 @@ EVALCTS_TEST(Pipeline, SamplersInConflict, must, "EV-PIPE-INVALIDPROGRAM")
 
 constexpr std::size_t kRecordedFloats = 4096;
 
-// What is not refused is recorded like explicit vertices.
+// Primitives that are not refused are recorded like explicit vertices.
 EVALCTS_TEST(Pipeline, TransformFeedbackModes, must, "EV-PIPE-XFB-MODE")
 (Test& t) {
   t.require(3, 0);

@@ -22,7 +22,7 @@ struct Hit {
   double nearest, farthest;  // 0 to 1
 };
 
-// What was selected, with the commands that said so.
+// The selected names, with the commands that returned them.
 struct Selection {
   Played played;
   gl::Ref count;

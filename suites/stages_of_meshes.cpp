@@ -166,7 +166,8 @@ std::vector<Stage> clip_stages() {
   return {{"no clip plane", none}, {"the right half clipped", left}, {"the upper part clipped", lower}};
 }
 
-// Of quads: the right half by one of the planes, each of which leaves the others' enables off.
+// Stages that leave the right half of quads by one of the planes, each of which leaves the others' enables
+// off.
 constexpr GLenum kPlanes[] = {GL_CLIP_PLANE0, GL_CLIP_PLANE1, GL_CLIP_PLANE5};
 std::vector<Stage> right_halves_clipped() {
   std::vector<Stage> stages(1);
@@ -243,7 +244,7 @@ gl::Case fog(GLint mode) {
   return state;
 }
 
-// Where the vertices are.
+// Returns the places of the vertices.
 std::vector<Area> vertex_pixels(bool two) {
   std::vector<Area> areas;
   for (int i = 0; i <= kColumns; ++i) {

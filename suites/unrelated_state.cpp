@@ -120,7 +120,7 @@ void change_maps_not_used(Test& t, Repetition& r, bool two) {
     for (const GLenum target : targets(other)) {
       if (std::ranges::count(used, target)) continue;
       define(c, random_map(t, target, other ? Orders{5, 6} : Orders{7}));
-      // Those of the other dimension may be enabled.
+      // Maps of the other dimension may be enabled.
       if (other != two) c.Enable(target);
     }
   r.after("definitions of other maps");

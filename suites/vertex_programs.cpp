@@ -90,7 +90,7 @@ const VaryingShader kEachAttribute = {
     {"twice_position", "swapped_color", "texture_sum", "unit_one", "turned_normal", "secondary", "fog"},
     kFloats};
 
-// What the shader makes of a vertex.
+// Returns the shader's outputs for a vertex.
 std::vector<float> expected_of(const reference::Vertex& vertex) {
   const auto at = [](const reference::Component& component) { return reference::rounded(component); };
   const std::array<float, 3> normal = reference::rounded(vertex.normal);

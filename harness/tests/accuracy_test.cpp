@@ -1,4 +1,4 @@
-// How errors are counted, the textbook algorithms, and rows of the table from subjects whose errors are
+// Counts of errors, the textbook algorithms, and rows of the table from subjects whose errors are
 // known.
 #include <gtest/gtest.h>
 

@@ -232,7 +232,7 @@ TEST_F(Baselines, SignaturesBelongToTheFirstSeed) {
   EXPECT_TRUE(contains(read_file(folder_ / "m-signatures.txt"), "seed 1"));
 }
 
-// What fails with fresh contexts belongs into the other baseline.
+// A test that fails with fresh contexts belongs into the other baseline.
 TEST_F(Baselines, OfTheSecondPassHoldOnlyWhatIsNews) {
   RunResult result = record({test("A.B", Verdict::kFail, {"x"}), test("A.C", Verdict::kFail, {"y"})});
   result.pass = Pass::kReuseContext;
@@ -304,7 +304,7 @@ TEST_F(Overlays, AreAddedToTheBaseThatTheyExtend) {
   EXPECT_EQ(softpipe.entries().count("A.B"), 0u);  // withdrawn
   EXPECT_NE(softpipe.flake("F.x"), nullptr);
 
-  // In the order of their specificity: the longer header is the last.
+  // Overlays come in the order of their specificity: the longer header is the last.
   EXPECT_EQ(find(mesa("softpipe", "3.1 Mesa 20.3.5")).name(), "mesa with mesa.softpipe, mesa.old");
 
   EXPECT_EQ(find(mesa("llvmpipe", "4.5 Mesa 25.0.7", "dropin")).name(), "");

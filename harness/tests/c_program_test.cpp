@@ -114,7 +114,7 @@ TEST_F(CProgram, AnswersOfEveryKind) {
       0);
 }
 
-// What a case set in its first context is still there after another one; what it set in that one is not.
+// State that a case set in its first context is still there after another one; state of that one is not.
 TEST_F(CProgram, OtherContexts) {
   gl::Case c("two contexts");
   c.MapGrid1f(3, 0, 1);

@@ -52,7 +52,7 @@ TEST(Case, PassesArgumentsAndCopiesOfArrays) {
   EXPECT_EQ(read_points, kPoints);
 }
 
-// What a library does to the arithmetic of its process is no matter of the judge.
+// A library that changes the arithmetic of its process does not disturb the judge.
 TEST(Case, LeavesTheUsualArithmetic) {
   Table disturbing = table();
   disturbing.Begin = [](GLenum) { std::fesetround(FE_UPWARD); };

@@ -184,7 +184,7 @@ TEST_F(CommandLine, ShardsDecideTheSame) {
     EXPECT_EQ(drill("lenient", {"--shard", wrong}).code, 2) << wrong;
 }
 
-// Whatever quick depth leaves out, it keeps a test of every name and of every requirement that is decided.
+// Quick depth keeps a test of every name and of every requirement that is decided.
 TEST_F(CommandLine, QuickDepthKeepsEveryRule) {
   const json tests = json::parse(evalcts({"list", "tests", "--json"}).text, nullptr, false);
   std::map<std::string, bool> names, requirements;
@@ -296,7 +296,8 @@ TEST_F(CommandLine, SecondPassOfASoundLibraryFindsNothing) {
   }
 }
 
-// What fails with fresh contexts is no news in the second pass, and a baseline of that pass covers the rest.
+// A test that fails with fresh contexts is no news in the second pass, and a baseline of that pass covers the
+// rest.
 TEST_F(CommandLine, SecondPassKnowsWhatFailsAnyway) {
   const std::vector<std::string> tests = {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f",
                                           "--reuse-context"};
@@ -594,7 +595,7 @@ TEST_F(CommandLine, KilledChildIsReplaced) {
   EXPECT_EQ(result["summary"]["crash"], 1);
 }
 
-// What was obtained before the signal is kept: with three processes all but the test that hangs, and the
+// Results obtained before the signal are kept: with three processes all but the test that hangs, and the
 // crash of another that there was no time to confirm.
 TEST_F(CommandLine, InterruptedRunKeepsWhatItHas) {
   for (const std::string jobs : {"1", "3"})

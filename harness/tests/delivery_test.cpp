@@ -151,7 +151,7 @@ TEST(Delivery, EvalMeshForWholePrimitives) {
   EXPECT_THROW(by("EvalPoint1").apply(triangles), std::logic_error);
 }
 
-// What a later command takes from an earlier one is still taken from it.
+// A command that takes a result of an earlier one still takes it from that.
 TEST(Delivery, ResultsKeepTheirCommands) {
   Case c;
   c.Begin(GL_POINTS);

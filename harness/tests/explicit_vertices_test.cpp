@@ -86,7 +86,7 @@ TEST(ExplicitVertices, LeaveOutAMeshBetweenBeginAndEnd) {
   EXPECT_EQ(lines[3], "glEnd();");
 }
 
-// What commands take from the results of earlier ones moves with these.
+// References to results of earlier commands move with these.
 TEST(ExplicitVertices, KeepReferencesToEarlierCommands) {
   Case c("buffer");
   c.EvalMesh1(GL_POINT, 0, 1);

@@ -70,7 +70,7 @@ TEST(RandomProgram, GoesEverywhereAndIsDefined) {
     EXPECT_GT(times[entry], 5) << gl::name_of(entry);
 }
 
-// Where everything comes together, the defect that shows most easily hides the others.
+// If everything comes together, the defect that shows most easily hides the others.
 TEST(RandomProgram, LeavesPartsOut) {
   using gl::EntryPoint;
   int without_lists = 0, without_surfaces = 0, errors_from_lists = 0;
@@ -388,7 +388,7 @@ TEST_F(FuzzCommand, SaysWhatItNeeds) {
 }
 
 TEST_F(FuzzCommand, ProductionHoldsOut) {
-  // What an earlier call found goes; what is called alike stays.
+  // Findings of an earlier call go; files with similar names stay.
   for (const char* file : {"fuzz-production-1.json", "fuzz-production-1.c", "fuzz-production-old-1.json"})
     std::ofstream(folder_ / file) << "{}";
   const Outcome outcome = fuzz({"--implementation", "production", "--programs", "40", "--seed", "5"});
@@ -419,7 +419,7 @@ TEST_F(FuzzCommand, ACrashIsMadeSmall) {
   EXPECT_TRUE(program) << "a C program";
 }
 
-// What a wrong answer is made smaller by crashes: both are found, the crash by the version it happens in.
+// The reduction of a wrong answer crashes: both are found, the crash by the version it happens in.
 TEST_F(FuzzCommand, ACrashOnTheWayToAWrongAnswerIsAFinding) {
   const Outcome outcome = fuzz_drill("fragile");
   EXPECT_EQ(outcome.code, 1) << outcome.text;
@@ -451,7 +451,7 @@ TEST_F(FuzzCommand, WhatDependsOnHistoryIsFound) {
   EXPECT_EQ(fuzz_drill("worn", {"--fresh-contexts"}).code, 0);
 }
 
-// What only hundreds of primitives show, nine programs do not repeat: no finding.
+// A difference that only hundreds of primitives show is not repeated by nine programs: no finding.
 TEST_F(FuzzCommand, WhatAFreshContextDoesNotRepeatIsNoFinding) {
   const Outcome outcome = fuzz_drill("worn-out", {"--jobs", "1"});
   EXPECT_EQ(outcome.code, 0) << outcome.text;

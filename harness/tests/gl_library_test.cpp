@@ -57,13 +57,13 @@ TEST_F(GlLibrary, OSMesaContexts) {
   expect_judged(run({"--context", "osmesa"}), "library");
   expect_judged(run({"--context", OSMESA_PROVIDER}), "library");
   expect_judged(run({"--context", "osmesa", "--library", "libOSMesa.so.8", "--name", "same"}), "same");
-  // What the library only depends on is not its own.
+  // Commands of libraries that it depends on are not its own.
   const Outcome outcome = run({"--context", "osmesa", "--library", "libGLU.so.1"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_TRUE(contains(outcome.text, "glGetString"));
 }
 
-// What is measured through captures is what single calls gave: replays give the same bits.
+// Values measured through captures are those of single calls: replays give the same bits.
 // The real libraries here that draw without a window system.
 class OffScreenLibraries : public GlLibrary, public testing::WithParamInterface<const char*> {
  protected:
@@ -124,7 +124,7 @@ TEST_F(GlLibrary, EglContexts) {
   expect_judged(run({"--library", "libEGL.so.1"}), "library");
 }
 
-// What an EGL may do without, and what it may not: EVALCTS_DRILL of drill_egl.cpp.
+// Features that an EGL may do without, and one that it may not: EVALCTS_DRILL of drill_egl.cpp.
 TEST_F(GlLibrary, EglThatOffersLess) {
   if (!available("egl")) GTEST_SKIP() << "no EGL here";
   for (const char* lacking : {"surfaceless", "pbuffers", "profile", "commands"}) {
@@ -451,7 +451,7 @@ TEST_F(GlxLibrary, Indirect) {
     EXPECT_EQ(capture["available"], as_text(capture["name"]) == "FeedbackBuffer") << capture;
 }
 
-// What the client sends is seen on its way to the server.
+// Requests of the client are seen on their way to the server.
 TEST_F(GlxLibrary, RequestsAreRecorded) {
   if (!available("glx-indirect")) GTEST_SKIP() << "no indirect rendering here";
   const Outcome outcome = evalcts({"run", "--implementation", "glx-indirect", "--output", folder_.string(),

@@ -49,7 +49,7 @@ class Misdeeds : public DrillTest, public testing::WithParamInterface<Misdeed> {
             "--jobs",    misdeed.jobs};
   }
 
-  // What the library does in one call costs that test at most, and leaves nothing behind.
+  // A misdeed in one call costs that test at most, and leaves nothing behind.
   void check(const Misdeed& misdeed, int code) const {
     const bool dies = std::string(misdeed.verdict) != "pass";
     EXPECT_EQ(code, dies ? 1 : 0) << misdeed.what;
@@ -200,7 +200,7 @@ class Flakes : public DrillTest {
   }
 };
 
-// What fails once and not again keeps its verdict, and says so everywhere.
+// A test that fails once and not again keeps its verdict, and says so everywhere.
 TEST_F(Flakes, AreToldApart) {
   const Outcome outcome = play("now-and-then", {"--verbose"});
   EXPECT_EQ(outcome.code, 1) << outcome.text;
@@ -222,7 +222,7 @@ TEST_F(Flakes, AreToldApart) {
   EXPECT_EQ(as_text(death["again"]["verdict"]), "pass");
 }
 
-// What fails each time is none, and neither is what the baseline knows to be one, which is not played again.
+// A test that fails each time is no flake, and one that the baseline knows to be a flake is not played again.
 TEST_F(Flakes, AreNotSeenElsewhere) {
   EXPECT_EQ(drill("lenient", {"--filter", "Map1Errors.StrideBelowK/MAP1_VERTEX_3_f", "--retry", "3"}).code,
             1);
@@ -299,7 +299,7 @@ TEST_F(Folders, AReadOnlyFolderIsSaidAtOnce) {
 
 TEST_F(Folders, BelongToOneCommandAtATime) {
   {
-    // What `report` would like to read.
+    // A file for `report` to read.
     const fs::path there = folder_ / "results-x.json";
     std::ofstream(there) << R"({"format": "evalcts-results-1", "status": "complete", "tests": []})";
     const FolderLock lock(folder_, "process 1: evalcts run, of somebody else");
@@ -323,7 +323,7 @@ TEST_F(Folders, BelongToOneCommandAtATime) {
     EXPECT_THROW(FolderLock(folder_, "again"), FolderInUse);
   }
   EXPECT_FALSE(fs::exists(folder_ / ".lock"));
-  // What a killed run leaves behind locks nothing.
+  // The lock that a killed run leaves behind locks nothing.
   std::ofstream(folder_ / ".lock") << "process 1";
   EXPECT_EQ(drill("nothing").code, 0);
   EXPECT_FALSE(fs::exists(folder_ / ".lock"));
@@ -436,7 +436,7 @@ TEST_F(Variables, ThatMakeNoSenseAreRefused) {
   }
 }
 
-// Those for other programs change nothing of what is asked for.
+// Variables for other programs do not change the run.
 TEST_F(Variables, ForOthersAreForgotten) {
   setenv("GTEST_FILTER", "Nothing.*", 1);
   setenv("TESTBRIDGE_TEST_ONLY", "Nothing.*", 1);
@@ -453,7 +453,7 @@ TEST_F(Variables, ForOthersAreForgotten) {
 
 class Terminal : public DrillTest {
  protected:
-  // What shows on a terminal of so many lines and 80 columns.
+  // Returns the screen of a terminal of so many lines and 80 columns.
   std::string shown(const std::vector<std::string>& arguments, int lines,
                     const std::string& environment = {}) {
     std::vector<std::string> command = arguments;

@@ -1,4 +1,4 @@
-// What reads files and lines that anybody may have written, under libFuzzer: whatever comes, the answer is a
+// Readers of files and lines that anybody may have written, under libFuzzer: whatever comes, the answer is a
 // result or the exception that is documented. The first byte says who reads the rest. `./evalcts test
 // --preset fuzz`.
 #include <evalcts/accuracy_page.h>
@@ -122,7 +122,7 @@ void read_results(const std::string& text) {
   }
 }
 
-// What `ulp` has measured, as a page again: its text is no order to gnuplot.
+// Makes a page of a measurement of `ulp`: its text must not become an order to gnuplot.
 void read_measurement(const std::string& text) {
   const json document = json::parse(text, nullptr, false);
   if (!document.is_object()) return;

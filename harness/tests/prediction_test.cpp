@@ -100,7 +100,7 @@ TEST(Prediction, KnowsThatFlushAndFinishAreNotForPrimitives) {
   }
 }
 
-// What a no-error context must not be given: errors that are asked for in the middle, or left behind.
+// Cases that a no-error context must not be given: errors that are asked for in the middle, or left behind.
 TEST(Prediction, KnowsWhatMayRaiseAnError) {
   gl::Case legal("legal");
   legal.Enable(GL_MAP1_VERTEX_3);

@@ -1,4 +1,4 @@
-// How tests are made of declarations: names, order, requirements, and the depth that plays them.
+// Tests made of declarations: names, order, requirements, and the depth that plays them.
 #include <evalcts/testkit/registration.h>
 
 #include <gtest/gtest.h>

@@ -140,7 +140,7 @@ TEST_F(Report, WhatIsNoResultIsRefusedAndNothingIsWrittenOver) {
   EXPECT_EQ(evalcts({"report", path("good"), "--output", path("out/index.html")}).code, 2);
 }
 
-// Whatever a run records, the schema names.
+// The schema names everything that a run records.
 TEST_F(Report, TheSchemaIsInStep) {
   setenv("EVALCTS_DRILL", "lenient", 1);
   EXPECT_EQ(evalcts({"run", "--implementation", "osmesa", "--library", DRILL_LIBRARY, "--filter",

@@ -67,7 +67,7 @@ TEST_F(Reproduce, ACrashAndAHangAsWell) {
   }
 }
 
-// What a capture saw, with its shader or feedback buffer: a known failure of Mesa, where that is installed.
+// The program has the capture's shader or feedback buffer: a known failure of Mesa, if that is installed.
 TEST_F(Reproduce, WhatACaptureSaw) {
   const std::string test = "Evaluation.NothingWithoutVertexMap/MAP1_NORMAL/EvalCoord1f";
   const Outcome run = evalcts({"run", "--implementation", "osmesa", "--filter", test, "--depth", "quick",

@@ -77,7 +77,7 @@ TEST(ExactLine, RoundsAsTheExactRouteDoes) {
   EXPECT_GT(lines, 100);
 }
 
-// What is next to a tie of floats is a tie once it has been rounded to double.
+// A value next to a tie of floats is a tie once it has been rounded to double.
 TEST(ExactLine, IsNotRoundedTwice) {
   const std::vector<double> points = {1 + 0x1p-23, 2 - 0x1p-20 + 0x1p-23};
   const auto line = ExactLine::of(points);
@@ -537,7 +537,7 @@ TEST_F(SweepCommand, GoesAlongSurfaces) {
 }
 
 #ifdef MPIEXEC
-// By mpirun: the same to the bit, whatever the number of processes, and after one of them was killed.
+// Sweeps by mpirun: the same to the bit, whatever the number of processes, and after one of them was killed.
 class SweepOfProcesses : public SweepCommand {
  protected:
   static constexpr const char* kTo = "0.4375";
@@ -568,7 +568,7 @@ TEST_F(SweepOfProcesses, GivesWhatOneGives) {
 }
 
 TEST_F(SweepOfProcesses, GoesOnAfterOneWasKilled) {
-  // Of this job alone: others may run beside it.
+  // Finds ranks of this job alone: others may run beside it.
   const auto ranks = [&](const char* number) {
     std::vector<pid_t> found;
     for (const auto& process : std::filesystem::directory_iterator("/proc")) {

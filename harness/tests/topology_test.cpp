@@ -97,7 +97,7 @@ TEST(MatchQuads, SeesTheOtherWindingAndTheWrongQuad) {
   EXPECT_GT(mismatches(observed(GL_TRIANGLES, {{10, 11, 12}, {10, 11, 12}})), 0u);
 }
 
-// What the clamp took from colours says nothing of which vertex it was.
+// Clamped colours do not tell which vertex it was.
 TEST(MatchQuads, ClampedColorsDoNotMislead) {
   gl::Case c;
   c.Begin(GL_QUADS);
@@ -152,7 +152,7 @@ Prediction predicted_meshes(GLenum mode) {
   return predict(c, 8);
 }
 
-// As many mismatches as there are where the meshes are taken to be in an order of their own.
+// Returns the number of mismatches if the meshes are taken to be in an order of their own.
 std::size_t wrong_in_own_order(const Prediction& prediction, const Topology& topology,
                                const Observation& seen) {
   const auto matched = match_meshes(prediction, topology, seen);

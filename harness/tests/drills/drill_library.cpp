@@ -42,7 +42,7 @@ glev_context* current = nullptr;
 [[maybe_unused]] bool odd_context = false, odd_answers = false, enabled_something = false;
 [[maybe_unused]] std::map<glev_context*, int> primitives;  // of each context
 
-// Whether no process has come here before: the file EVALCTS_DRILL_FILE is not there yet.
+// Returns true if no process has come here before: the file EVALCTS_DRILL_FILE is not there yet.
 [[maybe_unused]] bool is_first_time() {
   const char* const file = std::getenv("EVALCTS_DRILL_FILE");
   const int descriptor = file ? open(file, O_WRONLY | O_CREAT | O_EXCL, 0644) : -1;

@@ -1,5 +1,5 @@
-// What a library can do to the process that it is in, by name. EVALCTS_DRILL_FILE, where it matters, is where
-// the ids of processes go that are started.
+// Misdeeds of a library against the process that it is in, by name. EVALCTS_DRILL_FILE, if it matters, takes
+// the ids of processes that are started.
 #pragma once
 
 #include <fcntl.h>

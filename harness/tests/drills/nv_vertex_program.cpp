@@ -71,7 +71,7 @@ struct State {
 };
 State state;
 
-// Which map a token names; false: none of these.
+// Finds the map that a token names; false: none of these.
 bool find(GLenum token, int& dimension, int& attribute) {
   for (dimension = 0; dimension < 2; ++dimension)
     if (token >= kFirst[dimension] && token < kFirst[dimension] + kAttributes) {
