@@ -143,7 +143,7 @@ Measured mesh_side(const Mesh& mesh) {
     if (curve.order <= kMaxOrder) add(curve.name + "/GLU", [&curve] { return curve_side(curve); });
   }
   for (const Mesh& mesh : meshes()) {
-    // Of four components it delivers the quotients by the last one.
+    // GLU divides four components by the last one.
     if (mesh.order <= kMaxOrder && mesh.components == 3 && mesh.ring != mesh.rows && !mesh.normals)
       add(mesh.name + "/GLU", [&mesh] { return mesh_side(mesh); });
   }

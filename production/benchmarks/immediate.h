@@ -10,7 +10,7 @@
 
 namespace evalcts::bench {
 
-// What all sides evaluate: EvalCoord1(u[i]), and EvalCoord2(u[i], u[last - i]).
+// The work of all sides: EvalCoord1(u[i]), and EvalCoord2(u[i], u[last - i]).
 const Curve& called_curve();
 const Mesh& called_surface();
 template <class Call>

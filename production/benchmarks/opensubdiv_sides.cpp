@@ -38,7 +38,7 @@ std::vector<float> spline_points(const Mesh& mesh) {
   return result;
 }
 
-// Of a net of 4 x 4 points, whose outer faces have no limit surface: one patch.
+// Makes the one patch of a net of 4 x 4 points, whose outer faces have no limit surface.
 std::unique_ptr<Osd::CpuPatchTable> patch() {
   const std::vector<int> sizes(9, 4);
   std::vector<int> corners;

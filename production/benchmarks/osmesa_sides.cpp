@@ -13,7 +13,7 @@
 namespace evalcts::bench {
 namespace {
 
-// From Mesa's osmesa.h.
+// Types of Mesa's osmesa.h.
 using CreateContext = void* (*)(GLenum format, void* share);
 using MakeCurrent = GLboolean (*)(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
 

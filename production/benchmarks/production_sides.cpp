@@ -187,7 +187,7 @@ struct DoubleOutputs {
   std::vector<unsigned char> scratch;
 };
 
-// What of a mesh: vertices as doubles, or the tangents u and v as floats or doubles.
+// Results of a mesh: vertices as doubles, or the tangents u and v as floats or doubles.
 enum class Wanted { kDoubles, kTangents, kDoubleTangents };
 
 Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {

@@ -90,7 +90,7 @@ void add(const std::string& name, std::function<Measured()> prepare) {
   benchmark::RegisterBenchmark(name.c_str(), [shared](benchmark::State& state) {
     try {
       if (const auto first = std::exchange(shared->prepare, nullptr)) {
-        // What the side before has left must not pass for results.
+        // Values that the side before has left must not pass for results.
         std::ranges::fill(memory(), NAN);
         shared->measured = first();
       }

@@ -28,7 +28,8 @@ void add(const Curve& curve, const std::string& side, std::function<CurveSide()>
 
 // `rows` rows of the mesh from `row` on.
 using MeshSide = std::function<void(int row, int rows, float* results)>;
-// What one measurement is: sides that use nothing from one row for the next need not do all of a big mesh.
+// The unit of one measurement: sides that use nothing from one row for the next need not do all of a big
+// mesh.
 enum class Unit { kMesh, kStrip };
 void add(const Mesh& mesh, const std::string& side, Unit unit, std::function<MeshSide()> prepare);
 

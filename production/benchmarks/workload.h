@@ -1,4 +1,4 @@
-// What the evaluators are measured on: the same work for every side, from seeds.
+// Workload of the benchmarks: the same for every side, from seeds.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ struct Mesh {
 const std::vector<Curve>& curves();
 const std::vector<Mesh>& meshes();
 
-// What is hard to round: exact ties, lines given as curves of higher degree, and cancellation. Every
+// Curves that are hard to round: exact ties, lines given as curves of higher degree, and cancellation. Every
 // component has the same polynomial, but for `offset`.
 const std::vector<Curve>& hard_curves();
 

@@ -4,7 +4,7 @@
 
 using namespace glev::dropin;  // NOLINT(google-build-using-namespace): what follows is C
 
-// Where the GL has no evaluators any more, or never had any, its own answer counts.
+// If the GL has no evaluators any more, or never had any, its own answer counts.
 #define OF_EVALUATORS(name, ...)              \
   Context* const context = current_context(); \
   if (context == nullptr) return gl_below().name(__VA_ARGS__)
@@ -209,7 +209,7 @@ void ask(glev_context* evaluators, GLenum pname, GLint64* v) {
   for (int k = 0; k < count; ++k) v[k] = values[k];
 }
 
-// Whether the answer is not the GL's below.
+// Answers the query and returns true, unless the GL below answers it.
 template <class Number>
 bool answer(GLenum pname, Number* v) {
   const bool of_list = pname == GL_LIST_INDEX || pname == GL_LIST_MODE;

@@ -1,5 +1,5 @@
-// What the drop-in library knows of a context of the GL below: its evaluators, and what it must follow of the
-// rest to leave the current values alone and display lists in order.
+// State that the drop-in library keeps for a context of the GL below: its evaluators, and other state that it
+// must follow to leave the current values alone and display lists in order.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace glev::dropin {
 
-// What the program has done once, in any thread.
+// An act that the program has done once, in any thread.
 class Once {
  public:
   void note() {
@@ -66,7 +66,7 @@ class Context {
   bool in_mesh = false;
   int emitting = 0;  // dimension of the maps that are being evaluated
 
-  // Whether that group of the attribute stack is one of the evaluators', by depth.
+  // By depth, true if that group of the attribute stack is one of the evaluators'.
   bool pushed[64] = {};
   bool list_base_known = true;
   GLuint list_base = 0;
@@ -84,7 +84,7 @@ class Context {
 
   GLint get_integer(GLenum pname, GLint otherwise);
 
-  // What commands do when they are executed.
+  // Execution of commands.
   // --- state.cpp
   void update_enabled();
   bool has_vertex_map() const;
@@ -138,7 +138,7 @@ class Context {
   void begin(GLenum mode);
   void end();
   void run_segment(GLuint name, const Summary* summary);
-  // Whether the GL executes what is being compiled.
+  // Returns true if the GL executes the commands that are being compiled.
   bool executes() const { return !list.open || (list.mode != GL_COMPILE && !list.deferring); }
   void note(Attribute attribute, const Setter& setter) {
     if (tracking && executes()) current[attribute] = setter;

@@ -1,4 +1,4 @@
-// Which context is current, and what there is to know of it.
+// The current context and its state.
 #include <pthread.h>
 
 #include <cstdio>
@@ -27,8 +27,8 @@ Array<Known*>& known_contexts() {
   return *all;
 }
 
-// What the window system was last told in this thread; where it was not told through this library, it is
-// asked each time.
+// The last call to the window system in this thread; if it did not go through this library, the window system
+// is asked each time.
 struct ThisThread {
   bool told;
   Known* bound;

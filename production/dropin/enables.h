@@ -1,4 +1,4 @@
-// Which maps are enabled, and what they give together.
+// The enabled maps, and the attributes that they give together.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline GLenum cap_of(int bit) {
   return static_cast<GLenum>(bit < kMaps ? GL_MAP1_COLOR_4 + bit : GL_MAP2_COLOR_4 + bit - kMaps);
 }
 
-// What the enabled maps of a dimension give: components, 0 for nothing.
+// Attributes of the enabled maps of a dimension: components, 0 for none.
 struct Given {
   bool color, normal;
   int texture, vertex;

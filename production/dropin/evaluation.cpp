@@ -1,4 +1,4 @@
-// What is evaluated goes to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, with the current
+// Evaluated vertices go to the GL below as Color4, Normal3, TexCoord4 and Vertex commands, with the current
 // values brought back behind them.
 #include "context.h"
 #include "enables.h"
@@ -18,7 +18,7 @@ Setter keep(const GLfloat (&values)[4]) {
 
 // --- Current values
 
-// Those that maps stand in for; between Begin and End they cannot be queried.
+// Saves the current values that maps replace; between Begin and End they cannot be queried.
 void Context::take_snapshot() {
   GLfloat values[4] = {};
   for (Setter& setter : current) setter.send = nullptr;

@@ -95,7 +95,7 @@ void Context::end_list() {
   defined->code.swap(list.code);
   defined->segments.swap(list.segments);
   group->define(defined);
-  // What stood for the name before is gone.
+  // The former content of the list is gone.
   if (list.begins_elsewhere) {
     gl_below().NewList(list.name, GL_COMPILE);
     gl_below().EndList();
@@ -275,7 +275,7 @@ void Context::run_segment(GLuint name, const Summary* summary) {
   if (depth >= 0) follow_stack(*summary, depth);
 }
 
-// What the GL below has done with its attribute stack in a list.
+// Follows the changes of the attribute stack that a list makes in the GL below.
 void Context::follow_stack(const Summary& summary, GLint depth) {
   for (unsigned i = 0; i < summary.pops && depth > 0; ++i) {
     --depth;

@@ -16,7 +16,7 @@ class Context;
 // The current values that maps can stand in for.
 enum Attribute { kColor, kNormal, kTexCoord, kAttributeCount };
 
-// How a current value came about, to bring it back by the same command: no conversion is done twice.
+// The command that set a current value, to bring it back by the same one: no conversion is done twice.
 struct Setter {
   void (*send)(const void* values);  // null: not known
   alignas(8) unsigned char values[32];
@@ -26,10 +26,10 @@ struct Setter {
   }
 };
 
-// What becomes of Begin/End in a list.
+// The effect of a list on Begin/End.
 enum class Primitive { kUnchanged, kOpen, kClosed };
 
-// What a driver's list does, as far as it matters here. It holds no command of evaluators.
+// The effects of a driver's list, as far as they matter here. It holds no command of evaluators.
 struct Summary {
   Primitive primitive;
   Setter last[kAttributeCount];
@@ -69,7 +69,7 @@ class Code {
   }
   std::size_t size() const { return bytes_.size(); }
   bool empty() const { return size() == 0; }
-  // What was appended at or after `begin`, a former size().
+  // Runs the commands that were appended at or after `begin`, a former size().
   void run(Context& context, std::size_t begin) {
     while (begin < bytes_.size()) {
       Header header;

@@ -20,14 +20,14 @@
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, TexCoord, 3, 4)                                 \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, TexCoord, 4, 4)
 
-// With the texture unit in front.
+// Setters with the texture unit in front.
 #define DROPIN_UNIT_SETTERS(X)                                                              \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 1, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 2, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 3, 4)                            \
   DROPIN_TYPES_OF_COORDINATES(X, kTexCoord, MultiTexCoord, 4, 4)
 
-// Of packed values, with their type in front: X(attribute, command).
+// Setters of packed values, with their type in front: X(attribute, command).
 #define DROPIN_PACKED_SETTERS(X)                                                            \
   X(kColor, ColorP3ui) X(kColor, ColorP4ui) X(kNormal, NormalP3ui)                          \
   X(kTexCoord, TexCoordP1ui) X(kTexCoord, TexCoordP2ui) X(kTexCoord, TexCoordP3ui)          \

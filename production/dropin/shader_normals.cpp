@@ -30,7 +30,7 @@ bool Context::is_vertex_shader_active() {
   return count == 0;  // detached after linking
 }
 
-// Of one point, whose arguments are in either.
+// Returns the length for one point, whose arguments are in the batch or the mesh.
 double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh) {
   const glev_plan_info info = {sizeof info, 2};
   glev_plan* plan = nullptr;

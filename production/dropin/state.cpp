@@ -73,7 +73,7 @@ void Context::map_grid2(GLint un, double u1, double u2, GLint vn, double v1, dou
   report();
 }
 
-// Whether there was room, or anything to pop, the GL below knows.
+// The GL below knows if there was room, or anything to pop.
 void Context::push_attrib(GLbitfield mask) {
   const GLint before = get_integer(GL_ATTRIB_STACK_DEPTH, -1);
   gl_below().PushAttrib(mask);

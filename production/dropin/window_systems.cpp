@@ -59,7 +59,7 @@ void* find_own(const char* name) {
   return address;
 }
 
-// What the GL below does not have is not made up here, but for evaluators.
+// Functions that the GL below lacks are missing here, too, except for those of evaluators.
 template <class Get, class Name>
 void* look_up(Get* below, Name* name) {
   void* const address = reinterpret_cast<void*>(below(name));

@@ -5,7 +5,7 @@
 
 #include "teapot_patches.h"
 
-/* Where vertices of a patch go: interleaved, position and normal. */
+/* The layout of a patch's vertices: interleaved, position and normal. */
 static glev_output output(float* first, size_t count) {
   const glev_output result = {.size = sizeof result,
                               .data = first,

@@ -44,7 +44,7 @@ static void* held(const void* holder) {
   void symbol##_(const type* array) { CALL(command, array); } \
   void symbol##p_(const void* holder) { CALL(command, held(holder)); }
 
-/* What there is for REAL*8 and for REAL*4. */
+/* Commands for REAL*8 and for REAL*4. */
 #define COMMANDS(f, real)                                                                                    \
   ARRAY_COMMAND(                                                                                             \
       fglmap1##f, Map1##f, const real,                                                                       \

@@ -8,7 +8,7 @@ typedef void vertex_procedure(const float* position, const float* color, const f
                               const float* texcoord);
 typedef void end_procedure(void);
 
-/* What the INTEGER*8 of a program is the address of. */
+/* The object whose address a program holds in an INTEGER*8. */
 typedef struct fortran_context {
   glev_context* context;
   begin_procedure* begin;

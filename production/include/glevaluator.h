@@ -190,7 +190,7 @@ typedef enum glev_result {
 
 /* ---- Memory ---- */
 
-/* Where a context and its plans get memory. allocate returns null when there is none; the alignment is a
+/* Source of memory for a context and its plans. allocate returns null when there is none; the alignment is a
  * power of two. release gets the bytes and alignment that allocate got. Both may be called by any thread that
  * releases a plan, so they must be safe for that; user must outlive every plan. */
 typedef struct glev_allocator {
@@ -624,7 +624,7 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
 
 /* ---- Batches ---- */
 
-/* How exact the results are.
+/* Accuracy of results.
  * CORRECTLY_ROUNDED: those of EvalCoord and EvalPoint, bit for bit.
  * FAST: of what a map gives, each component of a float result differs from the exact value V by at most
  *   (6 (n + m) + 12) * 2^-24 * max|R| for arguments inside the domain, n and m the degrees, max|R| the
@@ -635,7 +635,7 @@ GLEV_API size_t glevGetPlanComponents(const glev_plan* plan, glev_attribute attr
  * same in both. */
 typedef enum glev_precision { GLEV_CORRECTLY_ROUNDED = 0, GLEV_FAST = 1 } glev_precision;
 
-/* Where one attribute goes: element i is `components` values at data + i*stride bytes; in a mesh of two
+/* Destination of one attribute: element i is `components` values at data + i*stride bytes; in a mesh of two
  * dimensions, element (i, j) lies at data + i*stride + j*row_stride, counted from (i1, j1).
  * components: at least what glevGetPlanComponents says, at most 4 (3 for normals); the missing ones are
  *   (0,0,0,1)'s, for tangents 0.
@@ -729,7 +729,7 @@ GLEV_API glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* me
 
 /* ---- Indices ---- */
 
-/* How the vertices of a mesh of columns * rows points, numbered along u first, make primitives for
+/* Primitives of the vertices of a mesh of columns * rows points, numbered along u first, for
  * glDrawElements: POINT: POINTS, in the order of EvalMesh2. LINE: LINES, first those along u, then those
  * along v, each as EvalMesh draws it. FILL: TRIANGLES, two for each quadrilateral of EvalMesh2's QUAD_STRIPs,
  * (i,j) (i,j+1) (i+1,j) and (i+1,j) (i,j+1) (i+1,j+1): the same side in front. A mesh of dimension 1 has rows
@@ -744,7 +744,7 @@ typedef struct glev_indices {
   size_t data_size;
 } glev_indices;
 
-/* How many indices there are; 0 for what glevGetIndices refuses, whatever data is. */
+/* Returns the number of indices; 0 if glevGetIndices refuses the arguments, whatever data is. */
 GLEV_API size_t glevGetIndexCount(const glev_indices* indices);
 
 /* Writes them, without gaps.

@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// What t and s are computed from.
+// The values from which t and s are computed.
 struct Place {
   Place(const PreparedMap& map, int direction)
       : u1(hn::Set(kDoubles, map.surface.domain[direction].u1)),
@@ -35,7 +35,7 @@ struct Place {
   // t - s where there is an inverse: it is a power of two, so that this is rounded once.
   HWY_INLINE Vector x_of(Vector u) const { return hn::MulSub(u, scale, middle); }
 
-  // Of t and s.
+  // The number of roundings of t and s.
   int roundings() const { return has_inverse ? 1 : 3; }
 
   Vector u1, u2, width, inverse, scale, middle;

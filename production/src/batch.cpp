@@ -98,7 +98,7 @@ glev_result read_output(const glev_output* given, std::size_t columns, std::size
   if (!has_rows && copy.row_stride != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   std::size_t row_stride = 0;
   if (has_rows && !is_empty) {
-    // Of more than the address space there is no row.
+    // No row is larger than the address space.
     if (columns > SIZE_MAX / copy.stride) return GLEV_ERROR_BUFFER_TOO_SMALL;
     row_stride = copy.row_stride != 0 ? copy.row_stride : columns * copy.stride;
     if (row_stride < (columns - 1) * copy.stride + element) return GLEV_ERROR_INVALID_ARGUMENT;
@@ -258,7 +258,7 @@ bool read_mesh(const glev_plan* plan, const glev_mesh* given, glev_mesh* mesh) {
   return plan->dimension() == 2 || (mesh->j1 == 0 && mesh->j2 == 0);
 }
 
-// Whether each normal follows its vertex, in floats, three components each.
+// Returns true if each normal follows its vertex, in floats, three components each.
 bool are_records(const glev_plan& plan, const Output& vertex, const Output& normal) {
   const auto are_triples = [](const Output& output) {
     return output.is_wanted && !output.is_double && output.components == 3;

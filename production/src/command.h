@@ -11,7 +11,7 @@
 
 namespace glev {
 
-// What a command with wrong arguments or a null pointer leaves in a list.
+// The entry that a command with wrong arguments or a null pointer leaves in a list.
 struct ErrorCommand {
   static constexpr Opcode kOpcode = Opcode::kError;
   glev_enum error;

@@ -541,7 +541,7 @@ void glev_context::pop_attrib() {
     eval_.enabled = saved.eval.enabled;
     eval_.auto_normal = saved.eval.auto_normal;
     if ((saved.mask & GLEV_EVAL_BIT) != 0) eval_.grid = saved.eval.grid;
-    // What is as before keeps its plan.
+    // A dimension whose state is as before keeps its plan.
     const auto changed = [&](int d) {
       return eval_.enabled[d] != before.enabled[d] || eval_.grid[d] != before.grid[d];
     };

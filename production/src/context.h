@@ -57,7 +57,7 @@ struct glev_context {
   }
   glev_enum get_error();
 
-  // What a command that lists can hold does when it is given: it goes into the list that is open, it is
+  // Takes a command that lists can hold: it goes into the list that is open, it is
   // executed, or both. The commands are those of command.h.
   template <class Command>
   void issue(const Command& command) {
@@ -143,7 +143,7 @@ struct glev_context {
   // count 0 if there is no such state.
   glev::StateValues find_state(glev_enum pname);
   void drop_plan(int dimension);
-  // Whether the next call may be one of eval_directly.
+  // Returns true if the next call may be one of eval_directly.
   bool is_direct(const glev_plan& plan) const;
   // The plan to draw with; null if there is no vertex map, or, with the error, no memory.
   const glev_plan* plan_to_draw(int dimension);

@@ -99,7 +99,7 @@ inline DoubleDouble place_on(const Grid& grid, std::int64_t index) {
   return fast_two_sum(quotient, ((part - product.high) - product.low) / n);
 }
 
-// Of maps of low degree whose grids span the domain. False, and nothing done, for others.
+// Evaluates maps of low degree whose grids span the domain. Returns false, and does nothing, for others.
 inline bool evaluate_mesh(const PreparedMap& map, const MeshRange& range, const Destination& to,
                           double* scratch) {
   const auto [n, m] = map.surface.degree;

@@ -22,7 +22,7 @@ namespace enclosure {
 
 constexpr std::size_t kWidth = hn::MaxLanes(kFour);
 
-// As DoubleDouble, with the same names and errors.
+// Vectors of DoubleDouble, with the same names and errors.
 template <class V>
 struct Pairs {
   V high, low;
@@ -119,7 +119,7 @@ inline Enclosure enclose_all(const Component& component, double largest, const G
   const PreparedDirection in_u = prepare_direction(component.domain[0], u, n),
                           in_v = prepare_direction(component.domain[1], v, m);
   if (!is_claimed(in_u, in_v, largest)) return {{}, HUGE_VAL};
-  // Of a curve in v with the terms S_j: control points, or sums over i. A curve in u is one in v here.
+  // The terms S_j of a curve in v: control points, or sums over i. A curve in u is one in v here.
   const bool is_curve = m == 0;
   const PreparedDirection& along = is_curve ? in_u : in_v;
   const int degree = is_curve ? n : m;

@@ -39,7 +39,7 @@ DoubleDouble horner(int degree, const PreparedDirection& direction, const Coeffi
   return sum;
 }
 
-// Of control points point(i, j).
+// Encloses the value for control points point(i, j).
 template <class Point>
 Enclosure enclose_net(std::array<int, 2> degree, const std::array<Domain, 2>& domain, double largest,
                       const GridArgument& u, const GridArgument& v, const Point& point) {

@@ -36,7 +36,7 @@ struct PreparedDirection {
 };
 PreparedDirection prepare_direction(const Domain& domain, const GridArgument& argument, int degree);
 bool is_claimed(const PreparedDirection& in_u, const PreparedDirection& in_v, double largest);
-// Where something is claimed, what a sum in both ratios encloses.
+// Returns the enclosure of a sum in both ratios, if something is claimed of it.
 Enclosure enclosure_of(const DoubleDouble& sum, std::array<int, 2> degree, const PreparedDirection& in_u,
                        const PreparedDirection& in_v, double largest);
 

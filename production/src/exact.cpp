@@ -34,7 +34,7 @@ struct Net {
   const Direction &outer, &inner;
   int low = 0, bits = 0;  // |R| < 2^(low + bits), and a multiple of 2^low
 
-  // Of the inner sums and of the whole one, in two's complement.
+  // Bits of the inner sums and of the whole one, in two's complement.
   int row_bits() const { return bits + inner.degree * inner.bits + 1; }
   int all_bits() const { return row_bits() + outer.degree * outer.bits; }
 };
@@ -228,7 +228,7 @@ void sum_net(const Net& net, const Layout& layout, Limb* room) {
 
 // ---- The result
 
-// Of a sum of two's complement at the beginning of the room.
+// Rounds a sum in two's complement at the beginning of the room.
 template <class Real>
 Real round_sum(const Net& net, Limb* room, int size) {
   const bool negative = is_negative(room, size);

@@ -256,7 +256,7 @@ inline PreparedMap edge_of(const PreparedMap& map, bool is_last, double* centred
     if (component.kind == PreparedComponent::Kind::kLine) component.kind = PreparedComponent::Kind::kGeneral;
   }
   if (map.centred == nullptr) return edge;
-  // At x = -1 or 1. The error of the test, which is that of the whole map, contains these roundings.
+  // The row at x = -1 or 1. The error of the test, which is that of the whole map, contains these roundings.
   for (int j = 0; j <= m; ++j) {
     for (int k = 0; k < 4; ++k) {
       double sum = map.centred[row * j + 4 * n + k];

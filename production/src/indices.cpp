@@ -1,4 +1,4 @@
-// How the vertices of a mesh make primitives.
+// Primitives of the vertices of a mesh.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

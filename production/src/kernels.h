@@ -63,8 +63,8 @@ struct Kernels {
   void (*normals)(const glev_plan& plan, const MeshRange& range, const Destination& to, bool with_vertices,
                   std::byte* scratch);
   Encloses encloses;  // for maps as that type says
-  // As curve and mesh, to doubles within one ULP. False, and nothing done, for maps and grids for which there
-  // is no good way. The bits do not depend on the instruction set.
+  // The same as curve and mesh, to doubles within one ULP. False, and nothing done, for maps and grids for
+  // which there is no good way. The bits do not depend on the instruction set.
   bool (*double_curve)(const PreparedMap& map, const Input& u, std::size_t count, const Destination& to);
   bool (*double_mesh)(const PreparedMap& map, const MeshRange& range, const Destination& to,
                       std::byte* scratch);
@@ -77,7 +77,7 @@ inline std::size_t normal_mesh_scratch(int degree, std::size_t columns) {
   return mesh_scratch(2 * degree, columns);
 }
 
-// Those that this machine can run, best first; null for an index beyond the last.
+// The kernels that this machine can run, best first; null for an index beyond the last.
 const Kernels* kernels_of(std::size_t index);
 
 }  // namespace glev

@@ -9,7 +9,7 @@
 
 namespace glev {
 
-// What Map1 and Map2 are told about one direction. Defaults: the v of a one-dimensional map.
+// Arguments of Map1 and Map2 for one direction. Defaults: the v of a one-dimensional map.
 struct MapDirection {
   double u1 = 0, u2 = 1;
   glev_int stride = 0;  // in values

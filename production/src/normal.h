@@ -49,7 +49,7 @@ std::array<double, 3> unit_normal(std::array<double, 4> p, std::array<double, 4>
 // The nets of normals.
 enum NormalNet { kPoint, kTangentU, kTangentV, kNets };
 
-// Of the three nets, the largest magnitude of each component.
+// The largest magnitude of each component of the three nets.
 using NormalMajorants = std::array<std::array<double, 4>, kNets>;
 
 // The above for a plan, inside the domain.

@@ -1,4 +1,4 @@
-// Where in its domain a map is evaluated, one direction.
+// The place in its domain at which a map is evaluated, for one direction.
 #pragma once
 
 #include <cmath>

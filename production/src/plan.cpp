@@ -31,7 +31,7 @@ std::size_t centred_values_of(const Map& map) {
   return static_cast<std::size_t>(glev::centred_values(map.order(0) - 1, map.order(1) - 1));
 }
 
-// Of an array of values after which vectors may read on.
+// Returns the size of an array of values after which vectors may read on.
 std::size_t bytes_of(std::size_t values) { return round_up(sizeof(double) * (values + 3)); }
 
 // The orders of the derivative in one direction: 0 there if it is zero.
@@ -53,7 +53,7 @@ void differences_of(const double* points, std::array<int, 2> order, int componen
   }
 }
 
-// Of each component, the largest magnitude; NaN counts as infinite.
+// Returns the largest magnitude of each component; NaN counts as infinite.
 std::array<double, 4> largest_of(const double* points, std::ptrdiff_t count, int components) {
   std::array<double, 4> largest{};
   for (std::ptrdiff_t i = 0; i < count * components; ++i) {

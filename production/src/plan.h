@@ -1,4 +1,4 @@
-// What evaluation needs and nothing else: immutable, shared by reference count, self-contained.
+// Plans: the data that evaluation needs, immutable, shared by reference count, self-contained.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct glev_plan {
     const glev::Kernels* kernels;
   };
 
-  // Of the enabled maps, those that are not outranked. Null without memory. One reference.
+  // Makes a plan of the enabled maps that are not outranked, with one reference. Null without memory.
   static glev_plan* create(const glev::Allocator& allocator, const Source& source);
 
   void retain() const { references_.fetch_add(1, std::memory_order_relaxed); }
@@ -47,14 +47,14 @@ struct glev_plan {
   bool has_vertices_only() const { return has_vertices_only_; }
   // Evaluates one call after another; null where there is more than vertices to evaluate, or that is no way.
   glev::EvaluatesDirectly direct() const { return direct_; }
-  // Of cubics, for that function.
+  // The map of cubics for that function.
   const glev::DirectMap& direct_map() const { return direct_map_; }
   // Normals are computed from the vertex map; there is no normal map then.
   bool automatic_normals() const { return automatic_normals_; }
   // The derivative of the vertex map by the normalised coordinate of a direction, without the factor degree.
   // Absent in a direction of degree 0, where it is zero.
   const glev::Surface& tangent(int direction) const { return tangents_[direction]; }
-  // Of automatic normals.
+  // The bounds of automatic normals.
   const glev::NormalBounds& normal_bounds() const { return normal_bounds_; }
   // The derivative by u or v is that times this.
   double tangent_factor(int direction) const;

@@ -128,7 +128,7 @@ HWY_INLINE void value_at(const PreparedMap& map, const Parameter& at_u, const Pa
 constexpr hn::Rebind<float, Four> kFourFloats;
 using FourFloats = hn::Vec<decltype(kFourFloats)>;
 
-// What the ends of the interval of a test round to.
+// The rounded ends of the interval of a test.
 struct Sides {
   FourFloats low, high;
 };

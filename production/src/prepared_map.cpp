@@ -16,7 +16,7 @@
 namespace glev {
 namespace {
 
-// Where evaluation in double neither overflows nor loses to underflow what counts.
+// Range in which evaluation in double neither overflows nor loses significant bits to underflow.
 constexpr double kLargest = 0x1p900, kSmallest = 0x1p-900;
 
 bool is_ordinary(const Domain& domain) {
@@ -63,7 +63,7 @@ Point each(const Function& function) {
   return {function(0), function(1), function(2), function(3)};
 }
 
-// In one direction: from control points, `step` apart, to the coefficients of powers of x:
+// Centres in one direction: from control points, `step` apart, to the coefficients of powers of x:
 // R_i C(n,i) (1-x)^(n-i) (1+x)^i / 2^n, with at most n + 1 roundings.
 void centre_along(int n, int step, Point* points) {
   Point &first = points[0], &last = points[n * step];
@@ -106,8 +106,8 @@ void centre(const double* points, std::array<int, 2> order, int components, doub
   std::fill_n(values + 4 * count, centred_values(columns - 1, rows - 1) - 4 * count, 0.0);
 }
 
-// Whether centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the coefficients
-// have at most 6 bits behind the last of these, and 2 in front.
+// Returns true if centre makes no rounding: the points, below 2^e, are multiples of 2^(e-45), and the
+// coefficients have at most 6 bits behind the last of these, and 2 in front.
 bool is_centred_exactly(const double* points, std::ptrdiff_t count, int components, double largest) {
   int exponent = 0;
   std::frexp(largest, &exponent);
@@ -178,7 +178,8 @@ void lower_degree(int n, int lower, const double* points, std::ptrdiff_t step, d
   }
 }
 
-// As reduce does, which takes longer: constants, and polynomials whose exact coefficients show their degrees.
+// Does the same as reduce, which takes longer: constants, and polynomials whose exact coefficients show their
+// degrees.
 std::array<int, 2> reduce_component(const PreparedMap& map, const double* points, int k, double* reduced) {
   const auto [n, m] = map.surface.degree;
   const int components = map.surface.components, count = (n + 1) * (m + 1);
@@ -222,7 +223,7 @@ PreparedMap prepare_map(const double* points, std::array<int, 2> order, int comp
   map.surface = {{order[0] - 1, order[1] - 1}, components, domain, scaled};
   scale_by_binomials(points, order, components, scaled);
   const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(order[0]) * order[1];
-  // What vectors read beyond the last point.
+  // Padding that vectors read beyond the last point.
   std::fill_n(scaled + count * components, 3, 0.0);
   if (std::max(order[0], order[1]) <= kMaxCentredDegree + 1) {
     centre(points, order, components, centred);
@@ -355,7 +356,7 @@ bool evaluate_exactly(const PreparedMap& map, int k, const GridArgument& u, cons
     curve[0] = sum;
     is_constant = true;
   }
-  // Those along u at y.
+  // The lines along u at y.
   if (!is_constant && has_y && bits + m * bits_v <= kExactBits) {
     is_constant = true;
     for (int i = 0; i <= n && is_constant; ++i) {

@@ -22,12 +22,12 @@ struct PreparedComponent {
   Component lowest;           // of the lowest orders, for the exact routes
   double lowest_largest = 0;  // max |R| of these
   float constant = 0;
-  // Of a line: V = first + t * slope, both exact.
+  // The form of a line: V = first + t * slope, both exact.
   int line_direction = 0;
   double first = 0, slope = 0;
   double largest = 0;  // max |R|
-  // Of an evaluation in double: |value - V| <= units * unit, where the units are those of its route, times
-  // growth outside the domain. Infinite if nothing can be said.
+  // Error of an evaluation in double: |value - V| <= units * unit, where the units are those of its route,
+  // times growth outside the domain. Infinite if nothing can be said.
   double unit = 0;
 };
 
@@ -41,7 +41,7 @@ constexpr double horner_units(int n, int roundings) { return (3 * roundings + 4)
 // factors and 1 of a sum; 4 of a coefficient, and products with weights and a sum of two chains of sums for
 // each direction.
 constexpr double weight_units(int n, int m, int roundings) { return (roundings + 2) * (n + m) + 8; }
-// Of parameters of locate.
+// Roundings of parameters of locate.
 inline constexpr int kRoundings = 3;
 // Horner's rule in x = t - s and y, from -1 to 1, with the coefficients of centre, whose magnitudes are
 // together `sum` times max|R|: 2 roundings of a step; x is off by 4 units, where the derivative is at most n
@@ -54,7 +54,7 @@ constexpr double centred_units(int n, int m, double sum, bool is_exact) {
 inline constexpr int kMaxCentredDegree = 3;
 // Values of centred coefficients, which vectors may read and write beyond.
 constexpr int centred_values(int n, int m) { return 4 * (n + 1) * (m + 1) + 8; }
-// Of the significand of a double; and more than can be.
+// Bits of the significand of a double; and a number larger than any other.
 inline constexpr int kExactBits = 53, kManyBits = 1 << 20;
 
 // No components: no map.
@@ -76,8 +76,8 @@ struct PreparedMap {
   // and y are at most kExactBits together. kManyBits if they are not exact or their magnitudes are extreme.
   std::array<int, 4> centred_bits{};
   std::array<double, 4> centred_sum{};  // at least that of the magnitudes
-  // Of Horner's rule with those, inside the domain. Not below `test`, from which is_direct follows: control
-  // points are blossoms at -1 and 1, so none is larger than the sum of the coefficients' magnitudes.
+  // The test of Horner's rule with those, inside the domain. Not below `test`, from which is_direct follows:
+  // control points are blossoms at -1 and 1, so none is larger than the sum of the coefficients' magnitudes.
   Test centred_test;
   // 1 / (u2 - u1) of each direction where that and u1 + u2 are exact, else 0.
   std::array<double, 2> inverse_width{};
@@ -106,7 +106,7 @@ struct DirectMap {
 PreparedMap prepare_map(const double* points, std::array<int, 2> order, int components,
                         const std::array<Domain, 2>& domain, double* scaled, double* lowest, double* centred);
 
-// Whether a map of vertices has one, and that.
+// Tells if a map of vertices has a direct map, and returns it.
 bool has_direct_map(const PreparedMap& map);
 DirectMap direct_map_of(const PreparedMap& map);
 

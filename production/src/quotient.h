@@ -22,7 +22,7 @@ struct Quotient {
   std::array<const IntegerPower*, 2> denominator;
 };
 
-// What Round needs to work in.
+// The number of limbs that Round needs to work in.
 int rounding_room(const IntegerPower& first, const IntegerPower& second);
 
 // To nearest, ties to even, once: overflow gives infinity, underflow is gradual, the sign stays. The leading

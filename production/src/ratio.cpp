@@ -70,7 +70,7 @@ void set_reduced(Ratio& ratio, Limb2 a, Limb2 b, bool a_negative, bool b_negativ
   set_part(ratio.whole, whole, false);
 }
 
-// What of the products fits into 127 bits above 2^low.
+// Makes a ratio of products that fit into 127 bits above 2^low.
 Parameter::End to_ratio_narrow(const Products& products, int low, Ratio& ratio) {
   const auto integer = [low](const Product& product) {
     if (product.magnitude == 0) return product.magnitude;

@@ -24,7 +24,7 @@ struct Ratio {
   RatioPart a, b, whole;
 };
 
-// Where the argument is, exactly. The ratio is set unless that is at an end of the domain. All values are
+// Locates the argument exactly. The ratio is set unless that is at an end of the domain. All values are
 // finite and the ends of the domain differ. Factors that a and b share are divided out if all of it fits a
 // limb.
 Parameter::End to_ratio(const Domain& domain, const GridArgument& argument, Ratio& ratio);

@@ -150,7 +150,7 @@ class Polynomial {
   int low_;
 };
 
-// In place; the new degree of the lines i * line_step, i < count.
+// Reduces in place, and returns the new degree of the lines i * line_step, i < count.
 int reduce_lines(double* points, std::ptrdiff_t line_step, int count, std::ptrdiff_t step, int degree) {
   const auto line = [=](int i) { return Line{points + i * line_step, step, degree}; };
   for (int i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@ bool is_finite(const GridArgument& argument) {
   return std::isfinite(argument.grid.u1) && std::isfinite(argument.grid.u2);
 }
 
-// In double alone.
+// Evaluates in double alone.
 double resolve_plainly(const PreparedMap& map, int k, const GridArgument& u, const GridArgument& v) {
   std::array<double, kMaxOrder * 4> room;
   const Curve curve = curve_at(map.surface, locate(map.surface.domain[1], v), room.data());

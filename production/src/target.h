@@ -10,7 +10,7 @@ namespace glev {
 inline constexpr int kMaxOrder = 64;
 inline constexpr int kSlots = 9;
 
-// What the maps of a plan produce. INDEX maps are absent: RGBA mode ignores them.
+// Attributes that the maps of a plan produce. INDEX maps are absent: RGBA mode ignores them.
 enum class Attribute { kVertex, kColor, kNormal, kTexcoord };
 inline constexpr int kAttributes = 4;
 

@@ -18,7 +18,7 @@ constexpr int bit_width(Limb x) { return static_cast<int>(std::bit_width(x)); }
 constexpr int bit_width(Limb2 x) {
   return high_limb(x) != 0 ? kLimbBits + bit_width(high_limb(x)) : bit_width(static_cast<Limb>(x));
 }
-// Of x != 0.
+// Returns the number of trailing zeros of x != 0.
 constexpr int trailing_zeros(Limb2 x) {
   return static_cast<Limb>(x) != 0 ? std::countr_zero(static_cast<Limb>(x))
                                    : kLimbBits + std::countr_zero(high_limb(x));
@@ -128,7 +128,7 @@ inline void multiply(Limb* x, int size, const Limb* factor, int factor_size) {
     multiply(x, size, factor[0]);
     return;
   }
-  // From the top: the products of a limb touch only limbs that are already replaced by their products.
+  // Goes from the top: the products of a limb touch only limbs that are already replaced by their products.
   for (int i = size - 1; i >= 0; --i) {
     const Limb limb = x[i];
     x[i] = 0;
@@ -145,7 +145,7 @@ inline int multiply_and_grow(Limb* x, int size, const Limb* factor, int factor_s
 
 // ---- Bits of a non-negative integer
 
-// Of one without leading zero limbs.
+// Returns the width of a number without leading zero limbs.
 inline int bit_width(const Limb* x, int size) {
   return size == 0 ? 0 : (size - 1) * kLimbBits + bit_width(x[size - 1]);
 }
@@ -157,7 +157,7 @@ inline Limb bits_at(const Limb* x, int size, int position) {
   return shift == 0 ? at(limb) : at(limb) >> shift | at(limb + 1) << (kLimbBits - shift);
 }
 
-// Of a number that is not 0.
+// Returns the number of trailing zeros of a number that is not 0.
 inline int trailing_zeros(const Limb* x) {
   int zeros = 0;
   for (; *x == 0; ++x) zeros += kLimbBits;

@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace glev::HWY_NAMESPACE {
 
-// Whether points can be stored one behind the other. Single floats cannot where they are not aligned.
+// Returns true if points can be stored one behind the other. Single floats cannot where they are not aligned.
 template <int kComponents>
 bool is_packed(const Destination& to) {
   const bool is_aligned =

@@ -8,7 +8,7 @@ namespace {
 
 class AttributeStack : public ContextTest {
  protected:
-  // What belongs to the groups; maps do not.
+  // State that belongs to the groups; maps do not.
   struct Groups {
     std::vector<double> flags, grids, current, texture, list;
     bool operator==(const Groups&) const = default;

@@ -24,7 +24,7 @@ class Misuse : public ContextTest {
     }
   }
 
-  // What a change is made to.
+  // The call that a change is made to.
   struct Call {
     glev_batch batch;
     glev_mesh mesh;
@@ -333,7 +333,7 @@ bool share_a_byte(const Block& a, const Block& b) {
   return false;
 }
 
-// Where strides differ, extents decide.
+// If strides differ, extents decide.
 bool is_rejected(const Block& a, const Block& b) {
   if (a.stride == b.stride && a.row_stride == b.row_stride) return share_a_byte(a, b);
   return a.offset < b.end() && b.offset < a.end();

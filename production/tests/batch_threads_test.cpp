@@ -8,7 +8,7 @@ namespace {
 
 using EveryBits = std::vector<std::vector<std::uint64_t>>;
 
-// Of one thread's own: its arguments, its ranges, its memory.
+// The work of one thread, with its own arguments, ranges and memory.
 EveryBits work_of(int thread, const glev_plan* curve, const glev_plan* surface) {
   Chance chance(kSeed + static_cast<unsigned>(thread));
   EveryBits bits;

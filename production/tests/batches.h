@@ -22,7 +22,7 @@ inline const glev_output*& output_of(glev_outputs& outputs, glev_attribute attri
   return outputs.*kMembers[attribute];
 }
 
-// What a vertex says of it, three values of a normal.
+// Returns the values of the attribute of a vertex, three of a normal.
 inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) {
   switch (attribute) {
     case GLEV_ATTRIBUTE_VERTEX:
@@ -205,7 +205,7 @@ inline void enable_maps(glev_context* gl, Chance& chance) {
   }
 }
 
-// Where each attribute goes, by chance: interleaved or one after the other, with gaps, unaligned, with more
+// A random layout of attributes: interleaved or one after the other, with gaps, unaligned, with more
 // components than the map has.
 struct Layout {
   std::array<std::size_t, 4> offset{}, stride{}, row_stride{}, components{};
@@ -249,7 +249,7 @@ inline Layout choose_layout(Chance& chance, const glev_plan* plan, std::size_t c
   return layout;
 }
 
-// What memory of this layout has to be: poison, but for the attributes of the vertices.
+// Returns the expected memory of this layout: poison, but for the attributes of the vertices.
 inline Memory expected_memory(const Layout& layout, const std::vector<glev_vertex>& vertices,
                               std::size_t columns) {
   Memory memory(layout.bytes);

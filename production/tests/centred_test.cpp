@@ -130,7 +130,7 @@ TEST_F(CentredMaps, CoefficientsThatAreTakenAsExactAre) {
   EXPECT_GT(taken[1], 500);
 }
 
-// As many bits as there is room for.
+// Coefficients have as many bits as there is room for.
 TEST_F(CentredMaps, CoefficientsOfManyBitsAreExactOrNotTakenAsThat) {
   std::array<int, 2> taken{};
   for (int round = 0; round < 500; ++round) {

@@ -1,4 +1,4 @@
-# What the shared library shows: nothing but glev*, every function that the header declares, its soname; and what it asks
+# Symbols of the shared library: nothing but glev*, every function that the header declares, its soname; and what it asks
 # for: no C++ run time (RUNTIME=ON skips that part, for instrumented builds).
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DSONAME= -DRUNTIME= -P check_abi.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/symbols.cmake)

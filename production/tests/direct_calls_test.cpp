@@ -90,7 +90,7 @@ TEST_F(DirectCalls, SurfacesAreThoseOfBatches) {
   }
 }
 
-// What the caller changes after Begin, too.
+// The environment may change after Begin, too.
 TEST_F(DirectCalls, InWhateverEnvironment) {
   Floats points = random_points(12);
   for (float& point : points) point = chance.between(-2, 2);

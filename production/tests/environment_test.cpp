@@ -1,5 +1,5 @@
-// Whatever floating-point environment the caller has, results have the same bits, and it is the same
-// afterwards, flags included.
+// Results have the same bits in any floating-point environment of the caller, and it is the same afterwards,
+// flags included.
 #include <cfenv>
 #include <functional>
 #include <limits>

@@ -47,7 +47,7 @@ std::string show(const Problem& problem) {
   return out.str();
 }
 
-// What a caller may have done to the processor.
+// Rounding modes that a caller may have set.
 constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
 
 float round_in(int mode, const glev::Component& component, const std::array<GridArgument, 2>& at) {

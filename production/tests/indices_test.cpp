@@ -45,7 +45,7 @@ class IndicesOfMeshes : public ContextTest {
     glevMapGrid2f(gl, 7, 0.1F, 0.9F, 5, 1, -0.5F);
   }
 
-  // What indices of vertices of a mesh stand for.
+  // Returns the corners that indices of vertices of a mesh stand for.
   std::vector<Corner> expected_corners(std::size_t dimension, const Range& range, std::size_t first,
                                        const std::vector<std::uint32_t>& numbers) {
     const Plan plan(gl, dimension);
@@ -59,7 +59,7 @@ class IndicesOfMeshes : public ContextTest {
     return corners;
   }
 
-  // What the sink has seen as points, lines or triangles.
+  // Returns the corners that the sink has seen as points, lines or triangles.
   std::vector<Corner> drawn_corners() const {
     std::vector<Corner> corners;
     std::size_t at = 0;

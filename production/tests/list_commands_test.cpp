@@ -82,7 +82,7 @@ std::vector<Row> compiled_commands() {
 
 class EveryCommand : public Lists {
  protected:
-  // What a command can be seen by.
+  // The visible effect of a command.
   struct Effect {
     glev_enum error;
     std::vector<double> state;

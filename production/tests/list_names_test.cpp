@@ -15,7 +15,7 @@ class ListNames : public ContextTest {
     glevEndList(gl);
   }
 
-  // What the list sets the colour index to; -1 if nothing.
+  // Returns the colour index that the list sets; -1 if none.
   float index_of(glev_uint name) {
     glevIndexf(gl, -1);
     glevCallList(gl, name);

@@ -99,7 +99,7 @@ TEST_F(Grids, EqualEndsAndAnyActiveTextureAreLegal) {
 
 // ---- Points and meshes: random maps of all attributes, on a grid that is not their domain
 
-// What a mesh must do, by EvalPoint: the loops of GL §21.1.
+// Primitives of a mesh by EvalPoint: the loops of GL §21.1.
 struct Primitive {
   glev_enum mode;
   std::vector<std::pair<int, int>> points;

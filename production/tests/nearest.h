@@ -68,7 +68,7 @@ inline Fraction exact_value(const std::vector<double>& points, std::array<int, 2
 // zero.
 inline float nearest_float(const Fraction& x) {
   const Integer magnitude = abs(x.numerator) << 150;
-  // Whether that is at least, or more than, the middle between the float of these bits and the next one,
+  // Tells if that is at least, or more than, the middle between the float of these bits and the next one,
   // in units of 2^-150.
   const auto compare = [&](std::uint32_t bits) {
     const std::uint32_t field = bits >> 23, fraction = bits & 0x7FFFFF;

@@ -56,7 +56,7 @@ std::vector<Wide> bernstein_basis(int degree, const Wide& t) {
   return basis;
 }
 
-// Of the Bernstein polynomials by t.
+// Returns the slopes of the Bernstein polynomials by t.
 std::vector<Wide> bernstein_slopes(int degree, const Wide& t) {
   std::vector<Wide> slopes(degree + 1, 0);
   if (degree == 0) return slopes;
@@ -97,7 +97,7 @@ double largest_of(const Patch& patch, int k, int direction) {
   return largest;
 }
 
-// At grid point (i, j).
+// Returns the exact normal at grid point (i, j).
 Oracle exact_normal(const Patch& patch, int i, int j) {
   std::array<std::vector<Wide>, 2> values, slopes;
   for (int d : {0, 1}) {
@@ -132,7 +132,7 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
     majorant[k] = most_a[x] * most_b[y] + most_a[y] * most_b[x];
   }
   const Wide length = length_of(m), most = length_of(majorant);
-  // What is left of 600 digits where m is zero.
+  // A ratio within the error of 600 digits counts as zero.
   oracle.ratio = most == 0 || length < most * 0x1p-400 ? Wide(0) : Wide(length / most);
   for (int k = 0; k < 3; ++k) {
     if (oracle.ratio != 0) oracle.normal[k] = m[k] / length;
@@ -144,7 +144,7 @@ Oracle exact_normal(const Patch& patch, int i, int j) {
 
 constexpr int kModes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, -1};
 
-// What a caller may have done to the processor.
+// Calls in a rounding mode that a caller may have set.
 template <class Call>
 void call_in_mode(int mode, const Call& call) {
 #if defined(__SSE2__)

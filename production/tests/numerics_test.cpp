@@ -93,7 +93,7 @@ TEST_F(Numerics, TheEndsGiveTheEndPoints) {
   for (int order : {2, 3, 4, 17, 64}) {
     for (auto [u1, u2] : {std::pair{0.0, 1.0}, {0.1, 0.7}, {5.0, -2.0}, {1e9, 1e9 + 1}}) {
       for (float end : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
-        // What lies between has no influence, whatever it is.
+        // The points between have no influence, whatever they are.
         std::vector<double> points(order, order > 2 ? kNaN : 0.0);
         points.front() = end;
         points.back() = -end;

@@ -1,4 +1,4 @@
-// What is stated at glev_precision and glev_output: the bounds of FAST and of double results, against exact
+// Statements at glev_precision and glev_output: the bounds of FAST and of double results, against exact
 // rationals.
 #include <cmath>
 #include <limits>
@@ -123,7 +123,7 @@ TEST_F(Precision, FastMeshesKeepTheirBound) {
   EXPECT_GT(worst, 0.01);  // it is not correctly rounded
 }
 
-// Where the bound would not hold results are correctly rounded.
+// Results for which the bound would not hold are correctly rounded.
 TEST_F(Precision, FastIsCorrectlyRoundedOutsideTheDomainAndForExtremeMaps) {
   const auto expect_rounded = [&](const GivenNet& net, const Grid& u, const Grid& v, const Range& range) {
     define(net);
@@ -299,7 +299,7 @@ TEST_F(Precision, DoubleResultsOfMeshesKeepTheirBound) {
   }
 }
 
-// // Floats on grids that span the domain, and scattered arguments of curves, go another way.
+// Floats on grids that span the domain, and scattered arguments of curves, go another way.
 TEST_F(Precision, DoubleResultsOfFloatMapsKeepTheirBound) {
   for (int k = 0; k < 120; ++k) {
     const Domain domain = chance_.one_of({Domain{0, 1}, Domain{1, 0}, Domain{-1, 1}, Domain{0.1, 0.7}});

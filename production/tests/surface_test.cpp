@@ -294,7 +294,7 @@ TEST_F(SurfaceNumerics, CornersGiveTheirControlPoints) {
   for (auto [n, m] : {std::pair{2, 2}, {3, 3}, {4, 2}, {3, 17}, {64, 64}, {5, 64}}) {
     for (const auto& domain : {std::array{0.0, 1.0, 0.0, 1.0}, {0.1, 0.7, 5.0, -2.0}, {1e9, 1e9 + 1, 3, 2}}) {
       for (float corner : {0.1f, -0.0f, 0x1p-149f, 4.2e9f}) {
-        // What lies between has no influence, whatever it is.
+        // The points between have no influence, whatever they are.
         std::vector<double> points(static_cast<std::size_t>(n) * m, kNaN);
         const float corners[] = {corner, -corner, corner + 1, 2 * corner};
         points[0] = corners[0];

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kComponents = 3;
 
-// Where an edge lies in its patch.
+// The place of an edge in its patch.
 struct SharedEdge {
   bool is_along_u;  // at v = 0 or 1, else along v at u = 0 or 1
   bool is_last;     // at 1
@@ -156,7 +156,7 @@ TEST_F(Watertight, BetweenFastMeshesOfOtherOrdersAndSegments) {
   }
 }
 
-// Where the arguments of a grid are floats, batches have its bits, too.
+// If the arguments of a grid are floats, batches have its bits, too.
 TEST_F(Watertight, BetweenBatchesAndMeshes) {
   for (int order = 2; order <= 12; ++order) {
     const std::vector<float> shared = random_shared_points(order);

@@ -1,4 +1,4 @@
-# What the drop-in library shows: names of the GL and of its window systems, all evaluators among them; and what it asks
+# Symbols of the drop-in library: names of the GL and of its window systems, all evaluators among them; and what it asks
 # for: no C++ run time (RUNTIME=ON, of instrumented builds, tolerates what these bring along), no GL.
 # cmake -DNM= -DOBJDUMP= -DLIBRARY= -DHEADER= -DRUNTIME= -P check_exports.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../../tests/symbols.cmake)

@@ -1,4 +1,4 @@
-/* What the client evaluates: the test computes the same with libglevaluator. */
+/* The maps and arguments of the client: the test computes the same with libglevaluator. */
 #ifndef GLEVALUATOR_DROPIN_CLIENT_H_
 #define GLEVALUATOR_DROPIN_CLIENT_H_
 

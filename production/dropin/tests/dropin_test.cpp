@@ -18,7 +18,7 @@
 namespace {
 
 using Vertex = std::array<float, 4>;
-// What a program printed: lines of up to four numbers under titles.
+// The output of a program: lines of up to four numbers under titles.
 using Printed = std::map<std::string, std::vector<Vertex>>;
 
 struct Finished {
@@ -133,7 +133,7 @@ TEST(Dropin, SaysWhatIsMissing) {
   EXPECT_NE(finished.output.find("no-such-library"), std::string::npos) << finished.output;
 }
 
-// What does not draw is left alone.
+// Programs that do not draw are left alone.
 TEST(Dropin, OtherProgramsAreNotDisturbed) {
   const Finished finished = run_shell(kPreload + "cat /dev/null");
   EXPECT_EQ(finished.status, 0);
@@ -142,8 +142,8 @@ TEST(Dropin, OtherProgramsAreNotDisturbed) {
 
 #ifdef NURBS_CLIENT
 
-// How far a conforming evaluator may be off for orders n + 1 and m + 1 (m = 0: a curve) and arguments in the
-// domain, for control points of magnitude 1: the first-order part of EV-NUM-ACCURACY and all above.
+// The largest error of a conforming evaluator for orders n + 1 and m + 1 (m = 0: a curve) and arguments in
+// the domain, for control points of magnitude 1: the first-order part of EV-NUM-ACCURACY and all above.
 double allowed_error(int n, int m) {
   const double eps = 10738.0 / (1 << 30);
   const int k = m > 0 ? n * m + 5 * (n + m) + 4 : 5 * n + 4;

@@ -1,4 +1,5 @@
-/* What a program drew in feedback mode, for the test to read: the texture coordinates of each vertex. */
+/* Vertices that a program drew in feedback mode, for the test to read: the texture coordinates of each
+ * vertex. */
 #ifndef GLEVALUATOR_DROPIN_FEEDBACK_H_
 #define GLEVALUATOR_DROPIN_FEEDBACK_H_
 

@@ -43,7 +43,7 @@ consume() { # name, CMake-option...
   cmake --build "$work/$1" >"$log" 2>&1 || { cat "$log"; fail "$1 does not build"; }
 }
 
-# Without a C++ compiler; and a project that has one links its C programs without it.
+# A project without a C++ compiler; and a project that has one links its C programs without it.
 CXX=false consume build -DFORTRAN="$fortran"
 consume mixed -DMIXED=ON
 [[ $(ninja -C "$work/mixed" -t commands curve_glevaluator) != *++* ]] || fail "the C++ compiler links"

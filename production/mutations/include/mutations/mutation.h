@@ -15,7 +15,7 @@ inline int active_mutation = [] {
   return number == nullptr ? 0 : std::atoi(number);
 }();
 
-// What a mutation of several places remembers from one to the other.
+// Memory that a mutation of several places shares among them.
 inline int mutation_memory[256] = {};
 
 inline bool mutation_is(int number) { return active_mutation == number; }
