@@ -1,6 +1,8 @@
 // The command line of evalcts.
 #include <evalcts/cli/command_line.h>
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>

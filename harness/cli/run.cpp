@@ -1,5 +1,6 @@
 #include <evalcts/reports.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
 // Changes and their wording; shards put together; the summary in Markdown.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
