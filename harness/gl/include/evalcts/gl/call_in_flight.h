@@ -17,8 +17,8 @@ struct CallInFlight {
 inline CallInFlight call_in_flight;
 
 // Writes the command by its name and its tokens, "glGetMapiv(GL_MAP1_NORMAL, GL_ORDER, ...)", with a null
-// behind it: calls that differ in other arguments have the same text. Returns its length; cuts what is longer
-// than `room`, which is at least 1. Async-signal-safe once it has been called.
+// behind it: calls that differ in other arguments have the same text. Returns its length. Text that is longer
+// than `room`, which is at least 1, is cut. Async-signal-safe once it has been called.
 std::size_t write_call(const Command& command, char* text, std::size_t room);
 std::string call_text(const Command& command);
 

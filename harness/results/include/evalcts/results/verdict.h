@@ -13,7 +13,7 @@ enum class Verdict {
   kCrash,           // the process ended during the test
   kTimeout,         // the test did not end within its time limit
   kFail,            // something observed contradicts the requirement
-  kQualityWarning,  // worse than good single precision; does not say that it conforms
+  kQualityWarning,  // falls short of good implementations; says nothing about conformance
   kNotObservable,   // the implementation offers no trustworthy way to see the effect
   kNotSupported,    // the version or extension that the rule belongs to is missing
   kSkipped,         // excluded on purpose
