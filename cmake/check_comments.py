@@ -56,10 +56,7 @@ def comments(text, is_c):
 def main():
     root = pathlib.Path(sys.argv[1])
     listed = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=root,
-                            capture_output=True, text=True)
-    if listed.returncode:
-        print("not a git checkout: nothing is checked")
-        return 77
+                            capture_output=True, text=True, check=True)
     found = 0
     for name in sorted(filter(None, listed.stdout.split("\0"))):
         path = pathlib.Path(name)

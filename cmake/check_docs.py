@@ -14,6 +14,7 @@ comment above a block changes that:
   <!-- exit code: N -->       the exit code of the block, or `any`; 0 without this comment
   <!-- output -->             the block shows output of a command that is not run
 EVALCTS is the built program and LAYER a GL layer over OpenGL ES. Exit code 77: there was nothing to run."""
+import concurrent.futures
 import fnmatch
 import json
 import os
@@ -266,7 +267,7 @@ def make_folder(folder, root, program, layer, tests):
 
 
 def run_block(block, folder):
-    """Runs a block; returns a complaint or None."""
+    """Runs a block; returns its time and exit code in words, and a complaint or None."""
     expected = block.markers.get("exit code", "0")
     start = time.monotonic()
     try:
@@ -274,43 +275,56 @@ def run_block(block, folder):
                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                  env=os.environ | {"NO_COLOR": "1", "PATH": f"{folder}:{os.environ['PATH']}", "OMPI_ALLOW_RUN_AS_ROOT": "1",
                                                    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-                                                   "OMPI_MCA_rmaps_base_oversubscribe": "1"})
+                                                   "OMPI_MCA_rmaps_base_oversubscribe": "1",  # until Open MPI 4
+                                                   "PRTE_MCA_rmaps_default_mapping_policy": ":OVERSUBSCRIBE"})  # from Open MPI 5 on
     except subprocess.TimeoutExpired:
-        return f"did not end within {SECONDS_FOR_A_BLOCK} s"
-    print(f"  {time.monotonic() - start:5.1f} s  exit code {outcome.returncode}", flush=True)
+        return "  no end", f"did not end within {SECONDS_FOR_A_BLOCK} s"
+    words = f"  {time.monotonic() - start:5.1f} s  exit code {outcome.returncode}"
     if str(outcome.returncode) == expected or expected == "any" and outcome.returncode in (0, 1):
-        return None
-    return f"exit code {outcome.returncode}, expected {expected}; the end of its output:\n" + outcome.stdout[-3000:]
+        return words, None
+    return words, f"exit code {outcome.returncode}, expected {expected}; the end of its output:\n" + outcome.stdout[-3000:]
+
+
+def check_page(page, root, program, layer, machine):
+    """Runs the blocks of a page; returns the complaints, what was done, and the number of blocks."""
+    complaints, lines, ran = [], [], 0
+    with tempfile.TemporaryDirectory(prefix="evalcts-docs-") as folder:
+        folder = pathlib.Path(folder)
+        make_folder(folder, root, program, layer, machine.tests)
+        for block in examples_of(page) if page.suffix == ".txt" else blocks_of(page):
+            place = f"{page.relative_to(root)}:{block.line}"
+            try:
+                reason = reason_to_skip(block, machine)
+            except KeyError as unknown:
+                complaints.append(f"{place}: unknown marker {unknown}; cmake/check_docs.py lists them")
+                continue
+            if reason is None and page.suffix == ".txt" and (file := missing_file(block.script, folder)):
+                reason = f"there is no {file}"
+            if reason is not None:
+                if reason:
+                    lines.append(f"{place}: not run: {reason}")
+                continue
+            ran += 1
+            if not block.script.strip():
+                complaints.append(f"{place}: has no command; mark it with <!-- output -->")
+                continue
+            lines.append(f"{place}: {block.script.strip().splitlines()[0]}")
+            outcome, complaint = run_block(block, folder)
+            lines.append(outcome)
+            if complaint:
+                complaints.append(f"{place}: {complaint}")
+    return complaints, lines, ran
 
 
 def check_commands(root, program, layer, only):
     machine = Machine(program)
+    chosen_pages = [page for page in pages(root) + sorted((root / "docs/help").glob("evalcts*.txt")) if not only or page.name in only]
     complaints, ran = [], 0
-    for page in pages(root) + sorted((root / "docs/help").glob("evalcts*.txt")):
-        if only and page.name not in only:
-            continue
-        with tempfile.TemporaryDirectory(prefix="evalcts-docs-") as folder:
-            folder = pathlib.Path(folder)
-            make_folder(folder, root, program, layer, machine.tests)
-            for block in examples_of(page) if page.suffix == ".txt" else blocks_of(page):
-                place = f"{page.relative_to(root)}:{block.line}"
-                try:
-                    reason = reason_to_skip(block, machine)
-                except KeyError as unknown:
-                    complaints.append(f"{place}: unknown marker {unknown}; cmake/check_docs.py lists them")
-                    continue
-                if reason is None and page.suffix == ".txt" and (file := missing_file(block.script, folder)):
-                    reason = f"there is no {file}"
-                if reason is not None:
-                    if reason:
-                        print(f"{place}: not run: {reason}")
-                    continue
-                print(f"{place}: {block.script.strip().splitlines()[0] if block.script.strip() else '(no command)'}", flush=True)
-                if not block.script.strip():
-                    complaints.append(f"{place}: has no command; mark it with <!-- output -->")
-                elif complaint := run_block(block, folder):
-                    complaints.append(f"{place}: {complaint}")
-                ran += 1
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found, lines, number in pool.map(lambda page: check_page(page, root, program, layer, machine), chosen_pages):
+            print("\n".join(lines), flush=True)
+            complaints += found
+            ran += number
     print(f"{ran} blocks were run")
     return complaints, ran
 
