@@ -82,8 +82,8 @@ bool warn_if_mostly_unobserved(const std::string& implementation, std::uint64_t 
                                const char* things) {
   if (2 * observed >= asked) return false;
   std::cerr << fmt::format(
-      "evalcts: {}: only {} of {} {} could be observed: this is no pass. 'evalcts run --verbose' says why; "
-      "with --allow-unobserved the exit code is 0\n",
+      "evalcts: {}: only {} of {} {} could be observed: this is no pass; with --allow-unobserved the exit "
+      "code is 0\n",
       implementation, observed, asked, things);
   return true;
 }

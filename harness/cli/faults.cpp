@@ -76,6 +76,8 @@ int legal(const FaultsOptions& options, const fs::path& output) {
     for (const faults::DetectionBehind& detection : each.detections)
       if (detection.outcome == faults::DetectionBehind::Outcome::kSurvives)
         text += fmt::format("  survives: {}: it is visible, but no test detects it\n", detection.fault);
+      else if (detection.outcome == faults::DetectionBehind::Outcome::kNotVisible)
+        text += fmt::format("  not visible: {}: {}\n", detection.fault, detection.reason);
   }
   text += fmt::format(
       "{} variations: {} without a false alarm and with all visible faults detected, {} not "

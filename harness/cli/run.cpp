@@ -80,8 +80,10 @@ int exit_code_of(const RunResult& result, const RunOptions& options) {
   const std::uint64_t supported = result.total() - count(Verdict::kNotSupported);
   if (code == kNothingUnexpected && !options.allow_unobserved &&
       warn_if_mostly_unobserved(result.implementation.name, supported - count(Verdict::kNotObservable),
-                                supported, "tests"))
+                                supported, "tests")) {
+    std::cerr << "evalcts: 'evalcts run --verbose' says why\n";
     code = kWrongUse;
+  }
   return code;
 }
 

@@ -107,6 +107,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
   for (CLI::App* command : {emit, check})
     command->add_option("--kind", options->kinds, "only these (the same for emit and check)")
         ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
+  add_allow_unobserved(*check, options->allow_unobserved);
   return [=] {
     return *write  ? write_vectors(*options)
            : *lint ? lint_vectors(*options)

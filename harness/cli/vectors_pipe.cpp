@@ -85,12 +85,15 @@ int emit_vectors(const VectorsOptions& options) {
 
 int check_vectors(const VectorsOptions& options) {
   int code = kNothingUnexpected;
+  std::size_t cases = 0, skipped = 0;
   try {
     const std::vector<nlohmann::json> files = files_of(options);
     vectors::Answers answers = vectors::read_answers(std::cin);
     for (const nlohmann::json& file : files) {
       const vectors::Score score = vectors::judge(file, answers);
       print(score);
+      cases += score.cases;
+      skipped += score.skipped;
       if (!score.wrong.empty() || !score.missing.empty()) code = std::max(code, kUnexpected);
     }
     show_some(answers.answered_twice,
@@ -106,6 +109,9 @@ int check_vectors(const VectorsOptions& options) {
   } catch (const vectors::Malformed& problem) {
     return wrong_use(problem.what());
   }
+  if (code == kNothingUnexpected && !options.allow_unobserved &&
+      warn_if_mostly_unobserved("the answers", cases - skipped, cases, "cases"))
+    code = kWrongUse;
   return code;
 }
 

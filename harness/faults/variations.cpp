@@ -62,13 +62,17 @@ class VariationTrial {
   DetectionBehind detect(const ListedFault& variation, const ListedFault& fault, const Verdicts& varied) {
     // Tests that show the fault by itself, and pass in full with the variation alone.
     std::vector<std::string> tests;
+    DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, "",
+                              fmt::format("no test detects it on {} itself", variation.implementation)};
     for (const auto& [name, record] : with_fault(variation, fault)) {
       const auto found = varied.find(name);
-      if (record.is_bad() && !unmodified(variation).at(name).is_bad() && found != varied.end() &&
-          found->second.verdict == Verdict::kPass && found->second.unobserved.empty())
+      if (!record.is_bad() || unmodified(variation).at(name).is_bad() || found == varied.end()) continue;
+      if (found->second.verdict == Verdict::kPass && found->second.unobserved.empty())
         tests.push_back(name);
+      else if (tests.empty())
+        detection.reason =
+            fmt::format("{} is not observed in full: {}", name, unobserved_part(found->second));
     }
-    DetectionBehind detection{fault.name, DetectionBehind::Outcome::kNotVisible, ""};
     if (tests.empty()) return detection;
     const Verdicts both = play_all(variation, variation.name + "-" + fault.name,
                                    {"--fault", fault.name, "--variation", variation.name}, tests);
@@ -83,7 +87,14 @@ class VariationTrial {
     };
     if (detection.test.empty() && (both.empty() || !std::ranges::all_of(both, is_undecided)))
       detection.outcome = DetectionBehind::Outcome::kSurvives;
+    else if (detection.test.empty())
+      detection.reason =
+          fmt::format("with the fault, {}: {}", both.begin()->first, unobserved_part(both.begin()->second));
     return detection;
+  }
+
+  static std::string unobserved_part(const TestRecord& record) {
+    return record.unobserved.empty() ? record.message : fmt::format("no {} is shown", record.unobserved);
   }
 
   // True if the test names one of the requirements of the fault, or that the variation violates.
@@ -214,6 +225,7 @@ std::string as_markdown(const std::vector<TriedVariation>& variations) {
     for (const DetectionBehind& each : tried.detections) {
       std::string& names = faults[each.outcome];
       names += (names.empty() ? "" : " ") + each.fault;
+      if (each.outcome == DetectionBehind::Outcome::kNotVisible) names += fmt::format(" ({})", each.reason);
     }
     text += fmt::format(
         "| {}: {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", tried.variation.name, tried.variation.what,

@@ -106,7 +106,10 @@ class MeshOfVertices {
   int number_;
 };
 
-bool is_of_evaluators(GLenum cap) { return cap == GL_AUTO_NORMAL || components_of(cap) > 0; }
+bool is_of_evaluators(GLenum cap) {
+  const bool is_attribute_map = cap >= GL_MAP1_VERTEX_ATTRIB0_4_NV && cap <= GL_MAP2_VERTEX_ATTRIB15_4_NV;
+  return cap == GL_AUTO_NORMAL || components_of(cap) > 0 || is_attribute_map;
+}
 
 // True if the command defines, enables or asks for maps or grids.
 bool is_about_maps(const Command& command) {
@@ -118,15 +121,18 @@ bool is_about_maps(const Command& command) {
   return cap && is_of_evaluators(static_cast<GLenum>(*cap));
 }
 
-// Changes state that has no effect, or fails to do so between Begin and End.
-class UnrelatedState {
+// Enables and disables the capability in turn.
+class IdleChanges {
  public:
+  explicit IdleChanges(IdleCapability capability) : capability_(capability) {}
   void change(Case& c) {
+    if (!capability_) return;
     enabled_ = !enabled_;
-    enabled_ ? c.Enable(GL_INDEX_LOGIC_OP) : c.Disable(GL_INDEX_LOGIC_OP);
+    enabled_ ? c.Enable(*capability_) : c.Disable(*capability_);
   }
 
  private:
+  IdleCapability capability_;
   bool enabled_ = false;
 };
 
@@ -134,9 +140,9 @@ class UnrelatedState {
 // for an EvalCoord or EvalPoint, `mesh(control, command, number)` those for an EvalMesh outside of Begin and
 // End; `follow(command)` sees each command before.
 template <class Follow, class Evaluate, class Mesh>
-Case with_replaced(const Case& script, OtherCommands others, const Follow& follow, const Evaluate& evaluate,
+Case with_replaced(const Case& script, IdleCapability idle, const Follow& follow, const Evaluate& evaluate,
                    const Mesh& mesh) {
-  UnrelatedState unrelated;
+  IdleChanges changes(idle);
   Case control = script.without_commands();
   std::vector<int> places;
   bool in_primitive = false;
@@ -148,7 +154,7 @@ Case with_replaced(const Case& script, OtherCommands others, const Follow& follo
     follow(written);
     const bool is_mesh = name.starts_with("glEvalMesh");
     if (is_about_maps(written) || (is_mesh && in_primitive)) {
-      if (others == OtherCommands::kUnrelated) unrelated.change(control);
+      changes.change(control);
       places.push_back(-1);
       continue;
     }
@@ -172,16 +178,16 @@ Case with_replaced(const Case& script, OtherCommands others, const Follow& follo
 
 }  // namespace
 
-Case with_explicit_vertices(const Case& script, OtherCommands others) {
+Case with_explicit_vertices(const Case& script, IdleCapability idle) {
   return with_replaced(
-      script, others, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
+      script, idle, [](const Command&) {}, [](Case& c, const Command&, int number) { vertex(c, number); },
       [](Case& c, const Command& mesh, int number) { MeshOfVertices(c, number, mesh, GL_QUAD_STRIP); });
 }
 
-Case with_explicit_commands(const Case& script, OtherCommands others) {
+Case with_explicit_commands(const Case& script, IdleCapability idle) {
   EnabledMaps maps;
   return with_replaced(
-      script, others, [&](const Command& command) { maps.follow(command); },
+      script, idle, [&](const Command& command) { maps.follow(command); },
       [&](Case& c, const Command& command, int number) {
         const std::string_view name = name_of(command.entry);
         const int dimension = name.starts_with("glEvalCoord1") || name == "glEvalPoint1" ? 1 : 2;
@@ -192,8 +198,7 @@ Case with_explicit_commands(const Case& script, OtherCommands others) {
 
 Case with_calls_of_no_list(const Case& script) {
   return with_replaced(
-      script, OtherCommands::kLeftOut, [](const Command&) {},
-      [](Case& c, const Command&, int) { c.CallList(kNoList); },
+      script, {}, [](const Command&) {}, [](Case& c, const Command&, int) { c.CallList(kNoList); },
       [](Case& c, const Command&, int) {
         c.Begin(GL_POINTS);
         c.CallList(kNoList);

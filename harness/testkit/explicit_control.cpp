@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,26 @@ bool explains(const Mismatch& mismatch, const std::string& what) {
   return failed.empty() || mismatch.of == Mismatch::Of::vertices || wrong == "position" || wrong == failed;
 }
 
+// Returns the first capability without effect on vertices that the library accepts: with the initial LogicOp
+// and PolygonOffset these have no effect at all. A layer over OpenGL ES may know only the last.
+gl::IdleCapability idle_capability(Implementation& implementation) {
+  const std::unique_ptr<Context> context = implementation.create_context();
+  const gl::Table& table = context->table();
+  if (!table.Enable || !table.Disable || !table.GetError) return {};
+  const auto drain = [&] {
+    bool any = false;
+    for (int i = 0; i < 16 && table.GetError() != GL_NO_ERROR; ++i) any = true;
+    return any;
+  };
+  drain();
+  for (const GLenum capability : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
+    table.Enable(capability);
+    table.Disable(capability);
+    if (!drain()) return capability;
+  }
+  return {};
+}
+
 }  // namespace
 
 void ExplicitControl::set_observed(const gl::Case& script, const Capture& capture, Attributes judged) {
@@ -46,11 +67,11 @@ void ExplicitControl::require_explicit_vertices(const std::string& what) {
 
 void ExplicitControl::play_controls(const Observed& observed) {
   wrong_.clear();
+  const gl::IdleCapability idle = idle_capability(*subject_.implementation);
   for (const auto control : {gl::with_explicit_vertices, gl::with_explicit_commands}) {
     std::optional<Seen> seen;
     try {
-      seen = observe_control(control(observed.script, gl::OtherCommands::kUnrelated), *observed.capture,
-                             observed.judged);
+      seen = observe_control(control(observed.script, idle), *observed.capture, observed.judged);
     } catch (const gl::MissingEntryPoint&) {
       // A sink may lack the explicit commands: it has no pipeline that they could show to be wrong.
     }

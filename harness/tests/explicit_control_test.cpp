@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include <evalcts/gl/display_lists.h>
 #include <evalcts/testkit/reproduction.h>
@@ -30,9 +32,37 @@ gl::Case in_lists(GLenum mode = GL_POINTS) {
 void lose_positions(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].position[0] = 99; }
 void lose_colors(Observation& seen, const gl::Case&) { seen.primitives[0].vertices[1].color = {}; }
 
+// Contexts with the commands that tell which capabilities are known.
+class WithCapabilities final : public Implementation {
+ public:
+  static inline GLenum first_known = GL_INDEX_LOGIC_OP;  // in the order of their tokens
+
+  std::string name() const override { return "with capabilities"; }
+  std::unique_ptr<Context> create_context() override { return std::make_unique<WithEnable>(); }
+
+ private:
+  static inline GLenum error = GL_NO_ERROR;
+  class WithEnable final : public Context {
+   public:
+    WithEnable() {
+      table_.Enable = table_.Disable = [](GLenum capability) {
+        if (capability < first_known) error = GL_INVALID_ENUM;
+      };
+      table_.GetError = [] { return std::exchange(error, static_cast<GLenum>(GL_NO_ERROR)); };
+    }
+    const gl::Table& table() const override { return table_; }
+
+   private:
+    gl::Table table_{};
+  };
+};
+
 class ExplicitControlTest : public testing::Test {
  protected:
-  ExplicitControlTest() { subject_.implementation = &implementation_; }
+  ExplicitControlTest() {
+    subject_.implementation = &implementation_;
+    WithCapabilities::first_known = GL_INDEX_LOGIC_OP;
+  }
 
   // The number of controls that are played when the case, which was judged by these attributes, has failed
   // twice.
@@ -46,7 +76,7 @@ class ExplicitControlTest : public testing::Test {
 
   static CaptureTraits traits() { return {.attributes = kPosition | kColor}; }
 
-  WithoutContexts implementation_;
+  WithCapabilities implementation_;
   Subject subject_;
   ExplicitControl control_{subject_};
 };
@@ -120,6 +150,32 @@ TEST_F(ExplicitControlTest, LinesAreTakenApartAsTheCaptureDoesIt) {
     for (ObservedPrimitive& primitive : seen.primitives) std::ranges::reverse(primitive.vertices);
   });
   EXPECT_EQ(controls(in_lists(GL_LINES), backwards), 3);  // with the explicit primitives
+}
+
+// The capability whose Enable and Disable take the place of Map1f and Enable in the control.
+GLenum changed_in(const gl::Case& control) {
+  for (const gl::Command& command : control.commands())
+    if (command.entry == gl::EntryPoint::Enable)
+      return static_cast<GLenum>(std::get<std::int64_t>(command.arguments[0]));
+  return 0;
+}
+
+// A library that loses values behind any change of state is excused, whatever state it knows.
+TEST_F(ExplicitControlTest, StateThatTheLibraryKnowsIsChanged) {
+  for (const GLenum known : {GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL}) {
+    WithCapabilities::first_known = known;
+    const SyntheticCapture loses_behind_changes(traits(), [&](Observation& seen, const gl::Case& control) {
+      if (changed_in(control) == known) lose_positions(seen, control);
+    });
+    EXPECT_THROW(controls(evaluated(), loses_behind_changes), NotObservable) << known;
+  }
+  WithCapabilities::first_known = GL_POLYGON_OFFSET_FILL + 1;  // none is known
+  GLenum changed = 0;
+  const SyntheticCapture capture(traits(), [&](Observation&, const gl::Case& control) {
+    changed = std::max(changed, changed_in(control));
+  });
+  EXPECT_EQ(controls(evaluated(), capture), 2);
+  EXPECT_EQ(changed, 0u);
 }
 
 TEST_F(ExplicitControlTest, LostAttributesAreThoseOfExplicitVertices) {

@@ -116,6 +116,8 @@ TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
   c.Enable(GL_LIGHTING);
   c.Enable(GL_MAP1_VERTEX_3);
   c.Enable(GL_AUTO_NORMAL);
+  c.Enable(GL_MAP1_VERTEX_ATTRIB0_4_NV);
+  c.Disable(GL_MAP2_VERTEX_ATTRIB15_4_NV);
   c.Begin(GL_POINTS);
   c.EvalCoord1f(0.5f);
   c.Disable(GL_MAP1_VERTEX_3);
@@ -127,14 +129,14 @@ TEST(ExplicitVertices, StandWithoutCommandsOfEvaluators) {
   EXPECT_EQ(lines[0], "glPushAttrib(GL_ENABLE_BIT);");
   EXPECT_EQ(lines[1], "glEnable(GL_LIGHTING);");
   EXPECT_EQ(lines[4], "glDisable(GL_FOG);");
-  Lines unrelated = calls_of(with_explicit_vertices(c, OtherCommands::kUnrelated));
-  ASSERT_EQ(unrelated.size(), 12u);
-  EXPECT_EQ(unrelated[1], "glEnable(GL_INDEX_LOGIC_OP);");
-  EXPECT_EQ(unrelated[2], "glDisable(GL_INDEX_LOGIC_OP);");
-  EXPECT_EQ(std::erase_if(unrelated,
+  Lines with_changes = calls_of(with_explicit_vertices(c, GL_COLOR_LOGIC_OP));
+  ASSERT_EQ(with_changes.size(), 14u);
+  EXPECT_EQ(with_changes[1], "glEnable(GL_COLOR_LOGIC_OP);");
+  EXPECT_EQ(with_changes[2], "glDisable(GL_COLOR_LOGIC_OP);");
+  EXPECT_EQ(std::erase_if(with_changes,
                           [](const std::string& line) { return line.find("LOGIC_OP") != std::string::npos; }),
-            6u);
-  EXPECT_EQ(unrelated, lines);
+            8u);
+  EXPECT_EQ(with_changes, lines);
 }
 
 TEST(ExplicitCommands, GiveTheAttributesOfTheEnabledMaps) {

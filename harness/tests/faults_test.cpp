@@ -89,6 +89,8 @@ TEST_F(Faults, VariationWithoutColoursPassesInPart) {
   EXPECT_GT(tried.passed_in_part, 0u);
   EXPECT_GT(tried.unobserved, 0u);
   EXPECT_EQ(tried.detections.at(0).outcome, DetectionBehind::Outcome::kNotVisible);
+  EXPECT_NE(tried.detections.at(0).reason.find("shows colour"), std::string::npos)
+      << tried.detections.at(0).reason;
 }
 
 TEST_F(Faults, TestThatFailsOnAVariationIsAFalseAlarm) {

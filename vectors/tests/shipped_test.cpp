@@ -93,5 +93,13 @@ TEST_F(VectorsCommand, FindsWhatIsWrong) {
   EXPECT_EQ(run("lint " + (folder_ / "grid.json").string()), 1);
 }
 
+// A program that skips most cases has not passed.
+TEST_F(VectorsCommand, RefusesToPassWhatIsMostlySkipped) {
+  const fs::path answers = folder_ / "answers.txt";
+  ASSERT_EQ(run(R"(emit --kind grid | awk '{print $2, "skip"}' | tee )" + answers.string()), 0);
+  EXPECT_EQ(run("check --kind grid < " + answers.string()), 2);
+  EXPECT_EQ(run("check --kind grid --allow-unobserved < " + answers.string()), 0);
+}
+
 }  // namespace
 }  // namespace evalcts::vectors

@@ -17,14 +17,17 @@ int coordinates_of(GLenum type) { return type == GL_2D ? 2 : type == GL_4D_COLOR
 bool has_color(GLenum type) { return type != GL_2D && type != GL_3D; }
 bool has_texture(GLenum type) { return type == GL_3D_COLOR_TEXTURE || type == GL_4D_COLOR_TEXTURE; }
 
-// Calls `change` for each colour component in a feedback buffer of RGBA colours.
-template <class Change>
-void change_colors(GLfloat* values, std::size_t count, Change change) {
-  if (!has_color(feedback_type)) return;
+// Calls `change` for each colour component in a feedback buffer of RGBA colours, and `change_token` for each
+// token.
+template <class Change, class ChangeToken>
+void change_feedback(GLfloat* values, std::size_t count, Change change, ChangeToken change_token) {
   const auto before = static_cast<std::size_t>(coordinates_of(feedback_type));
-  const std::size_t size = before + 4 + (has_texture(feedback_type) ? 4 : 0);
+  const std::size_t colors = has_color(feedback_type) ? 4 : 0;
+  const std::size_t size = before + colors + (has_texture(feedback_type) ? 4 : 0);
   for (std::size_t i = 0; i < count;) {
-    const auto token = static_cast<GLenum>(values[i++]);
+    const auto token = static_cast<GLenum>(values[i]);
+    values[i] = static_cast<GLfloat>(change_token(token));
+    ++i;
     std::size_t vertices = 1;
     if (token == GL_PASS_THROUGH_TOKEN) {
       ++i;
@@ -33,13 +36,16 @@ void change_colors(GLfloat* values, std::size_t count, Change change) {
     if (token == GL_LINE_TOKEN || token == GL_LINE_RESET_TOKEN) vertices = 2;
     if (token == GL_POLYGON_TOKEN && i < count) vertices = static_cast<std::size_t>(values[i++]);
     for (; vertices > 0 && i + size <= count; --vertices, i += size)
-      for (std::size_t k = before; k < before + 4; ++k) values[i + k] = change(values[i + k]);
+      for (std::size_t k = before; k < before + colors; ++k) values[i + k] = change(values[i + k]);
     if (vertices > 0) return;
   }
 }
 
-template <float (*change)(float)>
-void vary_feedback_colors(Varied& v) {
+float unchanged(float x) { return x; }
+GLenum unchanged_token(GLenum token) { return token; }
+
+template <float (*change)(float), GLenum (*change_token)(GLenum) = unchanged_token>
+void vary_feedback(Varied& v) {
   v.gl.FeedbackBuffer = [](GLsizei size, GLenum type, GLfloat* buffer) {
     unvaried.FeedbackBuffer(size, type, buffer);
     remembered.feedback = buffer;
@@ -51,8 +57,9 @@ void vary_feedback_colors(Varied& v) {
     if (!remembered.inside) unvaried.GetIntegerv(GL_RENDER_MODE, &before);
     const GLint count = unvaried.RenderMode(mode);
     if (before == GL_FEEDBACK && remembered.feedback)
-      change_colors(remembered.feedback,
-                    static_cast<std::size_t>(count < 0 ? remembered.feedback_size : count), change);
+      change_feedback(remembered.feedback,
+                      static_cast<std::size_t>(count < 0 ? remembered.feedback_size : count), change,
+                      change_token);
     return count;
   };
 }
@@ -69,16 +76,24 @@ void remove_transform_feedback(Varied& v) {
 
 EVALCTS_VARIATION(FeedbackOf8Bits, "dropin", "feedback colours are rounded to 8 bits; no transform feedback",
                   "") {
-  vary_feedback_colors<to_8_bits>(v);
+  vary_feedback<to_8_bits>(v);
   remove_transform_feedback(v);
 }
 EVALCTS_VARIATION(FeedbackCutTo8Bits, "dropin", "feedback colours are cut to 8 bits; no transform feedback",
                   "") {
-  vary_feedback_colors<cut_to_8_bits>(v);
+  vary_feedback<cut_to_8_bits>(v);
   remove_transform_feedback(v);
 }
 EVALCTS_VARIATION(FeedbackClamped, "dropin", "feedback colours are clamped; no transform feedback", "") {
-  vary_feedback_colors<to_unit_interval>(v);
+  vary_feedback<to_unit_interval>(v);
+  remove_transform_feedback(v);
+}
+
+// The stipple is reset at each segment, not at the first of a strip only.
+GLenum with_reset(GLenum token) { return token == GL_LINE_TOKEN ? GL_LINE_RESET_TOKEN : token; }
+EVALCTS_VARIATION(FeedbackLineResets, "dropin",
+                  "each line in the feedback buffer resets the stipple; no transform feedback", "") {
+  vary_feedback<unchanged, with_reset>(v);
   remove_transform_feedback(v);
 }
 

@@ -1,6 +1,8 @@
 // Variations in what a library has, what it answers, and in the state behind its contexts.
 #include <cstdio>
 #include <ctime>
+#include <iterator>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -22,6 +24,58 @@ void keep_own_errors(Varied& v) {
 
 void raise_own(GLenum error) {
   if (remembered.error == GL_NO_ERROR) remembered.error = error;
+}
+
+// A GL in several parts has several error flags, and GetError answers any one that is set (GL 1.0 2.5): here
+// the largest, not the first.
+std::set<GLenum> error_flags;
+
+void collect_errors() {
+  for (int i = 0; i < 16; ++i) {
+    const GLenum error = unvaried.GetError();
+    if (error == GL_NO_ERROR) return;
+    error_flags.insert(error);
+  }
+}
+
+// Wraps a command that is an error between Begin and End, so that GetError may follow it.
+template <auto kCommand, class Signature>
+struct Collecting;
+template <auto kCommand, class... A>
+struct Collecting<kCommand, void (*)(A...)> {
+  static void run(A... arguments) {
+    (unvaried.*kCommand)(arguments...);
+    collect_errors();
+  }
+};
+
+EVALCTS_VARIATION(SeveralErrorFlags, "dropin", "there are several error flags; GetError answers the largest",
+                  "") {
+  error_flags.clear();
+  v.gl.GetError = []() -> GLenum {
+    collect_errors();
+    if (error_flags.empty()) return GL_NO_ERROR;
+    return error_flags.extract(std::prev(error_flags.end())).value();
+  };
+#define COLLECT(name) v.gl.name = Collecting<&gl::Table::name, std::remove_cvref_t<decltype(v.gl.name)>>::run
+  COLLECT(Map1f);
+  COLLECT(Map1d);
+  COLLECT(Map2f);
+  COLLECT(Map2d);
+  COLLECT(MapGrid1f);
+  COLLECT(MapGrid1d);
+  COLLECT(MapGrid2f);
+  COLLECT(MapGrid2d);
+  COLLECT(EvalMesh1);
+  COLLECT(EvalMesh2);
+  COLLECT(GetMapfv);
+  COLLECT(GetMapdv);
+  COLLECT(GetMapiv);
+  COLLECT(GetFloatv);
+  COLLECT(Enable);
+  COLLECT(Disable);
+  COLLECT(PopAttrib);
+#undef COLLECT
 }
 
 // --- Queries -----------------------------------------------------------------------------------------------
@@ -131,6 +185,26 @@ EVALCTS_VARIATION(OneTextureUnit, "dropin", "there is one texture unit, and no m
       *values = 1;
     else
       unvaried.GetIntegerv(name, values);
+  };
+}
+
+// Capabilities that a layer over OpenGL ES does not know.
+bool is_refused(GLenum capability) {
+  return capability == GL_INDEX_LOGIC_OP || capability == GL_COLOR_LOGIC_OP;
+}
+
+EVALCTS_VARIATION(CapabilitiesRefused, "dropin", "the capabilities of logical operations are rejected", "") {
+  keep_own_errors(v);
+  v.gl.Enable = [](GLenum capability) {
+    is_refused(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Enable(capability);
+  };
+  v.gl.Disable = [](GLenum capability) {
+    is_refused(capability) ? raise_own(GL_INVALID_ENUM) : unvaried.Disable(capability);
+  };
+  v.gl.IsEnabled = [](GLenum capability) -> GLboolean {
+    if (!is_refused(capability)) return unvaried.IsEnabled(capability);
+    raise_own(GL_INVALID_ENUM);
+    return GL_FALSE;
   };
 }
 
@@ -287,6 +361,13 @@ EVALCTS_VARIATION(WordyVersion, "dropin",
       return reinterpret_cast<const GLubyte*>(extensions.c_str());
     }
     return inner;
+  };
+}
+
+EVALCTS_VARIATION(StringsUnanswered, "dropin", "VENDOR, RENDERER and EXTENSIONS are not answered", "") {
+  v.gl.GetStringi = nullptr;
+  v.gl.GetString = [](GLenum name) -> const GLubyte* {
+    return name == GL_VERSION ? unvaried.GetString(name) : nullptr;
   };
 }
 

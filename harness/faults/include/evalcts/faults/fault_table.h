@@ -83,7 +83,8 @@ struct FalseAlarm {
 struct DetectionBehind {
   std::string fault;
   enum class Outcome { kDetected, kSurvives, kNotVisible } outcome = Outcome::kNotVisible;
-  std::string test;  // the first that detected it
+  std::string test;    // the first that detected it
+  std::string reason;  // why it is not visible
 };
 
 struct TriedVariation {
