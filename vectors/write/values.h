@@ -31,11 +31,14 @@ Json fractions(const std::vector<Rational>& values);
 // {"exact", "magnitude", "float", "double", "accept"} of an evaluated component.
 Json entry_of(const reference::Sample& sample);
 
+// Returns true if only GL 2.0 and later promise what `entry_of` accepts: texture coordinates beyond 2^10.
+bool needs_gl_2(const reference::Sample& sample);
+
 // More than the components.
 enum class Detail { none, intermediate };
 
-// {"map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w is not zero, and
-// "intermediate".
+// {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w
+// is not zero, and "intermediate".
 Json value_case(const Problem& problem, Detail detail = Detail::none);
 
 }  // namespace evalcts::vectors
