@@ -107,7 +107,7 @@ class Context:
             self.need("1.3")
         if name.startswith("Getn"):
             self.need("4.5")
-        # In GL 1.0 ENABLE_BIT did not save AUTO_NORMAL.
+        # ENABLE_BIT of GL 1.0 did not save AUTO_NORMAL.
         bits = str(arguments[0]).split("|") if name == "PushAttrib" and arguments else ()
         self.pushes_enables |= "GL_ENABLE_BIT" in bits and "GL_EVAL_BIT" not in bits
         self.names_automatic_normals |= (name in ("Enable", "Disable", "IsEnabled")

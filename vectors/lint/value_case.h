@@ -29,7 +29,7 @@ struct ValueCase {
   Type type;
   Map map;
   std::vector<ValueDirection> directions;
-  // Of the components; empty for normals.
+  // The exact values of the components and the magnitudes of their terms; empty for normals.
   std::vector<Rational> values, magnitudes;
 };
 
