@@ -18,18 +18,6 @@ double inside(Dice& dice, const Direction& u, Type type) {
   return between(u.first, u.last, Rational(dice.below(33)) / 32, type);
 }
 
-Json normal_case(const Problem& problem) {
-  Json content = {{"level", "must"},
-                  {"map", map_as_json(problem.map, problem.type)},
-                  {"u", argument_as_json(problem.u)},
-                  {"v", argument_as_json(*problem.v)}};
-  const reference::AutomaticNormal normal{std::make_shared<const Map>(problem.map), problem.u, *problem.v};
-  content["derivatives"] = derivatives_of(normal);
-  content.update(entry_of(normal));
-  if (content["accept"].is_null()) content["level"] = "advisory";
-  return content;
-}
-
 Json inside_case(Dice& dice, const Map& map, Type type) {
   const double u = inside(dice, map.u, type);
   const double v = inside(dice, map.v, type);

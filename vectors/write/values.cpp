@@ -17,10 +17,10 @@ using reference::Sample;
 
 namespace {
 
-// The newest texts, which promise more than the oldest, and the last of those that promise less.
-constexpr int kVersion = 21, kBefore2 = 15;
+// The last version that promises less.
+constexpr int kBefore2 = 15;
 
-int range_of(const Map& map) { return reference::guaranteed_range(map.target, kVersion); }
+int range_of(const Map& map) { return reference::guaranteed_range(map.target, kNewestVersion); }
 
 Json accept(const Rational& exact, const std::optional<Rational>& bound) {
   const std::optional<Interval> interval = bound ? accepted(exact, *bound) : std::nullopt;

@@ -12,6 +12,9 @@ namespace evalcts::vectors {
 
 using reference::Argument;
 
+// The version of the GL whose promises the vectors take: the newest texts promise more than the oldest.
+inline constexpr int kNewestVersion = 21;
+
 // A map and where it is evaluated; `v` for surfaces.
 struct Problem {
   Map map;
