@@ -76,7 +76,7 @@ std::string judge_one(const json& entry, const std::vector<double>& got, Score& 
 // Part of the least distance that the accuracy rule accepts up to which an answer is accepted without exact
 // arithmetic. The rest is far more than the distance of the floats at the ends of the interval.
 constexpr long double kSurePart = 0.9L;
-// What is nearer to a limit, relatively, is left to exact arithmetic.
+// Values whose relative distance from a limit is smaller are left to exact arithmetic.
 constexpr long double kMargin = 0x1p-16L;
 
 // Distance of the floats around a value, or half of it next to a power of two.
