@@ -104,9 +104,16 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
   CLI::App* const emit =
       app.add_subcommand("emit", "as lines of text, to be answered: emit | PROGRAM | evalcts vectors check");
   CLI::App* const check = app.add_subcommand("check", "judge the answers on standard input");
-  for (CLI::App* command : {emit, check})
+  for (CLI::App* command : {emit, check}) {
     command->add_option("--kind", options->kinds, "only these (the same for emit and check)")
         ->check(CLI::IsMember({"map1_eval", "map2_eval", "grid", "auto_normal"}));
+    CLI::Option* const count =
+        command
+            ->add_option("--count", options->count, "random cases of each kind in place of the shipped ones")
+            ->check(CLI::PositiveNumber);
+    command->add_option("--seed", options->seed, "of the random cases (the same for emit and check)")
+        ->needs(count);
+  }
   add_allow_unobserved(*check, options->allow_unobserved);
   return [=] {
     return *write  ? write_vectors(*options)
@@ -121,6 +128,7 @@ std::function<int()> define_vectors(CLI::App& app, const Call&) {
 const Command kVectorsCommand = {
     "vectors", "golden vectors: right answers as data",
     R"(  $ evalcts vectors emit --kind grid | ./mine | evalcts vectors check --kind grid
+  $ evalcts vectors emit --seed 7 --count 100000 | ./mine | evalcts vectors check --seed 7 --count 100000
   $ evalcts vectors lint mine.json)",
     define_vectors};
 

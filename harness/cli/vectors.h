@@ -1,6 +1,7 @@
 // The commands behind `evalcts vectors`.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ struct VectorsOptions {
   std::vector<std::string> files;  // to look at; empty: those that are shipped
   std::vector<std::string> kinds;  // that are asked in a pipe; empty: all of them
   bool allow_unobserved = false;   // exit code 0 of check although most cases were skipped
+  std::uint64_t seed = 0;          // of random cases
+  std::uint64_t count = 0;         // random cases of each kind; 0: the shipped cases
 };
 
 int write_vectors(const VectorsOptions& options);

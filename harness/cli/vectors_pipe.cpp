@@ -18,12 +18,16 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostShown = 20;
 
-// The files of the kinds that were asked for, or of all that can be asked in a pipe. Throws
-// vectors::Malformed.
+// The kinds that were asked for, or all that can be asked in a pipe.
+std::vector<std::string> kinds_of(const VectorsOptions& options) {
+  return options.kinds.empty() ? std::vector<std::string>{"map1_eval", "map2_eval", "grid", "auto_normal"}
+                               : options.kinds;
+}
+
+// Throws vectors::Malformed.
 std::vector<nlohmann::json> files_of(const VectorsOptions& options) {
   std::vector<nlohmann::json> files;
-  const std::vector<std::string> all = {"map1_eval", "map2_eval", "grid", "auto_normal"};
-  for (const std::string& kind : options.kinds.empty() ? all : options.kinds) {
+  for (const std::string& kind : kinds_of(options)) {
     const fs::path path = places().vectors / (kind + ".json");
     try {
       std::ifstream stream(path);
@@ -73,8 +77,14 @@ void print(const vectors::Score& score) {
 }  // namespace
 
 int emit_vectors(const VectorsOptions& options) {
+  std::ios::sync_with_stdio(false);
   try {
-    for (const nlohmann::json& file : files_of(options)) std::cout << vectors::emit(file);
+    if (options.count > 0) {
+      for (const std::string& kind : kinds_of(options))
+        vectors::emit_random(kind, options.seed, options.count, std::cout);
+    } else {
+      for (const nlohmann::json& file : files_of(options)) std::cout << vectors::emit(file);
+    }
   } catch (const vectors::Malformed& problem) {
     return wrong_use(problem.what());
   }
@@ -83,14 +93,33 @@ int emit_vectors(const VectorsOptions& options) {
   return wrong_use("the reader of the pipe has gone before the end");
 }
 
+namespace {
+
+// Judges what comes on standard input, kind after kind.
+std::vector<vectors::Score> scores_of(const VectorsOptions& options, vectors::Answers& answers) {
+  std::vector<vectors::Score> scores;
+  if (options.count > 0) {
+    for (const std::string& kind : kinds_of(options))
+      scores.push_back(vectors::judge_random(kind, options.seed, options.count, std::cin, answers));
+    while (vectors::read_answer(std::cin, answers)) {
+    }
+    return scores;
+  }
+  const std::vector<nlohmann::json> files = files_of(options);
+  answers = vectors::read_answers(std::cin);
+  for (const nlohmann::json& file : files) scores.push_back(vectors::judge(file, answers));
+  return scores;
+}
+
+}  // namespace
+
 int check_vectors(const VectorsOptions& options) {
+  std::ios::sync_with_stdio(false);
   int code = kNothingUnexpected;
   std::size_t cases = 0, skipped = 0;
   try {
-    const std::vector<nlohmann::json> files = files_of(options);
-    vectors::Answers answers = vectors::read_answers(std::cin);
-    for (const nlohmann::json& file : files) {
-      const vectors::Score score = vectors::judge(file, answers);
+    vectors::Answers answers;
+    for (const vectors::Score& score : scores_of(options, answers)) {
       print(score);
       cases += score.cases;
       skipped += score.skipped;

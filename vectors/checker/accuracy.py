@@ -127,8 +127,8 @@ def all_single(values, u, v):
 class Component:
     """One component of a map at an argument. `rows` are its control values [i][j], `net` the Net of them."""
 
-    def __init__(self, rows, u, v, color=False, single=None, net=None):
-        self.rows, self.net, self.u, self.v = rows, net or Net(rows), u, v
+    def __init__(self, rows, u, v, color=False, single=None, net=None, texture=False):
+        self.rows, self.net, self.u, self.v, self.texture = rows, net or Net(rows), u, v, texture
         self.degrees = (u.degree, v.degree)
         self.given_single = single
         self.limit = COLOR_RANGE if color else RANGE
@@ -151,6 +151,11 @@ class Component:
     @cached_property
     def judged(self):
         return applies(self.net.greatest(), self.u, self.v, self.limit)
+
+    @cached_property
+    def needs_gl_2(self):
+        """Before GL 2.0 texture coordinates were promised the range of colours only."""
+        return self.texture and self.judged and not applies(self.net.greatest(), self.u, self.v, COLOR_RANGE)
 
     @cached_property
     def error(self):

@@ -35,13 +35,18 @@ class File:
             raise Malformed(f"cannot be read: {fault.strerror}") from None
         except (ValueError, RecursionError) as fault:
             raise Malformed(f"is not JSON in ASCII: {show(fault)}") from None
-        members(found, "file", "format kind description notes cases")
-        if found["format"] != "evalcts-vectors-1":
-            raise Malformed(f"format {show(found['format'])} is not evalcts-vectors-1")
+        members(found, "file", "format schemaVersion generatorVersion kind description numberOfTests notes cases")
+        for name, expected in (("format", "evalcts-vectors-1"), ("schemaVersion", "1.1")):
+            if found[name] != expected:
+                raise Malformed(f"{name} {show(found[name])} is not {expected}")
+        if not re.fullmatch("[1-9][0-9]*", str(found["generatorVersion"])):
+            raise Malformed(f"generatorVersion {show(found['generatorVersion'])} is not a number")
         if found["kind"] not in KINDS:
             raise Malformed(f"kind {show(found['kind'])} is not a known one")
         if not isinstance(found["cases"], list):
             raise Malformed("cases: not a list")
+        if found["numberOfTests"] != len(found["cases"]):
+            raise Malformed(f"numberOfTests is {show(found['numberOfTests'])}, not {len(found['cases'])}")
         _check_names(found)
         _check_lines(text, found["cases"])
         self.kind, self.cases = found["kind"], found["cases"]

@@ -17,6 +17,7 @@ from .gl_names import (ALL_MAPS, COMPILE_MODES, ENUM, FLAGS, GROUPS, LIST_TYPES,
                        TEXTURE0, UNDERFLOW, VALUE, enumerant, groups_of, unit_of)
 from .maps import FORMATS, TARGETS, Map
 from .number import BINARY32, Malformed, read_float, show
+from .report import FIRST_VERSION
 
 # Limits that the files assume of the implementation.
 LEAST_MAX_EVAL_ORDER = 8
@@ -38,13 +39,15 @@ def initial_map(dimension, target, size):
         point = [ONE] * size
     else:
         point = [ZERO, ZERO, ZERO, ONE][:size]
-    return StoredMap(dimension, target, [ZERO, ONE] * dimension, [[point]], "f")
+    return StoredMap(dimension, target, [ZERO, ONE] * dimension, [[point]], "f", is_initial=True)
 
 
 class StoredMap:
     """A Map together with the texts of its numbers."""
 
-    def __init__(self, dimension, target, domain, points, form):
+    def __init__(self, dimension, target, domain, points, form, is_initial=False):
+        self.is_initial = is_initial
+
         def read(text):
             return read_float(text, FORMATS[form])
         self.domain = domain
@@ -80,16 +83,37 @@ class Context:
         self.stack = []
         self.lists, self.open_list, self.nesting = {}, None, 0
         self.errors, self.emitted = set(), []
+        # The first version of the GL that demands what was asked, and whether only pages, or none, do.
+        self.since, self.advisory, self.advisory_step = FIRST_VERSION, False, False
+        self.pushes_enables = self.names_automatic_normals = False
         self.meshed = {}  # the vertices of the mesh that is drawn, by their indices
 
     def issue(self, name, arguments):
         """What the program calls: executed, or compiled, or both. The answer of a query, otherwise None."""
         command, form = command_named(name)
+        self._note_version(name, arguments)
         if self.open_list and command.compiled:
             self.open_list.commands.append((name, arguments))
             if self.open_list.mode == "GL_COMPILE":
                 return None
         return self.execute(command, form, arguments)
+
+    def need(self, version):
+        self.since = max(self.since, version)
+
+    def _note_version(self, name, arguments):
+        """What the name of a command says about the version."""
+        if name.startswith(("ActiveTexture", "MultiTexCoord")):
+            self.need("1.3")
+        if name.startswith("Getn"):
+            self.need("4.5")
+        # ENABLE_BIT of GL 1.0 did not save AUTO_NORMAL.
+        bits = str(arguments[0]).split("|") if name == "PushAttrib" and arguments else ()
+        self.pushes_enables |= "GL_ENABLE_BIT" in bits and "GL_EVAL_BIT" not in bits
+        self.names_automatic_normals |= (name in ("Enable", "Disable", "IsEnabled")
+                                         and arguments == ["GL_AUTO_NORMAL"])
+        if self.pushes_enables and self.names_automatic_normals:
+            self.need("1.1")
 
     def execute(self, command, form, arguments):
         effect = getattr(self, command.method)
@@ -102,9 +126,7 @@ class Context:
             codes = codes | {OPERATION}
         if codes:
             self.errors |= codes
-            if command.answers:
-                return [] if command.method.startswith("get") else [Value("flag", False)]
-            return None
+            return [] if command.answers else None
         return effect(form, *arguments)
 
     # Maps and grids
@@ -119,6 +141,7 @@ class Context:
         if self.active_unit != 0:
             codes.add(OPERATION)
         for first, last, stride, order in directions:
+            self.advisory |= {first, last} == {ZERO, "-0x0p+0"}
             if (read_float(first, FORMATS[form[1]]) == read_float(last, FORMATS[form[1]])
                     or not 1 <= order <= MAX_EVAL_ORDER or (size is not None and stride < size)):
                 codes.add(VALUE)
@@ -232,6 +255,7 @@ class Context:
         texture = self.winner(dimension, [f"TEXTURE_COORD_{n}" for n in (4, 3, 2, 1)])
         if texture:
             attributes["texture_coordinates"][0] = filled(values(texture), 4)
+            attributes["initial_texture"] = self.maps[texture.target].is_initial
         normal = self.winner(dimension, ("NORMAL",))
         if dimension == 2 and self.enabled["GL_AUTO_NORMAL"]:
             del attributes["normal"]
@@ -418,6 +442,11 @@ class Context:
         return codes
 
     def get_map(self, form, target, query, *rest):
+        if self.maps[target].is_initial:
+            # The initial domain stands on the reference pages only, texture coordinates not in GL 1.0.
+            self.advisory_step = query == "GL_DOMAIN"
+            if query == "GL_COEFF" and "TEXTURE" in target:
+                self.need("1.1")
         return self.maps[target].answer(query)
 
     def get_errors(self, form, name, out):

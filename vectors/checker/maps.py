@@ -37,8 +37,9 @@ class Map:
         return [(rows, Net(rows)) for rows in self.nets()]
 
     def components(self, directions):
-        color = self.target.endswith("COLOR_4")
-        return [Component(rows, *directions, color=color, net=net) for rows, net in self._components]
+        color, texture = self.target.endswith("COLOR_4"), "TEXTURE" in self.target
+        return [Component(rows, *directions, color=color, net=net, texture=texture)
+                for rows, net in self._components]
 
     def normal(self, directions):
         return Normal(self.nets(), *directions)

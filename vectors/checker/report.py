@@ -81,4 +81,8 @@ def integer(where, found, least=None):
     return found
 
 
+# A case of one of these levels: an answer that some text of the GL demands, or none.
+MUST, ADVISORY = "must", "advisory"
+FIRST_VERSION = "1.0"
+
 BOTH = (("float", BINARY32), ("double", BINARY64))

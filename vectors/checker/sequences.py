@@ -7,7 +7,7 @@ from .gl import Context
 from .gl_commands import command_named
 from .number import (BINARY32, BINARY64, Malformed, float_text, greatest_not_above, least_not_below,
                      nearest_bits, read_float, show)
-from .report import integer, members
+from .report import ADVISORY, MUST, integer, members
 from .values import check_component, check_normal
 
 OUTPUTS = {"Boolean": "u8", "Integer": "i32", "Float": "f32", "Double": "f64",
@@ -20,15 +20,15 @@ EMITTERS = ("End", "EvalMesh1", "EvalMesh2", "CallList", "CallLists")
 
 
 def check_sequence(kind, case, report):
-    members(case, "case", "id requirements flags steps")
+    members(case, "case", "id requirements flags level since steps")
     if not isinstance(case["steps"], list) or not case["steps"]:
         raise Malformed("steps: not a list with something in it")
     context = Context()
     rounded_only = "normalized-reading" in case["flags"]
     for i, step in enumerate(case["steps"]):
         where = f"steps[{i}]"
-        members(step, where, "call", "errors answers emits")
-        call = step["call"]
+        members(step, where, "call", "errors answers emits level")
+        call, context.advisory_step = step["call"], False
         if not isinstance(call, list) or not call:
             raise Malformed(f"{where}.call: {show(call)}")
         try:
@@ -38,6 +38,9 @@ def check_sequence(kind, case, report):
         _check_errors(f"{where}.errors", context, step, report)
         _check_answers(f"{where}.answers", call, answer, step, report, rounded_only)
         _check_emits(f"{where}.emits", context, step, report)
+        report.same(f"{where}.level", ADVISORY if context.advisory_step else MUST, step.get("level", MUST))
+    report.same("level", ADVISORY if context.advisory else MUST, case["level"])
+    report.same("since", context.since, case["since"])
 
 
 def _check_errors(where, context, step, report):
@@ -105,6 +108,8 @@ def accepted_answers(value, kind):
     """Every answer that is right for a Value when asked for in this type; None where none is sure to be."""
     whole = value.kind in ("flag", "integer", "limit")
     x = Fraction(int(value.value)) if whole else read_float(value.value, BINARY64)
+    if whole and kind == "f64":
+        return {float_text(x)}
     if kind in ("f32", "f64"):
         return _stored(x, kind)
     if kind == "u8":
@@ -142,16 +147,16 @@ def _check_emits(where, context, step, report):
     if "emits" not in step:
         return
     if sum(len(primitive.vertices) for primitive in emitted) > MOST_LISTED:
-        _check_summary(where, emitted, step["emits"], report)
+        _check_summary(where, context, emitted, step["emits"], report)
         return
     for member, primitive, found in report.pairs(where, emitted, step["emits"]):
         members(found, member, "mode vertices")
         report.same(f"{member}.mode", primitive.mode, found["mode"])
         for place, vertex, entry in report.pairs(f"{member}.vertices", primitive.vertices, found["vertices"]):
-            _check_vertex(place, vertex, entry, report)
+            _check_vertex(place, context, vertex, entry, report)
 
 
-def _check_summary(where, emitted, found, report):
+def _check_summary(where, context, emitted, found, report):
     """What stands for many vertices: runs of primitives of one size, a digest, some of the vertices."""
     members(found, where, "primitives digest samples")
     runs = []
@@ -173,7 +178,7 @@ def _check_summary(where, emitted, found, report):
         if number >= len(vertices):
             report.differ(f"{member}.number", f"below {len(vertices)}", number)
             return
-        _check_vertex(f"{member}.vertex", vertices[number], sample["vertex"], report)
+        _check_vertex(f"{member}.vertex", context, vertices[number], sample["vertex"], report)
         last = number
     shown = [name for name in DIGESTED if name in samples[0]["vertex"]]
     units = len(samples[0]["vertex"].get("texture_coordinates", ()))
@@ -194,7 +199,7 @@ def digest_of(vertices, shown, units):
     return f"{bits:016x}"
 
 
-def _check_vertex(where, vertex, found, report):
+def _check_vertex(where, context, vertex, found, report):
     members(found, where, "position", "color normal automatic_normal texture_coordinates")
     for name, entry in found.items():
         member = f"{where}.{name}"
@@ -208,6 +213,10 @@ def _check_vertex(where, vertex, found, report):
                 raise Malformed(f"{member}: not a list of units")
             for i, coordinates in enumerate(entry):
                 _check_attribute(f"{member}[{i}]", vertex[name][i], coordinates, report)
+                if any(not isinstance(x, str) and x.needs_gl_2 for x in vertex[name][i]):
+                    context.need("2.0")
+            if vertex.get("initial_texture"):
+                context.need("1.1")
         else:
             _check_attribute(member, vertex[name], entry, report)
 

@@ -4,11 +4,11 @@ from .accuracy import Grid, quotient_interval
 from .bernstein import de_casteljau
 from .maps import read_map
 from .number import BINARY32, BINARY64, Malformed, nearest, read_float, read_rational
-from .report import BOTH, integer, members, read
+from .report import ADVISORY, BOTH, FIRST_VERSION, MUST, integer, members, read
 
 TARGETS_OF = {"map1_eval": "GL_MAP1_", "map2_eval": "GL_MAP2_", "grid": "GL_MAP",
               "auto_normal": "GL_MAP2_VERTEX_"}
-COMMON = "id requirements flags map u"
+COMMON = "id requirements flags level since map u"
 
 
 def check_values(kind, case, report):
@@ -27,9 +27,16 @@ def check_values(kind, case, report):
     arguments = [_argument(name, case[name], form, kind, report) for name in "uv"[:the_map.dimension]]
     directions = the_map.directions(arguments)
     if kind == "auto_normal":
-        check_normal(case, the_map.normal(directions), report, derivatives=True)
+        normal = the_map.normal(directions)
+        check_normal(case, normal, report, derivatives=True)
+        report.same("level", MUST if normal.judged() else ADVISORY, case["level"])
+        report.same("since", FIRST_VERSION, case["since"])
         return
     components = the_map.components(directions)
+    accepts = any(component.interval() for component in components)
+    report.same("level", MUST if accepts else ADVISORY, case["level"])
+    needs_gl_2 = any(component.needs_gl_2 for component in components)
+    report.same("since", "2.0" if needs_gl_2 else FIRST_VERSION, case["since"])
     for member, component, found in report.pairs("components", components, case["components"]):
         check_component(member, component, found, report)
     if ("quotients" in case) != (target.endswith("VERTEX_4") and components[3].value != 0):

@@ -10,6 +10,8 @@
 
 #include <evalcts/gl/tokens.h>
 #include "lint/numbers.h"
+#include "lint/themes.h"
+#include "lint/value_case.h"
 #include "write/exact_ends.h"
 
 namespace evalcts::vectors {
@@ -18,35 +20,9 @@ namespace {
 using nlohmann::json;
 using reference::Argument;
 
-Map read_map(const json& data) {
-  const std::string name = data["target"];
-  Map map{};
-  for (const auto& targets : {gl::kMap1Targets, gl::kMap2Targets})
-    for (const GLenum target : targets)
-      if (gl::token_name(target) == name) map.target = target;
-  const json &domain = data["domain"], &points = data["points"];
-  map.u = {static_cast<int>(points.size()), number(domain[0]), number(domain[1])};
-  if (domain.size() > 2) map.v = {static_cast<int>(points[0].size()), number(domain[2]), number(domain[3])};
-  const std::function<void(const json&)> read = [&](const json& list) {
-    if (list.is_array())
-      for (const json& item : list) read(item);
-    else
-      map.points.push_back(number(list));
-  };
-  read(points);
-  return map;
-}
-
-Argument read_argument(const json& data) {
-  if (!data.is_object()) return Argument::coordinate(number(data));
-  return Argument::grid(data["index"], data["segments"], number(data["first"]), number(data["last"]));
-}
-
 bool is_accepted(const json& accept, const Rational& x) {
   return accept.is_null() || (x >= Rational(number(accept[0])) && x <= Rational(number(accept[1])));
 }
-
-Type type_of(const json& entry) { return as_text(entry["map"]["type"]) == "f" ? Type::single : Type::real; }
 
 // True if at this argument in this direction some component is none that is accepted.
 bool shows(const json& entry, bool along_v, double argument) {
@@ -97,9 +73,24 @@ const std::map<std::string, Holds>& claims_of_requirements() {
   return claims;
 }
 
+// A query that is refused answers nothing, be it outside Begin and End, where errors can be asked for, or
+// between them, where they cannot.
+std::string broken_answer(const json& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const json& step = steps[i];
+    const bool is_refused = !step.contains("errors") || !step["errors"].empty();
+    if (step.contains("answers") && is_refused && !step["answers"].empty())
+      return fmt::format("step {}: a refused query has an answer", i);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string broken_claim(const json& entry) {
+  if (entry.contains("steps")) return broken_answer(entry["steps"]);
+  if (const std::string theme = broken_theme(entry); !theme.empty())
+    return fmt::format("is not what its theme '{}' claims", theme);
   if (!entry.contains("components")) return {};
   for (const std::string requirement : entry["requirements"]) {
     const auto found = claims_of_requirements().find(requirement);

@@ -37,6 +37,8 @@ Report lint(const std::string& text, const std::set<std::string>& requirements) 
   const auto find = [&](const std::string& id, const std::string& what) {
     report.findings.push_back(fmt::format("{}: {}", id, what));
   };
+  if (file["numberOfTests"] != report.cases)
+    find("numberOfTests", fmt::format("{} for {} cases", file["numberOfTests"].dump(), report.cases));
   std::set<std::string> ids;
   std::map<std::string, std::size_t> uses;
   for (const json& entry : file["cases"]) {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <evalcts/vectors/pipe.h>
+#include "question.h"
+#include "write/text.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -49,7 +51,48 @@ std::string question(const json& entry, const std::string& kind) {
   return line + '\n';
 }
 
+void append(std::string& line, double number) { line += ' ' + hexadecimal(number); }
+
+void append(std::string& line, const Argument& argument) {
+  if (!argument.is_grid()) return append(line, argument.coordinate());
+  line += fmt::format(" {} {} {} {}", argument.segments(), hexadecimal(argument.first()),
+                      hexadecimal(argument.last()), argument.index());
+}
+
 }  // namespace
+
+std::string question(const RandomCases& cases) {
+  const Problem& problem = cases.problem();
+  const Map& map = problem.map;
+  std::string line =
+      fmt::format("{}{} {} {} {} {}",
+                  problem.u.is_grid() ? "grid"
+                  : cases.is_normal() ? ""
+                                      : "map",
+                  cases.is_normal() ? "normal"
+                  : problem.v       ? "2"
+                                    : "1",
+                  cases.id(), problem.type == Type::single ? 'f' : 'd', map.components(), map.u.order);
+  if (problem.v) line += fmt::format(" {}", map.v.order);
+  append(line, map.u.first);
+  append(line, map.u.last);
+  if (problem.v) {
+    append(line, map.v.first);
+    append(line, map.v.last);
+  }
+  append(line, problem.u);
+  if (problem.v) append(line, *problem.v);
+  for (const double value : map.points) append(line, value);
+  return line + '\n';
+}
+
+void emit_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::ostream& lines) {
+  RandomCases cases(kind, seed);
+  for (std::uint64_t i = 0; i < count && lines; ++i) {
+    cases.draw();
+    lines << question(cases);
+  }
+}
 
 std::string emit(const json& file) {
   std::string lines;

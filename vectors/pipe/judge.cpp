@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 #include <reference/rounding.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 #include <evalcts/vectors/pipe.h>
+#include "estimate.h"
 #include "lint/numbers.h"
+#include "question.h"
+#include "write/normals.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -68,34 +71,147 @@ std::string judge_one(const json& entry, const std::vector<double>& got, Score& 
   return wrong_values(entry["components"], got);
 }
 
+// --- random cases
+
+// Part of the least distance that the accuracy rule accepts up to which an answer is accepted without exact
+// arithmetic. The rest is far more than the distance of the floats at the ends of the interval.
+constexpr long double kSurePart = 0.9L;
+// Values whose relative distance from a limit is smaller are left to exact arithmetic.
+constexpr long double kMargin = 0x1p-16L;
+
+// Distance of the floats around a value, or half of it next to a power of two.
+long double least_gap(long double value) {
+  int exponent = 0;
+  const long double fraction = std::frexp(std::abs(value), &exponent);
+  return std::ldexp(fraction < 0.5L + kMargin ? 0.5L : 1.0L, std::max(exponent - 24, -149));
+}
+
+enum class Verdict { accepted, not_judged, unsure };
+
+Verdict judge_surely(const Estimate& estimate, double got, int operations, int range, double largest_ulp) {
+  const auto& [value, magnitude, error, reach] = estimate;
+  const long double limit = std::ldexp(1.0L, range);
+  if (reach > limit * (1 + kMargin)) return Verdict::not_judged;
+  if (reach > limit * (1 - kMargin)) return Verdict::unsure;
+  const long double least = 0x1p-30L * 10738 * operations * magnitude;
+  if (!(std::abs(got - value) + error <= kSurePart * least)) return Verdict::unsure;
+  // Rounds to the same float wherever the exact value lies.
+  if (static_cast<float>(value - error) != static_cast<float>(value + error)) return Verdict::unsure;
+  // An error that may be the largest is measured exactly.
+  const long double distance = std::abs(static_cast<float>(got) - value) + error;
+  return distance > largest_ulp * least_gap(value) * (1 - kMargin) ? Verdict::unsure : Verdict::accepted;
+}
+
+// Accepts the values if that is sure, and measures them; returns false if exact arithmetic has to decide. The
+// domains of random cases are such that the accuracy rule applies to them.
+bool accepts_surely(const Problem& problem, const std::vector<double>& got, Score& score) {
+  const auto estimates = estimate(problem);
+  if (!estimates || got.size() != estimates->size()) return false;
+  const Map& map = problem.map;
+  const int n = map.u.order - 1, m = map.v.order - 1;
+  const int operations = problem.v ? n * m + 5 * (n + m) + 4 : 5 * n + 4;
+  const int range = reference::guaranteed_range(map.target, kNewestVersion);
+  std::size_t values = 0, correctly_rounded = 0;
+  for (std::size_t c = 0; c < got.size(); ++c) {
+    const Estimate& estimate = (*estimates)[c];
+    const Verdict verdict = judge_surely(estimate, got[c], operations, range, score.largest_ulp);
+    if (verdict == Verdict::unsure) return false;
+    if (verdict == Verdict::not_judged) continue;
+    ++values;
+    if (static_cast<float>(got[c]) == static_cast<float>(estimate.value)) ++correctly_rounded;
+  }
+  score.values += values;
+  score.correctly_rounded += correctly_rounded;
+  return true;
+}
+
+// The same for a normal, which the method allowance alone accepts.
+bool accepts_normal_surely(const Problem& problem, const std::vector<double>& got) {
+  const auto normal = estimate_normal(problem);
+  if (!normal || got.size() != 3) return false;
+  const Map& map = problem.map;
+  const bool either_sign = (map.u.first > map.u.last) != (map.v.first > map.v.last);
+  const auto is_within = [&](double sign) {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!(std::abs(got[c] - sign * (*normal)[c]) <= kMethodAllowance)) return false;
+    return true;
+  };
+  return is_within(1) || (either_sign && is_within(-1));
+}
+
+std::string judge_random_case(const RandomCases& cases, const std::vector<double>& got, Score& score) {
+  const Problem& problem = cases.problem();
+  const bool is_sure =
+      cases.is_normal() ? accepts_normal_surely(problem, got) : accepts_surely(problem, got, score);
+  if (is_sure) return {};
+  nlohmann::json entry = cases.is_normal() ? normal_case(problem) : value_case(problem);
+  entry["id"] = cases.id();
+  return judge_one(entry, got, score);
+}
+
 }  // namespace
+
+bool read_answer(std::istream& lines, Answers& answers) {
+  std::string line;
+  if (!std::getline(lines, line)) return false;
+  ++answers.lines;
+  constexpr const char* kSpace = " \t\r";
+  const std::size_t first = line.find_first_not_of(kSpace);
+  if (first == std::string::npos || line[first] == '#') return true;
+  const std::size_t end_of_id = std::min(line.find_first_of(kSpace, first), line.size());
+  std::vector<double> numbers;
+  bool is_good = true, is_skipped = false;
+  for (std::size_t at = line.find_first_not_of(kSpace, end_of_id); at < line.size();) {
+    const std::size_t end_of_word = std::min(line.find_first_of(kSpace, at), line.size());
+    char* end = nullptr;
+    numbers.push_back(std::strtod(line.c_str() + at, &end));
+    if (line.compare(at, end_of_word - at, "skip") == 0)
+      is_skipped = true;
+    else if (end != line.c_str() + end_of_word)
+      is_good = false;
+    at = line.find_first_not_of(kSpace, end_of_word);
+  }
+  if (is_skipped ? numbers.size() != 1 : !is_good || numbers.empty()) {
+    answers.malformed.push_back(fmt::format("line {}: \"{}\" is not an id and numbers or \"skip\"",
+                                            answers.lines, line.substr(0, 60)));
+    return true;
+  }
+  if (is_skipped) numbers.clear();
+  const std::string id = line.substr(first, end_of_id - first);
+  if (!answers.of.emplace(id, std::move(numbers)).second) answers.answered_twice.push_back(id);
+  return true;
+}
 
 Answers read_answers(std::istream& lines) {
   Answers answers;
-  std::string line;
-  for (std::size_t count = 1; std::getline(lines, line); ++count) {
-    std::istringstream words(line);
-    std::string id, word;
-    if (!(words >> id) || id.front() == '#') continue;
-    std::vector<double> numbers;
-    bool good = true, skipped = false;
-    while (words >> word) {
-      char* end = nullptr;
-      numbers.push_back(std::strtod(word.c_str(), &end));
-      if (word == "skip")
-        skipped = true;
-      else if (end == word.c_str() || *end != '\0')
-        good = false;
-    }
-    if (skipped ? numbers.size() != 1 : !good || numbers.empty()) {
-      answers.malformed.push_back(
-          fmt::format("line {}: \"{}\" is not an id and numbers or \"skip\"", count, line.substr(0, 60)));
-      continue;
-    }
-    if (skipped) numbers.clear();
-    if (!answers.of.emplace(id, std::move(numbers)).second) answers.answered_twice.push_back(id);
+  while (read_answer(lines, answers)) {
   }
   return answers;
+}
+
+Score judge_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::istream& lines,
+                   Answers& answers) {
+  Score score;
+  score.kind = kind;
+  RandomCases cases(kind, seed);
+  for (; score.cases < count; ++score.cases) {
+    cases.draw();
+    auto found = answers.of.find(cases.id());
+    while (found == answers.of.end() && read_answer(lines, answers)) found = answers.of.find(cases.id());
+    if (found == answers.of.end()) {
+      score.missing.push_back(cases.id());
+      continue;
+    }
+    const std::vector<double> got = std::move(found->second);
+    answers.of.erase(found);
+    if (got.empty()) {
+      ++score.skipped;
+      continue;
+    }
+    std::string message = judge_random_case(cases, got, score);
+    if (!message.empty()) score.wrong.push_back({cases.id(), message + "\n    " + question(cases)});
+  }
+  return score;
 }
 
 Score judge(const json& file, Answers& answers) {

@@ -301,6 +301,8 @@ class Sequences(unittest.TestCase):
         self.assertEqual(accepted("float", "0x1.00000001p+0", "f64"),
                          {"0x1p+0", "0x1.00000001p+0", "0x1.000002p+0"})
         self.assertEqual(accepted("flag", True, "f64"), {"0x1p+0"})
+        self.assertEqual(accepted("integer", 2**31 - 1, "f64"), {"0x1.fffffffcp+30"})
+        self.assertEqual(accepted("integer", 2**31 - 1, "f32"), {"0x1.fffffep+30", "0x1p+31"})
         self.assertEqual(accepted("either", "0x1p+0", "i32"), {1, 2**31 - 1})
         self.assertIsNone(accepted("either", "0x1p+1", "i32"))
 
@@ -332,7 +334,7 @@ class Sequences(unittest.TestCase):
         def outcome(**changes):
             steps = [{"call": ["Enable", "GL_MAP1_VERTEX_3"], "errors": []},
                      {"call": ["EvalMesh1", "GL_POINT", 0, 64], "errors": [], "emits": right | changes}]
-            case = {"id": "a", "requirements": ["r"], "flags": [], "steps": steps}
+            case = {"id": "a", "requirements": ["r"], "flags": [], "level": "must", "since": "1.0", "steps": steps}
             return check_case(("state", case))[1:]
         self.assertEqual(outcome(), ([], []))
         samples = right["samples"]
@@ -344,6 +346,51 @@ class Sequences(unittest.TestCase):
                         {"more": 1}):
             with self.subTest(changes=changes):
                 self.assertTrue(any(outcome(**changes)))
+
+    def test_levels_and_versions(self):
+        """The level, the version and the levels of the steps that a sequence has to have."""
+        room = {"out": "f32", "count": 16}
+        point = {"f32": [gl.ONE] * 8}
+
+        def found(*calls):
+            steps = [{"call": list(call), "errors": [], "level": "x"} for call in calls]
+            for step in steps:
+                if step["call"][0].startswith(("Get", "Is")):
+                    step["answers"] = []
+            case = {"id": "a", "requirements": ["r"], "flags": [], "level": "x", "since": "x", "steps": steps}
+            differences = {where: expected for where, expected, _ in check_case(("state", case))[1]}
+            levels = [differences[f"steps[{i}].level"] for i in range(len(steps))]
+            return differences["level"], differences["since"], levels
+
+        def define(u2):
+            return "Map1f", "GL_MAP1_TEXTURE_COORD_2", gl.ZERO, u2, 2, 2, point
+        query = "GetMapfv", "GL_MAP1_TEXTURE_COORD_2"
+        self.assertEqual(found(define(gl.ONE)), ("must", "1.0", ["must"]))
+        self.assertEqual(found(define("-0x0p+0"))[:2], ("advisory", "1.0"))
+        self.assertEqual(found((*query, "GL_DOMAIN", room)), ("must", "1.0", ["advisory"]))
+        self.assertEqual(found((*query, "GL_COEFF", room)), ("must", "1.1", ["must"]))
+        self.assertEqual(found((*query, "GL_ORDER", room)), ("must", "1.0", ["must"]))
+        self.assertEqual(found(define(gl.ONE), (*query, "GL_DOMAIN", room), (*query, "GL_COEFF", room)),
+                         ("must", "1.0", ["must"] * 3))
+        self.assertEqual(found(("ActiveTexture", "GL_TEXTURE1"))[1], "1.3")
+        self.assertEqual(found(("GetnMapfv", "GL_MAP1_INDEX", "GL_COEFF", 64, room))[1], "4.5")
+        push = "PushAttrib", "GL_ENABLE_BIT"
+        self.assertEqual(found(push, ("Enable", "GL_AUTO_NORMAL"), ("PopAttrib",))[1], "1.1")
+        self.assertEqual(found(push, ("Enable", "GL_MAP1_INDEX"), ("PopAttrib",))[1], "1.0")
+        self.assertEqual(found(("PushAttrib", "GL_ENABLE_BIT|GL_EVAL_BIT"), ("Enable", "GL_AUTO_NORMAL"))[1], "1.0")
+
+    def test_texture_coordinates_beyond_2_to_the_10(self):
+        """They are promised from GL 2.0 on."""
+        def needs(target, greatest):
+            the_map = maps.Map(1, target, [F(0), F(1)], [[[F(greatest)]]])
+            return the_map.components(the_map.directions([F(1, 2)]))[0].needs_gl_2
+        self.assertTrue(needs("GL_MAP1_TEXTURE_COORD_1", 2**10 + 1))
+        self.assertFalse(needs("GL_MAP1_TEXTURE_COORD_1", 2**10) or needs("GL_MAP1_INDEX", 2**11)
+                         or needs("GL_MAP1_TEXTURE_COORD_1", 2**33))
+
+    def test_refused_queries_answer_nothing(self):
+        context = self.run_all(("Begin", "GL_POINTS"))
+        self.assertEqual(context.issue("IsEnabled", ["GL_AUTO_NORMAL"]), [])
 
     def test_initial_maps(self):
         context = gl.Context()
@@ -373,6 +420,10 @@ def slightly_changed(x, path):
         return [x + 2]
     if x is None or x == []:
         return [["0x1p+0", "0x1p+1"]]
+    if x in ("must", "advisory"):
+        return ["advisory" if x == "must" else "must"]
+    if path[-1] == "since":
+        return ["1.1" if x == "1.0" else "1.0"]
     if x.startswith("GL_"):
         return ["GL_NO_ERROR"]
     if "/" in x:
@@ -408,7 +459,8 @@ class WholeFiles(unittest.TestCase):
         for sample in SAMPLES:
             found = json.loads(sample.read_text())
             for case in found["cases"]:
-                for path, x in leaves({name: case[name] for name in case if not isinstance(case[name], str)}):
+                for path, x in leaves({name: case[name] for name in case
+                                       if name not in ("u", "v") or isinstance(case[name], dict)}):
                     for other in slightly_changed(x, path):
                         with self.subTest(sample=sample.stem, case=case["id"], path=path, other=other):
                             changed = copy.deepcopy(case)
@@ -444,7 +496,9 @@ class WholeFiles(unittest.TestCase):
                    ('"0x1.8p+1"', '"0x3p+0"'), ('"0x1.8p+1"', "3.5"), ('"0x1.8p+1"', "NaN"),
                    ("GL_MAP1_VERTEX_4", "GL_MAP2_VERTEX_4"), ("GL_MAP1_VERTEX_4", "GL_MAP1_VERTEX_5"),
                    ('"f"', '"x"'), ('"f"', '["f"]'), ('"f"', "null"),
-                   ("evalcts-vectors-1", "evalcts-vectors-2"), ("map1_eval", "map3_eval"),
+                   ("evalcts-vectors-1", "evalcts-vectors-2"), ('"1.1"', '"1.0"'), ('"1"', '"x"'),
+                   ('"numberOfTests": 2', '"numberOfTests": 3'), ('"numberOfTests": 2, ', ""),
+                   ('"level": "must", ', ""), ('"since": "1.0", ', ""), ("map1_eval", "map3_eval"),
                    ('["EV-MAP1-BEZIER"]', "[]"), ('["EV-MAP1-BEZIER"]', '["a", "a"]'),
                    ('"magnitude"', '"size"'), ('"u": ', '"u": 1, "u": '), ('"cases": [\n', '"cases": ['),
                    ('"A sample."', '""'), ('"A sample."', '"\u00fc"'),
@@ -470,7 +524,8 @@ class WholeFiles(unittest.TestCase):
                      ["GetMapfv", "GL_MAP1_INDEX", "GL_DOMAIN", {"out": "f32", "count": 1}],
                      ["PushAttrib", "GL_X"]):
             for step in ({"call": call, "errors": []}, {"call": call, "errors": [], "answers": []}):
-                case = {"id": "a", "requirements": ["r"], "flags": [], "steps": [step]}
+                case = {"id": "a", "requirements": ["r"], "flags": [], "level": "must", "since": "1.0",
+                        "steps": [step]}
                 with self.subTest(call=call):
                     self.assertTrue(check_case(("errors", case))[2])
 

@@ -17,19 +17,22 @@ TEST(Document, HasOneCaseALine) {
   Theme second(document, "second", "another", {"EV-B"});
   first.add({{"x", 1}});
   second.add({{"x", 2}}, {"EV-C", "EV-B"});
-  first.add({{"x", "\xC3\xA9"}}, {}, {"second"});
+  first.add({{"level", "advisory"}, {"since", "2.0"}, {"x", "\xC3\xA9"}}, {}, {"second"});
   EXPECT_EQ(document.text(), R"({
  "format": "evalcts-vectors-1",
+ "schemaVersion": "1.1",
+ "generatorVersion": "2",
  "kind": "grid",
  "description": "Words.",
+ "numberOfTests": 3,
  "notes": {
   "first": "one thing",
   "second": "another"
  },
  "cases": [
-{"id":"grid.first.1","requirements":["EV-A"],"flags":["first"],"x":1},
-{"id":"grid.second.1","requirements":["EV-B","EV-C"],"flags":["second"],"x":2},
-{"id":"grid.first.2","requirements":["EV-A"],"flags":["first","second"],"x":"\u00e9"}
+{"id":"grid.first.1","requirements":["EV-A"],"flags":["first"],"level":"must","since":"1.0","x":1},
+{"id":"grid.second.1","requirements":["EV-B","EV-C"],"flags":["second"],"level":"must","since":"1.0","x":2},
+{"id":"grid.first.2","requirements":["EV-A"],"flags":["first","second"],"level":"advisory","since":"2.0","x":"\u00e9"}
 ]}
 )");
 }

@@ -71,6 +71,82 @@ TEST(Sequence, AnswersNothingWhereTheQueryIsRefused) {
   const Json all = steps(c);
   EXPECT_EQ(all[0]["answers"], Json::array());
   EXPECT_EQ(all[1]["answers"], Json::array({Json::array({0})}));
+  gl::Case d;
+  d.Begin(GL_POINTS);
+  d.IsEnabled(GL_MAP1_INDEX);
+  d.End();
+  EXPECT_EQ(steps(d)[1]["answers"], Json::array());
+}
+
+// {level, since, levels of the steps that have one}.
+Json standing(const gl::Case& c, const Shown& shown = {}) {
+  const Json found = sequence(c, shown);
+  Json list = Json::array({found["level"], found["since"]});
+  for (const Json& step : found["steps"])
+    if (step.contains("level")) list.push_back(step["call"][0]);
+  return list;
+}
+
+void define_texture(gl::Case& c, double u2, GLfloat size) {
+  c.Map1f(GL_MAP1_TEXTURE_COORD_1, 0, static_cast<GLfloat>(u2), 1, 2, std::vector<GLfloat>{size, size});
+}
+
+TEST(Sequence, SaysWhatIsAdvisoryAndSinceWhen) {
+  const Json plain = {"must", "1.0"};
+  gl::Case c;
+  define_texture(c, 1, 5000);
+  c.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_COEFF, gl::out<GLfloat>(2));
+  c.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_DOMAIN, gl::out<GLfloat>(2));
+  EXPECT_EQ(standing(c), plain);
+  c.Enable(GL_MAP1_TEXTURE_COORD_1);
+  c.Enable(GL_MAP1_VERTEX_3);
+  c.Begin(GL_POINTS);
+  c.EvalCoord1f(0.5f);
+  c.End();
+  EXPECT_EQ(standing(c), plain);
+  EXPECT_EQ(standing(c, {.texture_units = 1}), Json({"must", "2.0"}));
+
+  gl::Case zeros;
+  define_texture(zeros, -0.0, 1);
+  EXPECT_EQ(standing(zeros), Json({"advisory", "1.0"}));
+
+  gl::Case initial;
+  initial.GetMapiv(GL_MAP1_VERTEX_3, GL_DOMAIN, gl::out<GLint>(2));
+  EXPECT_EQ(standing(initial), Json({"must", "1.0", "GetMapiv"}));
+  initial.GetMapfv(GL_MAP2_TEXTURE_COORD_1, GL_COEFF, gl::out<GLfloat>(1));
+  EXPECT_EQ(standing(initial), Json({"must", "1.1", "GetMapiv"}));
+
+  // In a list a map is defined when the list is called.
+  gl::Case list;
+  list.NewList(1, GL_COMPILE);
+  define_texture(list, 1, 1);
+  list.EndList();
+  list.GetMapfv(GL_MAP1_TEXTURE_COORD_1, GL_DOMAIN, gl::out<GLfloat>(2));
+  list.CallList(1);
+  EXPECT_EQ(standing(list), Json({"must", "1.0", "GetMapfv"}));
+  list.GetMapdv(GL_MAP1_TEXTURE_COORD_1, GL_DOMAIN, gl::out<GLdouble>(2));
+  EXPECT_EQ(standing(list), Json({"must", "1.0", "GetMapfv"}));
+
+  gl::Case push;
+  push.PushAttrib(GL_ENABLE_BIT);
+  push.PopAttrib();
+  EXPECT_EQ(standing(push), plain);
+  push.IsEnabled(GL_AUTO_NORMAL);
+  EXPECT_EQ(standing(push), Json({"must", "1.1"}));
+  push.ActiveTexture(GL_TEXTURE0);
+  EXPECT_EQ(standing(push), Json({"must", "1.3"}));
+  push.GetnMapfv(GL_MAP1_INDEX, GL_ORDER, 4, gl::out<GLfloat>(1));
+  EXPECT_EQ(standing(push), Json({"must", "4.5"}));
+}
+
+TEST(Sequence, KnowsThatDoublesHoldGridCounts) {
+  gl::Case c;
+  c.MapGrid1f(2147483647, 0, 1);
+  c.GetFloatv(GL_MAP1_GRID_SEGMENTS, gl::out<GLfloat>(1));
+  c.GetDoublev(GL_MAP1_GRID_SEGMENTS, gl::out<GLdouble>(1));
+  const Json all = steps(c);
+  EXPECT_EQ(all[1]["answers"].dump(), R"([["0x1.fffffep+30","0x1p+31"]])");
+  EXPECT_EQ(all[2]["answers"].dump(), R"([["0x1.fffffffcp+30"]])");
 }
 
 TEST(Sequence, EmitsWhatIsCompleted) {

@@ -84,6 +84,20 @@ TEST_F(VectorsCommand, RefusesWhatItCannotReadOrWrite) {
   }
 }
 
+TEST_F(VectorsCommand, DoesNotPassWhatSkipsAll) {
+  const std::string answers = (folder_ / "answers").string();
+  const auto check = [&](const std::string& lines) {
+    put("answers", lines);
+    return run("check --kind map1_eval --count 2 --seed 1 < " + answers);
+  };
+  EXPECT_EQ(check("map1_eval.random-1.1 skip\nmap1_eval.random-1.2 skip\n"), 2);
+  EXPECT_EQ(check(""), 2);
+  EXPECT_EQ(check("map1_eval.random-1.1 0 0 0 0\n"), 1);
+  EXPECT_EQ(check("map1_eval.random-2.1 0\n"), 2);
+  EXPECT_EQ(run("emit --kind grid --seed 3"), 2);
+  EXPECT_EQ(run("emit --kind grid --count 0"), 2);
+}
+
 TEST_F(VectorsCommand, FindsWhatIsWrong) {
   auto file = nlohmann::json::parse(content_of(fs::path(VECTORS_FOLDER) / "grid.json"));
   put("grid.json", file.dump());

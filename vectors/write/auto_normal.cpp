@@ -18,16 +18,6 @@ double inside(Dice& dice, const Direction& u, Type type) {
   return between(u.first, u.last, Rational(dice.below(33)) / 32, type);
 }
 
-Json normal_case(const Problem& problem) {
-  Json content = {{"map", map_as_json(problem.map, problem.type)},
-                  {"u", argument_as_json(problem.u)},
-                  {"v", argument_as_json(*problem.v)}};
-  const reference::AutomaticNormal normal{std::make_shared<const Map>(problem.map), problem.u, *problem.v};
-  content["derivatives"] = derivatives_of(normal);
-  content.update(entry_of(normal));
-  return content;
-}
-
 Json inside_case(Dice& dice, const Map& map, Type type) {
   const double u = inside(dice, map.u, type);
   const double v = inside(dice, map.v, type);
@@ -117,13 +107,16 @@ void places(Document& document) {
       const Direction u = along(dice.between(2, 5)), v = along(dice.between(2, 5));
       const Map map = landscape(dice, u, v);
       constexpr double kPlaces[] = {0, 0.5, 1};
-      borders.add(normal_case({map, kTypes[i % 2], at(kPlaces[i % 3]), at(kPlaces[i / 3 % 3])}));
+      // A border in the place of the middle.
+      const double x = kPlaces[i % 3], y = kPlaces[i / 3 % 3];
+      borders.add(normal_case({map, kTypes[i % 2], at(x), at(x == 0.5 && y == 0.5 ? 1 : y)}));
     }
     Dice& dice = outside.dice();
     const Direction u = along(dice.between(2, 4)), v = along(dice.between(2, 4));
     const Map map = landscape(dice, u, v);
     const double x = 3 * dice.real(5), y = 3 * dice.real(5);
-    outside.add(normal_case({map, kTypes[i % 2], at(x), at(y)}));
+    const bool is_inside = x >= 0 && x <= 1 && y >= 0 && y <= 1;
+    outside.add(normal_case({map, kTypes[i % 2], at(x), at(is_inside ? y + 1.5 : y)}));
   }
 
   Theme domains(document, "domain",

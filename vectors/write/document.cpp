@@ -21,7 +21,11 @@ void Document::add(const std::string& id, const Names& requirements, const Names
                    const Json& content) {
   for (const std::string& flag : flags)
     if (!notes_.contains(flag)) throw std::logic_error(fmt::format("{}: no note on '{}'", kind_, flag));
-  Json line = {{"id", id}, {"requirements", requirements}, {"flags", flags}};
+  Json line = {{"id", id},
+               {"requirements", requirements},
+               {"flags", flags},
+               {"level", "must"},
+               {"since", kFirstVersion}};
   line.update(content);
   ids_.push_back(id);
   cases_.push_back(line.dump(-1, ' ', true));
@@ -33,7 +37,10 @@ std::string Document::text() const {
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
     throw std::logic_error(fmt::format("the id '{}' stands twice", *twice));
 
-  Json head = {{"format", kFormat}, {"kind", kind_}, {"description", description_}, {"notes", notes_}};
+  Json head = {
+      {"format", kFormat}, {"schemaVersion", kSchemaVersion}, {"generatorVersion", kGeneratorVersion},
+      {"kind", kind_},     {"description", description_},     {"numberOfTests", cases_.size()},
+      {"notes", notes_}};
   std::string text = head.dump(1, ' ', true);
   text.erase(text.rfind('\n'));
   text += ",\n \"cases\": [\n";

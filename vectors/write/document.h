@@ -13,6 +13,13 @@ namespace evalcts::vectors {
 using Json = nlohmann::ordered_json;
 
 inline constexpr const char* kFormat = "evalcts-vectors-1";
+// Version of the schema: the second number is raised if members are added.
+inline constexpr const char* kSchemaVersion = "1.1";
+// Raised with each change of the cases.
+inline constexpr const char* kGeneratorVersion = "2";
+
+// The first version of the GL that demands the answers of a case, and of a case that any version demands.
+inline constexpr const char* kFirstVersion = "1.0";
 
 using Names = std::vector<std::string>;
 
@@ -22,7 +29,8 @@ class Document {
 
   // Adds the meaning of a flag to the notes. Explaining it again with other words throws std::logic_error.
   void explain(const std::string& flag, const std::string& meaning);
-  // Throws std::logic_error for a flag that is not explained and an id that is there already.
+  // Adds a case of level "must" that holds from GL 1.0 on, unless `content` has other values of "level" and
+  // "since". Throws std::logic_error for a flag that is not explained and an id that is there already.
   void add(const std::string& id, const Names& requirements, const Names& flags, const Json& content);
 
   const std::string& kind() const { return kind_; }

@@ -6,22 +6,50 @@
 
 namespace evalcts::vectors {
 
+namespace {
+
+// A sum of integers over 2^kNearDegree is near to a tie if its numerator is 1 away from it.
+constexpr int kNearDegree = 7;
+
+// Replaces integer control values in [2^23, 3 * 2^22), whose weights in the sum over 2^degree are given and
+// begin with 1: the sum is a tie but for the last control value, which is a small fraction of the sign of
+// `more`.
+void leave_crumb(Values& values, const std::vector<std::int64_t>& weights, int degree, int more) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    values[i] += 0x1p22;
+    sum += weights[i] * static_cast<std::int64_t>(values[i]);
+  }
+  const std::int64_t whole = std::int64_t{1} << degree;
+  values.front() += static_cast<double>(whole / 2 - sum % whole);
+  if (values.front() >= 0x1p24) values.front() -= static_cast<double>(whole);
+  values.back() = more * 0x1p-12;
+}
+
+}  // namespace
+
 namespace curves {
 
 namespace {
 
 // Control values, all integers, whose sum SUM C(n,i) * R_i / 2^n at 1/2 is an odd multiple of 1/2, `more`
-// added to the numerator.
+// added to the numerator. If that is not near to the tie, a fraction takes the place of the last value.
 Values tied(Dice& dice, int n, int more) {
   Values values;
+  std::vector<std::int64_t> weights;
   std::int64_t sum = 0, binomial = 1;
   for (int i = 0; i <= n; ++i) {
     const std::int64_t value = (std::int64_t{1} << 23) + dice.below(std::int64_t{1} << 22);
     values.push_back(static_cast<double>(value));
+    weights.push_back(binomial);
     sum += binomial * value;
     binomial = binomial * (n - i) / (i + 1);
   }
   const std::int64_t whole = std::int64_t{1} << n;
+  if (more != 0 && n < kNearDegree) {
+    leave_crumb(values, weights, n, more);
+    return values;
+  }
   const std::int64_t missing = whole / 2 - sum % whole + more;
   values.back() += static_cast<double>(missing);
   return values;
@@ -64,7 +92,9 @@ void double_ties(Document& document) {
     // (2^30 * R_0 - R_0 + R_1)/2^30 has 54 bits, the last of which is set where R_1 - R_0 is odd.
     for (int i = 0; i < 40; ++i) {
       const double sign = dice.sign();
-      const std::int64_t first = (std::int64_t{1} << 23) + 2 + dice.below(std::int64_t{1} << 22);
+      // Odd, where the crumb decides.
+      const std::int64_t first =
+          ((std::int64_t{1} << 23) + 2 + dice.below(std::int64_t{1} << 22)) | (is_near ? 1 : 0);
       const std::int64_t second = first - 1 - 2 * dice.below(1 << 20);
       const double crumb = !is_near ? 0 : dice.power(-90, -30);
       const double a = sign * static_cast<double>(first), b = sign * static_cast<double>(second);
@@ -253,19 +283,23 @@ void ties(Document& document) {
       // SUM C(n,i) * C(m,j) * R_ij / 2^(n+m) at (1/2, 1/2), the last control value chosen for a half.
       const int n = dice.between(1, 4), m = dice.between(1, 4);
       Values values;
+      std::vector<std::int64_t> weights;
       std::int64_t sum = 0, row = 1;
       for (int j = 0; j <= n; ++j, row = row * (n - j + 1) / j) {
         std::int64_t binomial = row;
         for (int k = 0; k <= m; ++k, binomial = binomial * (m - k + 1) / k) {
           const std::int64_t value = (std::int64_t{1} << 23) + dice.below(std::int64_t{1} << 22);
           values.push_back(static_cast<double>(value));
+          weights.push_back(binomial);
           sum += binomial * value;
         }
       }
       const std::int64_t whole = std::int64_t{1} << (n + m);
       const int more = !is_near ? 0 : dice.one_in(2) ? 1 : -1;
-      const std::int64_t missing = whole / 2 - sum % whole + more;
-      values.back() += static_cast<double>(missing);
+      if (is_near && n + m < kNearDegree)
+        leave_crumb(values, weights, n + m, more);
+      else
+        values.back() += static_cast<double>(whole / 2 - sum % whole + more);
       const double scale = dice.power(-30, 8);
       for (double& value : values) value *= scale;
       theme.add(

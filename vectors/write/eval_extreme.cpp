@@ -1,6 +1,8 @@
 // Curves and surfaces of huge and tiny numbers.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "eval.h"
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double kFloatMost = std::numeric_limits<float>::max();
 constexpr double kFloatLeast = std::numeric_limits<float>::denorm_min();
+constexpr double kFloatLeastNormal = std::numeric_limits<float>::min();
 constexpr double kDoubleMost = std::numeric_limits<double>::max();
 constexpr double kDoubleLeast = std::numeric_limits<double>::denorm_min();
 
@@ -56,6 +59,19 @@ const std::vector<Magnitude>& magnitude_kinds() {
   return all;
 }
 
+// Puts a huge or a tiny control value beside the others of a map that happens to have none, and beside a
+// single one.
+void widen(Map& map) {
+  const auto size = [](double x) { return std::abs(x); };
+  const auto [least, most] = std::ranges::minmax(map.points, {}, size);
+  if (std::abs(most) >= std::ldexp(std::abs(least), 16)) return;
+  if (map.points.size() == 1) {
+    map.u.order = 2;
+    map.points.push_back(0);
+  }
+  map.points.back() = std::ldexp(map.points.front(), std::abs(map.points.front()) < 1 ? 90 : -90);
+}
+
 }  // namespace
 
 namespace curves {
@@ -67,8 +83,9 @@ void magnitudes(Document& document) {
     for (int i = 0; i < 40; ++i) {
       const Direction u = along(dice.between(1, 5));
       const GLenum target = gl::kMap1Targets[static_cast<std::size_t>(i) % 9];
-      const Map map =
+      Map map =
           curve(target, u, [&](int, int) { return of_magnitude(dice, kind.type, kind.least, kind.most); });
+      if (kind.name == std::string_view("wide")) widen(map);
       theme.add(value_case({map, kind.type, at(static_cast<double>(dice.below(17)) / 16)}));
     }
   }
@@ -85,9 +102,10 @@ void overflow(Document& document) {
     const double most = type == Type::single ? kFloatMost : kDoubleMost;
     const int order = dice.between(2, 4);
     const double sign = dice.sign();
-    // Inside the domain, constant: exactly the largest. Outside: beyond it by more or less.
+    // Inside the domain, constant: exactly the largest. Outside: beyond it by more or less, because the
+    // weight of the smaller control value, of the other sign, is negative there.
     Values values(static_cast<std::size_t>(order), sign * most);
-    if (i % 6 >= 2) values.front() = -sign * std::ldexp(most, -dice.between(1, 40));
+    if (i % 6 >= 2) values[order == 3 ? 1 : 0] = -sign * std::ldexp(most, -dice.between(1, 40));
     constexpr double kArguments[] = {0.5, 1, 1.25, 2, 1 + 0x1p-20, 1 + 0x1p-23};
     theme.add(value_case({index_curve(0, 1, values), type, at(kArguments[i % 6])}));
   }
@@ -107,7 +125,7 @@ void overflow(Document& document) {
 
 void underflow(Document& document) {
   Theme theme(document, "underflow",
-              "the value is subnormal or rounds to zero (with its sign), though the control values are not",
+              "the value is below the least normal binary32: subnormal, or rounded to zero, with its sign",
               {"EV-NUM-DENORMAL"});
   Dice& dice = theme.dice();
   for (int i = 0; i < 48; ++i) {
@@ -115,9 +133,10 @@ void underflow(Document& document) {
     const int degree = dice.between(1, 6);
     // Only the last control value is not zero: V = R * u^n.
     const int exponent = -dice.between(126, degree == 1 ? 144 : 160) / degree;
-    const double u = std::abs(std::ldexp(dice.significand(6), exponent));
+    double u = std::abs(std::ldexp(dice.significand(6), exponent));
     Values values(static_cast<std::size_t>(degree) + 1, 0.0);
     values.back() = dice.significand(8);
+    while (std::abs(values.back()) * std::pow(u, degree) >= kFloatLeastNormal) u /= 2;
     theme.add(value_case({index_curve(0, 1, values), type, at(u)}));
   }
   // Half the least subnormal number, and a little more: 0, and that number.
@@ -152,9 +171,9 @@ void magnitudes(Document& document) {
     Dice& dice = theme.dice();
     for (int i = 0; i < 20; ++i) {
       const Direction u = along(dice.between(1, 3)), v = along(dice.between(1, 3));
-      const Map map = surface(small_target(i), u, v, [&](int, int, int) {
-        return of_magnitude(dice, kind.type, kind.least, kind.most);
-      });
+      Map map = surface(small_target(i), u, v,
+                        [&](int, int, int) { return of_magnitude(dice, kind.type, kind.least, kind.most); });
+      if (kind.name == std::string_view("wide")) widen(map);
       theme.add(inside_case(dice, map, kind.type));
     }
   }
@@ -163,7 +182,7 @@ void magnitudes(Document& document) {
                  {"EV-NUM-SPECIAL-SAFE"});
   Theme underflow(
       document, "underflow",
-      "the value is subnormal or rounds to zero (with its sign), though the control values are not",
+      "the value is below the least normal binary32: subnormal, or rounded to zero, with its sign",
       {"EV-NUM-DENORMAL"});
   for (int i = 0; i < 16; ++i) {
     const double sign = i % 4 < 2 ? 1 : -1;
@@ -171,7 +190,7 @@ void magnitudes(Document& document) {
     const double outside = 1 + std::ldexp(1.0, -i);
     overflow.add(value_case({index_surface(along(2), along(2), {-sign * most, 1, 1, sign * most}),
                              kTypes[i % 2], at(outside), at(outside)}));
-    const double small = std::ldexp(5.0, -65 - i);
+    const double small = std::ldexp(5.0, -65 - std::max(i, 1));
     underflow.add(value_case(
         {index_surface(along(2), along(2), {0, 0, 0, sign * 1.5}), kTypes[i % 2], at(small), at(small)}));
   }

@@ -401,8 +401,10 @@ void outside(Document& document) {
     const Ends u_ends = dice.pick(kEnds), v_ends = dice.pick(kEnds);
     const Direction u = along(dice.between(2, 5), u_ends), v = along(dice.between(2, 5), v_ends);
     const Map map = some_surface(dice, any_target(i), u, v);
-    const double x = between(u.first, u.last, Rational(dice.pick(kParts)), type);
-    const double y = between(v.first, v.last, Rational(dice.pick(kParts)), type);
+    const double part_u = dice.pick(kParts), part_v = dice.pick(kParts);
+    const bool is_inside = part_u == 0.5 && part_v == 0.5;
+    const double x = between(u.first, u.last, Rational(part_u), type);
+    const double y = between(v.first, v.last, Rational(is_inside ? 1.5 : part_v), type);
     theme.add(value_case({map, type, at(x), at(y)}));
   }
 }

@@ -38,6 +38,8 @@ struct Kind {
   std::function<std::int64_t(Dice&, GLint segments)> index;
   std::vector<Ends> domains = {{0, 1}};
   int curves = 40, surfaces = 24;
+  // The length of a segment is to be no number of the type.
+  bool inexact_step = false;
 };
 
 std::int64_t anywhere(Dice& dice, GLint n) { return dice.below(std::int64_t{n} + 1); }
@@ -61,7 +63,8 @@ const std::vector<Kind>& all_kinds() {
        anywhere,
        {{0, 1}, {0.1, 0.7}},
        60,
-       36},
+       36,
+       true},
       {"first",
        "index 0: the first end (exact-first has the cases that tell it from its neighbours)",
        {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV"},
@@ -127,7 +130,7 @@ const std::vector<Kind>& all_kinds() {
        24,
        16},
       {"cancelling",
-       "an inner point at or near zero, where i * du and u1 cancel",
+       "an inner point at which i * du and u1 have opposite signs and cancel, in part or to zero",
        {"EV-POINT1-EQUIV", "EV-POINT2-EQUIV", "EV-NUM-ACCURACY"},
        {{-1, 1}, {-0.3, 0.9}, {-1000, 1000}, {-0.7, 0.1}},
        {2, 4, 8, 10},
@@ -145,9 +148,14 @@ const std::vector<Kind>& all_kinds() {
 
 // One direction of a grid, and the argument at its point.
 Argument grid_point(Dice& dice, const Kind& kind, Type type, std::size_t& turn) {
-  const auto [first, last] = of_type(kind.grids[turn % kind.grids.size()], type);
+  auto [first, last] = of_type(kind.grids[turn % kind.grids.size()], type);
   const GLint segments = kind.segments[static_cast<std::size_t>(dice.below(std::ssize(kind.segments)))];
   ++turn;
+  const auto is_exact = [&](double end) {
+    const Rational step = (Rational(end) - Rational(first)) / segments;
+    return Rational(rounded(step, type)) == step;
+  };
+  while (kind.inexact_step && is_exact(last)) last = next_after(last, 100, type);
   return Argument::grid(kind.index(dice, segments), segments, first, last);
 }
 

@@ -3,7 +3,6 @@
 #include <reference/normal.h>
 
 #include "text.h"
-#include "values.h"
 
 namespace evalcts::vectors {
 namespace {
@@ -52,6 +51,8 @@ Json entry_of(const AutomaticNormal& normal) {
           {"accept", accept(normal)}};
 }
 
+namespace {
+
 Json derivatives_of(const AutomaticNormal& normal) {
   std::vector<Rational> u, v;
   for (const Surface& surface : normal.map->surfaces()) {
@@ -59,6 +60,20 @@ Json derivatives_of(const AutomaticNormal& normal) {
     v.push_back(reference::derivative_v(surface, normal.u, normal.v));
   }
   return {{"u", fractions(u)}, {"v", fractions(v)}};
+}
+
+}  // namespace
+
+Json normal_case(const Problem& problem) {
+  Json content = {{"level", "must"},
+                  {"map", map_as_json(problem.map, problem.type)},
+                  {"u", argument_as_json(problem.u)},
+                  {"v", argument_as_json(*problem.v)}};
+  const AutomaticNormal normal{std::make_shared<const Map>(problem.map), problem.u, *problem.v};
+  content["derivatives"] = derivatives_of(normal);
+  content.update(entry_of(normal));
+  if (content["accept"].is_null()) content["level"] = "advisory";
+  return content;
 }
 
 }  // namespace evalcts::vectors

@@ -4,13 +4,14 @@
 #include <reference/component.h>
 
 #include "document.h"
+#include "values.h"
 
 namespace evalcts::vectors {
 
 // {"m", "normal", "accept"}.
 Json entry_of(const reference::AutomaticNormal& normal);
 
-// {"derivatives": {"u", "v"}}.
-Json derivatives_of(const reference::AutomaticNormal& normal);
+// {"level", "map", "u", "v", "derivatives"} and the members above. `problem` has a v.
+Json normal_case(const Problem& problem);
 
 }  // namespace evalcts::vectors

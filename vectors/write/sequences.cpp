@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include <evalcts/gl/numbers.h>
@@ -152,6 +154,11 @@ Json accepted_integers(double exact) {
   return values;
 }
 
+bool asks_for_integers(const gl::Command& command) {
+  const auto* name = std::get_if<std::int64_t>(&command.arguments.front());
+  return name && (*name == GL_MAP1_GRID_SEGMENTS || *name == GL_MAP2_GRID_SEGMENTS);
+}
+
 // Returns the floats or doubles that are accepted for it: itself or, if no float holds it, either of those
 // beside it.
 Json accepted_reals(double exact, bool as_double) {
@@ -192,11 +199,103 @@ Json answers(const gl::Command& command, const std::vector<double>& exact) {
       values.push_back(Json::array({value == 0 ? 0 : 1}));
     else if (type == Scalar::i32)
       values.push_back(accepted_integers(value));
+    else if (type == Scalar::f64 && asks_for_integers(command))
+      values.push_back(Json::array({hexadecimal(value)}));
     else
       values.push_back(accepted_reals(value, type == Scalar::f64));
   }
   return values;
 }
+
+// --- the level, and the first version
+
+bool is_map(const gl::Command& command) {
+  const std::string name = name_of(command);
+  return name.starts_with("Map1") || name.starts_with("Map2");
+}
+bool is_query_of_map(const gl::Command& command) {
+  const std::string name = name_of(command);
+  return name.starts_with("GetMap") || name.starts_with("GetnMap");
+}
+bool is_texture_map(GLenum target) {
+  return (target >= GL_MAP1_TEXTURE_COORD_1 && target <= GL_MAP1_TEXTURE_COORD_4) ||
+         (target >= GL_MAP2_TEXTURE_COORD_1 && target <= GL_MAP2_TEXTURE_COORD_4);
+}
+
+double real(const gl::Value& value) {
+  const auto* const single = std::get_if<float>(&value);
+  return single ? *single : std::get<double>(value);
+}
+GLenum token(const gl::Value& value) { return static_cast<GLenum>(std::get<std::int64_t>(value)); }
+
+// Domain ends +0 and -0, which are equal as numbers.
+bool has_zeros_of_both_signs(const gl::Command& map) {
+  const std::size_t count = name_of(map).starts_with("Map2") ? 2 : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double first = real(map.arguments[1 + 4 * i]), last = real(map.arguments[2 + 4 * i]);
+    if (first == 0 && last == 0 && std::signbit(first) != std::signbit(last)) return true;
+  }
+  return false;
+}
+
+// Finds the level of a sequence and the first version of the GL that demands its answers (INTERPRETING.md,
+// "Levels and versions").
+class Standing {
+ public:
+  void see(const gl::Command& command, bool is_refused) {
+    const std::string name = name_of(command);
+    if (name == "ActiveTexture" || name.starts_with("MultiTexCoord")) need("1.3");
+    if (name.starts_with("Getn")) need("4.5");
+    if (name == "PushAttrib") {
+      const GLenum mask = token(command.arguments[0]);
+      pushes_enables_ = pushes_enables_ || ((mask & GL_ENABLE_BIT) != 0 && (mask & GL_EVAL_BIT) == 0);
+    }
+    if ((name == "Enable" || name == "Disable" || name == "IsEnabled") &&
+        token(command.arguments[0]) == GL_AUTO_NORMAL)
+      names_automatic_normals_ = true;
+    if (pushes_enables_ && names_automatic_normals_) need("1.1");
+    if (is_map(command)) {
+      if (has_zeros_of_both_signs(command)) level_ = "advisory";
+      if (!is_refused) (is_compiling_ ? compiled_[list_] : defined_).insert(token(command.arguments[0]));
+    }
+    if (name == "NewList" && !is_refused) {
+      list_ = token(command.arguments[0]);
+      is_compiling_ = token(command.arguments[1]) == GL_COMPILE;
+    }
+    if (name == "EndList") is_compiling_ = false;
+    if (name == "CallList") defined_.merge(std::set(compiled_[token(command.arguments[0])]));
+    if (is_query_of_map(command) && !is_refused && is_initial(token(command.arguments[0])) &&
+        token(command.arguments[1]) == GL_COEFF && is_texture_map(token(command.arguments[0])))
+      need("1.1");
+  }
+  void see(const reference::Vertex& vertex, int texture_units) {
+    for (int unit = 0; unit < texture_units; ++unit)
+      for (const auto& component : vertex.texture_coordinate[static_cast<std::size_t>(unit)])
+        if (const auto* sample = std::get_if<reference::Sample>(&component)) {
+          if (needs_gl_2(*sample)) need("2.0");
+          if (is_initial(sample->map->target)) need("1.1");
+        }
+  }
+  // True if only the reference pages give the answer: the domain of a map that was never defined.
+  bool is_advisory(const gl::Command& query) const {
+    return is_query_of_map(query) && token(query.arguments[1]) == GL_DOMAIN &&
+           is_initial(token(query.arguments[0]));
+  }
+  const std::string& level() const { return level_; }
+  const std::string& since() const { return since_; }
+
+ private:
+  void need(const std::string& version) { since_ = std::max(since_, version); }
+  bool is_initial(GLenum target) const { return !defined_.contains(target); }
+
+  std::string level_ = "must", since_ = kFirstVersion;
+  bool pushes_enables_ = false, names_automatic_normals_ = false;
+  // Targets of the maps that were defined, and of those that the lists would define.
+  std::set<GLenum> defined_;
+  std::map<GLuint, std::set<GLenum>> compiled_;
+  GLuint list_ = 0;
+  bool is_compiling_ = false;
+};
 
 // --- vertices
 
@@ -212,7 +311,8 @@ Json components(const std::array<reference::Component, kCount>& values) {
   return list;
 }
 
-Json vertex_as_json(const reference::Vertex& vertex, const Shown& shown) {
+Json vertex_as_json(const reference::Vertex& vertex, const Shown& shown, Standing& standing) {
+  standing.see(vertex, shown.texture_units);
   Json data = {{"position", components(vertex.position)}};
   if (shown.color) data["color"] = components(vertex.color);
   if (shown.normal) {
@@ -229,10 +329,10 @@ Json vertex_as_json(const reference::Vertex& vertex, const Shown& shown) {
   return data;
 }
 
-Json emitted(const reference::Primitive& primitive, const Shown& shown) {
+Json emitted(const reference::Primitive& primitive, const Shown& shown, Standing& standing) {
   Json vertices = Json::array();
   for (const reference::Vertex& vertex : primitive.vertices)
-    vertices.push_back(vertex_as_json(vertex, shown));
+    vertices.push_back(vertex_as_json(vertex, shown, standing));
   return {{"mode", gl::primitive_name(primitive.mode)}, {"vertices", std::move(vertices)}};
 }
 
@@ -285,7 +385,7 @@ class Digest {
   std::uint64_t hash_ = fnv1a<std::uint64_t>("");
 };
 
-Json summary(const Primitives& primitives, const Shown& shown) {
+Json summary(const Primitives& primitives, const Shown& shown, Standing& standing) {
   Json runs = Json::array();
   Digest digest;
   std::vector<const reference::Vertex*> vertices;
@@ -303,14 +403,15 @@ Json summary(const Primitives& primitives, const Shown& shown) {
   }
   Json samples = Json::array();
   for (const std::size_t number : sampled(vertices.size()))
-    samples.push_back({{"number", number}, {"vertex", vertex_as_json(*vertices[number], shown)}});
+    samples.push_back({{"number", number}, {"vertex", vertex_as_json(*vertices[number], shown, standing)}});
   return {{"primitives", std::move(runs)}, {"digest", digest.text()}, {"samples", std::move(samples)}};
 }
 
-Json emits(const Primitives& primitives, const Shown& shown) {
-  if (vertices_of(primitives) > kMostListed) return summary(primitives, shown);
+Json emits(const Primitives& primitives, const Shown& shown, Standing& standing) {
+  if (vertices_of(primitives) > kMostListed) return summary(primitives, shown, standing);
   Json list = Json::array();
-  for (const reference::Primitive* primitive : primitives) list.push_back(emitted(*primitive, shown));
+  for (const reference::Primitive* primitive : primitives)
+    list.push_back(emitted(*primitive, shown, standing));
   return list;
 }
 
@@ -332,6 +433,7 @@ Json sequence(const gl::Case& script, const Shown& shown) {
   if (!script.commands().empty() && specified.inside.back()) throw std::logic_error("a primitive stays open");
 
   Json steps = Json::array();
+  Standing standing;
   std::vector<GLenum> pending;  // what was raised since Begin
   std::size_t completed = 0;
   for (std::size_t i = 0; i < script.commands().size(); ++i) {
@@ -347,6 +449,7 @@ Json sequence(const gl::Case& script, const Shown& shown) {
       pending.clear();
     }
     const bool is_refused = !specified.errors[i].empty();
+    standing.see(command, is_refused);
     if (writes(command))
       step["answers"] = is_refused ? Json::array() : answers(command, [&] {
         std::vector<double> values = exact.values<double>(ref);
@@ -354,17 +457,19 @@ Json sequence(const gl::Case& script, const Shown& shown) {
         return values;
       }());
     else if (returns_a_flag(command))
-      step["answers"] = Json::array({Json::array({specified.answers.result(ref)})});
+      step["answers"] =
+          is_refused ? Json::array() : Json::array({Json::array({specified.answers.result(ref)})});
+    if (!is_refused && standing.is_advisory(command)) step["level"] = "advisory";
     if (may_emit(command)) {
       Primitives primitives;
       for (; completed < specified.completed[i]; ++completed)
         if (const auto& primitive = specified.prediction.primitives[completed]; !primitive.vertices.empty())
           primitives.push_back(&primitive);
-      step["emits"] = emits(primitives, shown);
+      step["emits"] = emits(primitives, shown, standing);
     }
     steps.push_back(std::move(step));
   }
-  return {{"steps", std::move(steps)}};
+  return {{"level", standing.level()}, {"since", standing.since()}, {"steps", std::move(steps)}};
 }
 
 void map1(gl::Case& c, Type type, GLenum target, double u1, double u2, int stride, int order,

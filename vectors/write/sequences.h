@@ -13,10 +13,10 @@ struct Shown {
   int texture_units = 0;
 };
 
-// {"steps": [...]}: each command with the errors that it may raise, what it answers and what it emits, by the
-// executable specification. Commands whose answers the GL leaves open beyond a choice of roundings (integers
-// from colours and normals, values that no float holds) and open primitives or lists at the end are
-// std::logic_error.
+// {"level", "since", "steps": [...]}: each command with the errors that it may raise, what it answers and
+// what it emits, by the executable specification. Commands whose answers the GL leaves open beyond a choice
+// of roundings (integers from colours and normals, values that no float holds) and open primitives or lists
+// at the end are std::logic_error.
 Json sequence(const gl::Case& script, const Shown& shown = {});
 
 // Map1f or Map1d, and so on.

@@ -1,9 +1,10 @@
 #include "text.h"
 
-#include <fmt/format.h>
 #include <reference/rounding.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -14,15 +15,18 @@ using reference::Rational;
 
 std::string hexadecimal(double value) {
   if (std::isnan(value)) throw std::domain_error("NaN has no place in a vector");
-  const char* const sign = std::signbit(value) ? "-" : "";
-  if (std::isinf(value)) return fmt::format("{}inf", sign);
-  if (value == 0) return fmt::format("{}0x0p+0", sign);
-  int exponent = 0;
+  std::string text = std::signbit(value) ? "-" : "";
+  if (std::isinf(value)) return text + "inf";
+  if (value == 0) return text + "0x0p+0";
   // Subnormal numbers are written like all others, which printf does not do.
-  const auto significand = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(value), &exponent), 53));
-  std::string digits = fmt::format("{:013x}", significand & ((std::uint64_t{1} << 52) - 1));
-  digits.erase(digits.find_last_not_of('0') + 1);
-  return fmt::format("{}0x1{}{}p{:+}", sign, digits.empty() ? "" : ".", digits, exponent - 1);
+  const int exponent = std::ilogb(value);
+  constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
+  std::uint64_t digits = std::bit_cast<std::uint64_t>(std::scalbn(value, -exponent)) & kFraction;
+  text += "0x1";
+  if (digits != 0) text += '.';
+  for (; digits != 0; digits = (digits << 4) & kFraction) text += "0123456789abcdef"[digits >> 48];
+  text += exponent < 0 ? "p" : "p+";
+  return text + std::to_string(exponent);
 }
 
 std::string fraction(const Rational& x) {

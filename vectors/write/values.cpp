@@ -17,10 +17,10 @@ using reference::Sample;
 
 namespace {
 
-// The newest texts, which promise more than the oldest.
-constexpr int kVersion = 21;
+// The last version that promises less.
+constexpr int kBefore2 = 15;
 
-int range_of(const Map& map) { return reference::guaranteed_range(map.target, kVersion); }
+int range_of(const Map& map) { return reference::guaranteed_range(map.target, kNewestVersion); }
 
 Json accept(const Rational& exact, const std::optional<Rational>& bound) {
   const std::optional<Interval> interval = bound ? accepted(exact, *bound) : std::nullopt;
@@ -153,10 +153,17 @@ Json argument_as_json(const Argument& argument) {
           {"exact", fraction(argument.value())}};
 }
 
+bool needs_gl_2(const Sample& sample) {
+  const int before = reference::guaranteed_range(sample.map->target, kBefore2);
+  return before != range_of(*sample.map) && !must_applies(reference::Component(sample), before) &&
+         must_applies(reference::Component(sample), range_of(*sample.map));
+}
+
 Json entry_of(const Sample& sample) { return as_json(acceptance(sample, range_of(*sample.map))); }
 
 Json value_case(const Problem& problem, Detail detail) {
-  Json content = {{"map", map_as_json(problem.map, problem.type)}};
+  Json content = {{"level", "advisory"}, {"since", kFirstVersion}};
+  content["map"] = map_as_json(problem.map, problem.type);
   for (const auto& [name, argument] : {std::pair("u", std::optional(problem.u)), std::pair("v", problem.v)}) {
     if (!argument) continue;
     check(argument->first(), problem.type);
@@ -168,8 +175,11 @@ Json value_case(const Problem& problem, Detail detail) {
   std::vector<Acceptance> values;
   Json components = Json::array();
   for (int c = 0; c < map->components(); ++c) {
-    values.push_back(acceptance(Sample{map, c, problem.u, problem.v}, range_of(*map)));
+    const Sample sample{map, c, problem.u, problem.v};
+    values.push_back(acceptance(sample, range_of(*map)));
     components.push_back(as_json(values.back()));
+    if (!components.back()["accept"].is_null()) content["level"] = "must";
+    if (needs_gl_2(sample)) content["since"] = "2.0";
   }
   content["components"] = std::move(components);
   const bool is_rational = map->target == GL_MAP1_VERTEX_4 || map->target == GL_MAP2_VERTEX_4;

@@ -12,6 +12,9 @@ namespace evalcts::vectors {
 
 using reference::Argument;
 
+// The version of the GL whose promises the vectors take: the newest texts promise more than the oldest.
+inline constexpr int kNewestVersion = 21;
+
 // A map and where it is evaluated; `v` for surfaces.
 struct Problem {
   Map map;
@@ -31,11 +34,14 @@ Json fractions(const std::vector<Rational>& values);
 // {"exact", "magnitude", "float", "double", "accept"} of an evaluated component.
 Json entry_of(const reference::Sample& sample);
 
+// Returns true if only GL 2.0 and later promise what `entry_of` accepts: texture coordinates beyond 2^10.
+bool needs_gl_2(const reference::Sample& sample);
+
 // More than the components.
 enum class Detail { none, intermediate };
 
-// {"map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w is not zero, and
-// "intermediate".
+// {"level", "since", "map", "u", "v", "components"}, "quotients" for maps of four vertex coordinates where w
+// is not zero, and "intermediate".
 Json value_case(const Problem& problem, Detail detail = Detail::none);
 
 }  // namespace evalcts::vectors

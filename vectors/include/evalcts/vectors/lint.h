@@ -24,8 +24,9 @@ struct Report {
   std::vector<std::string> findings;  // in words, with the id of the case
 };
 
-// Ids that stand twice, requirements that do not exist, flags without a note, notes without a flag, cases
-// that are not what a requirement of theirs claims. Throws Malformed as check_structure does, and for text
+// Ids that stand twice, requirements that do not exist, flags without a note, notes without a flag, a wrong
+// number of tests, cases that are not what their theme or a requirement of theirs claims, refused queries
+// that answer. Throws Malformed as check_structure does, and for text
 // that is no JSON.
 Report lint(const std::string& text, const std::set<std::string>& requirements);
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <istream>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,8 +24,11 @@ struct Answers {
   std::map<std::string, std::vector<double>> of;
   std::vector<std::string> answered_twice;  // ids
   std::vector<std::string> malformed;       // "line 3: ...", in words
+  std::size_t lines = 0;                    // that were read
 };
 
+// Reads a line; returns false at the end.
+bool read_answer(std::istream& lines, Answers& answers);
 // Reads lines to the end; numbers in hexadecimal or decimal, "inf" and "nan" too. Empty lines and what begins
 // with # are left out.
 Answers read_answers(std::istream& lines);
@@ -50,6 +55,13 @@ struct Score {
   double largest_ulp = 0;
   std::string largest_id;
 };
+
+// Random cases in the place of a file, for tests without end: the first `count` of a kind and a seed, which
+// are the same everywhere. Kinds are "map1_eval", "map2_eval", "grid" and "auto_normal".
+void emit_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::ostream& lines);
+// Reads answers as far as they are needed, so that answers in the order of the cases take no memory.
+Score judge_random(const std::string& kind, std::uint64_t seed, std::uint64_t count, std::istream& lines,
+                   Answers& answers);
 
 // Judges the answers to a file and takes them out of `answers`: what is left at the end has unknown ids.
 Score judge(const nlohmann::json& file, Answers& answers);

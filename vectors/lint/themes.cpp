@@ -1,0 +1,287 @@
+#include "themes.h"
+
+#include <reference/rounding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "value_case.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using nlohmann::json;
+using Claim = std::function<bool(const ValueCase&)>;
+
+Rational power(int exponent) { return {std::ldexp(1.0, exponent)}; }
+
+// --- of the values
+
+Claim some_value(bool (*holds)(const Rational& value, const Rational& magnitude)) {
+  return [=](const ValueCase& c) {
+    for (std::size_t i = 0; i < c.values.size(); ++i)
+      if (holds(c.values[i], c.magnitudes[i])) return true;
+    return false;
+  };
+}
+
+// Distance of x from the middle of the two numbers of the type beside it, as a part of their distance; a
+// half if x is a number of the type.
+Rational distance_to_tie(const Rational& x, Type type) {
+  const double nearest = rounded(x, type);
+  if (!std::isfinite(nearest) || Rational(nearest) == x) return Rational(1) / 2;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double other = next_after(nearest, Rational(nearest) < x ? infinity : -infinity, type);
+  const Rational gap = abs(Rational(other) - Rational(nearest));
+  return Rational(1) / 2 - abs(x - Rational(nearest)) / gap;
+}
+
+Claim is_tie(Type type) {
+  return [=](const ValueCase& c) {
+    return std::ranges::any_of(c.values,
+                               [&](const Rational& x) { return distance_to_tie(x, type).is_zero(); });
+  };
+}
+
+// Within 2^-bits of the distance of the two numbers, but no tie.
+Claim is_near_tie(Type type, int bits) {
+  return [=](const ValueCase& c) {
+    return std::ranges::any_of(c.values, [&](const Rational& x) {
+      const Rational distance = distance_to_tie(x, type);
+      return !distance.is_zero() && distance <= power(-bits);
+    });
+  };
+}
+
+// x/w and y/w at distance 1 from the origin.
+bool is_on_circle(const ValueCase& c) {
+  const Rational &x = c.values[0], &y = c.values[1], &w = c.values[3];
+  return abs(x * x + y * y - w * w) <= power(-20) * w * w;
+}
+
+// --- of the control values
+
+Claim all_points(bool (*holds)(double value)) {
+  return [=](const ValueCase& c) { return std::ranges::all_of(c.map.points, holds); };
+}
+
+bool has_equal_points(const ValueCase& c) {
+  const auto k = static_cast<std::size_t>(c.map.components());
+  for (std::size_t i = k; i < c.map.points.size(); ++i)
+    if (c.map.points[i] != c.map.points[i - k]) return false;
+  return true;
+}
+
+bool is_line(const ValueCase& c) {
+  const std::vector<double>& points = c.map.points;
+  for (std::size_t i = 2; i < points.size(); ++i)
+    if (points[i] - points[i - 1] != points[i - 1] - points[i - 2]) return false;
+  return true;
+}
+
+bool is_unit(const ValueCase& c) {
+  return std::ranges::count(c.map.points, 1.0) == 1 &&
+         std::ranges::count(c.map.points, 0.0) == std::ssize(c.map.points) - 1;
+}
+
+bool spans(const ValueCase& c, int bits) {
+  const auto less = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto [least, most] = std::ranges::minmax(c.map.points, less);
+  return std::abs(most) >= std::ldexp(std::abs(least), bits);
+}
+
+// Values of w, of maps with four components.
+Claim all_w(bool (*holds)(double w)) {
+  return [=](const ValueCase& c) {
+    for (std::size_t i = 3; i < c.map.points.size(); i += 4)
+      if (!holds(c.map.points[i])) return false;
+    return true;
+  };
+}
+
+std::vector<double> numbers_of(const ValueCase& c) {
+  std::vector<double> all = c.map.points;
+  for (const ValueDirection& d : c.directions)
+    all.insert(all.end(), {d.domain.first, d.domain.last, d.argument.first(), d.argument.last()});
+  return all;
+}
+
+// --- of the directions
+
+Claim some_direction(bool (*holds)(const ValueDirection&)) {
+  return [=](const ValueCase& c) { return std::ranges::any_of(c.directions, holds); };
+}
+Claim all_directions(bool (*holds)(const ValueDirection&)) {
+  return [=](const ValueCase& c) { return std::ranges::all_of(c.directions, holds); };
+}
+
+Claim some_order(int least) {
+  return [=](const ValueCase& c) {
+    return std::ranges::any_of(c.directions, [&](const auto& d) { return d.domain.order >= least; });
+  };
+}
+Claim all_orders(int least) {
+  return [=](const ValueCase& c) {
+    return std::ranges::all_of(c.directions, [&](const auto& d) { return d.domain.order >= least; });
+  };
+}
+
+Rational width(const ValueDirection& d) { return abs(Rational(d.domain.last) - Rational(d.domain.first)); }
+bool is_outside(const ValueDirection& d) { return d.t < 0 || d.t > 1; }
+bool is_inside(const ValueDirection& d) { return !is_outside(d); }
+bool is_at_end(const ValueDirection& d) { return d.t.is_zero() || d.t == 1; }
+bool is_reversed(const ValueDirection& d) { return d.domain.first > d.domain.last; }
+bool is_short(double x) {
+  return static_cast<double>(static_cast<float>(std::ldexp(x, 10))) == std::trunc(std::ldexp(x, 10));
+}
+
+// Next to a number of the type, or to zero by 2^-24.
+bool is_next_to_end(const ValueCase& c) {
+  const ValueDirection& d = c.directions[0];
+  const double u = d.argument.coordinate();
+  for (const double end : {d.domain.first, d.domain.last})
+    for (const double towards : {-100.0, 100.0})
+      if (u == (end == 0 ? std::copysign(0x1p-24, towards) : next_after(end, towards, c.type))) return true;
+  return false;
+}
+
+// --- of grids
+
+bool is_awkward(const ValueCase& c) {
+  return std::ranges::any_of(c.directions, [&](const ValueDirection& d) {
+    const Rational step =
+        (Rational(d.argument.last()) - Rational(d.argument.first())) / d.argument.segments();
+    return Rational(rounded(step, c.type)) != step;
+  });
+}
+
+const std::map<std::string, Claim>& claims() {
+  const Claim no_normal = [](const ValueCase& c) { return c.entry["normal"].is_null(); };
+  static const std::map<std::string, Claim> all = {
+      {"tie-float", is_tie(Type::single)},
+      {"tie-double", is_tie(Type::real)},
+      {"near-tie-float", is_near_tie(Type::single, 7)},
+      {"near-tie-double", is_near_tie(Type::real, 7)},
+      {"hardest", is_near_tie(Type::single, 18)},
+      {"cancel-zero", some_value([](const auto& x, const auto& size) { return x.is_zero() && size > 0; })},
+      {"cancel-nearly", some_value([](const auto& x, const auto& size) { return 2 * abs(x) <= size; })},
+      {"overflow", some_value([](const auto& x, const auto&) {
+         return abs(x) >= Rational(std::numeric_limits<float>::max());
+       })},
+      {"underflow",
+       some_value([](const auto& x, const auto&) { return !x.is_zero() && abs(x) < power(-126); })},
+      {"elevated",
+       some_value([](const auto& x, const auto&) { return abs(x - Rational(9) / 64) < power(-20); })},
+      {"circle", is_on_circle},
+      {"map2_eval.cylinder", is_on_circle},
+
+      {"huge", all_points([](double x) { return std::abs(x) >= 0x1p90 && std::abs(x) < 0x1p128; })},
+      {"promised-range", all_points([](double x) { return std::abs(x) <= 0x1p32; })},
+      {"tiny", all_points([](double x) { return std::abs(x) < 0x1p-98; })},
+      {"subnormal", all_points([](double x) { return std::abs(x) < 0x1p-126; })},
+      {"huge-double", all_points([](double x) { return std::abs(x) >= 0x1p128; })},
+      {"tiny-double", all_points([](double x) { return std::abs(x) < 0x1p-148; })},
+      {"wide", [](const ValueCase& c) { return spans(c, 16); }},
+      {"constant", has_equal_points},
+      {"linear", is_line},
+      {"map1_eval.one-point", is_unit},
+      {"map2_eval.one-point", is_unit},
+      {"minus-zero",
+       [](const ValueCase& c) {
+         return std::ranges::any_of(numbers_of(c), [](double x) { return x == 0 && std::signbit(x); });
+       }},
+      {"double-only",
+       [](const ValueCase& c) {
+         return std::ranges::any_of(numbers_of(c), [](double x) { return x != static_cast<float>(x); });
+       }},
+
+      {"ordinary", all_directions(is_inside)},
+      {"outside", some_direction(is_outside)},
+      {"at-an-end", all_directions(is_at_end)},
+      {"corner", all_directions(is_at_end)},
+      {"edge", some_direction(is_at_end)},
+      {"next-to-an-end", is_next_to_end},
+      {"border", some_direction(is_at_end)},
+      {"far-away", some_direction([](const ValueDirection& d) {
+         return abs(d.t) >= power(15) || abs(d.t) <= power(-60);
+       })},
+      {"domain",
+       some_direction([](const ValueDirection& d) { return d.domain.first != 0 || d.domain.last != 1; })},
+      {"domain-huge", some_direction([](const ValueDirection& d) { return width(d) > power(19); })},
+      {"domain-tiny", some_direction([](const ValueDirection& d) { return width(d) <= power(-10); })},
+      {"domain-reversed", some_direction(is_reversed)},
+      {"map1_eval.domain-negative",
+       all_directions([](const ValueDirection& d) { return d.domain.first <= 0 && d.domain.last <= 0; })},
+      {"domain-offset", some_direction([](const ValueDirection& d) {
+         return abs(Rational(d.domain.first)) >= 100 * width(d);
+       })},
+      {"domain-inexact", some_direction([](const ValueDirection& d) {
+         return !is_short(d.domain.first) || !is_short(d.domain.last);
+       })},
+      {"auto_normal.reversed", some_direction(is_reversed)},
+      {"order-one", some_direction([](const ValueDirection& d) { return d.domain.order == 1; })},
+      {"map1_eval.high-order", some_order(31)},
+      {"map2_eval.high-order", some_order(9)},
+      {"auto_normal.high-order", some_order(6)},
+      {"high-order-targets", some_order(31)},
+      {"map2_eval.highest-order", all_orders(33)},
+      {"auto_normal.highest-order", all_orders(12)},
+
+      {"grid.inside", all_directions([](const ValueDirection& d) {
+         return d.argument.index() >= 0 && d.argument.index() <= d.argument.segments();
+       })},
+      {"grid.awkward", is_awkward},
+      {"grid.first", all_directions([](const ValueDirection& d) { return d.argument.index() == 0; })},
+      {"grid.last",
+       all_directions([](const ValueDirection& d) { return d.argument.index() == d.argument.segments(); })},
+      {"grid.index-outside", all_directions([](const ValueDirection& d) {
+         return d.argument.index() < 0 || d.argument.index() > d.argument.segments();
+       })},
+      {"grid.reversed",
+       all_directions([](const ValueDirection& d) { return d.argument.first() > d.argument.last(); })},
+      {"grid.equal-ends",
+       all_directions([](const ValueDirection& d) { return d.argument.first() == d.argument.last(); })},
+      {"grid.outside-domain", some_direction([](const ValueDirection& d) {
+         return d.argument.first() != d.domain.first || d.argument.last() != d.domain.last;
+       })},
+      {"grid.many-segments",
+       all_directions([](const ValueDirection& d) { return d.argument.segments() >= 65536; })},
+      {"grid.far-index", all_directions([](const ValueDirection& d) {
+         using Limits = std::numeric_limits<std::int32_t>;
+         return d.argument.index() == Limits::min() || d.argument.index() == Limits::max();
+       })},
+      {"grid.cancelling", all_directions([](const ValueDirection& d) {
+         const Rational first = Rational(d.argument.first()), way = d.argument.value() - first;
+         return first * way < 0;
+       })},
+      {"grid.offset", all_directions([](const ValueDirection& d) {
+         const Rational first = Rational(d.argument.first());
+         return abs(first) >= 100 * abs(Rational(d.argument.last()) - first);
+       })},
+
+      {"auto_normal.one-point", [=](const ValueCase& c) { return no_normal(c) && has_equal_points(c); }},
+      {"collapsed-to-a-line", no_normal},
+      {"zero-w", [](const ValueCase& c) { return c.entry["m"].is_null(); }},
+      {"negative-w", all_w([](double w) { return w < 0; })},
+      {"constant-w", all_w([](double w) { return w == 2; })},
+      {"auto_normal.grid", all_directions([](const ValueDirection& d) { return d.argument.is_grid(); })}};
+  return all;
+}
+
+}  // namespace
+
+std::string broken_theme(const json& entry) {
+  const std::string id = entry["id"], theme = entry["flags"][0];
+  const std::string kind = id.substr(0, id.find('.'));
+  for (const std::string& name : {kind + "." + theme, theme}) {
+    const auto found = claims().find(name);
+    if (found == claims().end()) continue;
+    return found->second(ValueCase(entry)) ? "" : theme;
+  }
+  return {};
+}
+
+}  // namespace evalcts::vectors

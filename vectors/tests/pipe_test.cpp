@@ -1,0 +1,196 @@
+// Random cases in a pipe: the same everywhere, judged as exact arithmetic judges them, and fast.
+#include <evalcts/vectors/pipe.h>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <reference/component.h>
+
+#include <cmath>
+#include <ctime>
+#include <sstream>
+
+#include <evalcts/results/hash.h>
+#include "lint/numbers.h"
+#include "pipe/random_cases.h"
+#include "write/normals.h"
+#include "write/text.h"
+
+namespace evalcts::vectors {
+namespace {
+
+using nlohmann::json;
+
+const char* const kKinds[] = {"map1_eval", "map2_eval", "grid", "auto_normal"};
+
+std::string questions(const std::string& kind, std::uint64_t seed, std::uint64_t count) {
+  std::ostringstream lines;
+  emit_random(kind, seed, count, lines);
+  return lines.str();
+}
+
+TEST(RandomCases, AreTheSameEverywhere) {
+  std::string all;
+  for (const char* kind : kKinds) all += questions(kind, 7, 500);
+  EXPECT_EQ(
+      all.substr(0, all.find('\n')),
+      "map1 map1_eval.random-7.1 f 4 3 0x0p+0 0x1p+0 0x1.7461a8p-3 0x1.023542p+0 0x1.fabccap-1 0x1.01491ep+0 "
+      "0x1.0341e2p+0 -0x1.0098b4p+0 -0x1.00aa14p+0 -0x1.02a0cap+0 -0x1.ff26b8p-1 0x1.03918ep+0 "
+      "0x1.ffa1ccp-1 0x1.0281f8p+0 0x1.0350cep+0");
+  EXPECT_EQ(fnv1a<std::uint64_t>(all), 10210271564166180473u);
+  EXPECT_EQ(questions("grid", 7, 20), questions("grid", 7, 30).substr(0, questions("grid", 7, 20).size()));
+  EXPECT_NE(questions("grid", 8, 1), questions("grid", 7, 1));
+}
+
+// Answers of any kind to a case, from the right one to those around the limit of what is accepted.
+std::vector<double> answer(const json& entry, std::uint64_t turn) {
+  std::vector<double> values;
+  if (entry.contains("derivatives")) {
+    const bool has_normal = !entry["normal"].is_null();
+    for (std::size_t c = 0; c < 3; ++c)
+      values.push_back(has_normal ? number(entry["normal"][c]["double"]) : 1);
+    constexpr double kErrors[] = {0, 1e-3, 1.99e-3, 2.05e-3, 1e-2};
+    values[turn % 3] += kErrors[turn % 5];
+    if (turn % 7 == 0)
+      for (double& x : values) x = -x;
+    return values;
+  }
+  for (const json& component : entry["components"]) {
+    const double right = number(component["float"]);
+    values.push_back(right);
+    if (component["accept"].is_null()) continue;
+    const double low = number(component["accept"][0]);
+    const double high = number(component["accept"][1]);
+    constexpr float kUp = std::numeric_limits<float>::infinity();
+    const double all[] = {right,
+                          std::nextafter(static_cast<float>(right), kUp),
+                          right + (high - right) / 2,
+                          high,
+                          std::nextafter(static_cast<float>(high), kUp),
+                          low,
+                          std::nextafter(static_cast<float>(low), -kUp),
+                          right + 3 * (high - right),
+                          std::nan("")};
+    values.back() = all[turn % std::size(all)];
+  }
+  return values;
+}
+
+// The cases with their exact answers, as a file has them.
+json exact_file(const std::string& kind, std::uint64_t seed, std::uint64_t count) {
+  json file = {{"kind", kind}, {"cases", json::array()}};
+  RandomCases cases(kind, seed);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    cases.draw();
+    json entry = cases.is_normal() ? normal_case(cases.problem()) : value_case(cases.problem());
+    entry.update({{"id", cases.id()}, {"flags", json::array()}});
+    file["cases"].push_back(std::move(entry));
+  }
+  return file;
+}
+
+TEST(RandomCases, AreJudgedAsExactArithmeticJudges) {
+  constexpr std::uint64_t kCount = 600, kSeed = 3;
+  for (const char* kind : kKinds) {
+    const json file = exact_file(kind, kSeed, kCount);
+    std::string lines;
+    std::uint64_t turn = 0;
+    for (const json& entry : file["cases"]) {
+      lines += as_text(entry["id"]);
+      for (const double x : answer(entry, turn)) lines += fmt::format(" {:a}", x);
+      lines += '\n';
+      ++turn;
+    }
+    std::istringstream stream(lines), again(lines);
+    Answers answers = read_answers(again), none;
+    const Score exact = judge(file, answers), quick = judge_random(kind, kSeed, kCount, stream, none);
+    ASSERT_EQ(quick.wrong.size(), exact.wrong.size()) << kind;
+    EXPECT_GT(exact.wrong.size(), kCount / 20) << kind;
+    EXPECT_LT(exact.wrong.size(), kCount * 3 / 4) << kind;
+    for (std::size_t i = 0; i < exact.wrong.size(); ++i) {
+      EXPECT_EQ(quick.wrong[i].id, exact.wrong[i].id);
+      EXPECT_TRUE(quick.wrong[i].message.starts_with(exact.wrong[i].message)) << quick.wrong[i].message;
+    }
+    EXPECT_EQ(quick.cases, kCount);
+    EXPECT_EQ(quick.largest_ulp, exact.largest_ulp) << kind;
+    EXPECT_EQ(quick.values, exact.values) << kind;
+    EXPECT_EQ(quick.correctly_rounded, exact.correctly_rounded) << kind;
+  }
+}
+
+// The largest error is that of the exact value, and the counts are those of all values that are judged.
+TEST(RandomCases, AreMeasured) {
+  constexpr std::uint64_t kCount = 400, kSeed = 5;
+  const json file = exact_file("map1_eval", kSeed, kCount);
+  std::string lines;
+  std::uint64_t turn = 0;
+  for (const json& entry : file["cases"]) {
+    lines += as_text(entry["id"]);
+    for (const json& component : entry["components"]) {
+      const float right = static_cast<float>(number(component["float"]));
+      lines += fmt::format(" {:a}", turn++ % 3 == 0 ? std::nextafter(right, 2 * right) : right);
+    }
+    lines += '\n';
+  }
+  std::istringstream stream(lines), again(lines);
+  Answers answers = read_answers(again), none;
+  const Score exact = judge(file, answers), quick = judge_random("map1_eval", kSeed, kCount, stream, none);
+  EXPECT_EQ(quick.largest_ulp, exact.largest_ulp);
+  EXPECT_EQ(quick.largest_id, exact.largest_id);
+  EXPECT_EQ(quick.values, exact.values);
+  EXPECT_EQ(quick.correctly_rounded, exact.correctly_rounded);
+  EXPECT_GT(quick.values, quick.correctly_rounded);
+}
+
+TEST(RandomCases, MayBeAnsweredInAnyOrder) {
+  RandomCases cases("map1_eval", 1);
+  std::vector<std::string> ids;
+  for (int i = 0; i < 4; ++i) {
+    cases.draw();
+    ids.push_back(cases.id());
+  }
+  std::istringstream lines(ids[2] + " skip\n# a comment\n\n" + ids[0] + "  skip \n" + ids[3] + " nothing\n" +
+                           ids[2] + " 1\n");
+  Answers answers;
+  const Score score = judge_random("map1_eval", 1, 4, lines, answers);
+  EXPECT_EQ(score.skipped, 2u);
+  EXPECT_EQ(score.missing, (std::vector{ids[1], ids[3]}));
+  EXPECT_EQ(answers.answered_twice, std::vector{ids[2]});
+  ASSERT_EQ(answers.malformed.size(), 1u);
+  EXPECT_TRUE(answers.malformed[0].starts_with("line 5: ")) << answers.malformed[0];
+}
+
+#ifndef EVALCTS_SANITIZED
+// 10^5 cases a second each for asking and judging are wanted; half of it leaves room for a busy machine.
+TEST(RandomCases, AreFast) {
+  constexpr std::uint64_t kCount = 20000;
+  const auto seconds = [](std::clock_t since) {
+    return static_cast<double>(std::clock() - since) / CLOCKS_PER_SEC;
+  };
+  for (const char* kind : {"map1_eval", "map2_eval", "grid"}) {
+    std::clock_t start = std::clock();
+    const std::string asked = questions(kind, 1, kCount);
+    EXPECT_LT(seconds(start), kCount / 5e4) << kind << ": asked";
+    RandomCases cases(kind, 1);
+    std::string lines;
+    for (std::uint64_t i = 0; i < kCount; ++i) {
+      cases.draw();
+      lines += cases.id();
+      const Problem& problem = cases.problem();
+      const auto map = std::make_shared<const Map>(problem.map);
+      for (int c = 0; c < map->components(); ++c)
+        lines += fmt::format(" {:a}", reference::rounded(reference::Sample{map, c, problem.u, problem.v}));
+      lines += '\n';
+    }
+    std::istringstream stream(lines);
+    Answers answers;
+    start = std::clock();
+    const Score score = judge_random(kind, 1, kCount, stream, answers);
+    EXPECT_LT(seconds(start), kCount / 5e4) << kind << ": judged";
+    EXPECT_EQ(score.correctly_rounded, score.values);
+    EXPECT_TRUE(score.wrong.empty());
+  }
+}
+#endif
+
+}  // namespace
+}  // namespace evalcts::vectors
