@@ -63,7 +63,9 @@ class ProductionFast final : public Subject {
     glev_mesh mesh{};
     mesh.size = sizeof mesh;
     mesh.precision = GLEV_FAST;
-    mesh.outputs.texcoord = &output;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_TEXCOORD, &output};
+    mesh.outputs = &outputs;
+    mesh.output_count = 1;
     std::vector<std::byte> scratch;
     for (std::size_t a = 0; a < u.size(); ++a) {
       mesh.i1 = mesh.i2 = static_cast<int>(std::ldexp(u[a], kLog2Segments));

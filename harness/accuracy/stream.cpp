@@ -58,11 +58,13 @@ class ProductionStream final : public Stream {
     const glev_input swept = {u.data(), u.size_bytes(), sizeof(float)}, other = {&other_, sizeof other_, 0};
     batch.u = along_v_ ? other : swept;
     if (two_dimensional_) batch.v = along_v_ ? swept : other;
-    const glev_output** const place = attribute_ == kPosition ? &batch.outputs.vertex
-                                      : attribute_ == kColor  ? &batch.outputs.color
-                                      : attribute_ == kNormal ? &batch.outputs.normal
-                                                              : &batch.outputs.texcoord;
-    *place = &output;
+    const glev_attribute_output outputs = {attribute_ == kPosition ? GLEV_ATTRIBUTE_VERTEX
+                                           : attribute_ == kColor  ? GLEV_ATTRIBUTE_COLOR
+                                           : attribute_ == kNormal ? GLEV_ATTRIBUTE_NORMAL
+                                                                   : GLEV_ATTRIBUTE_TEXCOORD,
+                                           &output};
+    batch.outputs = &outputs;
+    batch.output_count = 1;
     if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw NotObservable("a batch is refused");
   }
 

@@ -198,7 +198,9 @@ class Production {
     batch.type = GLEV_DOUBLE;
     batch.u = {u.data(), u.size() * sizeof(double), sizeof(double)};
     if (!v.empty()) batch.v = {v.data(), v.size() * sizeof(double), sizeof(double)};
-    batch.outputs.texcoord = &output;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_TEXCOORD, &output};
+    batch.outputs = &outputs;
+    batch.output_count = 1;
     if (glevEvaluate(plan_, &batch) != GLEV_SUCCESS) throw std::logic_error("a batch is refused");
   }
 
@@ -207,7 +209,9 @@ class Production {
     glev_mesh mesh{};
     mesh.size = sizeof mesh;
     mesh.i1 = i1, mesh.i2 = i2, mesh.j1 = j1, mesh.j2 = j2;
-    mesh.outputs.texcoord = &output;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_TEXCOORD, &output};
+    mesh.outputs = &outputs;
+    mesh.output_count = 1;
     scratch_.resize(glevGetMeshScratchSize(plan_, &mesh));
     mesh.scratch = scratch_.data();
     mesh.scratch_size = scratch_.size();

@@ -78,7 +78,9 @@ CurveSide side(const Curve& curve, const char* target, glev_precision precision)
     batch.type = GLEV_FLOAT;
     batch.precision = precision;
     batch.u = {curve.u.data(), curve.u.size() * sizeof(float), sizeof(float)};
-    batch.outputs.vertex = &vertex;
+    const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+    batch.outputs = &outputs;
+    batch.output_count = 1;
     require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
   };
 }
@@ -96,8 +98,10 @@ MeshSide side(const Mesh& mesh, const char* target, glev_precision precision) {
     batch.j1 = row;
     batch.j2 = row + rows - 1;
     batch.precision = precision;
-    batch.outputs.vertex = &vertex;
-    if (mesh.normals) batch.outputs.normal = &normal;
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},
+                                             {GLEV_ATTRIBUTE_NORMAL, &normal}};
+    batch.outputs = outputs;
+    batch.output_count = mesh.normals ? 2 : 1;
     if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &batch) + 1);
     batch.scratch = scratch.data();
     batch.scratch_size = scratch.size();
@@ -128,7 +132,9 @@ void evaluate(const Plan& plan, const Model& model, glev_precision precision,
   mesh.size = sizeof mesh;
   mesh.i2 = mesh.j2 = model.segments;
   mesh.precision = precision;
-  mesh.outputs.vertex = &vertex;
+  const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+  mesh.outputs = &outputs;
+  mesh.output_count = 1;
   if (scratch.empty()) scratch.resize(glevGetMeshScratchSize(plan.get(), &mesh));
   mesh.scratch = scratch.data();
   mesh.scratch_size = scratch.size();
@@ -217,12 +223,11 @@ Measured mesh_of(const char* target, Wanted wanted, glev_precision precision) {
     batch.j1 = 100;
     batch.j2 = batch.j1 + kRows - 1;
     batch.precision = precision;
-    if (wanted == Wanted::kDoubles) {
-      batch.outputs.vertex = &first;
-    } else {
-      batch.outputs.tangent_u = &first;
-      batch.outputs.tangent_v = &second;
-    }
+    const glev_attribute_output vertices[] = {{GLEV_ATTRIBUTE_VERTEX, &first}},
+                                tangents[] = {{GLEV_ATTRIBUTE_TANGENT_U, &first},
+                                              {GLEV_ATTRIBUTE_TANGENT_V, &second}};
+    batch.outputs = wanted == Wanted::kDoubles ? vertices : tangents;
+    batch.output_count = wanted == Wanted::kDoubles ? 1 : 2;
     if (room->scratch.empty()) room->scratch.resize(glevGetMeshScratchSize(plan.get(), &batch));
     batch.scratch = room->scratch.data();
     batch.scratch_size = room->scratch.size();
@@ -251,7 +256,9 @@ Measured batches_of(const char* target, std::size_t count, bool is_double) {
             batch.count = count;
             batch.type = GLEV_FLOAT;
             batch.u = {curve.u.data() + first, count * sizeof(float), sizeof(float)};
-            batch.outputs.vertex = &vertex;
+            const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+            batch.outputs = &outputs;
+            batch.output_count = 1;
             require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
             first = (first + count) % (curve.u.size() - count + 1);
           },
@@ -272,7 +279,9 @@ Measured scattered(const char* target, glev_precision precision) {
             batch.precision = precision;
             batch.u = {u.data(), u.size() * sizeof(float), sizeof(float)};
             batch.v = {u.data() + u.size() / 2, u.size() / 2 * sizeof(float), sizeof(float)};
-            batch.outputs.vertex = &vertex;
+            const glev_attribute_output outputs = {GLEV_ATTRIBUTE_VERTEX, &vertex};
+            batch.outputs = &outputs;
+            batch.output_count = 1;
             require(glevEvaluate(plan.get(), &batch), "glevEvaluate fails");
           },
           static_cast<std::int64_t>(u.size() / 2)};

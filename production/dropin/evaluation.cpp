@@ -102,8 +102,9 @@ void Context::eval_coord1(double u) {
 void Context::eval_coord2(double u, double v) {
   if (!prepare_evaluation(2)) return;
   if (keeps_length) {
-    const glev_batch batch = {sizeof batch,      1, GLEV_DOUBLE, GLEV_CORRECTLY_ROUNDED, {&u, sizeof u, 0},
-                              {&v, sizeof v, 0}, {}};
+    const glev_batch batch = {
+        sizeof batch, 1, GLEV_DOUBLE, GLEV_CORRECTLY_ROUNDED, {&u, sizeof u, 0}, {&v, sizeof v, 0},
+        nullptr,      0};
     normal_length_ = length_of_normal(&batch, nullptr);
   }
   glevEvalCoord2d(evaluators, u, v);
@@ -122,7 +123,7 @@ void Context::eval_point1(GLint i) {
 
 void Context::evaluate_point2(GLint i, GLint j) {
   if (keeps_length) {
-    const glev_mesh mesh = {sizeof mesh, i, i, j, j, GLEV_CORRECTLY_ROUNDED, {}, nullptr, 0};
+    const glev_mesh mesh = {sizeof mesh, i, i, j, j, GLEV_CORRECTLY_ROUNDED, nullptr, 0, nullptr, 0};
     normal_length_ = length_of_normal(nullptr, &mesh);
   }
   glevEvalPoint2(evaluators, i, j);

@@ -41,15 +41,19 @@ double Context::length_of_normal(const glev_batch* batch, const glev_mesh* mesh)
                        GLEV_DOUBLE,         0};
   };
   const glev_output vertex = output(p), tangent_u = output(p_u), tangent_v = output(p_v);
-  const glev_outputs outputs = {&vertex, nullptr, nullptr, nullptr, &tangent_u, &tangent_v};
+  const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},
+                                           {GLEV_ATTRIBUTE_TANGENT_U, &tangent_u},
+                                           {GLEV_ATTRIBUTE_TANGENT_V, &tangent_v}};
   glev_result result;
   if (batch != nullptr) {
     glev_batch request = *batch;
     request.outputs = outputs;
+    request.output_count = std::size(outputs);
     result = glevEvaluate(plan, &request);
   } else {
     glev_mesh request = *mesh;
     request.outputs = outputs;
+    request.output_count = std::size(outputs);
     request.scratch_size = glevGetMeshScratchSize(plan, &request);
     request.scratch = request.scratch_size > 0 ? std::malloc(request.scratch_size) : nullptr;
     result = glevEvaluateMesh(plan, &request);

@@ -25,11 +25,13 @@ static void define_quarter(glev_context* gl, int quarter) {
 
 static int evaluate(glev_context* gl, const glev_output* vertex) {
   const glev_plan_info info = {.size = sizeof info, .dimension = 1};
+  const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, vertex}};
   const glev_batch batch = {.size = sizeof batch,
                             .count = STEPS + 1,
                             .type = GLEV_FLOAT,
                             .u = {.data = u, .data_size = sizeof u, .stride = sizeof u[0]},
-                            .outputs = {.vertex = vertex}};
+                            .outputs = outputs,
+                            .output_count = 1};
   glev_plan* plan;
   if (glevCreatePlan(gl, &info, &plan) != GLEV_SUCCESS) return 0;
   const glev_result result = glevEvaluate(plan, &batch);

@@ -24,12 +24,14 @@ static int fill_poles(const glev_plan* plan, int segments, teapot_vertex* vertic
       if (vertex->normal[0] != 0 || vertex->normal[1] != 0 || vertex->normal[2] != 0) continue;
       const float u = (float)i / (float)segments, v = j == 0 ? 1e-6f : 1 - 1e-6f;
       const glev_output normal = output(vertex->normal, 1);
+      const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_NORMAL, &normal}};
       const glev_batch beside = {.size = sizeof beside,
                                  .count = 1,
                                  .type = GLEV_FLOAT,
                                  .u = {.data = &u, .data_size = sizeof u},
                                  .v = {.data = &v, .data_size = sizeof v},
-                                 .outputs = {.normal = &normal}};
+                                 .outputs = outputs,
+                                 .output_count = 1};
       if (glevEvaluate(plan, &beside) != GLEV_SUCCESS) return 0;
     }
   return 1;
@@ -38,10 +40,10 @@ static int fill_poles(const glev_plan* plan, int segments, teapot_vertex* vertic
 static int evaluate(const glev_plan* plan, int segments, teapot_vertex* vertices) {
   const size_t count = (size_t)(segments + 1) * (size_t)(segments + 1);
   const glev_output position = output(vertices->position, count), normal = output(vertices->normal, count);
-  glev_mesh mesh = {.size = sizeof mesh,
-                    .i2 = segments,
-                    .j2 = segments,
-                    .outputs = {.vertex = &position, .normal = &normal}};
+  const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &position},
+                                           {GLEV_ATTRIBUTE_NORMAL, &normal}};
+  glev_mesh mesh = {
+      .size = sizeof mesh, .i2 = segments, .j2 = segments, .outputs = outputs, .output_count = 2};
   mesh.scratch_size = glevGetMeshScratchSize(plan, &mesh);
   mesh.scratch = malloc(mesh.scratch_size);
   const int done = (mesh.scratch || mesh.scratch_size == 0) && glevEvaluateMesh(plan, &mesh) == GLEV_SUCCESS;

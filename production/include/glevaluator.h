@@ -19,8 +19,15 @@
  *   - Infinities and NaN are legal control points, domain ends, grid ends and arguments, and no error by
  *     themselves. A component of a result that depends on one is unspecified: any float, infinity or NaN. A
  *     component of a control point has no influence on the other components.
- *   - Structures begin with `size`; set it to sizeof of the structure. That is how later versions can add
- *     members. A structure larger than the library knows is accepted if the unknown rest is zero.
+ *   - Structures grow, and programs that were compiled with an earlier header keep working:
+ *       - A structure that begins with `size` may get more members at its end. Set `size` to sizeof of the
+ *         structure. The library reads `size` bytes and takes members beyond as zero, which means what the
+ *         library did before it had them. A structure larger than the library knows is accepted if the
+ *         unknown rest is zero, and INVALID_ARGUMENT otherwise.
+ *       - Such a structure is passed by pointer and is never a member or an array element of another one.
+ *       - glev_input and glev_attribute_output have no `size` and never change.
+ *       - A sink gets a glev_vertex whose `size` is the library's: members beyond it do not exist.
+ *       - Members keep their offsets, enumerators and tokens their values, and functions their signatures.
  *   - Counts and byte strides are size_t; what GL types as GLint or GLenum keeps GL's type.
  *   - Clauses are cited from the OpenGL 4.6 compatibility profile as "GL §"; earlier versions have the same
  *     rules for evaluators in §5.1.
@@ -611,11 +618,19 @@ GLEV_API glev_result glevCreatePlan(glev_context* context, const glev_plan_info*
 GLEV_API void glevRetainPlan(glev_plan* plan);
 GLEV_API void glevReleasePlan(glev_plan* plan); /* null is ignored */
 
+/* TANGENT_U and TANGENT_V, of plans of dimension 2 with a vertex map: the derivatives of its components by u
+ * and v (of homogeneous coordinates, not of their quotient). With V the exact value and D the largest
+ * difference of neighbours among the control points in that direction, times the degree over the width of the
+ * domain, inside the domain float results are within 2^-24 |V| + (13 (n + m) + 4) 2^-53 D and double results
+ * within 2^-53 |V| + 2^-80 D, n and m the degrees, for finite maps of magnitudes from 2^-300 to 2^300 or zero
+ * and grids of at most 2^10 times the domain. Automatic normals as doubles are the floats' values. */
 typedef enum glev_attribute {
   GLEV_ATTRIBUTE_VERTEX = 0,
   GLEV_ATTRIBUTE_COLOR = 1,
   GLEV_ATTRIBUTE_NORMAL = 2, /* of a normal map, or automatic */
-  GLEV_ATTRIBUTE_TEXCOORD = 3
+  GLEV_ATTRIBUTE_TEXCOORD = 3,
+  GLEV_ATTRIBUTE_TANGENT_U = 4,
+  GLEV_ATTRIBUTE_TANGENT_V = 5
 } glev_attribute;
 
 /* Number of values (1 to 4) a plan gives for an attribute, 0 if it has no map for it or there is no such
@@ -657,22 +672,12 @@ typedef struct glev_output {
   size_t row_stride;
 } glev_output;
 
-/* The outputs of a batch; one that is null is not computed. tangent_u and tangent_v, of plans of dimension 2
- * with a vertex map: the derivatives of its components by u and v (of homogeneous coordinates, not of their
- * quotient). With V the exact value and D the largest difference of neighbours among the control points in
- * that direction, times the degree over the width of the domain, inside the domain float results are within
- * 2^-24 |V|
- * + (13 (n + m) + 4) 2^-53 D and double results within 2^-53 |V| + 2^-80 D, n and m the degrees, for finite
- * maps of magnitudes from 2^-300 to 2^300 or zero and grids of at most 2^10 times the domain. Automatic
- * normals as doubles are the floats' values. */
-typedef struct glev_outputs {
-  const glev_output* vertex;
-  const glev_output* color;
-  const glev_output* normal;
-  const glev_output* texcoord;
-  const glev_output* tangent_u;
-  const glev_output* tangent_v;
-} glev_outputs;
+/* One output of a batch or a mesh. An attribute that is not among the outputs is not computed. An attribute
+ * that is there twice, or is none of glev_attribute, is INVALID_ARGUMENT. */
+typedef struct glev_attribute_output {
+  glev_attribute attribute;
+  const glev_output* output;
+} glev_attribute_output;
 
 /* An array of arguments: number i lies at data + i*stride bytes. stride: any, 0 included. data_size: bytes at
  * data that may be read. */
@@ -691,13 +696,14 @@ typedef struct glev_batch {
   glev_precision precision;
   glev_input u;
   glev_input v;
-  glev_outputs outputs;
+  const glev_attribute_output* outputs; /* null if output_count is 0 */
+  size_t output_count;
 } glev_batch;
 
 /* Evaluates the maps of a plan at each argument. Unlike in the GL, no vertex map is needed for the others to
  * be evaluated. Everything is checked before anything is written. With count 0 nothing is read or written,
- * and all data may be null. A batch whose six outputs are all null is legal, writes nothing, and is checked
- * like any other. Returns SUCCESS or INVALID_ARGUMENT: a null pointer, a wrong size, type, stride,
+ * and all data may be null. A batch without outputs is legal, writes nothing, and is checked like any
+ * other. Returns SUCCESS or INVALID_ARGUMENT: a null pointer, a wrong size, type, stride,
  * precision or number of components. NO_MAP: an output for an attribute without a map. BUFFER_TOO_SMALL: a
  * data_size. OVERLAP: bytes of an output belong to another output or to an input as well. Interleaving in one
  * block is recognised if the strides are equal; with different strides the blocks must be apart. */
@@ -711,7 +717,8 @@ typedef struct glev_mesh {
   size_t size;
   glev_int i1, i2, j1, j2;
   glev_precision precision;
-  glev_outputs outputs;
+  const glev_attribute_output* outputs; /* null if output_count is 0 */
+  size_t output_count;
   void* scratch;
   size_t scratch_size;
 } glev_mesh;
@@ -719,8 +726,8 @@ typedef struct glev_mesh {
 /* The bytes of scratch memory that glevEvaluateMesh needs for the columns, i1 to i2, of this mesh: evaluation
  * never allocates. More than 0 for every legal mesh, one without points included. 0 if the plan or the mesh
  * is null, its size is wrong, precision is none of the two, or j1 or j2 is not 0 in one dimension:
- * glevEvaluateMesh returns INVALID_ARGUMENT then. The outputs, scratch and scratch_size of the mesh are not
- * looked at. */
+ * glevEvaluateMesh returns INVALID_ARGUMENT then. The outputs, output_count, scratch and scratch_size of the
+ * mesh are not looked at. */
 GLEV_API size_t glevGetMeshScratchSize(const glev_plan* plan, const glev_mesh* mesh);
 
 /* Evaluates the maps of a plan at points of its grid. Values, checks and results as glevEvaluate; scratch

@@ -69,17 +69,4 @@ class DoubleBuffer {
   std::size_t capacity_ = 0;
 };
 
-// Copies a structure that begins with its size. One that is smaller than this version's, or larger with a
-// rest that is not zero, is refused.
-template <class Struct>
-bool read_struct(const Struct* given, Struct* copy) {
-  if (given == nullptr || given->size < sizeof(Struct)) return false;
-  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
-  for (std::size_t i = sizeof(Struct); i < given->size; ++i) {
-    if (bytes[i] != 0) return false;
-  }
-  *copy = *given;
-  return true;
-}
-
 }  // namespace glev

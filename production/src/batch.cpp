@@ -10,6 +10,7 @@
 #include "normal.h"
 #include "plan.h"
 #include "resolve.h"
+#include "structures.h"
 
 namespace {
 
@@ -62,6 +63,7 @@ bool share_bytes(const Stream& a, const Stream& b) {
 // ---- Outputs
 
 constexpr int kTangentU = kAttributes, kOutputs = kAttributes + 2;
+static_assert(kTangentU == GLEV_ATTRIBUTE_TANGENT_U && kOutputs == GLEV_ATTRIBUTE_TANGENT_V + 1);
 
 struct Output {
   bool is_wanted = false, is_double = false;
@@ -76,11 +78,6 @@ struct Output {
 };
 
 using Outputs = std::array<Output, kOutputs>;
-
-std::size_t components_of(const glev_plan& plan, int output) {
-  if (output >= kTangentU) return plan.tangent_components();
-  return glevGetPlanComponents(&plan, static_cast<glev_attribute>(output));
-}
 
 glev_result read_output(const glev_output* given, std::size_t columns, std::size_t rows, bool has_rows,
                         std::size_t map_components, std::size_t most_components, Output* output) {
@@ -109,14 +106,29 @@ glev_result read_output(const glev_output* given, std::size_t columns, std::size
   return GLEV_SUCCESS;
 }
 
-glev_result read_outputs(const glev_plan& plan, const glev_outputs& given, std::size_t columns,
-                         std::size_t rows, bool has_rows, Outputs* outputs) {
-  const std::array<const glev_output*, kOutputs> wanted = {given.vertex,   given.color,     given.normal,
-                                                           given.texcoord, given.tangent_u, given.tangent_v};
-  for (int o = 0; o < kOutputs; ++o) {
-    if (wanted[o] == nullptr) continue;
-    const bool is_normal = o == static_cast<int>(Attribute::kNormal);
-    const glev_result result = read_output(wanted[o], columns, rows, has_rows, components_of(plan, o),
+// C programs may have put any number there, which C++ must not read as an enumerator.
+template <class Enum>
+unsigned number_of(const Enum& enumerator) {
+  unsigned number;
+  static_assert(sizeof number == sizeof enumerator);
+  std::memcpy(&number, &enumerator, sizeof number);
+  return number;
+}
+
+bool is_precision(const glev_precision& precision) {
+  return number_of(precision) == GLEV_CORRECTLY_ROUNDED || number_of(precision) == GLEV_FAST;
+}
+
+glev_result read_outputs(const glev_plan& plan, const glev_attribute_output* given, std::size_t count,
+                         std::size_t columns, std::size_t rows, bool has_rows, Outputs* outputs) {
+  if (given == nullptr && count != 0) return GLEV_ERROR_INVALID_ARGUMENT;
+  for (std::size_t i = 0; i < count; ++i) {
+    const unsigned o = number_of(given[i].attribute);
+    // An attribute is there once at most, so `count` is at most kOutputs.
+    if (o >= kOutputs || (*outputs)[o].is_wanted) return GLEV_ERROR_INVALID_ARGUMENT;
+    const bool is_normal = o == static_cast<unsigned>(Attribute::kNormal);
+    const glev_result result = read_output(given[i].output, columns, rows, has_rows,
+                                           glevGetPlanComponents(&plan, static_cast<glev_attribute>(o)),
                                            is_normal ? 3 : 4, &(*outputs)[o]);
     if (result != GLEV_SUCCESS) return result;
   }
@@ -140,14 +152,6 @@ glev_result check_memory(const Outputs& outputs, const std::array<Stream, kOther
     }
   }
   return GLEV_SUCCESS;
-}
-
-// C programs may have put any number there, which C++ must not read as an enumerator.
-bool is_precision(const glev_precision& precision) {
-  unsigned value;
-  static_assert(sizeof value == sizeof precision);
-  std::memcpy(&value, &precision, sizeof value);
-  return value == GLEV_CORRECTLY_ROUNDED || value == GLEV_FAST;
 }
 
 // ---- What has no kernel
@@ -294,7 +298,8 @@ glev_result glevEvaluate(const glev_plan* plan, const glev_batch* given) {
   if (!has_v && (batch.v.data != nullptr || batch.v.data_size != 0 || batch.v.stride != 0))
     return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = read_outputs(*plan, batch.outputs, batch.count, 1, false, &outputs);
+  const glev_result result =
+      read_outputs(*plan, batch.outputs, batch.output_count, batch.count, 1, false, &outputs);
   if (result != GLEV_SUCCESS || batch.count == 0) return result;
 
   const auto stream_of = [&](const glev_input& input) {
@@ -344,7 +349,8 @@ glev_result glevEvaluateMesh(const glev_plan* plan, const glev_mesh* given) {
   const std::size_t columns = count_of(mesh.i1, mesh.i2), rows = count_of(mesh.j1, mesh.j2);
   if (mesh.scratch == nullptr && mesh.scratch_size != 0) return GLEV_ERROR_INVALID_ARGUMENT;
   Outputs outputs;
-  const glev_result result = read_outputs(*plan, mesh.outputs, columns, rows, has_rows, &outputs);
+  const glev_result result =
+      read_outputs(*plan, mesh.outputs, mesh.output_count, columns, rows, has_rows, &outputs);
   if (result != GLEV_SUCCESS || columns == 0 || rows == 0) return result;
 
   if (mesh.scratch_size < scratch_of(*plan, columns)) return GLEV_ERROR_BUFFER_TOO_SMALL;

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "convert.h"
 #include "environment.h"
+#include "structures.h"
 
 using glev::Attribute;
 using glev::find_target;

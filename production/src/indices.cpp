@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "allocator.h"
+#include "structures.h"
 
 namespace {
 
@@ -27,12 +28,13 @@ bool multiply(std::size_t a, std::size_t b, std::size_t* product) {
 // False for what is not well formed, apart from data.
 bool read_indices(const glev_indices* given, glev_indices* indices, std::size_t* count) {
   if (!glev::read_struct(given, indices) || index_bytes(indices->type) == 0) return false;
-  const auto [size, mode, columns, rows, first, type, data, data_size] = *indices;
+  const std::size_t columns = indices->columns, rows = indices->rows, first = indices->first;
+  const glev_enum mode = indices->mode;
   std::size_t vertices;
   if (!multiply(columns, rows, &vertices)) return false;
   *count = 0;
   if (vertices == 0) return mode == GLEV_POINT || mode == GLEV_LINE || mode == GLEV_FILL;
-  const std::size_t largest = (std::uint64_t{1} << (8 * index_bytes(type))) - 1;
+  const std::size_t largest = (std::uint64_t{1} << (8 * index_bytes(indices->type))) - 1;
   if (vertices - 1 > largest || first > largest - (vertices - 1)) return false;
   // Below 2^32 vertices nothing overflows from here on.
   switch (mode) {

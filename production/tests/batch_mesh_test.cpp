@@ -44,8 +44,8 @@ class GridPoints : public ContextTest {
     const Layout layout = choose_layout(chance_, plan, columns, rows, dimension == 2);
     Memory memory(layout.bytes);
     const LaidOut outputs(layout, memory);
-    glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, GLEV_CORRECTLY_ROUNDED,
-                      outputs,     nullptr,  0};
+    glev_mesh mesh = {sizeof mesh,    range.i1,       range.i2, range.j1, range.j2, GLEV_CORRECTLY_ROUNDED,
+                      outputs.data(), outputs.size(), nullptr,  0};
     // Exactly as much scratch memory as is asked for, anywhere.
     const std::size_t scratch_size = glevGetMeshScratchSize(plan, &mesh),
                       start = static_cast<std::size_t>(chance_.whole(0, 70));
@@ -142,7 +142,7 @@ class Scratch : public GridPoints {
   }
   glev_mesh mesh_of(const Range& range) const {
     return {sizeof(glev_mesh),      range.i1, range.i2, range.j1, range.j2,
-            GLEV_CORRECTLY_ROUNDED, {},       nullptr,  0};
+            GLEV_CORRECTLY_ROUNDED, nullptr,  0,        nullptr,  0};
   }
 };
 
@@ -154,7 +154,7 @@ TEST_F(Scratch, DependsOnTheColumnsAlone) {
   mesh = mesh_of({5, 14, -7, 900});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
   const glev_output output{};  // is not looked at
-  mesh.outputs.vertex = &output;
+  const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &output}});
   EXPECT_EQ(glevGetMeshScratchSize(plan, &mesh), size);
   mesh = mesh_of({0, 999, 0, 9});
   EXPECT_GT(glevGetMeshScratchSize(plan, &mesh), size);
@@ -169,7 +169,7 @@ TEST_F(Scratch, OneByteLessIsTooSmall) {
     glev_mesh mesh = mesh_of({0, 9, 0, dimension == 1 ? 0 : 9});
     Memory memory(4096), scratch(glevGetMeshScratchSize(plan, &mesh));
     const glev_output color = memory.make_output(0, 16, 4);
-    mesh.outputs.color = &color;
+    const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_COLOR, &color}});
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size() - 1;
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_ERROR_BUFFER_TOO_SMALL);
@@ -190,7 +190,7 @@ TEST_F(Scratch, IsNotNeededForNoPoints) {
   const glev_output color = memory.make_output(0, 16, 4);
   for (const Range& range : {Range{1, 0, 0, 3}, {0, 3, 1, 0}, {INT_MAX, INT_MIN, INT_MAX, INT_MIN}}) {
     glev_mesh mesh = mesh_of(range);
-    mesh.outputs.color = &color;
+    const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_COLOR, &color}});
     EXPECT_EQ(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
   }
   EXPECT_TRUE(memory.is_untouched());
@@ -212,7 +212,7 @@ TEST_F(Scratch, ExtremeRangesAreRefusedWithoutOverflow) {
           glev_output color = memory.make_output(0, stride, 4, 0, row_stride);
           color.data_size = size;
           glev_mesh mesh = mesh_of(range);
-          mesh.outputs.color = &color;
+          const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_COLOR, &color}});
           mesh.scratch = scratch.data();
           mesh.scratch_size = scratch.size();
           EXPECT_NE(glevEvaluateMesh(plan, &mesh), GLEV_SUCCESS);
@@ -275,8 +275,9 @@ TEST(UnalignedMeshes, AreTheSameOnEveryInstructionSet) {
         const Floats aligned = evaluate_grid(plan, GLEV_ATTRIBUTE_VERTEX, kRange, precision);
         Memory memory(aligned.size() * sizeof(float) + 1);
         const glev_output output = memory.make_output(1, 3 * sizeof(float), 3, GLEV_FLOAT);
-        glev_mesh mesh = {sizeof mesh, kRange.i1, kRange.i2, kRange.j1, kRange.j2, precision, {}, nullptr, 0};
-        mesh.outputs.vertex = &output;
+        glev_mesh mesh = {sizeof mesh, kRange.i1, kRange.i2, kRange.j1, kRange.j2,
+                          precision,   nullptr,   0,         nullptr,   0};
+        const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &output}});
         std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
         mesh.scratch = scratch.data();
         mesh.scratch_size = scratch.size();

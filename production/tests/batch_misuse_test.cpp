@@ -29,45 +29,48 @@ class Misuse : public ContextTest {
     glev_batch batch;
     glev_mesh mesh;
     glev_output vertex, texcoord, tangent;
+    std::vector<glev_attribute_output> outputs;
   };
   using Change = std::function<void(Call&)>;
 
-  void refer(Call& call, glev_outputs& outputs, bool has_tangent) {
-    outputs = {&call.vertex, nullptr, nullptr, &call.texcoord, has_tangent ? &call.tangent : nullptr,
-               nullptr};
+  static void make_change(Call& call, bool has_tangent, const Change& change) {
+    call.outputs = {{GLEV_ATTRIBUTE_VERTEX, &call.vertex}, {GLEV_ATTRIBUTE_TEXCOORD, &call.texcoord}};
+    if (has_tangent) call.outputs.push_back({GLEV_ATTRIBUTE_TANGENT_U, &call.tangent});
+    call.batch.outputs = call.mesh.outputs = call.outputs.data();
+    call.batch.output_count = call.mesh.output_count = call.outputs.size();
+    change(call);
+  }
+  // Replaces the outputs in a change.
+  static void set_outputs(Call& call, std::vector<glev_attribute_output> outputs) {
+    call.outputs = std::move(outputs);
+    call.batch.outputs = call.mesh.outputs = call.outputs.data();
+    call.batch.output_count = call.mesh.output_count = call.outputs.size();
   }
 
   glev_result evaluate(std::size_t dimension, const Change& change, Memory& memory) {
     const Plan plan(gl, dimension);
     const glev_input input = {arguments_, sizeof arguments_, sizeof(float)};
-    Call call = {{sizeof(glev_batch), kPoints, GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, input, {}, {}},
+    Call call = {{sizeof(glev_batch), kPoints, GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, input, {}, nullptr, 0},
                  {},
                  memory.make_output(0, 24, 3),
                  memory.make_output(12, 24, 2),
-                 memory.make_output(1000, 12, 3)};
+                 memory.make_output(1000, 12, 3),
+                 {}};
     if (dimension == 2) call.batch.v = input;
-    refer(call, call.batch.outputs, dimension == 2);
-    change(call);
+    make_change(call, dimension == 2, change);
     return glevEvaluate(plan, &call.batch);
   }
 
   glev_result evaluate_mesh(std::size_t dimension, const Change& change, Memory& memory, Memory& scratch) {
     const Plan plan(gl, dimension);
     Call call = {{},
-                 {sizeof(glev_mesh),
-                  0,
-                  4,
-                  0,
-                  dimension == 1 ? 0 : 2,
-                  GLEV_CORRECTLY_ROUNDED,
-                  {},
-                  scratch.data(),
-                  scratch.size()},
+                 {sizeof(glev_mesh), 0, 4, 0, dimension == 1 ? 0 : 2, GLEV_CORRECTLY_ROUNDED, nullptr, 0,
+                  scratch.data(), scratch.size()},
                  memory.make_output(0, 24, 3),
                  memory.make_output(12, 24, 2),
-                 memory.make_output(1000, 12, 3)};
-    refer(call, call.mesh.outputs, dimension == 2);
-    change(call);
+                 memory.make_output(1000, 12, 3),
+                 {}};
+    make_change(call, dimension == 2, change);
     return glevEvaluateMesh(plan, &call.mesh);
   }
 
@@ -97,10 +100,23 @@ constexpr glev_result kInvalid = GLEV_ERROR_INVALID_ARGUMENT, kTooSmall = GLEV_E
 
 TEST_F(Misuse, WhatWouldDoDoes) {
   expect_both(GLEV_SUCCESS, "nothing", [](Call&) {});
-  expect_both(GLEV_SUCCESS, "no outputs but one", [](Call& call) {
-    call.batch.outputs.texcoord = call.mesh.outputs.texcoord = nullptr;
-    call.batch.outputs.tangent_u = call.mesh.outputs.tangent_u = nullptr;
+  expect_both(GLEV_SUCCESS, "no outputs but one",
+              [](Call& call) { call.batch.output_count = call.mesh.output_count = 1; });
+  expect_both(GLEV_SUCCESS, "another order", [](Call& call) {
+    set_outputs(call, {{GLEV_ATTRIBUTE_TEXCOORD, &call.texcoord}, {GLEV_ATTRIBUTE_VERTEX, &call.vertex}});
   });
+}
+
+TEST_F(Misuse, OfListsOfOutputs) {
+  expect_both(kInvalid, "null", [](Call& call) { call.batch.outputs = call.mesh.outputs = nullptr; });
+  expect_both(kInvalid, "a null output", [](Call& call) { call.outputs[1].output = nullptr; });
+  expect_both(kInvalid, "the same attribute twice", [](Call& call) {
+    set_outputs(call, {{GLEV_ATTRIBUTE_TEXCOORD, &call.texcoord}, {GLEV_ATTRIBUTE_TEXCOORD, &call.vertex}});
+  });
+  for (int attribute : {6, 7, -1, INT_MAX, INT_MIN}) {
+    expect_both(kInvalid, "no attribute",
+                [&](Call& call) { std::memcpy(&call.outputs[1].attribute, &attribute, sizeof attribute); });
+  }
 }
 
 TEST_F(Misuse, OfOutputs) {
@@ -136,26 +152,24 @@ TEST_F(Misuse, OfOutputs) {
 TEST_F(Misuse, OfComponents) {
   expect_both(kInvalid, "vertex", [](Call& call) { call.vertex.components = 2; });
   expect_both(kInvalid, "texture coordinate", [](Call& call) { call.texcoord.components = 1; });
-  for (bool mesh : {false, true}) {
-    const auto normal = [&](Call& call) {
-      call.texcoord.components = 4;
-      call.texcoord.stride = 16;
-      call.batch.outputs = call.mesh.outputs = {};
-      (mesh ? call.mesh.outputs : call.batch.outputs).normal = &call.texcoord;
-    };
-    mesh ? expect_mesh(kInvalid, 2, "normal of 4", normal) : expect_batch(kInvalid, 2, "normal of 4", normal);
-  }
+  const auto normal = [&](Call& call) {
+    call.texcoord.components = 4;
+    call.texcoord.stride = 16;
+    set_outputs(call, {{GLEV_ATTRIBUTE_NORMAL, &call.texcoord}});
+  };
+  expect_mesh(kInvalid, 2, "normal of 4", normal);
+  expect_batch(kInvalid, 2, "normal of 4", normal);
 }
 
 TEST_F(Misuse, OfAttributesWithoutAMap) {
-  for (auto member : {&glev_outputs::color, &glev_outputs::tangent_u, &glev_outputs::tangent_v}) {
-    const bool is_color = member == &glev_outputs::color;
+  for (glev_attribute attribute :
+       {GLEV_ATTRIBUTE_COLOR, GLEV_ATTRIBUTE_TANGENT_U, GLEV_ATTRIBUTE_TANGENT_V}) {
+    const bool is_color = attribute == GLEV_ATTRIBUTE_COLOR;
     const auto ask = [&](Call& call) {
       call.texcoord.components = 4;
       call.texcoord.stride = 16;
       call.texcoord.data_size = 0;  // comes later
-      call.batch.outputs.*member = call.mesh.outputs.*member = &call.texcoord;
-      call.batch.outputs.texcoord = call.mesh.outputs.texcoord = nullptr;
+      set_outputs(call, {{GLEV_ATTRIBUTE_VERTEX, &call.vertex}, {attribute, &call.texcoord}});
     };
     expect_batch(GLEV_ERROR_NO_MAP, 1, "1", ask);
     expect_mesh(GLEV_ERROR_NO_MAP, 1, "1", ask);
@@ -164,7 +178,9 @@ TEST_F(Misuse, OfAttributesWithoutAMap) {
     expect_mesh(GLEV_ERROR_NO_MAP, 2, "2", ask);
   }
   glevDisable(gl, GLEV_MAP2_VERTEX_3);
-  const auto no_vertex = [](Call& call) { call.batch.outputs.vertex = call.mesh.outputs.vertex = nullptr; };
+  const auto no_vertex = [](Call& call) {
+    ++call.batch.outputs, --call.batch.output_count, ++call.mesh.outputs, --call.mesh.output_count;
+  };
   expect_batch(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
   expect_mesh(GLEV_ERROR_NO_MAP, 2, "tangents of no vertex", no_vertex);
 }
@@ -226,7 +242,7 @@ TEST_F(Misuse, OfMeshes) {
     }
   }
   const Plan curve(gl, 1);
-  glev_mesh mesh = {sizeof mesh, 0, 3, 0, 1, GLEV_CORRECTLY_ROUNDED, {}, nullptr, 0};
+  glev_mesh mesh = {sizeof mesh, 0, 3, 0, 1, GLEV_CORRECTLY_ROUNDED, nullptr, 0, nullptr, 0};
   EXPECT_EQ(glevGetMeshScratchSize(curve, &mesh), 0u);
   mesh.j2 = 0;
   EXPECT_NE(glevGetMeshScratchSize(curve, &mesh), 0u);
@@ -237,7 +253,7 @@ TEST_F(Misuse, OfMeshes) {
 // 0 means refusal alone.
 TEST_F(Misuse, ScratchOfAMeshWithoutPointsIsNotZero) {
   const Plan curve(gl, 1);
-  glev_mesh mesh = {sizeof mesh, 3, 0, 0, 0, GLEV_FAST, {}, nullptr, 0};
+  glev_mesh mesh = {sizeof mesh, 3, 0, 0, 0, GLEV_FAST, nullptr, 0, nullptr, 0};
   EXPECT_NE(glevGetMeshScratchSize(curve, &mesh), 0u);
   EXPECT_EQ(glevEvaluateMesh(curve, &mesh), GLEV_SUCCESS);
   EXPECT_EQ(glevGetMeshScratchSize(nullptr, &mesh), 0u);
@@ -249,7 +265,8 @@ TEST_F(Misuse, ScratchOfAMeshWithoutPointsIsNotZero) {
 TEST_F(Misuse, BatchesWithoutOutputsAreLegal) {
   const Plan curve(gl, 1);
   const float u[] = {0, 1};
-  glev_batch batch = {sizeof batch, 2, GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, {u, sizeof u, sizeof *u}, {}, {}};
+  glev_batch batch = {sizeof batch, 2,       GLEV_FLOAT, GLEV_CORRECTLY_ROUNDED, {u, sizeof u, sizeof *u},
+                      {},           nullptr, 0};
   EXPECT_EQ(glevEvaluate(curve, &batch), GLEV_SUCCESS);
   batch.u.data_size = sizeof *u;
   EXPECT_EQ(glevEvaluate(curve, &batch), GLEV_ERROR_BUFFER_TOO_SMALL);
@@ -260,7 +277,9 @@ TEST_F(Misuse, BatchesWithoutOutputsAreLegal) {
 TEST_F(Misuse, OfRowStrides) {
   const auto ask = [&](std::size_t row_stride) {
     return [row_stride](Call& call) {
-      call.mesh.outputs.texcoord = call.batch.outputs.texcoord = nullptr;
+      std::vector<glev_attribute_output> outputs = call.outputs;
+      outputs.erase(outputs.begin() + 1);
+      set_outputs(call, outputs);
       call.vertex.row_stride = row_stride;
     };
   };
@@ -289,17 +308,17 @@ TEST_F(Misuse, LaterVersionsMayBeLargerIfTheRestIsZero) {
   struct {
     glev_mesh mesh;
     unsigned char rest[16];  // no padding: it would have to be zero, too
-  } later = {{sizeof later, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, {}, scratch.data(), scratch.size()}, {}};
+  } later = {{sizeof later, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, nullptr, 0, scratch.data(), scratch.size()},
+             {}};
   struct {
     glev_output output;
     unsigned char rest[8];
   } output = {memory.make_output(0, 12, 3), {}};
   output.output.size = sizeof output;
-  later.mesh.outputs.vertex = &output.output;
+  const Outputs outputs(later.mesh, {{GLEV_ATTRIBUTE_VERTEX, &output.output}});
   EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), GLEV_SUCCESS);
   memory = Memory(kNoRoom);
   output.rest[4] = 1;
-  later.mesh.outputs.vertex = &output.output;
   EXPECT_EQ(glevEvaluateMesh(plan, &later.mesh), kInvalid);
   output.rest[4] = 0;
   later.rest[0] = 1;
@@ -370,13 +389,16 @@ TEST_F(Misuse, OverlapsOfOutputsAreThoseOfTheirBytes) {
       continue;
     const glev_output vertex = memory.make_output(a.offset, a.stride, 3, 0, a.row_stride),
                       texcoord = memory.make_output(b.offset, b.stride, 2, 0, b.row_stride);
+    const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex},
+                                             {GLEV_ATTRIBUTE_TEXCOORD, &texcoord}};
     const glev_mesh mesh = {sizeof mesh,
                             0,
                             static_cast<int>(columns) - 1,
                             0,
                             static_cast<int>(rows) - 1,
                             GLEV_CORRECTLY_ROUNDED,
-                            {&vertex, nullptr, nullptr, &texcoord, nullptr, nullptr},
+                            outputs,
+                            std::size(outputs),
                             scratch.data(),
                             scratch.size()};
     const bool is_refused = is_rejected(a, b);
@@ -417,12 +439,12 @@ TEST_F(Misuse, OutputsMustNotShareBytesWithArguments) {
 
 TEST_F(Misuse, OutputsMustNotShareBytesWithScratchMemory) {
   const Plan plan(gl, 2);
-  glev_mesh mesh = {sizeof mesh, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, {}, nullptr, 0};
+  glev_mesh mesh = {sizeof mesh, 0, 4, 0, 2, GLEV_CORRECTLY_ROUNDED, nullptr, 0, nullptr, 0};
   const std::size_t needed = glevGetMeshScratchSize(plan, &mesh);
   Memory memory(2 * needed + 4096);
   const glev_output vertex = memory.make_output(needed, 24, 3);
   const std::size_t extent = 14 * 24 + 12;
-  mesh.outputs.vertex = &vertex;
+  const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
   const auto expect = [&](glev_result expected, std::size_t offset, std::size_t size) {
     mesh.scratch = memory.data() + offset;
     mesh.scratch_size = size;

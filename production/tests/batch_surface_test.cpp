@@ -75,10 +75,10 @@ class ScatteredPoints : public ContextTest {
     const Layout layout = choose_layout(chance_, plan, count, 1, false);
     Memory memory(layout.bytes);
     const LaidOut outputs(layout, memory);
-    const glev_batch batch = {sizeof batch,  count,
-                              kTypeOf<Real>, chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_FAST}),
-                              u.input,       dimension == 2 ? v.input : glev_input{},
-                              outputs};
+    const glev_batch batch = {sizeof batch,   count,
+                              kTypeOf<Real>,  chance_.one_of({GLEV_CORRECTLY_ROUNDED, GLEV_FAST}),
+                              u.input,        dimension == 2 ? v.input : glev_input{},
+                              outputs.data(), outputs.size()};
     ASSERT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
     const Memory expected = expected_memory(layout, eval_coords(dimension, u.values, v.values), count);
     ASSERT_TRUE(memory == expected) << "dimension " << dimension << ", " << count << " points, byte "

@@ -82,10 +82,10 @@ TEST_F(Batch, InterleavedAttributesAreThoseOfEvalCoordBitForBit) {
   batch.u.data = buffer_.data() + kStart;
   batch.u.data_size = buffer_.size() - kStart;
   batch.u.stride = kStride;
-  batch.outputs.vertex = &vertex;
-  batch.outputs.color = &color;
-  batch.outputs.normal = &normal;
-  batch.outputs.texcoord = &texcoord;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex},
+                                {GLEV_ATTRIBUTE_COLOR, &color},
+                                {GLEV_ATTRIBUTE_NORMAL, &normal},
+                                {GLEV_ATTRIBUTE_TEXCOORD, &texcoord}});
   ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   for (std::size_t i = 0; i < kCount; ++i) {
     const glev_vertex expected = one_vertex([&] { glevEvalCoord1f(gl, u_[i]); });
@@ -107,7 +107,7 @@ TEST_F(Batch, MissingComponentsAreDefaults) {
   for (std::size_t components : {2, 3, 4}) {
     const glev_output texcoord = make_output(0, 16, components);
     glev_batch batch = valid_batch();
-    batch.outputs.texcoord = &texcoord;
+    const Outputs outputs(batch, {{GLEV_ATTRIBUTE_TEXCOORD, &texcoord}});
     ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
     for (std::size_t i = 0; i < kCount; ++i) {
       const glev_vertex expected = one_vertex([&] { glevEvalCoord1f(gl, u_[i]); });
@@ -132,7 +132,7 @@ TEST_F(Batch, DoubleArgumentsAreNotRoundedFirst) {
   batch.u.data_size = sizeof u;
   batch.u.stride = 2 * sizeof(double);
   batch.type = GLEV_DOUBLE;
-  batch.outputs.texcoord = &texcoord;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_TEXCOORD, &texcoord}});
   ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_EQ(element_at(0, 2), (Floats{0.25f, 0.5f}));
 }
@@ -142,7 +142,7 @@ TEST_F(Batch, AStrideOfZeroRepeatsOneArgument) {
   glev_batch batch = valid_batch();
   batch.u.data_size = 4;
   batch.u.stride = 0;
-  batch.outputs.vertex = &vertex;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
   ASSERT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   for (std::size_t i = 1; i < kCount; ++i) EXPECT_EQ(element_at(12 * i, 3), element_at(0, 3));
   EXPECT_EQ(buffer_[12 * kCount], kPoison);
@@ -153,7 +153,7 @@ TEST_F(Batch, NoVertexMapIsNeeded) {
   new_plan();
   const glev_output color = make_output(0, 16, 4);
   glev_batch batch = valid_batch();
-  batch.outputs.color = &color;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_COLOR, &color}});
   EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   EXPECT_NE(buffer_[0], kPoison);
 }
@@ -161,7 +161,7 @@ TEST_F(Batch, NoVertexMapIsNeeded) {
 TEST_F(Batch, TheExactNumberOfBytesIsEnoughAndOneLessIsNot) {
   glev_output vertex = make_output(0, 20, 3);
   glev_batch batch = valid_batch();
-  batch.outputs.vertex = &vertex;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
   vertex.data_size = (kCount - 1) * 20 + 11;
   expect_misuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
   batch.u.data_size = kCount * 4 - 1;
@@ -187,14 +187,14 @@ TEST_F(Batch, SizesThatOverflowAreTooLarge) {
         glev_batch batch = valid_batch();
         batch.count = count;
         batch.u.stride = 0;
-        batch.outputs.vertex = &vertex;
+        const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
         expect_misuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
       }
     }
     glev_output vertex = make_output(0, 12, 3);
     glev_batch batch = valid_batch();
     batch.count = count;
-    batch.outputs.vertex = &vertex;
+    const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
     expect_misuse(GLEV_ERROR_BUFFER_TOO_SMALL, batch);
   }
 }
@@ -205,7 +205,7 @@ TEST_F(Batch, CountZeroReadsAndWritesNothing) {
   batch.count = 0;
   batch.u.data = nullptr;
   batch.u.data_size = 0;
-  batch.outputs.vertex = &vertex;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
   EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
   vertex.data = buffer_.data();
   EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
@@ -217,13 +217,13 @@ TEST_F(Batch, CountZeroReadsAndWritesNothing) {
 TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
   glev_output good = make_output(0, 12, 3);
   glev_batch batch = valid_batch();
-  batch.outputs.vertex = &good;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &good}});
   EXPECT_EQ(glevEvaluate(nullptr, &batch), GLEV_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(glevEvaluate(plan_, nullptr), GLEV_ERROR_INVALID_ARGUMENT);
   const auto with = [&](auto change) {
     glev_output vertex = good;
     glev_batch changed = batch;
-    changed.outputs.vertex = &vertex;
+    const Outputs changed_outputs(changed, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
     change(changed, vertex);
     expect_misuse(GLEV_ERROR_INVALID_ARGUMENT, changed);
   };
@@ -239,8 +239,7 @@ TEST_F(Batch, MisuseIsRefusedAndNothingWritten) {
   with([](glev_batch&, glev_output& v) { v.stride = 11; });
   with([](glev_batch&, glev_output& v) { v.stride = 0; });
   glev_output normal = make_output(0, 16, 4);
-  batch.outputs.vertex = nullptr;
-  batch.outputs.normal = &normal;
+  const Outputs normals(batch, {{GLEV_ATTRIBUTE_NORMAL, &normal}});
   expect_misuse(GLEV_ERROR_INVALID_ARGUMENT, batch);
 }
 
@@ -251,10 +250,9 @@ TEST_F(Batch, AnAttributeWithoutAMapIsRefused) {
     glevDisable(gl, target);
   }
   new_plan();
-  for (auto member :
-       {&glev_outputs::vertex, &glev_outputs::color, &glev_outputs::normal, &glev_outputs::texcoord}) {
+  for (glev_attribute attribute : kEveryAttribute) {
     glev_batch batch = valid_batch();
-    batch.outputs.*member = &other;
+    const Outputs outputs(batch, {{attribute, &other}});
     expect_misuse(GLEV_ERROR_NO_MAP, batch);
   }
 }
@@ -264,8 +262,7 @@ TEST_F(Batch, OverlapsAreRefused) {
                           const glev_output& color) {
     glev_batch batch = valid_batch();
     batch.count = count;
-    batch.outputs.vertex = &vertex;
-    batch.outputs.color = &color;
+    const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}, {GLEV_ATTRIBUTE_COLOR, &color}});
     if (expected == GLEV_SUCCESS) {
       EXPECT_EQ(glevEvaluate(plan_, &batch), GLEV_SUCCESS);
       buffer_.assign(4096, kPoison);
@@ -291,7 +288,7 @@ TEST_F(Batch, OverlapsAreRefused) {
   // the input
   const glev_output vertex = make_output(0, 12, 3);
   glev_batch batch = valid_batch();
-  batch.outputs.vertex = &vertex;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &vertex}});
   batch.u.data = buffer_.data() + 12 * kCount - 1;
   batch.u.data_size = 1000;
   expect_misuse(GLEV_ERROR_OVERLAP, batch);

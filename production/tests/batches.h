@@ -16,12 +16,6 @@ namespace glev_tests {
 constexpr glev_attribute kEveryAttribute[] = {GLEV_ATTRIBUTE_VERTEX, GLEV_ATTRIBUTE_COLOR,
                                               GLEV_ATTRIBUTE_NORMAL, GLEV_ATTRIBUTE_TEXCOORD};
 
-inline const glev_output*& output_of(glev_outputs& outputs, glev_attribute attribute) {
-  constexpr const glev_output* glev_outputs::*kMembers[] = {&glev_outputs::vertex, &glev_outputs::color,
-                                                            &glev_outputs::normal, &glev_outputs::texcoord};
-  return outputs.*kMembers[attribute];
-}
-
 // Returns the values of the attribute of a vertex, three of a normal.
 inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) {
   switch (attribute) {
@@ -33,8 +27,9 @@ inline Floats attribute_of(const glev_vertex& vertex, glev_attribute attribute) 
       return values_of(vertex.normal);
     case GLEV_ATTRIBUTE_TEXCOORD:
       return values_of(vertex.texcoord[0]);
+    default:
+      return {};
   }
-  return {};
 }
 
 // Snapshot of what a context has enabled.
@@ -113,8 +108,8 @@ std::vector<Result> evaluate_scattered(const glev_plan* plan, glev_attribute att
   std::vector<Result> results(u.size() * components);
   const glev_output output = {
       sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
-  glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, input_of(u), input_of(v), {}};
-  output_of(batch.outputs, attribute) = &output;
+  glev_batch batch = {sizeof batch, u.size(), kTypeOf<Real>, precision, input_of(u), input_of(v), nullptr, 0};
+  const Outputs outputs(batch, {{attribute, &output}});
   EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
   return results;
 }
@@ -135,8 +130,8 @@ std::vector<Result> evaluate_grid(const glev_plan* plan, glev_attribute attribut
   std::vector<Result> results(range.columns() * range.rows() * values, between);
   const glev_output output = {
       sizeof output, results.data(), results.size() * sizeof(Result), stride, components, kTypeOf<Result>, 0};
-  glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, {}, nullptr, 0};
-  output_of(mesh.outputs, attribute) = &output;
+  glev_mesh mesh = {sizeof mesh, range.i1, range.i2, range.j1, range.j2, precision, nullptr, 0, nullptr, 0};
+  const Outputs outputs(mesh, {{attribute, &output}});
   std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
   mesh.scratch = scratch.data();
   mesh.scratch_size = scratch.size();
@@ -272,16 +267,17 @@ class LaidOut {
     for (std::size_t a = 0; a < 4; ++a) {
       outputs_[a] = memory.make_output(layout.offset[a], layout.stride[a], layout.components[a], 0,
                                        layout.row_stride[a]);
-      output_of(all_, kEveryAttribute[a]) = &outputs_[a];
+      all_[a] = {kEveryAttribute[a], &outputs_[a]};
     }
   }
   LaidOut(const LaidOut&) = delete;
   LaidOut& operator=(const LaidOut&) = delete;
-  operator const glev_outputs&() const { return all_; }
+  const glev_attribute_output* data() const { return all_.data(); }
+  std::size_t size() const { return all_.size(); }
 
  private:
   std::array<glev_output, 4> outputs_;
-  glev_outputs all_{};
+  std::array<glev_attribute_output, 4> all_{};
 };
 
 }  // namespace glev_tests

@@ -91,11 +91,13 @@ int main(void) {
                               .data_size = sizeof positions,
                               .stride = sizeof positions[0],
                               .components = 3};
+  const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &vertex}};
   const glev_batch batch = {.size = sizeof batch,
                             .count = kCount,
                             .type = GLEV_FLOAT,
                             .u = {.data = kU, .data_size = sizeof kU, .stride = sizeof kU[0]},
-                            .outputs = {.vertex = &vertex}};
+                            .outputs = outputs,
+                            .output_count = 1};
   CHECK(glevEvaluate(plan, &batch) == GLEV_SUCCESS);
   CHECK(memcmp(positions, drawn.positions, sizeof positions) == 0);
   glevReleasePlan(plan);

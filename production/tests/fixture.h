@@ -159,4 +159,19 @@ std::vector<float> values_of(const float (&values)[kCount]) {
 
 using Floats = std::vector<float>;
 
+// The outputs of a batch or a mesh, which refers to this object.
+class Outputs {
+ public:
+  template <class Call>
+  Outputs(Call& call, std::initializer_list<glev_attribute_output> outputs) : outputs_(outputs) {
+    call.outputs = outputs_.data();
+    call.output_count = outputs_.size();
+  }
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+
+ private:
+  std::vector<glev_attribute_output> outputs_;
+};
+
 }  // namespace glev_tests

@@ -195,9 +195,9 @@ class NormalBounds : public ::testing::Test {
 
   // `output` of the mesh, elements `values` apart.
   template <class Real>
-  static std::vector<Real> evaluate_mesh(glev_context* gl, const Range& range,
-                                         const glev_output* glev_outputs::*output, std::size_t components,
-                                         std::size_t values, int mode = FE_TONEAREST) {
+  static std::vector<Real> evaluate_mesh(glev_context* gl, const Range& range, glev_attribute attribute,
+                                         std::size_t components, std::size_t values,
+                                         int mode = FE_TONEAREST) {
     const glev_plan_info info = {sizeof info, 2};
     glev_plan* plan = nullptr;
     EXPECT_EQ(glevCreatePlan(gl, &info, &plan), GLEV_SUCCESS);
@@ -212,7 +212,7 @@ class NormalBounds : public ::testing::Test {
     glev_mesh mesh = {};
     mesh.size = sizeof mesh;
     mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
-    mesh.outputs.*output = &to;
+    const Outputs outputs(mesh, {{attribute, &to}});
     std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size();
@@ -239,8 +239,7 @@ class NormalBounds : public ::testing::Test {
     glev_mesh mesh = {};
     mesh.size = sizeof mesh;
     mesh.i1 = range.i1, mesh.i2 = range.i2, mesh.j1 = range.j1, mesh.j2 = range.j2;
-    mesh.outputs.vertex = &vertex;
-    mesh.outputs.normal = &normal;
+    const Outputs outputs(mesh, {{GLEV_ATTRIBUTE_VERTEX, &vertex}, {GLEV_ATTRIBUTE_NORMAL, &normal}});
     std::vector<unsigned char> scratch(glevGetMeshScratchSize(plan, &mesh));
     mesh.scratch = scratch.data();
     mesh.scratch_size = scratch.size();
@@ -285,7 +284,7 @@ class NormalBounds : public ::testing::Test {
         const std::vector<Normal> calls = evaluate_by_calls(gl, range, mode);
         const std::size_t values = mode == FE_UPWARD ? 3 : 6;
         const std::vector<float> mesh =
-            evaluate_mesh<float>(gl, range, &glev_outputs::normal, 3, values, mode);
+            evaluate_mesh<float>(gl, range, GLEV_ATTRIBUTE_NORMAL, 3, values, mode);
         int different = 0;
         for (std::size_t i = 0; i < range.count(); ++i) {
           const Normal got = {mesh[i * values], mesh[i * values + 1], mesh[i * values + 2]};
@@ -499,7 +498,7 @@ TEST_F(NormalBounds, OfTangents) {
       for (const std::string& target : targets()) {
         glev_context* const gl = make_context(patch, target);
         for (const int direction : {0, 1}) {
-          const auto output = direction == 0 ? &glev_outputs::tangent_u : &glev_outputs::tangent_v;
+          const auto output = direction == 0 ? GLEV_ATTRIBUTE_TANGENT_U : GLEV_ATTRIBUTE_TANGENT_V;
           const std::vector<float> floats = evaluate_mesh<float>(gl, range, output, components, 4);
           const std::vector<double> doubles = evaluate_mesh<double>(gl, range, output, components, 4);
           const double width = std::fabs(patch.domain[2 * direction + 1] - patch.domain[2 * direction]);

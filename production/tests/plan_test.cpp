@@ -26,7 +26,7 @@ std::vector<float> vertices_of(const glev_plan* plan, const std::vector<float>& 
   batch.u.data_size = u.size() * 4;
   batch.u.stride = 4;
   batch.type = GLEV_FLOAT;
-  batch.outputs.vertex = &output;
+  const Outputs outputs(batch, {{GLEV_ATTRIBUTE_VERTEX, &output}});
   EXPECT_EQ(glevEvaluate(plan, &batch), GLEV_SUCCESS);
   return positions;
 }
@@ -62,7 +62,7 @@ TEST_F(PlanTest, KnowsWhatItEvaluates) {
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_COLOR), 4u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_NORMAL), 3u);
   EXPECT_EQ(glevGetPlanComponents(plan, GLEV_ATTRIBUTE_TEXCOORD), 3u);
-  EXPECT_EQ(glevGetPlanComponents(plan, static_cast<glev_attribute>(4)), 0u);
+  EXPECT_EQ(glevGetPlanComponents(plan, static_cast<glev_attribute>(6)), 0u);
   glevReleasePlan(plan);
 }
 

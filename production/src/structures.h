@@ -1,0 +1,45 @@
+// Structures of the C API, which grow from version to version.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include <glevaluator.h>
+
+namespace glev {
+
+// Size of a structure in the first version of the library. Members that are added later leave it alone.
+template <class Struct>
+inline constexpr std::size_t kFirstSize = 0;
+#define GLEV_FIRST_SIZE(Struct, last_member)        \
+  template <>                                       \
+  inline constexpr std::size_t kFirstSize<Struct> = \
+      offsetof(Struct, last_member) + sizeof(Struct::last_member)
+GLEV_FIRST_SIZE(glev_allocator, release);
+GLEV_FIRST_SIZE(glev_context_info, target);
+GLEV_FIRST_SIZE(glev_sink, end);
+GLEV_FIRST_SIZE(glev_plan_info, dimension);
+GLEV_FIRST_SIZE(glev_output, row_stride);
+GLEV_FIRST_SIZE(glev_batch, output_count);
+GLEV_FIRST_SIZE(glev_mesh, scratch_size);
+GLEV_FIRST_SIZE(glev_indices, data_size);
+#undef GLEV_FIRST_SIZE
+
+// Copies a structure that begins with its size; members that the caller's version does not have are zero.
+// Returns false, and copies nothing, if it is smaller than in the first version, or larger than this
+// version's with a rest that is not zero.
+template <class Struct>
+bool read_struct(const Struct* given, Struct* copy) {
+  static_assert(kFirstSize<Struct> != 0);
+  if (given == nullptr || given->size < kFirstSize<Struct>) return false;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  for (std::size_t i = sizeof(Struct); i < given->size; ++i) {
+    if (bytes[i] != 0) return false;
+  }
+  *copy = {};
+  std::memcpy(copy, given, std::min(given->size, sizeof(Struct)));
+  return true;
+}
+
+}  // namespace glev

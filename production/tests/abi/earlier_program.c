@@ -1,0 +1,176 @@
+/* A program with the structures of this version on a library whose structures have more members: everything
+ * works, and nothing is read or written beyond the structures of this version. */
+#include <glevaluator.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CHECK(condition)                                               \
+  do {                                                                 \
+    if (!(condition)) {                                                \
+      fprintf(stderr, "line %d: %s is false\n", __LINE__, #condition); \
+      exit(EXIT_FAILURE);                                              \
+    }                                                                  \
+  } while (0)
+
+/* Members keep their offsets. The numbers are those of 64 bits. */
+#define AT(structure, member, offset)                                           \
+  _Static_assert(sizeof(void*) != 8 || offsetof(structure, member) == (offset), \
+                 #structure "." #member " has moved")
+AT(glev_allocator, user, 8);
+AT(glev_allocator, allocate, 16);
+AT(glev_allocator, release, 24);
+AT(glev_context_info, allocator, 8);
+AT(glev_context_info, target, 16);
+AT(glev_vertex, position, 8);
+AT(glev_vertex, color, 24);
+AT(glev_vertex, normal, 40);
+AT(glev_vertex, texcoord, 52);
+AT(glev_vertex, index, 180);
+AT(glev_vertex, edge_flag, 184);
+AT(glev_sink, user, 8);
+AT(glev_sink, begin, 16);
+AT(glev_sink, vertex, 24);
+AT(glev_sink, end, 32);
+AT(glev_plan_info, dimension, 8);
+AT(glev_output, data, 8);
+AT(glev_output, data_size, 16);
+AT(glev_output, stride, 24);
+AT(glev_output, components, 32);
+AT(glev_output, type, 40);
+AT(glev_output, row_stride, 48);
+AT(glev_batch, count, 8);
+AT(glev_batch, type, 16);
+AT(glev_batch, precision, 20);
+AT(glev_batch, u, 24);
+AT(glev_batch, v, 48);
+AT(glev_batch, outputs, 72);
+AT(glev_batch, output_count, 80);
+AT(glev_mesh, i1, 8);
+AT(glev_mesh, j2, 20);
+AT(glev_mesh, precision, 24);
+AT(glev_mesh, outputs, 32);
+AT(glev_mesh, output_count, 40);
+AT(glev_mesh, scratch, 48);
+AT(glev_mesh, scratch_size, 56);
+AT(glev_indices, mode, 8);
+AT(glev_indices, columns, 16);
+AT(glev_indices, rows, 24);
+AT(glev_indices, first, 32);
+AT(glev_indices, type, 40);
+AT(glev_indices, data, 48);
+AT(glev_indices, data_size, 56);
+_Static_assert(sizeof(glev_input) == 3 * sizeof(size_t), "glev_input has changed");
+_Static_assert(sizeof(glev_attribute_output) == 2 * sizeof(void*), "glev_attribute_output has changed");
+
+/* A structure in front of bytes that are no members of it, whatever a later version has there. */
+#define FOLLOWED(structure) \
+  struct {                  \
+    structure it;           \
+    unsigned char rest[64]; \
+  }
+#define MAKE(structure, name)          \
+  FOLLOWED(structure) name;            \
+  memset(&name, 0xAB, sizeof name);    \
+  memset(&name.it, 0, sizeof name.it); \
+  name.it.size = sizeof name.it
+
+static int allocations, vertices;
+
+static void* allocate(void* user, size_t bytes, size_t alignment) {
+  CHECK(user == &allocations);
+  ++allocations;
+  return aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+static void release(void* user, void* memory, size_t bytes, size_t alignment) {
+  (void)bytes, (void)alignment;
+  CHECK(user == &allocations);
+  free(memory);
+}
+static void on_vertex(void* user, const glev_vertex* vertex) {
+  CHECK(user == &vertices);
+  /* The library is a later one. */
+  CHECK(vertex->size > sizeof *vertex);
+  CHECK(vertex->position[0] == 2 && vertex->position[1] == 1.5f && vertex->position[3] == 1);
+  ++vertices;
+}
+
+int main(void) {
+  static const float points[4][3] = {{0, 0, 0}, {1, 2, 0}, {3, 2, 0}, {4, 0, 0}};
+  static const float u[3] = {0, 0.5f, 1};
+
+  MAKE(glev_allocator, allocator);
+  allocator.it.user = &allocations;
+  allocator.it.allocate = allocate;
+  allocator.it.release = release;
+  MAKE(glev_context_info, context_info);
+  context_info.it.allocator = &allocator.it;
+  glev_context* gl;
+  CHECK(glevCreateContext(&context_info.it, &gl) == GLEV_SUCCESS);
+  CHECK(allocations > 0);
+
+  MAKE(glev_sink, sink);
+  sink.it.user = &vertices;
+  sink.it.vertex = on_vertex;
+  CHECK(glevSetSink(gl, &sink.it) == GLEV_SUCCESS);
+  glevMap1f(gl, GLEV_MAP1_VERTEX_3, 0, 1, 3, 4, &points[0][0]);
+  glevMapGrid1f(gl, 2, 0, 1);
+  glevEnable(gl, GLEV_MAP1_VERTEX_3);
+  glevBegin(gl, GLEV_POINTS);
+  glevEvalCoord1f(gl, 0.5f);
+  glevEnd(gl);
+  CHECK(vertices == 1);
+
+  MAKE(glev_plan_info, plan_info);
+  plan_info.it.dimension = 1;
+  glev_plan* plan;
+  CHECK(glevCreatePlan(gl, &plan_info.it, &plan) == GLEV_SUCCESS);
+
+  float results[3][3] = {{0}}, again[3][3] = {{0}};
+  MAKE(glev_output, output);
+  output.it.data = results;
+  output.it.data_size = sizeof results;
+  output.it.stride = sizeof results[0];
+  output.it.components = 3;
+  const glev_attribute_output outputs[] = {{GLEV_ATTRIBUTE_VERTEX, &output.it}};
+  MAKE(glev_batch, batch);
+  batch.it.count = 3;
+  batch.it.type = GLEV_FLOAT;
+  batch.it.u.data = u;
+  batch.it.u.data_size = sizeof u;
+  batch.it.u.stride = sizeof u[0];
+  batch.it.outputs = outputs;
+  batch.it.output_count = 1;
+  CHECK(glevEvaluate(plan, &batch.it) == GLEV_SUCCESS);
+  CHECK(results[1][0] == 2 && results[1][1] == 1.5f && results[2][0] == 4);
+
+  output.it.data = again;
+  MAKE(glev_mesh, mesh);
+  mesh.it.i2 = 2;
+  mesh.it.outputs = outputs;
+  mesh.it.output_count = 1;
+  mesh.it.scratch_size = glevGetMeshScratchSize(plan, &mesh.it);
+  mesh.it.scratch = malloc(mesh.it.scratch_size);
+  CHECK(glevEvaluateMesh(plan, &mesh.it) == GLEV_SUCCESS);
+  free(mesh.it.scratch);
+  CHECK(memcmp(results, again, sizeof results) == 0);
+
+  unsigned short numbers[6];
+  MAKE(glev_indices, indices);
+  indices.it.mode = GLEV_FILL;
+  indices.it.columns = indices.it.rows = 2;
+  indices.it.type = GLEV_UNSIGNED_SHORT;
+  indices.it.data = numbers;
+  indices.it.data_size = sizeof numbers;
+  CHECK(glevGetIndexCount(&indices.it) == 6);
+  CHECK(glevGetIndices(&indices.it) == GLEV_SUCCESS);
+  CHECK(numbers[5] == 3);
+
+  /* A structure that is smaller than in any version is none. */
+  --batch.it.size;
+  CHECK(glevEvaluate(plan, &batch.it) == GLEV_ERROR_INVALID_ARGUMENT);
+  glevReleasePlan(plan);
+  glevDestroyContext(gl);
+  return EXIT_SUCCESS;
+}
