@@ -24,6 +24,7 @@
 #include <evalcts/results/text.h>
 #include <evalcts/runner/interruption.h>
 #include "causes.h"
+#include "excerpt.h"
 #include "legal.h"
 #include "shrink.h"
 
@@ -55,6 +56,10 @@ std::string without_digits(std::string text) {
 // "Mesh1.LastIsExact/LINE/Executed" -> "Mesh.LastIsExact".
 std::string family_of(const std::string& test) { return without_digits(test.substr(0, test.find('/'))); }
 
+bool draws_very_much(const FailingCase& failing) {
+  return !failing.commands.empty() && vertices_of(gl::parse_case(failing.commands)) > kMostVertices;
+}
+
 // Reduces failing cases in child processes, and crashes by playing candidates in processes of their own.
 class BugHunt {
  public:
@@ -75,6 +80,8 @@ class BugHunt {
         cases.push_back({test->name, failure ? failure->what : "", commands_of(*test)});
       }
     }
+    // Cases that draw very much take long, and most are of a cause that a smaller one has shown by then.
+    std::ranges::stable_partition(cases, [](const FailingCase& each) { return !draws_very_much(each); });
     reduce(cases);
     for (const TestRecord* test : deaths) {
       take(reduce_death(*test));

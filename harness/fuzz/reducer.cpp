@@ -7,6 +7,7 @@
 #include <evalcts/gl/explicit_vertices.h>
 
 #include "causes.h"
+#include "excerpt.h"
 #include "legal.h"
 #include "shrink.h"
 
@@ -70,17 +71,22 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
   const auto is_known = [&](bool in_shared) {
     for (const gl::Case& form : forms) {
       const std::optional<Specified> of_form = specify_if_defined(form, max_order_);
-      for (const std::string& cause : causes_)
-        if (of_form && cause.ends_with(": " + wanted) &&
-            (!in_shared || reduced_to(cause, form, *of_form, still_in_shared)) &&
-            reduced_to(cause, form, *of_form, still)) {
-          finding.cause = cause;
-          return true;
-        }
+      for (const std::string& cause : causes_) {
+        if (!of_form || !cause.ends_with(": " + wanted)) continue;
+        // The shared context has told that each word is needed, so that one look in a fresh one is enough.
+        const std::optional<gl::Case> reduced = in_shared ? reduced_to(cause, form, *of_form, still_in_shared)
+                                                          : reduced_to(cause, form, *of_form, still);
+        if (!reduced || (in_shared && !still(*reduced))) continue;
+        finding.cause = cause;
+        return true;
+      }
     }
     return false;
   };
-  bool known = (shared_ && is_known(true)) || is_known(false);
+  // Each look at a program that draws very much takes so long that it gets few of them.
+  const std::int64_t size = std::max<std::int64_t>(vertices_of(program) / kMostVertices, 1);
+  const bool is_cheap_in_shared = shared_ && size == 1;
+  bool known = (is_cheap_in_shared && is_known(true)) || is_known(false);
   if (!known && look == Look::vertices && kind != kPrimitives) {
     // If vertices are lost and others come twice, their number is right and nothing else of them.
     wanted = kPrimitives;
@@ -98,7 +104,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     outside = true;
     return outside = still(control);
   };
-  int most = most_attempts_;
+  int most = most_attempts_ / static_cast<int>(std::min<std::int64_t>(size, most_attempts_));
   if (shows_outside(gl::with_explicit_vertices(program))) {
     shown = finding.program;
     most /= 4;  // nobody has to debug that
@@ -108,7 +114,7 @@ Finding Reducer::explain(const gl::Case& program, Finding finding, bool careful)
     if (still(without_word(shown, word))) shown = finding.program;
   // All the way in the shared context first, where a program costs little: from there it is short in fresh
   // ones.
-  if (shared_ && !careful && still_in_shared(shown)) {
+  if (is_cheap_in_shared && !careful && still_in_shared(shown)) {
     const gl::Case small = shrink(shown, still_in_shared, kInShared * most);
     if (still(small)) shown = small;
   }

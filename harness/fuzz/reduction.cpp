@@ -11,6 +11,7 @@
 #include <evalcts/fuzz/events.h>
 #include <evalcts/gl/case_json.h>
 #include "causes.h"
+#include "excerpt.h"
 #include "legal.h"
 #include "reducer.h"
 #include "shrink.h"
@@ -57,29 +58,39 @@ class CaseReducer {
     } catch (const std::invalid_argument& error) {
       return not_reduced(failing, error.what());
     }
-    const std::optional<Specified> specified = specify_if_defined(program, max_order_);
-    if (!specified)
-      return not_reduced(failing, "the specification does not define everything that its case does");
+    has_grid_ = has(program, "glMapGrid");
     const bool is_answer = kind_of(failing.what).starts_with("gl");
-    std::optional<Finding> found =
-        judge_program(subject_, program, *specified, is_answer ? Look::answers : Look::vertices).finding;
-    if (!found) found = judge_program(subject_, program, *specified, Look::all).finding;
-    if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
+    const Look look = is_answer ? Look::answers : Look::vertices;
+    std::optional<Finding> found;
+    if (vertices_of(program) > kMostVertices)
+      program = excerpt_of(program, [&](const gl::Case& part) {
+        report_now_and_then();
+        if (is_over() || !keeps_its_grid(part)) return false;
+        std::optional<Finding> of_part = difference_of(part, look);
+        if (!of_part) return false;
+        found = std::move(of_part);
+        return true;
+      });
+    if (!found) {
+      const std::optional<Specified> specified = specify_if_defined(program, max_order_);
+      if (!specified)
+        return not_reduced(failing, "the specification does not define everything that its case does");
+      found = judge_program(subject_, program, *specified, look).finding;
+      if (!found) found = judge_program(subject_, program, *specified, Look::all).finding;
+      if (!found) return not_reduced(failing, why_it_does_not_show(script, program));
+    }
 
     const std::string kind = kind_of(found->failure.what);
     const gl::Case plain = forms_of(program).back();
     const std::string key = kind + ": " + gl::to_text(plain);
     if (const auto same = reduced_.find(key); same != reduced_.end()) return {failing.test, same->second, ""};
-    has_grid_ = has(program, "glMapGrid");
     Finding minimal = reducer_.explain(program, *found);
     // A wrong answer in it, such as a missing error, tells more than what comes of it.
     if (!kind.starts_with("gl"))
-      if (const std::optional<Specified> of_minimal = specify_if_defined(minimal.program, max_order_))
-        if (const std::optional<Finding> answer =
-                judge_program(subject_, minimal.program, *of_minimal, Look::answers).finding)
-          minimal = reducer_.explain(gl::Case(minimal.program), *answer);
+      if (const std::optional<Finding> answer = difference_of(minimal.program, Look::answers))
+        minimal = reducer_.explain(gl::Case(minimal.program), *answer);
     if (is_over()) return not_reduced(failing, kOutOfTime);
-    if (fails_alike(plain, kind)) reduced_[key] = minimal;
+    if (vertices_of(plain) <= kMostVertices && fails_alike(plain, kind)) reduced_[key] = minimal;
     return {failing.test, minimal, ""};
   }
 
@@ -121,11 +132,14 @@ class CaseReducer {
     return "what the test compares is not a difference from the executable specification";
   }
 
-  bool fails_alike(const gl::Case& program, const std::string& kind) {
+  std::optional<Finding> difference_of(const gl::Case& program, Look look) {
     const std::optional<Specified> specified = specify_if_defined(program, max_order_);
-    if (!specified) return false;
-    const Look look = kind.starts_with("gl") ? Look::answers : Look::vertices;
-    const std::optional<Finding> found = judge_program(subject_, program, *specified, look).finding;
+    return specified ? judge_program(subject_, program, *specified, look).finding : std::nullopt;
+  }
+
+  bool fails_alike(const gl::Case& program, const std::string& kind) {
+    const std::optional<Finding> found =
+        difference_of(program, kind.starts_with("gl") ? Look::answers : Look::vertices);
     return found && kind_of(found->failure.what) == kind;
   }
 
