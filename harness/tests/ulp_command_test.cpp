@@ -128,7 +128,7 @@ TEST_F(UlpCommand, TakesADomain) {
   for (const char* wrong : {"4,4", "4", "1,2,3", "0,1e99", "nan,1"})
     EXPECT_EQ(with({"--domain", wrong}).code, 2) << wrong;
   EXPECT_EQ(with({"--segments", "0"}).code, 2);
-  // Of all classes of the table.
+  // The option takes the place of the domains of all classes.
   ASSERT_EQ(ulp({"--implementation", "sum-float", "--values", "300", "--filter", "curve/4/ordinary",
                  "--domain", "-3,5"})
                 .code,
